@@ -54,7 +54,7 @@ std::optional<std::string> otherThanJson(std::string_view text) {
 }  // namespace
 
 Result<Project> loadProject(const std::string& path) {
-  const Result<std::string> text = readFile(path, "scene", kMaxProjectBytes);
+  const Result<std::string> text = readFile(path, "scene", sillon::kMaxProjectBytes);
   if (!text) return text.error();
   Result<Project> project = sillon::readProject(text.value());
   if (!project)

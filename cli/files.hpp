@@ -12,7 +12,7 @@
 
 namespace cli {
 
-inline constexpr std::size_t kMaxProjectBytes = std::size_t{1} << 20;
+inline constexpr std::size_t kMaxSpoolsBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kMaxInputBytes = std::size_t{256} << 20;
 inline constexpr std::size_t kMaxGcodeBytes = std::size_t{1}
                                               << 30;  ///< `generate` writes hundreds of MB for tall plates

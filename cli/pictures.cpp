@@ -99,7 +99,7 @@ std::optional<double> lampSlopeOf(const std::string& size) {
 
 std::optional<sillon::Error> readOwnSpools(PictureOptions& options) {
   if (options.spoolsFile.empty()) return std::nullopt;
-  const sillon::Result<std::string> text = readFile(options.spoolsFile, "file of spools", kMaxProjectBytes);
+  const sillon::Result<std::string> text = readFile(options.spoolsFile, "file of spools", kMaxSpoolsBytes);
   if (!text) return text.error();
   sillon::Result<std::vector<sillon::Spool>> read = sillon::readSpools(text.value());
   if (!read) return sillon::Error{read.error().code, "\"" + options.spoolsFile + "\": " + read.error().message};

@@ -135,17 +135,17 @@ function studioRow(setting) {
   if (unit !== undefined) facts.unit = unit === 'spacings' ? 'spacing' : unitOf(setting);
   if (low !== undefined) Object.assign(facts, { low, high: mostOf(setting) });
   if (nullable) facts.nullable = nullable;
+  if (setting.maxBytes !== undefined) facts.maxBytes = setting.maxBytes;
   const text = Object.entries(facts).map(([name, value]) => `${name}: ${JSON.stringify(value).replaceAll('"', "'")}`);
   return `${key}: { ${text.join(', ')} },`;
 }
 
-/** Of the pictures, what the studio has fields for. */
-const isOfStudio = ({ section, type, key }) =>
-  section === 'pictures' ? ['lampSize', 'smoothness', 'localContrast'].includes(key) : type !== 'name';
+/** Files and names are no values of their own. */
+const isValue = ({ type }) => type !== 'name' && type !== 'pictures';
 
 const studioRows = (section, indent) =>
   of(section)
-    .filter(isOfStudio)
+    .filter(isValue)
     .map((setting) => indent + studioRow(setting))
     .join('\n');
 
@@ -153,11 +153,7 @@ const studioSection = (section) => `  ${section}: {\n${studioRows(section, '    
 
 const settingTable = () => `// Made by tools/generate.mjs from the core's table of settings: ./dev generate.
 export const table = {
-${sectionsOfStudio.map(studioSection).join('\n')}
-} as const;
-
-export const pictureTable = {
-${studioRows('pictures', '  ')}
+${['pictures', ...sectionsOfStudio].map(studioSection).join('\n')}
 } as const;
 `;
 
@@ -166,7 +162,7 @@ ${studioRows('pictures', '  ')}
 const words = JSON.parse(execFileSync(program, ['words', '--json'], { encoding: 'utf8' }));
 const sectionsOfStudio = ['toolpath', 'print', 'printer'];
 const settingsOfStudio = settings.filter(
-  (setting) => sectionsOfStudio.includes(setting.section) && isOfStudio(setting),
+  (setting) => sectionsOfStudio.includes(setting.section) && isValue(setting),
 );
 const labels = new Map(settings.map(({ section, key, label }) => [`${section}.${key}`, typeset(label)]));
 

@@ -429,7 +429,12 @@ export type PictureInput = Partial<Omit<PictureParams, 'files'>> & {
 };
 
 export type ShapeInput =
-  | { builtin: 'rectangle' | 'rounded' | 'disc'; size?: readonly [number, number]; radius?: number }
+  | {
+      builtin: 'rectangle' | 'rounded' | 'disc';
+      size?: readonly [number, number];
+      radius?: number;
+      keepThin?: boolean;
+    }
   /** SVG, or a mask picture whose bright, opaque pixels are inside. `pageWidth` 0: as drawn, 80 mm for a mask.
    * `paint`: a drawing is what it shows (default), or all its outlines, whatever their paint.
    * `keepThin`: places of half a bead to one are widened to one. */
@@ -738,8 +743,8 @@ export interface Project {
     radius: number;
     pageWidth: number;
     unitless: 'px' | 'mm';
-    paint?: 'shown' | 'ignore';
-    keepThin?: boolean;
+    paint: 'shown' | 'ignore';
+    keepThin: boolean;
   };
   directions: { file: string; encoding: DirectionEncoding; angle: number };
   modes: { file: string; mode: DirectionMode };
@@ -747,6 +752,8 @@ export interface Project {
   toolpath: ToolpathParams;
   print: Omit<PrintParams, 'date'>;
   printer: Printer;
+  /** What the studio keeps of its own in a project; other programs leave it as it is. */
+  studio?: Record<string, unknown>;
 }
 
 export type DeepPartial<T> = T extends readonly unknown[]

@@ -16,8 +16,8 @@
 namespace sillon {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
 constexpr std::size_t kMaxDepth = 64;
+constexpr const char* kStudio = "studio";
 constexpr std::array kSections{Section::Shape,    Section::Directions, Section::Modes,  Section::Pictures,
                                Section::Toolpath, Section::Print,      Section::Printer};
 
@@ -92,7 +92,7 @@ std::string wrongKind(const Json& root) {
 /// \return what is wrong: an unknown key, a wrong type. Empty: nothing.
 std::string readRoot(const Json& root, Project& project) {
   std::vector<std::string> known = sceneKeys();
-  known.insert(known.begin(), "sillon");
+  known.insert(known.begin(), {"sillon", kStudio});
   for (const Section section : kSections) known.emplace_back(sectionName(section));
   if (std::string wrong = unknownKey(root, "", known); !wrong.empty()) return wrong;
   if (std::string wrong = wrongKind(root); !wrong.empty()) return wrong;
@@ -102,15 +102,19 @@ std::string readRoot(const Json& root, Project& project) {
     if (found == root.end()) continue;
     if (std::string wrong = readSection(*found, section, viewOf(project)); !wrong.empty()) return wrong;
   }
+  const auto studio = root.find(kStudio);
+  if (studio == root.end()) return "";
+  if (!studio->is_object()) return std::string(kStudio) + " is " + typeName(*studio) + "; it must be an object";
+  project.studio = jsonText(*studio);
   return "";
 }
 
 }  // namespace
 
 Result<Project> readProject(std::string_view json) {
-  if (json.size() > kMaxBytes) {
+  if (json.size() > kMaxProjectBytes) {
     return Error{ErrorCode::TooLarge, "the project is " + std::to_string(json.size()) + " bytes; it must be at most " +
-                                          std::to_string(kMaxBytes)};
+                                          std::to_string(kMaxProjectBytes)};
   }
   Inspector inspector(json);
   if (!Json::sax_parse(json, &inspector)) return Error{ErrorCode::InvalidFile, inspector.problem};

@@ -162,7 +162,9 @@ std::string projectText(const SettingsView& view) {
     }
     out += std::string("    \"") + setting.key + "\": " + std::visit(ValueJson{setting, field, "    "}, field);
   }
-  return out + (*open == '\0' ? "" : "\n  }") + "\n}\n";
+  if (*open != '\0') out += "\n  }";
+  if (view.project != nullptr && !view.project->studio.empty()) out += ",\n  \"studio\": " + view.project->studio;
+  return out + "\n}\n";
 }
 
 std::string settingsJson() {

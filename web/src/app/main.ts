@@ -151,8 +151,8 @@ studio.services = {
     return writeProject(plate, raster);
   },
   projectData: async (plate) => {
-    const [{ projectData }, raster] = await Promise.all([import('../files/project.js'), pipeline.directions()]);
-    return projectData(plate, raster);
+    const { projectData } = await import('../files/project.js');
+    return projectData(plate);
   },
   link: async (plate) => (await import('../plates/links.js')).linkOf(plate),
   setLanguage: async (language) => {

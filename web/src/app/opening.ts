@@ -2,7 +2,7 @@
 import type { Engine, PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { newPlateOn, onOwnPrinter } from '../model/brought.js';
-import { newGenerator, newLampDirections, newPlate } from '../model/defaults.js';
+import { newFileShape, newGenerator, newLampDirections, newPlate } from '../model/defaults.js';
 import { withFilament } from '../model/filaments.js';
 import { homeLight } from '../model/lamp.js';
 import {
@@ -217,9 +217,7 @@ async function directionsOf(directions: Example['directions']): Promise<Directio
 async function plateOf(example: Example, own: () => PrinterValues): Promise<Plate> {
   const { modes = {}, width, height, filament, nearest } = example;
   const shape: ShapeSource =
-    typeof example.shape === 'string'
-      ? { kind: 'file', file: await fetched(example.shape), unitless: 'px' }
-      : example.shape;
+    typeof example.shape === 'string' ? newFileShape(await fetched(example.shape)) : example.shape;
   const directions = await directionsOf(example.directions);
   const file = modes.file === undefined ? {} : { file: await fetched(modes.file) };
   const plate = newPlateOn(own());
@@ -230,7 +228,7 @@ async function plateOf(example: Example, own: () => PrinterValues): Promise<Plat
     width,
     height,
     directions,
-    modes: { base: modes.base ?? plate.modes.base, ...file },
+    modes: { mode: modes.mode ?? plate.modes.mode, ...file },
     toolpath: { ...plate.toolpath, mapFilter: nearest === true ? 'nearest' : 'average' },
   };
   return withFilament(made, filament);

@@ -58,7 +58,7 @@ export class OwnPanel extends StudioElement {
       case 'size':
         return sizeFields(studio);
       case 'source':
-        return sourceRows(plate.directions).map((row) => sourceField(studio, plate.directions, row));
+        return sourceRows(plate.directions).map((row) => sourceField(studio, row));
       case 'filament':
         return filamentField(studio);
       case 'printer':

@@ -73,7 +73,7 @@ async function brightOf(source: DirectionSource, plate: Plate, size: Size, own: 
     source.kind === 'text' ? drawText(source, size, round) : source.kind === 'qr' ? await qrPicture(source.text) : own;
   // A map would keep its own texels.
   const pictures = picture === undefined ? {} : { source: picture };
-  const raster = rasteriseSource(source, { base: 'constrained' }, page, thumbnailSide, pictures, round);
+  const raster = rasteriseSource(source, { mode: 'constrained' }, page, thumbnailSide, pictures, round);
   const light = homeLight({ ...plate, directions: source }, undefined);
   return { width: raster.width, height: raster.height, bright: brightnessOf(raster, light) };
 }

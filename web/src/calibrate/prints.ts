@@ -51,7 +51,7 @@ export class CalibratePrints extends StudioElement {
   }
 
   protected override onState({ plate }: Readonly<Shown>, { plate: before }: Readonly<Shown>): void {
-    const same = (['printer', 'print', 'toolpath', 'filament', 'spool'] as const).every(
+    const same = (['printer', 'print', 'toolpath', 'pictures', 'spool'] as const).every(
       (part) => plate[part] === before[part],
     );
     if (same) return;

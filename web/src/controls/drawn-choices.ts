@@ -41,13 +41,13 @@ export class DrawnChoices<Name extends string> implements ReactiveController {
   #same(plate: Plate): boolean {
     const before = this.#plate;
     if (before === undefined) return false;
-    const { directions, shape, width, height, filament } = plate;
+    const { directions, shape, width, height, pictures } = plate;
     return (
       before.directions === directions &&
       before.shape === shape &&
       before.width === width &&
       before.height === height &&
-      before.filament === filament
+      before.pictures.spool === pictures.spool
     );
   }
 

@@ -126,7 +126,7 @@ export function settingField(studio: Studio, id: SettingId): TemplateResult {
         id: field,
         label,
         value: value as string,
-        maxLength: setting.maxLength,
+        maxLength: setting.maxBytes,
         long: setting.long,
         help,
         onInput: change,

@@ -62,7 +62,7 @@ export class DirectionsPanel extends StudioElement {
             : nothing
         }
         ${this.state.scan === undefined ? nothing : html`<sillon-scan-note .studio=${this.studio}></sillon-scan-note>`}
-        ${sourceRows(directions).map((row) => sourceField(this.studio, directions, row))}
+        ${sourceRows(directions).map((row) => sourceField(this.studio, row))}
       </section>
       ${directions.kind === 'lamp' ? nothing : this.#brushes()} ${this.#modes()}
     `;
@@ -218,8 +218,8 @@ export class DirectionsPanel extends StudioElement {
   }
 
   #modes(): TemplateResult {
-    const { base, file } = this.state.plate.modes;
-    const set = (change: { base?: typeof base; file?: SourceFile | undefined }): void => {
+    const { mode, file } = this.state.plate.modes;
+    const set = (change: { mode?: typeof mode; file?: SourceFile | undefined }): void => {
       this.studio.change((plate) => {
         const { file: kept, ...next } = { ...plate.modes, ...change };
         return { ...plate, modes: kept === undefined ? next : { ...next, file: kept } };
@@ -230,13 +230,13 @@ export class DirectionsPanel extends StudioElement {
       ${select({
         id: 'mode-base',
         label: t('modes.base'),
-        value: base,
+        value: mode,
         options: modeChoices.map((value) => ({ value, label: t(`mode.${value}`) })),
         onChoose: (mode) => {
-          set({ base: mode });
+          set({ mode });
         },
       })}
-      <p class="note">${t(`mode.${base}.help`)}</p>
+      <p class="note">${t(`mode.${mode}.help`)}</p>
       ${
         file === undefined
           ? nothing

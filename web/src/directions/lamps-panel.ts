@@ -8,6 +8,7 @@ import {
   lampsOf,
   leastSeen,
   mostPictures,
+  samePictures,
   weaknessesOf,
   type LampSource,
 } from '../model/lamp.js';
@@ -91,8 +92,9 @@ export class LampsPanel extends StudioElement {
     const { plate, result } = this.state;
     const { directions } = plate;
     if (directions.kind !== 'lamp') return nothing;
-    const size = (Object.keys(lampSizes) as SizeName[]).find((name) => lampSizes[name] === directions.lampSize);
-    const seen = result?.plate.directions === directions ? result.report.pictures : undefined;
+    const size = (Object.keys(lampSizes) as SizeName[]).find((name) => lampSizes[name] === plate.pictures.lampSize);
+    const same = result?.plate.directions === directions && samePictures(result.plate, plate);
+    const seen = same ? result.report.pictures : undefined;
     return html`
       <ul>
         ${directions.pictures.map((picture, k) => this.#picture(directions, picture, k, seen?.[k]?.contrast))}
@@ -109,7 +111,7 @@ export class LampsPanel extends StudioElement {
         value: size,
         options: (Object.keys(lampSizes) as SizeName[]).map((value) => ({ value, label: t(`lamp.size.${value}`) })),
         onChoose: (name) => {
-          this.#set({ ...directions, lampSize: lampSizes[name] });
+          this.studio.change((now) => ({ ...now, pictures: { ...now.pictures, lampSize: lampSizes[name] } }));
         },
       })}
       ${weaknessesOf(plate, seen).map(

@@ -1,18 +1,18 @@
 // A row of directions as a control.
 import { html, type TemplateResult } from 'lit';
 import { t, type TextId } from '../i18n/text.js';
-import type { DirectionSource } from '../model/plate.js';
 import '../controls/dial.js';
 import { flag, numberField, numberInput, select, textField } from '../controls/fields.js';
 import type { SourceRow } from './source-rows.js';
 import type { Studio } from '../studio/studio.js';
 
-export function sourceField(studio: Studio, source: DirectionSource, row: SourceRow): TemplateResult {
+export function sourceField(studio: Studio, row: SourceRow): TemplateResult {
   const label = t(row.label as TextId);
   const id = `source-${row.key}`;
-  const value = row.get(source);
+  const { plate: shown } = studio.store.state;
+  const value = row.get(shown);
   const set = (next: unknown): void => {
-    studio.change((plate) => ({ ...plate, directions: row.with(plate.directions, next) }), `${source.kind}.${row.key}`);
+    studio.change((plate) => row.with(plate, next), `${shown.directions.kind}.${row.key}`);
   };
   const onSettle = (): void => {
     studio.settle();

@@ -1,13 +1,15 @@
 // The rows of each kind of directions as data, from which the panel is drawn.
-import type { DirectionSource } from '../model/plate.js';
-import { pictureTable } from '../model/setting-table.js';
+import type { DirectionSource, Plate } from '../model/plate.js';
+import { table } from '../model/setting-table.js';
+
+const { pictures } = table;
 
 interface Row {
   key: string;
   /** In the dictionary. */
   label: string;
-  get(source: DirectionSource): unknown;
-  with(source: DirectionSource, value: unknown): DirectionSource;
+  get(plate: Plate): unknown;
+  with(plate: Plate, value: unknown): Plate;
 }
 type NumberRow = Row & {
   control: 'number';
@@ -25,24 +27,23 @@ type ChoiceRow = Row & { control: 'choice'; choices: readonly { value: string; l
 
 export type SourceRow = NumberRow | AngleRow | FlagRow | TextRow | ChoiceRow;
 
-/** A field of a source, or one of the two numbers in it, as a row shows it: times `scale`. */
-function place(key: string, scale = 1, index?: number): Omit<Row, 'label'> {
-  const read = (source: DirectionSource): unknown => {
-    const value = (source as unknown as Record<string, unknown>)[key];
-    return index === undefined ? value : (value as number[])[index];
-  };
+type Part = 'directions' | 'pictures';
+
+/** A field of the directions, or one of the two numbers in it, as a row shows it: times `scale`. */
+function place(key: string, scale = 1, index?: number, part: Part = 'directions'): Omit<Row, 'label'> {
+  const partOf = (plate: Plate) => plate[part] as unknown as Record<string, unknown>;
   return {
     key: index === undefined ? key : `${key}-${index}`,
-    get(source) {
-      const value = read(source);
+    get(plate) {
+      const whole = partOf(plate)[key];
+      const value = index === undefined ? whole : (whole as number[])[index];
       return typeof value === 'number' ? Math.round(value * scale * 1e6) / 1e6 : value;
     },
-    with(source, value) {
+    with(plate, value) {
       const next = typeof value === 'number' ? value / scale : value;
-      if (index === undefined) return { ...source, [key]: next };
-      const pair = [...((source as unknown as Record<string, unknown>)[key] as number[])];
-      pair[index] = next as number;
-      return { ...source, [key]: pair };
+      const before = partOf(plate);
+      const whole = index === undefined ? next : (before[key] as number[]).map((one, k) => (k === index ? next : one));
+      return { ...plate, [part]: { ...before, [key]: whole } };
     },
   };
 }
@@ -64,10 +65,11 @@ interface Span {
   scale?: number;
   index?: number;
   integer?: boolean;
+  part?: Part;
 }
 
 const number = (key: string, label: string, span: Span): NumberRow => ({
-  ...place(key, span.scale, span.index),
+  ...place(key, span.scale, span.index, span.part),
   control: 'number',
   label,
   min: span.min,
@@ -109,12 +111,20 @@ const smoothing = number('smoothing', 'field.smoothing', {
 const rows: Record<DirectionSource['kind'], readonly SourceRow[]> = {
   lamp: [
     number('smoothness', 'field.calm', {
-      min: pictureTable.smoothness.low,
-      max: pictureTable.smoothness.high,
+      min: pictures.smoothness.low,
+      max: pictures.smoothness.high,
       step: 0.01,
       usual: [0.01, 0.5],
+      part: 'pictures',
     }),
-    percent('localContrast', 'field.localContrast', 100 * pictureTable.localContrast.high),
+    number('localContrast', 'field.localContrast', {
+      min: 0,
+      max: 100 * pictures.localContrast.high,
+      step: 1,
+      unit: '%',
+      scale: 100,
+      part: 'pictures',
+    }),
   ],
   angle: [angle('angle')],
   map: [

@@ -57,7 +57,7 @@ async function bodyOf(response: Response, url: URL): Promise<ArrayBuffer> {
   return new Blob(parts).arrayBuffer();
 }
 
-/** Names of the files that a project of the command line stands on. */
+/** Names of the files that a project stands on, those that the studio drew from among them. */
 function namedBy(bytes: ArrayBuffer): string[] {
   if (bytes.byteLength > most.text) return [];
   let project: unknown;
@@ -73,7 +73,9 @@ function namedBy(bytes: ArrayBuffer): string[] {
     ...['shape', 'directions', 'modes'].map((part) => field(project, part)),
     ...(Array.isArray(shown) ? (shown as unknown[]) : []),
   ];
-  const names = parts.flatMap((part) => (isFields(part) ? [field(part, 'file')] : []));
+  const studio = field(project, 'studio');
+  const kept = isFields(studio) ? field(studio, 'files') : undefined;
+  const names = [...parts.flatMap((part) => (isFields(part) ? [field(part, 'file')] : [])), ...Object.keys(kept ?? {})];
   return [...new Set(names.filter((name): name is string => typeof name === 'string' && name !== ''))];
 }
 

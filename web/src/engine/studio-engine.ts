@@ -8,6 +8,7 @@ import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.
 import type { PlateResult, Progress } from '../model/state.js';
 import { Cost } from './coarse.js';
 import { engineInput, sameToolpath, type Input } from '../model/input.js';
+import { platesFor } from '../model/lamp.js';
 import { TimeLeft } from '../model/time-left.js';
 
 const restAfter = 250; // [ms] without an update, after which a hand rests
@@ -193,12 +194,15 @@ export class StudioEngine {
     if (done?.problem !== undefined) return undefined;
     const level = order.indexOf(done?.level ?? 'none');
     const input = { plate: wanted.plate, raster: wanted.raster };
+    const corrected = platesFor(wanted.plate) > 1; // too long for a page that follows the hand
     if (wanted.live) {
       if (level > 0) return undefined;
       const factor = this.#cost.factorFor(wanted.plate);
-      return { kind: factor > 1 ? 'coarse' : 'full', factor, input, quick: true };
+      return { kind: factor > 1 || corrected ? 'coarse' : 'full', factor, input, quick: true };
     }
-    if (level < order.indexOf('full')) return { kind: 'full', factor: 1, input, quick: false };
+    if (corrected && level === 0) return { kind: 'coarse', factor: 1, input, quick: false };
+    // Corrections are made once, with the measures: the engine keeps none of the plates before the last.
+    if (!corrected && level < order.indexOf('full')) return { kind: 'full', factor: 1, input, quick: false };
     if (level < order.indexOf('measured')) return { kind: 'measured', factor: 1, input, quick: false };
     return undefined;
   }
@@ -243,10 +247,14 @@ export class StudioEngine {
   async #make(engine: Engine, { kind, quick, factor, input }: Job, signal: AbortSignal): Promise<PlateResult> {
     const begin = this.host.now();
     const timeLeft = new TimeLeft(begin);
-    const job = kind === 'measured' ? 'measuring' : 'making';
     const measure = kind === 'measured';
+    // The same beads as before: views that compare `cycles` need not upload them again.
+    const made = this.#done;
+    const same = measure && made?.level === 'full' && sameToolpath(made.input, input);
+    const before = same ? made.result?.toolpath : undefined;
+    const job = before === undefined ? 'making' : 'measuring';
     if (!quick) this.#tellProgress(job, '', 0, undefined);
-    const { input: plateInput, params } = engineInput(input, factor);
+    const { input: plateInput, params } = engineInput(input, kind === 'coarse' ? { factor } : undefined);
     const { toolpath, report, conflict } = await engine.generateToolpath(plateInput, params, {
       measure,
       signal,
@@ -256,8 +264,6 @@ export class StudioEngine {
       },
     });
     if (!measure) this.#cost.learn(input.plate, factor, this.host.now() - begin);
-    // The same beads as before: views that compare `cycles` need not upload them again.
-    const before = measure ? this.#done?.result?.toolpath : undefined;
     return {
       plate: input.plate,
       toolpath: before === undefined ? toolpath : { ...toolpath, cycles: before.cycles, shape: before.shape },
@@ -296,7 +302,7 @@ export class StudioEngine {
   /** The path of the layer below, where the print asks for one. */
   async #below(engine: Engine, { print }: Plate, signal: AbortSignal): Promise<{ below?: Toolpath }> {
     if (print.basePattern !== 'across' || print.base === 0 || this.#done === undefined) return {};
-    const { input, params } = engineInput(this.#done.input, 1);
+    const { input, params } = engineInput(this.#done.input);
     return { below: (await engine.generateToolpath(input, params, { across: true, signal })).toolpath };
   }
 

@@ -9,14 +9,12 @@ import type { Steps } from '../model/store.js';
 import { webLocks, type Locks } from './locks.js';
 import { filesOf, plateData } from './plate-data.js';
 
-const version = 2;
+const version = 1;
 const settleAfter = 500; // [ms] without a change
 const patience = 10_000; // [ms]: some browsers never answer
 /** What is kept of a plate's history, to either side: steps, points of their strokes, and bytes of files only they use. */
 const most = { steps: 60, points: 200_000, bytes: 32e6 };
 
-/** Of versions that knew one plate only. */
-const oldKey = 'plate';
 const recordKey = (id: string): string => `plate/${id}`;
 const aboutKey = (id: string): string => `about/${id}`;
 const filesKey = (id: string): string => `file/${id}/`;
@@ -249,7 +247,7 @@ const idsIn = (record: unknown): string[] => {
 /** @param bytesOf  of a file, by its id @throws Unfit */
 function stepsFrom(record: unknown, bytesOf: (id: string) => unknown): Steps {
   const fields = fieldsOf(record, '', ['version', 'files', 'plate', 'past', 'future']);
-  numberIn(fields['version'], 'version', 1, version);
+  numberIn(fields['version'], 'version', version, version);
   const ids = new Set(idsIn(record));
   const files = new Map<string, SourceFile>();
   const fileFrom = (told: unknown, where: string): SourceFile => {
@@ -267,20 +265,17 @@ function stepsFrom(record: unknown, bytesOf: (id: string) => unknown): Steps {
   return { past: past.reverse(), plate, future: platesFrom(fields['future'], fileFrom).reverse() };
 }
 
-/** @param keyOf  of a file, by its id @throws Unfit */
-async function recordedSteps(storage: Storage, record: unknown, keyOf: (id: string) => string): Promise<Steps> {
-  const ids = idsIn(record);
-  const blobs = await storage.getMany(ids.map(keyOf));
-  const bytes = new Map(ids.map((id, k) => [id, blobs[k]]));
-  return stepsFrom(record, (id) => bytes.get(id));
+/** The plate of a record, without its steps. @throws Unfit */
+export function plateOf(record: unknown, bytesOf: (id: string) => unknown): Plate {
+  if (typeof record !== 'object') throw new Unfit('', record);
+  return stepsFrom({ ...record, past: [], future: [] }, bytesOf).plate;
 }
 
 /** Whether this version can open the plate of a record. @param has  whether a file is there, by its id */
 function isFit(record: unknown, has: (id: string) => boolean): boolean {
   const present = new Blob();
   try {
-    if (typeof record !== 'object') throw new Unfit('', record);
-    stepsFrom({ ...record, past: [], future: [] }, (id) => (has(id) ? present : undefined));
+    plateOf(record, (id) => (has(id) ? present : undefined));
     return true;
   } catch (error) {
     if (error instanceof Unfit) return false;
@@ -461,7 +456,10 @@ export function createAutosave(
     const [record, about] = await storage.getMany([recordKey(id), aboutKey(id)]);
     if (record === undefined) return undefined;
     try {
-      const steps = await recordedSteps(storage, record, (file) => filesKey(id) + file);
+      const ids = idsIn(record);
+      const blobs = await storage.getMany(ids.map((file) => filesKey(id) + file));
+      const bytes = new Map(ids.map((file, k) => [file, blobs[k]]));
+      const steps = stepsFrom(record, (file) => bytes.get(file));
       const picture = aboutFrom(about)?.picture;
       if (picture !== undefined) pictures.set(id, picture);
       return steps;
@@ -474,29 +472,6 @@ export function createAutosave(
   /** All of them are of this record from now on. */
   function claim(id: string, steps: Steps): void {
     for (const plate of [...steps.past, steps.plate, ...steps.future]) idOf.set(plate, id);
-  }
-
-  /** The record of earlier versions becomes one among others, also where it cannot be read. */
-  async function migrate(): Promise<void> {
-    const [record] = await storage.getMany([oldKey]);
-    if (record === undefined) return;
-    const names = await storage.keys();
-    const files = names.flatMap((key) => /^file\/([^/]+)$/.exec(key)?.[1] ?? []);
-    const id = newId();
-    try {
-      const steps = await recordedSteps(storage, record, (file) => `file/${file}`);
-      claim(id, steps);
-      await write(id, steps);
-      saved.delete(id); // by nobody who shows it
-    } catch (error) {
-      if (!(error instanceof Unfit)) throw error;
-      const blobs = await storage.getMany(files.map((file) => `file/${file}`));
-      await storage.setMany([
-        ...files.map((file, k): [string, unknown] => [filesKey(id) + file, blobs[k]]),
-        [recordKey(id), record],
-      ]);
-    }
-    await storage.delMany([oldKey, ...files.map((file) => `file/${file}`)]);
   }
 
   async function taken(id: string, wait: boolean, steal = false): Promise<Opened | undefined> {
@@ -512,7 +487,6 @@ export function createAutosave(
 
   async function read(): Promise<Kept | undefined> {
     try {
-      await migrate();
       const foreign = await foreignOf((await abouts()).map(({ id }) => id));
       if (before !== undefined && foreign.has(before)) return { state: 'foreign' };
       const own = before === undefined ? undefined : await taken(before, true);

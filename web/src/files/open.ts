@@ -1,8 +1,8 @@
 // Files as they were opened: what they are, what they are probably for, and the plate that they make.
 import type { Engine } from 'sillon';
-import { newFileDirections, newLampDirections, newShape } from '../model/defaults.js';
+import { newFileDirections, newFileShape, newLampDirections, newShape } from '../model/defaults.js';
 import { homeLight, lampFor, mostPictures } from '../model/lamp.js';
-import type { DirectionSource, Plate, ShapeSource, SourceFile } from '../model/plate.js';
+import type { DirectionSource, Plate, SourceFile } from '../model/plate.js';
 import { StudioError, problemOf } from '../model/problem.js';
 import type { Opened, OpenedFiles, Role } from '../model/file-role.js';
 import type { Light } from '../model/view.js';
@@ -218,9 +218,9 @@ export function withFile(
   switch (role) {
     case 'shape':
     case 'mask': {
-      const next: ShapeSource = { kind: 'file', file, unitless: shape.kind === 'file' ? shape.unitless : 'px' };
+      const next = newFileShape(file, shape.unitless);
       // Put to use once more it keeps the size that a hand has given it.
-      if (shape.kind === 'file' && shape.file === file) return { ...plate, shape: next };
+      if (shape.kind === 'file' && shape.file === file) return plate;
       return { ...plate, shape: next, ...(role === 'shape' ? drawn(plate, size) : proportioned(plate, size)) };
     }
     case 'modes':
@@ -275,7 +275,7 @@ async function sizeOf(
   tell: Tell | undefined,
 ): Promise<Size> {
   if (role === 'shape') {
-    const unitless = plate.shape.kind === 'file' ? plate.shape.unitless : 'px';
+    const { unitless } = plate.shape;
     const {
       page,
       texts = 0,

@@ -1,5 +1,5 @@
 // A plate as data without bytes, for projects and storage; model/check-plate.ts reads it again.
-import type { Plate, SourceFile } from '../model/plate.js';
+import type { DirectionSource, Plate, SourceFile } from '../model/plate.js';
 
 /** Each once. */
 export function filesOf({ shape, directions, modes }: Plate): SourceFile[] {
@@ -11,15 +11,18 @@ export function filesOf({ shape, directions, modes }: Plate): SourceFile[] {
 }
 
 /** @param told  what stands for a file */
-export function plateData(plate: Plate, told: (file: SourceFile) => unknown): unknown {
-  const part = (source: object & { file?: SourceFile }): object =>
-    source.file === undefined ? source : { ...source, file: told(source.file) };
-  const { directions } = plate;
-  return {
-    ...plate,
-    shape: part(plate.shape),
-    directions:
-      directions.kind === 'lamp' ? { ...directions, pictures: directions.pictures.map(part) } : part(directions),
-    modes: part(plate.modes),
-  };
+export function partData(
+  source: Plate['shape' | 'modes'] | DirectionSource,
+  told: (file: SourceFile) => unknown,
+): object {
+  const part = (one: object & { file?: SourceFile }): object =>
+    one.file === undefined ? one : { ...one, file: told(one.file) };
+  return 'pictures' in source ? { ...source, pictures: source.pictures.map(part) } : part(source);
 }
+
+export const plateData = (plate: Plate, told: (file: SourceFile) => unknown): unknown => ({
+  ...plate,
+  shape: partData(plate.shape, told),
+  directions: partData(plate.directions, told),
+  modes: partData(plate.modes, told),
+});

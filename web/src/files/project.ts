@@ -1,26 +1,27 @@
-// The project file: a zip with project.json, which the command line reads as it is once it is unpacked, and studio.json, from
-// which the page gets back what no toolpath needs: where directions came from, strokes, the filament's look.
+// The project file: a zip with project.json, which the command line reads as it is once it is unpacked, and the files that it
+// names. Its sections are the core's; a section of the studio's own, which other programs leave as it is, has what no toolpath
+// needs: where directions came from, strokes, a spool of one's own, the names of files as they came.
 import { strFromU8, strToU8, zipSync, type Zippable } from 'fflate';
-import type { DirectionInput, Engine, PrinterValues, Project, ShapeInput } from 'sillon';
-import type { DirectionRaster } from '../model/raster.js';
-import { engineInput, paintOf } from '../model/input.js';
-import { fieldsOf, numberIn, plateFrom, textIn, Unfit, type Fields } from '../model/check-plate.js';
-import { newLampDirections, newPlate } from '../model/defaults.js';
-import { mostPictures, pictureInput } from '../model/lamp.js';
-import { withoutBrought } from '../model/brought.js';
-import type { LampPicture, Plate, SourceFile } from '../model/plate.js';
+import type { Engine, Project } from 'sillon';
+import { fieldsOf, heightFrom, numberIn, plateFrom, textIn, widthFrom, type Fields } from '../model/check-plate.js';
+import { givenSlopes, slopesOf } from '../model/filaments.js';
+import { rasterInput, sectionsOf } from '../model/input.js';
+import { isDrawn, type Plate, type SourceFile } from '../model/plate.js';
 import { isOfFile, StudioError } from '../model/problem.js';
-import type { Stored } from './autosave.js';
+import type { DirectionRaster } from '../model/raster.js';
+import { without } from '../model/without.js';
+import { plateOf, type Stored } from './autosave.js';
 import { enoughToKnow, kindOf } from './kind.js';
-import { filesOf, plateData } from './plate-data.js';
+import { filesOf, partData, plateData } from './plate-data.js';
 import { encodeGreyPng } from './png16.js';
 import { sourceFile, stemOf } from './source-file.js';
 import { openZip, ZipError, type Entry } from './unzip.js';
 
 const version = 1;
-/** Of one input, of the plate with its strokes, and of the command line's projects [bytes]. */
-export const mostBytes = { input: 64e6, plate: 16e6, project: 1 << 20 };
-const mostDepth = 64;
+/** Of one input, and of a project with its strokes, as the core has it [bytes]. */
+export const mostBytes = { input: 64e6, project: 16 << 20 };
+/** Pictures that the studio has drawn for the engine. */
+const drawnFiles = { directions: 'directions.png', modes: 'modes.png' };
 
 // --- Out ---------------------------------------------------------------------------------------------------------------
 
@@ -45,78 +46,58 @@ function pathsFor(files: readonly SourceFile[]): Map<string, string> {
 
 const json = (value: unknown): Uint8Array<ArrayBuffer> => strToU8(`${JSON.stringify(value, undefined, 2)}\n`);
 
-/** A texel's samples as the engine is handed them. */
-interface Texels {
-  width: number;
-  height: number;
-  samples: Uint8Array | Uint16Array;
+/** What the core has no section for. @param paths  of the plate's own files */
+function studioSection(plate: Plate, paths: ReadonlyMap<string, string>): object {
+  const { name, width, height, directions, modes, strokes, spool } = plate;
+  const pathOf = ({ id }: SourceFile): string | undefined => paths.get(id);
+  return {
+    version,
+    name,
+    page: [width, height],
+    files: Object.fromEntries(filesOf(plate).map((file) => [paths.get(file.id), file.name] as const)) as object,
+    ...(isDrawn(plate) && { directions: partData(directions, pathOf), modes: modes.file && pathOf(modes.file) }),
+    ...(strokes.length > 0 && { strokes }),
+    ...(spool !== undefined && { spool }),
+  };
 }
 
-/** What the command line reads, and the pictures that it names. @param paths  of the plate's own files */
-function described(
-  plate: Plate,
-  raster: DirectionRaster | undefined,
-  paths: ReadonlyMap<string, string>,
-): { project: object; pictures: [name: string, texels: Texels][] } {
-  const { input, params } = engineInput({ plate, raster });
-  const { shape, directions = {}, modes = {} } = input;
-  const { modes: told } = plate;
-  const lit = plate.directions.kind === 'lamp' ? plate.directions : undefined;
-  const pathOf = ({ id }: SourceFile): string => paths.get(id) ?? '';
-  const { print, printer } = plate;
-  const pictures: [string, Texels][] = [];
-  const named = (name: string, part: object): object => {
-    if (!('file' in part)) return part;
-    pictures.push([name, part.file as Texels]);
-    return { ...part, file: name };
-  };
-  const project = {
-    sillon: 1,
-    shape: plate.shape.kind === 'file' ? { ...shape, file: paths.get(plate.shape.file.id) } : shape,
-    ...(lit === undefined
-      ? { directions: named('directions.png', directions), modes: named('modes.png', modes) }
-      : {
-          pictures: pictureInput(plate, lit, pathOf),
-          modes: told.file === undefined ? modes : { file: pathOf(told.file) },
-        }),
-    toolpath: params,
-    print,
-    printer,
-  };
-  return { project, pictures };
+function projectOf(plate: Plate, paths: ReadonlyMap<string, string>): object {
+  const sections = sectionsOf(plate, ({ id }) => paths.get(id), isDrawn(plate) ? drawnFiles : undefined);
+  const pictures = { ...sections.pictures, slopes: givenSlopes(plate) };
+  return { sillon: 1, ...sections, pictures, studio: studioSection(plate, paths) };
 }
 
 /** project.json of the project file, as data. */
-export const projectData = (plate: Plate, raster: DirectionRaster | undefined): object =>
-  described(plate, raster, pathsFor(filesOf(plate))).project;
+export const projectData = (plate: Plate): object => projectOf(plate, pathsFor(filesOf(plate)));
 
-/** The same plate and raster give the same bytes.
- * @param raster  of the plate, as the engine gets it; undefined: one direction and one mode everywhere */
-export async function writeProject(plate: Plate, raster: DirectionRaster | undefined): Promise<Blob> {
+/** The same plate and raster give the same bytes. A printer that nobody has said may be used is left out.
+ * @param raster  of the plate, as the engine gets it */
+export async function writeProject(plate: Plate, raster: DirectionRaster): Promise<Blob> {
   const files = filesOf(plate);
   const paths = pathsFor(files);
   const packed: Zippable = {};
-  const { project, pictures } = described(plate, raster, paths);
-  for (const [name, { width, height, samples }] of pictures) {
-    packed[name] = [await encodeGreyPng(width, height, samples), { level: 0 }];
+  if (isDrawn(plate)) {
+    const { directions, modes } = rasterInput(raster);
+    for (const [name, { width, height, samples }] of [
+      [drawnFiles.directions, directions.file],
+      [drawnFiles.modes, modes.file],
+    ] as const) {
+      packed[name] = [await encodeGreyPng(width, height, samples), { level: 0 }];
+    }
   }
-  // Nobody has said that it may be used.
-  const own = withoutBrought(plate);
-  const studio = { studio: version, plate: plateData(own, ({ id, name }) => ({ path: paths.get(id), name })) };
-
   for (const { id, bytes } of files) {
     const isText = bytes.type === 'image/svg+xml';
     const content = new Uint8Array(await bytes.arrayBuffer());
     packed[paths.get(id) ?? ''] = [content, { level: isText ? 6 : 0 }];
   }
-  return zipped({ 'project.json': json(project), 'studio.json': json(studio), ...packed });
+  return zipped({ 'project.json': json(projectOf(plate, paths)), ...packed });
 }
 
 /** The clock has no part in it. */
 const zipped = (whole: Zippable): Blob =>
   new Blob([zipSync(whole, { level: 6, mtime: new Date(1980, 0, 1) })], { type: 'application/zip' });
 
-/** What was kept of a plate that only another version can read: everything as it is, and a studio.json for that version.
+/** What was kept of a plate that only another version can read: everything as it is, which that version opens.
  * @param stored  as of `Autosave.stored` */
 export async function packStored({ record, about, files }: Stored): Promise<Blob> {
   const names = new Map<unknown, string>();
@@ -141,17 +122,9 @@ export async function packStored({ record, about, files }: Stored): Promise<Blob
   for (const [id, bytes] of files) if (bytes instanceof Blob) blobs.set(id, bytes);
   const sources = Array.from(blobs, ([id, bytes]) => ({ id, name: names.get(id) ?? id, bytes }));
   const paths = pathsFor(sources);
-  const { plate } = (plain ?? {}) as { plate?: unknown };
-  const pathed: unknown = JSON.parse(
-    JSON.stringify(plate ?? null, (_, part: unknown) => {
-      const file = told(part);
-      return file === undefined ? part : { path: paths.get(file.id), name: file.name };
-    }),
-  );
   const packed: Zippable = {};
   for (const { id, bytes } of sources) packed[paths.get(id) ?? id] = new Uint8Array(await bytes.arrayBuffer());
   return zipped({
-    'studio.json': json({ studio: version, plate: pathed }),
     'kept.json': json({ record: plain, about: plainAbout, files: Object.fromEntries(paths) }),
     ...packed,
   });
@@ -159,31 +132,16 @@ export async function packStored({ record, about, files }: Stored): Promise<Blob
 
 // --- In ----------------------------------------------------------------------------------------------------------------
 
-/** What reading a project of the command line takes. */
+/** What reading a project takes. */
 export type ProjectEngine = Pick<Engine, 'readProject' | 'readShape'>;
 
-/** Without recursion, which hostile text could exhaust. */
-function tooDeep(text: string): boolean {
-  let depth = 0;
-  let quoted = false;
-  for (let k = 0; k < text.length; ++k) {
-    const letter = text[k];
-    if (letter === '"') quoted = !quoted;
-    else if (quoted) k += letter === '\\' ? 1 : 0;
-    else if (letter === '{' || letter === '[') ++depth;
-    else if (letter === '}' || letter === ']') --depth;
-    if (depth > mostDepth) return true;
-  }
-  return false;
-}
+/** A file by its path as it stands in a project. */
+type FileAt = (path: string, name: string) => Promise<SourceFile>;
 
-function parsed(text: string): unknown {
-  if (tooDeep(text)) throw new Unfit('', 'nested too deep');
-  return JSON.parse(text);
-}
+const megabytes = (bytes: number): number => Math.round(bytes / 1e5) / 10;
 
 function checkSize(size: number, most: number, what: string): void {
-  if (size > most) throw new ZipError(`${what} has ${Math.round(size / 1e5) / 10} MB; at most ${most / 1e6} MB`);
+  if (size > most) throw new ZipError(`${what} has ${megabytes(size)} MB; at most ${megabytes(most)} MB`);
 }
 
 async function textOf(entry: Entry, most: number): Promise<string> {
@@ -191,128 +149,90 @@ async function textOf(entry: Entry, most: number): Promise<string> {
   return strFromU8(await entry.read());
 }
 
-/** Of studio.json. @param entryAt  by a path as it stands there */
-async function studioPlate(text: string, entryAt: (path: string) => Entry | undefined): Promise<Plate> {
-  const { studio, plate } = fieldsOf(parsed(text), '', ['studio', 'plate']);
-  numberIn(studio, 'studio', version, version);
-  const files = new Map<unknown, SourceFile>();
-  const part = (name: string): Fields | null | undefined =>
-    (plate as Fields | null)?.[name] as Fields | null | undefined;
-  const named: [where: string, told: unknown][] = ['shape', 'directions', 'modes'].map((name) => [
-    `${name}.file`,
-    part(name)?.['file'],
-  ]);
-  const lit = part('directions')?.['pictures'];
-  if (Array.isArray(lit)) {
-    lit.slice(0, mostPictures).forEach((one: unknown, k) => {
-      named.push([`directions.pictures[${k}].file`, (one as Fields | null)?.['file']]);
-    });
-  }
-  for (const [where, told] of named) {
-    if (told === undefined) continue;
-    const { path, name } = fieldsOf(told, where, ['path', 'name']);
-    const entry = entryAt(textIn(path, `${where}.path`, 1000));
-    if (entry === undefined) throw new ZipError(`${String(path)} is missing`);
-    checkSize(entry.size, mostBytes.input, entry.path);
-    files.set(told, await sourceFile(textIn(name, `${where}.name`, 1000), await entry.read()));
-  }
-  const read = plateFrom(plate, (told, where) => {
-    const file = files.get(told);
-    if (file === undefined) throw new Unfit(where, told);
-    return file;
-  });
-  return withoutBrought(read);
-}
+const baseName = (path: string): string => path.split('/').at(-1) ?? path;
 
-/** What its names of printer and filament stand for is in the other fields already. */
-function valuesOf(printer: Project['printer']): PrinterValues {
-  const values: Partial<Project['printer']> = { ...printer };
-  delete values.profile;
-  delete values.filament;
-  return {
-    ...(values as PrinterValues),
-    name: printer.name.slice(0, 64),
-    filamentType: printer.filamentType.slice(0, 64),
-  };
-}
-
-/** Of the command line's project, as far as a plate can tell it: what follows from pictures and shapes is filled in.
- * @param fileNamed  by a path as it stands there */
-async function commandLinePlate(
-  name: string,
-  text: string,
-  fileNamed: (path: string) => Promise<SourceFile>,
-  engine: ProjectEngine,
-): Promise<Plate> {
-  const project = await engine.readProject(text);
-  const { shape, directions, modes, pictures, toolpath, print, printer } = project;
-  const named = (path: string): Promise<SourceFile | undefined> =>
-    path === '' ? Promise.resolve(undefined) : fileNamed(path);
-  const ofShape = await named(shape.file);
-  const ofDirections = await named(directions.file);
-  const ofModes = await named(modes.file);
-  const lit: LampPicture[] = [];
-  for (const { file, lamp } of pictures.files) lit.push({ file: await fileNamed(file), lamp });
-  const page = await pageOf(project, ofShape, ofDirections ?? lit[0]?.file, engine);
-  const builtin = shape.builtin === 'none' ? 'rectangle' : shape.builtin;
+/** A plate whose files are their paths. The core's sections count: what the studio tells of directions only where they are
+ * still those that it drew. */
+function sketchOf(project: Project, studio: Fields, name: string): Plate {
+  const { shape, directions, modes, toolpath, print } = project;
+  const { builtin, file } = shape;
+  const { files: lit, ...pictures } = project.pictures;
+  const { profile, filament, ...printer } = project.printer;
+  const kind = file !== '' ? 'file' : builtin === 'none' ? 'rectangle' : builtin;
+  const drawn =
+    lit.length === 0 &&
+    studio['directions'] !== undefined &&
+    baseName(directions.file) === drawnFiles.directions &&
+    baseName(modes.file) === drawnFiles.modes;
+  const told =
+    lit.length > 0
+      ? { kind: 'lamp', pictures: lit }
+      : directions.file === ''
+        ? { kind: 'angle', angle: directions.angle }
+        : { kind: 'map', file: directions.file, encoding: directions.encoding };
+  const modeFile = drawn ? studio['modes'] : modes.file || undefined;
   const data = {
-    name: stemOf(name).slice(0, 200),
-    shape:
-      ofShape !== undefined
-        ? {
-            kind: 'file',
-            file: ofShape,
-            unitless: shape.unitless,
-            ...(shape.paint !== paintOf({ unitless: shape.unitless }) && { paint: shape.paint }),
-            ...(shape.keepThin === true && { keepThin: true }),
-          }
-        : builtin === 'rounded'
-          ? { kind: builtin, radius: shape.radius }
-          : { kind: builtin },
-    width: page[0],
-    height: page[1],
-    directions:
-      lit.length > 0
-        ? {
-            ...newLampDirections(lit),
-            lampSize: pictures.lampSize,
-            smoothness: pictures.smoothness,
-            localContrast: pictures.localContrast,
-          }
-        : ofDirections === undefined
-          ? { kind: 'angle', angle: directions.angle }
-          : { kind: 'map', file: ofDirections, encoding: directions.encoding },
-    modes: ofModes === undefined ? { base: modes.mode } : { base: modes.mode, file: ofModes },
-    strokes: [],
+    name: studio['name'] ?? stemOf(name).slice(0, 200),
+    shape: { kind, ...without(shape, 'builtin', 'size', 'pageWidth', 'file'), ...(kind === 'file' && { file }) },
+    width: 1,
+    height: 1,
+    directions: drawn ? studio['directions'] : told,
+    modes: { mode: modes.mode, ...(modeFile !== undefined && { file: modeFile }) },
+    pictures,
+    strokes: drawn || lit.length > 0 ? (studio['strokes'] ?? []) : [],
     toolpath,
     print,
-    printer: valuesOf(printer),
-    filament: lit.length > 0 ? pictures.spool : newPlate().filament,
+    printer: { ...printer, ...(profile !== '' && { profile }), ...(filament !== '' && { filament }) },
+    spool: studio['spool'],
   };
-  return plateFrom(data, (file) => file as SourceFile);
+  const plate = plateFrom(data, (path, where) => {
+    const id = textIn(path, where, 1024);
+    return { id, name: id, bytes: new Blob() };
+  });
+  if (plate.spool === undefined) return plate;
+  // Slopes of one's own spool are the plate's as long as the project has them.
+  const own = { ...plate, pictures: { ...plate.pictures, slopes: null } };
+  if (String(slopesOf(own)) === String(pictures.slopes)) return own;
+  return without(plate, 'spool');
 }
 
+/** The page as it stood in the studio, unless the project has another size since; else as the core makes it. */
 async function pageOf(
-  { shape, directions }: Project,
-  ofShape: SourceFile | undefined,
-  ofDirections: SourceFile | undefined,
+  project: Project,
+  studio: Fields,
+  plate: Plate,
   engine: ProjectEngine,
 ): Promise<[number, number]> {
-  const { builtin, size, radius, pageWidth, unitless } = shape;
-  const shapeInput: ShapeInput =
-    ofShape !== undefined
-      ? { file: ofShape.bytes, pageWidth, unitless }
-      : builtin === 'none'
-        ? { size }
-        : { builtin, size, radius };
-  const directionInput: DirectionInput =
-    ofDirections === undefined
-      ? { angle: directions.angle }
-      : { file: ofDirections.bytes, encoding: directions.encoding };
-  return (await engine.readShape(shapeInput, directionInput)).page;
+  const { builtin, size, radius, pageWidth, unitless } = project.shape;
+  const { shape, directions } = plate;
+  const page: unknown = studio['page'];
+  if (Array.isArray(page) && String(shape.kind === 'file' ? [pageWidth, page[1]] : size) === String(page)) {
+    return [widthFrom(page[0]), heightFrom(page[1])];
+  }
+  const own =
+    shape.kind === 'file'
+      ? { file: shape.file.bytes, pageWidth, unitless }
+      : { ...(builtin !== 'none' && { builtin }), size, radius };
+  const lender = directions.kind === 'lamp' ? directions.pictures[0]?.file : 'file' in directions && directions.file;
+  const read = await engine.readShape(own, lender ? { file: lender.bytes } : { angle: 0 });
+  return [widthFrom(read.page[0]), heightFrom(read.page[1])];
 }
 
-const baseName = (path: string): string => path.split('/').at(-1) ?? path;
+async function plateIn(text: string, name: string, fileAt: FileAt, engine: ProjectEngine): Promise<Plate> {
+  const project = await engine.readProject(text);
+  const known = ['version', 'name', 'page', 'files', 'directions', 'modes', 'strokes', 'spool'];
+  const studio = fieldsOf(project.studio ?? { version }, 'studio', known);
+  numberIn(studio['version'], 'studio.version', version, version);
+  const names = (studio['files'] ?? {}) as Fields;
+  const sketch = sketchOf(project, studio, name);
+  const files = new Map<string, SourceFile>();
+  for (const { id: path } of filesOf(sketch)) {
+    files.set(path, await fileAt(path, textIn(names[path] ?? path, `studio.files.${path}`, 1000)));
+  }
+  const plate = plateData(sketch, ({ id }) => files.get(id)) as Plate;
+  const [width, height] = await pageOf(project, studio, plate, engine);
+  return { ...plate, width, height };
+}
 
 /** The archive's file of this name that lies least deep: archives are often packed again with a folder around them. */
 function topmost(entries: Map<string, Entry>, name: string): Entry | undefined {
@@ -321,30 +241,44 @@ function topmost(entries: Map<string, Entry>, name: string): Entry | undefined {
   return found.sort((a, b) => depth(a) - depth(b))[0];
 }
 
+/** What `packStored` has packed. */
+async function storedPlate(text: string, entryAt: (path: string) => Entry | undefined): Promise<Plate> {
+  const { record, files } = JSON.parse(text) as { record: unknown; files: Record<string, string> };
+  const blobs = new Map<string, Blob>();
+  for (const [id, path] of Object.entries(files)) {
+    const entry = entryAt(path);
+    if (entry === undefined) continue;
+    checkSize(entry.size, mostBytes.input, path);
+    blobs.set(id, (await sourceFile(path, await entry.read())).bytes);
+  }
+  return plateOf(record, (id) => blobs.get(id));
+}
+
 async function zippedPlate(name: string, bytes: Uint8Array<ArrayBuffer>, engine: ProjectEngine): Promise<Plate> {
   const entries = openZip(bytes);
-  const studio = topmost(entries, 'studio.json');
-  const main = studio ?? topmost(entries, 'project.json');
+  const project = topmost(entries, 'project.json');
+  const main = project ?? topmost(entries, 'kept.json');
   if (main === undefined) {
     const ofSlicer = topmost(entries, '3dmodel.model') !== undefined;
     throw new StudioError(ofSlicer ? 'PrinterFileHere' : 'UnknownFile', { name });
   }
   const folder = main.path.slice(0, main.path.length - baseName(main.path).length);
   const entryAt = (path: string): Entry | undefined => entries.get(folder + path);
-  if (studio !== undefined) return studioPlate(await textOf(studio, mostBytes.plate), entryAt);
-  const fileNamed = async (path: string): Promise<SourceFile> => {
+  const text = await textOf(main, mostBytes.project);
+  if (project === undefined) return storedPlate(text, entryAt);
+  const fileAt: FileAt = async (path, named) => {
     const entry = entryAt(path);
     if (entry === undefined) throw missing(name, path);
     checkSize(entry.size, mostBytes.input, path);
-    return sourceFile(path, await entry.read());
+    return sourceFile(named, await entry.read());
   };
-  return commandLinePlate(name, await textOf(main, mostBytes.project), fileNamed, engine);
+  return plateIn(text, name, fileAt, engine);
 }
 
 const missing = (name: string, path: string): StudioError =>
   new StudioError('BrokenProject', { name }, `${path} is missing: open it together with the project`);
 
-/** @param file  a zip, or the JSON of the command line
+/** @param file  a zip, or a project's JSON alone
  * @param others  opened together with it: a JSON names files
  * @throws StudioError UnknownFile (an archive of something else), BrokenProject; errors of the engine's own */
 export async function readProject(
@@ -357,11 +291,11 @@ export async function readProject(
     const bytes = new Uint8Array(await file.bytes.arrayBuffer());
     if (kindOf(bytes.subarray(0, enoughToKnow), name).kind === 'zip') return await zippedPlate(name, bytes, engine);
     checkSize(bytes.length, mostBytes.project, name);
-    const fileNamed = (path: string): Promise<SourceFile> => {
-      const found = others.find((other) => other.name === baseName(path));
+    const fileAt: FileAt = (path, named) => {
+      const found = others.find((other) => [baseName(path), named].includes(other.name));
       return found === undefined ? Promise.reject(missing(name, path)) : Promise.resolve(found);
     };
-    return await commandLinePlate(name, new TextDecoder().decode(bytes), fileNamed, engine);
+    return await plateIn(new TextDecoder().decode(bytes), name, fileAt, engine);
   } catch (error) {
     if (error instanceof StudioError || !(error instanceof Error)) throw error;
     if (error.name === 'AbortError' || (error.name === 'SillonError' && !isOfFile(error))) throw error;

@@ -82,7 +82,7 @@ export function rasteriseSource(
   const { width, height } = own === undefined ? sizeFor(page, resolution) : mapSize(own, page, resolution);
   const size = { width, height };
   const angle = anglesOfSource(source, size, page, pictures.source, round, room);
-  return { ...size, angle, mode: modesOn(modes.base, size, pictures.modes) };
+  return { ...size, angle, mode: modesOn(modes.mode, size, pictures.modes) };
 }
 
 /** @param resolution  texels of the longer side */

@@ -14,7 +14,7 @@ let key = 0;
 export async function shapeRoom(plate: Plate, engine: Engine): Promise<Room> {
   const { shape, width, height } = plate;
   if (last?.shape === shape && last.width === width && last.height === height) return last.room;
-  const { page, paths } = await engine.readShape(shapeInput(plate));
+  const { page, paths } = await engine.readShape(shapeInput(plate, ({ bytes }) => bytes));
   const size = sizeFor(page, longest);
   const context = new OffscreenCanvas(size.width, size.height).getContext('2d', { willReadFrequently: true });
   if (context === null) throw new Error('this browser has no canvas to draw shapes on');

@@ -6,6 +6,7 @@ import { filaments } from './filaments.js';
 import type { Plate } from './plate.js';
 import { isGeneric, ofFilament, profileOf, sameMachine, withAdvance } from './printers.js';
 import { withNozzle } from './settings.js';
+import { without } from './without.js';
 
 type Heat = Pick<PrinterValues, 'nozzleTemperature' | 'firstLayerNozzleTemperature' | 'bedTemperature'>;
 
@@ -72,12 +73,7 @@ export function newPlateOn(own: PrinterValues): Plate {
 export const useBrought = (plate: Plate): Plate =>
   plate.brought === undefined ? plate : withoutBrought({ ...plate, printer: plate.brought });
 
-export function withoutBrought(plate: Plate): Plate {
-  if (!('brought' in plate)) return plate;
-  const rest = { ...plate };
-  delete rest.brought;
-  return rest;
-}
+export const withoutBrought = (plate: Plate): Plate => ('brought' in plate ? without(plate, 'brought') : plate);
 
 /** Lines that are sent to the machine: neither empty nor nothing but a comment. */
 export const countLines = (block: string): number =>

@@ -5,6 +5,7 @@ import {
   generatorKinds,
   newColours,
   newFileDirections,
+  newFileShape,
   newGenerator,
   newLampDirections,
   newPlate,
@@ -23,8 +24,7 @@ import type {
   SourceFile,
   Stroke,
 } from './plate.js';
-import { pictureTable } from './setting-table.js';
-import { accepts, settings, type SectionName } from './settings.js';
+import { accepts, settingsOf, type SectionName } from './settings.js';
 
 export type Fields = Record<string, unknown>;
 
@@ -94,15 +94,8 @@ export const nameFrom = (value: unknown): string => textIn(value, 'name', 200);
 export const widthFrom = (value: unknown): number => numberIn(value, 'width', 0.1, 10000);
 export const heightFrom = (value: unknown): number => numberIn(value, 'height', 0, 10000);
 
-export const modeFrom = (value: unknown, where: string): ModeSource['base'] =>
+export const modeFrom = (value: unknown, where: string): ModeSource['mode'] =>
   oneOf(value, where, ['parallel', 'orthogonal', 'smoothest', 'constrained']);
-
-export const filamentFrom = (value: unknown): string =>
-  oneOf(
-    value,
-    'filament',
-    filaments.map(({ key }) => key as string),
-  );
 
 type SpoolSides = OwnSpool['fine'];
 
@@ -144,27 +137,29 @@ export function plateSpoolFrom(value: unknown): { spool?: OwnSpool } {
   return { spool: spoolFrom(key, entry) };
 }
 
-/** @param fileFrom  undefined: files are not allowed */
+/** What is left out is as it is at first. @param fileFrom  undefined: files are not allowed */
 export function shapeFrom(value: unknown, fileFrom?: FileFrom): ShapeSource {
-  const fields = fieldsOf(value, 'shape', ['kind', 'radius', 'file', 'unitless', 'paint', 'keepThin']);
+  const keys = ['radius', 'unitless', 'paint', 'keepThin'] as const;
+  const fields = fieldsOf(value, 'shape', ['kind', ...(fileFrom === undefined ? [] : ['file']), ...keys]);
   const builtins = ['rectangle', 'rounded', 'disc'] as const;
-  const kinds = fileFrom === undefined ? builtins : ([...builtins, 'file'] as const);
-  const kind = oneOf(fields['kind'], 'shape.kind', kinds);
-  if (kind === 'file' && fileFrom !== undefined) {
-    fieldsOf(value, 'shape', ['kind', 'file', 'unitless', 'paint', 'keepThin']);
-    const unitless = oneOf(fields['unitless'], 'shape.unitless', ['px', 'mm'] as const);
-    const { paint, keepThin } = fields;
-    return {
-      kind,
-      file: fileFrom(fields['file'], 'shape.file'),
-      unitless,
-      ...(paint !== undefined && { paint: oneOf(paint, 'shape.paint', ['shown', 'ignore'] as const) }),
-      ...(keepThin !== undefined && { keepThin: keepThin === true }),
-    };
-  }
-  fieldsOf(value, 'shape', ['kind', 'radius']);
-  if (kind === 'rounded') return { kind, radius: numberIn(fields['radius'], 'shape.radius', 0, 10000) };
-  return newShape(kind as (typeof builtins)[number]);
+  const kind = oneOf(
+    fields['kind'],
+    'shape.kind',
+    fileFrom === undefined ? builtins : ([...builtins, 'file'] as const),
+  );
+  if (kind !== 'file' && fields['file'] !== undefined) throw new Unfit('shape.file', fields['file']);
+  const usual =
+    kind === 'file' && fileFrom !== undefined
+      ? newFileShape(fileFrom(fields['file'], 'shape.file'))
+      : newShape(kind as 'disc');
+  const { radius = usual.radius, unitless = usual.unitless, paint = usual.paint, keepThin = usual.keepThin } = fields;
+  return {
+    ...usual,
+    radius: numberIn(radius, 'shape.radius', 0, 10000),
+    unitless: oneOf(unitless, 'shape.unitless', ['px', 'mm']),
+    paint: oneOf(paint, 'shape.paint', ['shown', 'ignore']),
+    keepThin: flagIn(keepThin, 'shape.keepThin'),
+  };
 }
 
 /** Of every number of directions. Lengths are shares of the page. */
@@ -203,17 +198,11 @@ function like(pattern: unknown, given: unknown, name: string): unknown {
   return numberIn(given, where, min, max);
 }
 
-function pictureNumber(name: keyof typeof pictureTable, given: unknown): number {
-  const { low, high } = pictureTable[name];
-  return numberIn(given, `directions.${name}`, low, high);
-}
-
 const includes = <Kind extends string>(kinds: readonly Kind[], kind: string): kind is Kind =>
   (kinds as readonly string[]).includes(kind);
 
 function lampFrom(value: unknown, fileFrom: FileFrom): DirectionSource {
-  const usual = newLampDirections([]);
-  const { pictures, ...fields } = fieldsOf(value, 'directions', Object.keys(usual));
+  const { pictures } = fieldsOf(value, 'directions', Object.keys(newLampDirections([])));
   if (!Array.isArray(pictures) || pictures.length < 1 || pictures.length > mostPictures) {
     throw new Unfit('directions.pictures', pictures);
   }
@@ -227,13 +216,7 @@ function lampFrom(value: unknown, fileFrom: FileFrom): DirectionSource {
         : ([numberIn(lamp[0], `${where}.lamp`, -360, 360), numberIn(lamp[1], `${where}.lamp`, 1, 90)] as const);
     return { file: fileFrom(file, `${where}.file`), lamp: stands };
   });
-  return {
-    kind: 'lamp',
-    pictures: read,
-    lampSize: pictureNumber('lampSize', fields['lampSize']),
-    smoothness: pictureNumber('smoothness', fields['smoothness']),
-    localContrast: pictureNumber('localContrast', fields['localContrast']),
-  };
+  return newLampDirections(read);
 }
 
 function coloursFrom(value: unknown, fileFrom: FileFrom): DirectionSource {
@@ -268,9 +251,9 @@ export function directionsFrom(value: unknown, fileFrom?: FileFrom): DirectionSo
 }
 
 function modesFrom(value: unknown, fileFrom: FileFrom): ModeSource {
-  const fields = fieldsOf(value, 'modes', ['base', 'file']);
-  const base = modeFrom(fields['base'], 'modes.base');
-  return fields['file'] === undefined ? { base } : { base, file: fileFrom(fields['file'], 'modes.file') };
+  const { mode: given, file } = fieldsOf(value, 'modes', ['mode', 'file']);
+  const mode = modeFrom(given, 'modes.mode');
+  return file === undefined ? { mode } : { mode, file: fileFrom(file, 'modes.file') };
 }
 
 function strokeFrom(value: unknown, k: number): Stroke {
@@ -294,13 +277,13 @@ function strokesFrom(value: unknown): Stroke[] {
 }
 
 /** What is left out has its default: settings come with versions. */
-function sectionFrom(section: SectionName, value: unknown): Fields {
-  const rows = settings.filter((setting) => setting.section === section);
-  const fields = fieldsOf(
-    value,
-    section,
-    rows.map(({ key }) => key),
-  );
+function sectionFrom<Name extends SectionName>(
+  section: Name,
+  value: unknown,
+  others: readonly string[] = [],
+): Plate[Name] {
+  const rows = settingsOf(section);
+  const fields = fieldsOf(value, section, [...rows.map(({ key }) => key), ...others]);
   const read: Fields = {};
   for (const setting of rows) {
     const given = fields[setting.key];
@@ -308,8 +291,12 @@ function sectionFrom(section: SectionName, value: unknown): Fields {
     else if (accepts(setting, given)) read[setting.key] = given;
     else throw new Unfit(setting.id, given);
   }
-  return read;
+  for (const name of others)
+    if (fields[name] !== undefined) read[name] = textIn(fields[name], `${section}.${name}`, 1024);
+  return read as unknown as Plate[Name];
 }
+
+const printerFrom = (value: unknown): Plate['printer'] => sectionFrom('printer', value, ['profile', 'filament']);
 
 /** A whole plate. @throws Unfit */
 export function plateFrom(value: unknown, fileFrom: FileFrom): Plate {
@@ -322,13 +309,11 @@ export function plateFrom(value: unknown, fileFrom: FileFrom): Plate {
     directions: directionsFrom(fields['directions'], fileFrom),
     modes: modesFrom(fields['modes'], fileFrom),
     strokes: strokesFrom(fields['strokes']),
-    toolpath: sectionFrom('toolpath', fields['toolpath']) as unknown as Plate['toolpath'],
-    print: sectionFrom('print', fields['print']) as unknown as Plate['print'],
-    printer: sectionFrom('printer', fields['printer']) as unknown as Plate['printer'],
-    ...(fields['brought'] === undefined
-      ? {}
-      : { brought: sectionFrom('printer', fields['brought']) as unknown as Plate['printer'] }),
-    filament: filamentFrom(fields['filament']),
+    pictures: sectionFrom('pictures', fields['pictures'] ?? {}),
+    toolpath: sectionFrom('toolpath', fields['toolpath']),
+    print: sectionFrom('print', fields['print']),
+    printer: printerFrom(fields['printer']),
+    ...(fields['brought'] !== undefined && { brought: printerFrom(fields['brought']) }),
     ...plateSpoolFrom(fields['spool']),
   };
 }

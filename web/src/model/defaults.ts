@@ -1,7 +1,15 @@
 // What a plate is before anybody changes it.
 import type { PictureParams, PrintParams, PrinterValues, ToolpathParams } from 'sillon';
-import type { DirectionSource, FlatColour, LampPicture, Plate, ShapeSource, SourceFile } from './plate.js';
-import { pictureTable, table } from './setting-table.js';
+import type {
+  DirectionSource,
+  FlatColour,
+  LampPicture,
+  Plate,
+  ShapeSettings,
+  ShapeSource,
+  SourceFile,
+} from './plate.js';
+import { table } from './setting-table.js';
 
 /** What the core's table of settings says. */
 const defaultsOf = <Section>(rows: Record<string, { default: unknown }>): Readonly<Section> =>
@@ -10,14 +18,14 @@ const defaultsOf = <Section>(rows: Record<string, { default: unknown }>): Readon
 export const toolpathDefaults = defaultsOf<ToolpathParams>(table.toolpath);
 export const printDefaults = defaultsOf<Omit<PrintParams, 'date'>>(table.print);
 export const printerDefaults = defaultsOf<PrinterValues>(table.printer);
-const pictureDefaults = defaultsOf<Pick<PictureParams, keyof typeof pictureTable>>(pictureTable);
+export const pictureDefaults = defaultsOf<Omit<PictureParams, 'files'>>(table.pictures);
 
 type Generated = { [Kind in DirectionSource['kind']]: Extract<DirectionSource, { kind: Kind }> };
 
 /** Each kind of directions as it is first chosen. */
 const directions: { [Kind in keyof Generated]: Omit<Generated[Kind], 'file' | 'pictures' | 'colours'> } = {
   angle: { kind: 'angle', angle: 0 },
-  lamp: { kind: 'lamp', ...pictureDefaults },
+  lamp: { kind: 'lamp' },
   map: { kind: 'map', encoding: 'angle' },
   // Under the light from 60° that the appearance begins with, bright is bright.
   tone: { kind: 'tone', from: 60, to: 150, invert: false, contrast: 1, smoothing: 0.004 },
@@ -55,8 +63,25 @@ export const newColours = (file: SourceFile, colours: readonly FlatColour[]): Ge
   colours,
 });
 
-export const newShape = (kind: Exclude<ShapeSource['kind'], 'file'>): ShapeSource =>
-  kind === 'rounded' ? { kind, radius: 6 } : { kind };
+type Unitless = ShapeSettings['unitless'];
+
+/** Millimetres without a unit are the published scenes', which outline what they mean. */
+export const usualPaint = (unitless: Unitless): ShapeSettings['paint'] => (unitless === 'mm' ? 'ignore' : 'shown');
+
+const shapeSettings = (unitless: Unitless = 'px'): ShapeSettings => ({
+  radius: 6,
+  unitless,
+  paint: usualPaint(unitless),
+  keepThin: false,
+});
+
+export const newShape = (kind: Exclude<ShapeSource['kind'], 'file'>): ShapeSource => ({ kind, ...shapeSettings() });
+
+export const newFileShape = (file: SourceFile, unitless?: Unitless): ShapeSource => ({
+  kind: 'file',
+  file,
+  ...shapeSettings(unitless),
+});
 
 /** The plate that a first visit shows. */
 export const newPlate = (): Plate => ({
@@ -65,10 +90,10 @@ export const newPlate = (): Plate => ({
   width: 70,
   height: 70,
   directions: newGenerator('waves'),
-  modes: { base: 'constrained' },
+  modes: { mode: 'constrained' },
+  pictures: { ...pictureDefaults, spool: 'goldPla' },
   strokes: [],
   toolpath: { ...toolpathDefaults },
   print: structuredClone(printDefaults),
   printer: structuredClone(printerDefaults),
-  filament: 'goldPla',
 });

@@ -15,7 +15,7 @@ export interface Example {
     | DirectionSource
     | { file: string; encoding: DirectionEncoding }
     | { pictures: readonly { file: string; lamp: readonly [number, number] }[] };
-  modes?: { base?: DirectionMode; file?: string };
+  modes?: { mode?: DirectionMode; file?: string };
   nearest?: boolean;
 }
 

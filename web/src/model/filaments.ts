@@ -2,6 +2,7 @@
 import { spools } from './appearance.js';
 import type { OwnSpool, Plate } from './plate.js';
 import { withAdvance } from './printers.js';
+import { without } from './without.js';
 
 /** Along, across. */
 export type Slopes = readonly [number, number];
@@ -59,24 +60,24 @@ export const filamentOf = (key: string): Filament =>
 const ownRoughness = ({ fine, wide }: OwnSpool): Roughness => ({ fine, wide: wide ?? fine });
 
 /** Colour and gloss: of the visitor's own spool, where there is one. */
-const looksOf = ({ filament, spool }: Pick<Plate, 'filament' | 'spool'>): Pick<Filament, 'colour' | 'roughness'> =>
-  spool === undefined ? filamentOf(filament) : { colour: spool.colour, roughness: ownRoughness(spool) };
+const looksOf = ({ pictures, spool }: Plate): Pick<Filament, 'colour' | 'roughness'> =>
+  spool === undefined ? filamentOf(pictures.spool) : { colour: spool.colour, roughness: ownRoughness(spool) };
 
 /** Looks like a spool of one's own; undefined: as the filament again. */
 export function withSpool(plate: Plate, spool: OwnSpool | undefined): Plate {
-  const changed = { ...plate, spool };
-  if (spool === undefined) delete changed.spool;
-  return changed;
+  const changed = { ...without(plate, 'spool'), pictures: { ...plate.pictures, slopes: null } };
+  return spool === undefined ? changed : { ...changed, spool };
 }
 
 /** The plate of another filament: its look, temperatures and weight. */
 export function withFilament(plate: Plate, key: FilamentKey): Plate {
   const { type, density, nozzleTemperature, bedTemperature } = filamentOf(key);
+  const plainly = withSpool(plate, undefined);
   const changed = {
-    ...withSpool(plate, undefined),
-    filament: key,
+    ...plainly,
+    pictures: { ...plainly.pictures, spool: key },
     printer: {
-      ...plate.printer,
+      ...without(plate.printer, 'filament'),
       filamentType: type,
       filamentDensity: density,
       nozzleTemperature,
@@ -106,9 +107,14 @@ export function viewLook(plate: Plate): { colour: [number, number, number]; slop
 
 /** Along and across the bead, on the side that is seen, for the nozzle [degrees]. */
 export function slopesOf(plate: Plate): [number, number] {
-  const { print, printer } = plate;
+  const { pictures, print, printer } = plate;
+  if (pictures.slopes !== null) return pictures.slopes;
   return slopesFor(looksOf(plate).roughness, printer.nozzle, print.showSide === 'bed' ? 'bedSide' : 'nozzleSide');
 }
+
+/** What a project has to tell of them; null: they are those of a spool that every program knows. */
+export const givenSlopes = (plate: Plate): [number, number] | null =>
+  plate.spool === undefined ? plate.pictures.slopes : slopesOf(plate);
 
 /** Of a spool of one's own, as `slopesOf`. @param nozzle [mm] */
 export const spoolSlopes = (spool: OwnSpool, nozzle: number, side: keyof SideSlopes): [number, number] =>

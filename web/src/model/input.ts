@@ -1,8 +1,10 @@
-// A plate as the engine takes it.
-import type { PlateInput, ShapeInput, ToolpathParams } from 'sillon';
+// A plate as the core has it: for the engine, and for a project.
+import type { PlateInput, ToolpathParams } from 'sillon';
+import { slopesOf } from './filaments.js';
+import { samePictures } from './lamp.js';
+import { isDrawn, type Plate, type SourceFile } from './plate.js';
 import type { DirectionRaster } from './raster.js';
-import { pictureInput, sameSpool } from './lamp.js';
-import type { Plate } from './plate.js';
+import { without } from './without.js';
 
 export interface Input {
   plate: Plate;
@@ -12,39 +14,46 @@ export interface Input {
 
 /** Whether both make the same toolpath: printer, print, name and, without pictures under lamps, filament do not matter. */
 export function sameToolpath(a: Input, b: Input): boolean {
-  const { plate: p, raster } = a;
+  const { plate: p } = a;
   const { plate: q } = b;
-  if (raster !== b.raster || p.toolpath !== q.toolpath) return false;
-  if (p.shape !== q.shape || p.width !== q.width || p.height !== q.height || !sameSpool(p, q)) return false;
-  const lit = p.directions.kind === 'lamp' || q.directions.kind === 'lamp'; // the raster does not know them
-  return (raster !== undefined && !lit) || (p.directions === q.directions && p.modes === q.modes);
+  if (p.shape !== q.shape || p.width !== q.width || p.height !== q.height || p.toolpath !== q.toolpath) return false;
+  if (isDrawn(p) !== isDrawn(q) || !samePictures(p, q)) return false;
+  return isDrawn(p) && a.raster !== undefined
+    ? a.raster === b.raster
+    : p.directions === q.directions && p.modes === q.modes;
 }
 
-/** Millimetres without a unit are the published scenes', which outline what they mean. */
-export const paintOf = ({
-  paint,
-  unitless,
-}: {
-  paint?: 'shown' | 'ignore' | undefined;
-  unitless: 'px' | 'mm';
-}): 'shown' | 'ignore' => paint ?? (unitless === 'mm' ? 'ignore' : 'shown');
+/** What stands for a file: its bytes for the engine, its path in a project. */
+type ContentOf<Content> = (file: SourceFile) => Content;
 
-export function shapeInput({ shape, width, height }: Plate): ShapeInput {
-  switch (shape.kind) {
-    case 'file':
-      return {
-        file: shape.file.bytes,
-        pageWidth: width,
-        unitless: shape.unitless,
-        ...(paintOf(shape) === 'ignore' && { paint: 'ignore' as const }),
-        ...(shape.keepThin === true && { keepThin: true }),
-      };
-    case 'rounded':
-      return { builtin: 'rounded', size: [width, height], radius: shape.radius };
-    case 'rectangle':
-    case 'disc':
-      return { builtin: shape.kind, size: [width, height] };
-  }
+export function shapeInput<Content>({ shape, width, height }: Plate, content: ContentOf<Content>) {
+  if (shape.kind === 'file') return { ...without(shape, 'kind'), file: content(shape.file), pageWidth: width };
+  return { ...without(shape, 'kind'), builtin: shape.kind, size: [width, height] satisfies [number, number] };
+}
+
+/** The sections of a plate's project.
+ * @param drawn  what stands for the studio's pictures of directions and modes; undefined: it drew none */
+export function sectionsOf<Content>(
+  plate: Plate,
+  content: ContentOf<Content>,
+  drawn?: { directions: Content; modes: Content },
+) {
+  const { directions, modes, pictures, toolpath, print, printer } = plate;
+  const lit = directions.kind === 'lamp' ? directions.pictures : [];
+  const told =
+    directions.kind === 'map'
+      ? { file: content(directions.file), encoding: directions.encoding }
+      : { angle: directions.kind === 'angle' ? directions.angle : 0 };
+  const modeFile = modes.file && content(modes.file);
+  return {
+    shape: shapeInput(plate, content),
+    directions: drawn === undefined ? told : { file: drawn.directions, encoding: 'angle' as const },
+    modes: { mode: modes.mode, ...((drawn?.modes ?? modeFile) !== undefined && { file: drawn?.modes ?? modeFile }) },
+    pictures: { ...pictures, files: lit.map(({ file, lamp }) => ({ file: content(file), lamp })) },
+    toolpath,
+    print,
+    printer,
+  };
 }
 
 const greyPerMode = 85;
@@ -66,31 +75,32 @@ function thinned<Samples extends Uint8Array | Uint16Array>(
 }
 
 /** @param step  every so many texels are given */
-export function rasterInput(raster: DirectionRaster, step = 1): Required<Pick<PlateInput, 'directions' | 'modes'>> {
+export function rasterInput(raster: DirectionRaster, step = 1) {
   const angles = thinned(raster.angle, raster, step);
   const modes = thinned(raster.mode, raster, step);
   return {
-    directions: { file: { ...angles, channels: 1 }, encoding: 'angle' },
-    modes: { file: { ...modes, channels: 1, samples: modes.samples.map((mode) => mode * greyPerMode) } },
+    directions: { file: { ...angles, channels: 1 as const }, encoding: 'angle' as const },
+    modes: { file: { ...modes, channels: 1 as const, samples: modes.samples.map((mode) => mode * greyPerMode) } },
   };
 }
 
-/** @param factor  by how much the spacing grows; above 1 for previews. */
-export function engineInput({ plate, raster }: Input, factor = 1): { input: PlateInput; params: ToolpathParams } {
+/** @param preview  while a hand moves: by how much the spacing grows; pictures are solved for once */
+export function engineInput(
+  { plate, raster }: Input,
+  preview?: { factor: number },
+): { input: PlateInput; params: ToolpathParams } {
   const { spacing, bridge } = plate.toolpath;
+  const factor = preview?.factor ?? 1;
   // A preview must not join parts that the plate keeps apart.
   const params = { ...plate.toolpath, spacing: spacing * factor, bridge: factor > 1 ? (bridge ?? spacing) : bridge };
-  const shape = shapeInput(plate);
-  const { directions } = plate;
-  if (directions.kind === 'lamp') {
-    const { file } = plate.modes;
-    const modes = file === undefined ? { mode: plate.modes.base } : { file: file.bytes };
-    return { input: { shape, pictures: pictureInput(plate, directions, ({ bytes }) => bytes), modes }, params };
+  const { shape, directions, modes, pictures } = sectionsOf(plate, ({ bytes }) => bytes);
+  if (plate.directions.kind === 'lamp') {
+    // Slopes of the spool ask the engine for no printer, whose other settings need not fit yet.
+    const solved = { ...pictures, slopes: slopesOf(plate), ...(preview && { corrections: 0 }) };
+    return { input: { shape, modes, pictures: solved }, params };
   }
-  if (raster === undefined) {
-    const angle = directions.kind === 'angle' ? directions.angle : 0;
-    return { input: { shape, directions: { angle }, modes: { mode: plate.modes.base } }, params };
-  }
+  const coarse = factor > 1 && plate.directions.kind === 'map';
+  if (raster === undefined || !(isDrawn(plate) || coarse)) return { input: { shape, directions, modes }, params };
   // Two texels per bead are enough for a preview, and reading large pictures would take most of its time.
   const enough = (2 * plate.width) / params.spacing;
   const step = factor > 1 ? Math.max(1, Math.floor(raster.width / enough)) : 1;

@@ -1,7 +1,7 @@
 // Pictures under lamps: what the engine is asked for, where the light belongs, and what a spool can show.
-import type { Look, PictureInput, PictureReport } from 'sillon';
+import type { Look, PictureReport } from 'sillon';
 import { appearance } from './appearance.js';
-import { filamentOf, slopesOf } from './filaments.js';
+import { slopesOf } from './filaments.js';
 import { isExample, type DirectionSource, type LampPicture, type Plate, type SourceFile } from './plate.js';
 import type { Light } from './view.js';
 
@@ -19,29 +19,16 @@ export const lampSizes = {
 const between = 55;
 const usualElevation = 45;
 
-/** Everything of the plate that the pictures are solved for, besides their sizes and the spacing.
- * @param content  of a file, as the engine or a project names it */
-export function pictureInput<Content>(plate: Plate, source: LampSource, content: (file: SourceFile) => Content) {
-  const { pictures, lampSize, smoothness, localContrast } = source;
-  return {
-    files: pictures.map(({ file, lamp }) => ({
-      file: content(file),
-      lamp: lamp === null ? null : ([...lamp] satisfies [number, number]),
-    })),
-    spool: filamentOf(plate.filament).key,
-    slopes: slopesOf(plate),
-    lampSize,
-    smoothness,
-    localContrast,
-    corrections: 0, // each takes as long as a plate: too long for a page that follows the hand
-  } satisfies Omit<PictureInput, 'files'> & { files: { file: Content; lamp: [number, number] | null }[] };
+/** Whether both plates ask the engine for the same pictures; other directions do not know of spools. */
+export function samePictures(a: Plate, b: Plate): boolean {
+  if (a.directions.kind !== 'lamp' || b.directions.kind !== 'lamp') return true;
+  const asked = ({ pictures }: Plate): string => JSON.stringify(Object.entries(pictures).sort());
+  return asked(a) === asked(b) && a.spool === b.spool && slopesOf(a).join() === slopesOf(b).join();
 }
 
-/** Whether both plates ask the engine for the same pictures; other directions do not know of spools. */
-export function sameSpool(a: Plate, b: Plate): boolean {
-  if (a.directions.kind !== 'lamp' || b.directions.kind !== 'lamp') return true;
-  return a.filament === b.filament && a.spool === b.spool && slopesOf(a).join() === slopesOf(b).join();
-}
+/** How many plates the engine makes of the pictures: each correction is one more, as `platesFor` of the core has it. */
+export const platesFor = ({ directions, pictures: { corrections, localContrast } }: Plate): number =>
+  directions.kind === 'lamp' && localContrast === 0 ? 1 + corrections : 1;
 
 const wrapped = (azimuth: number): number => ((azimuth % 360) + 360) % 360;
 
@@ -121,7 +108,7 @@ export function weaknessesOf(plate: Plate, seen: readonly PictureReport[] | unde
   const { directions } = plate;
   if (directions.kind !== 'lamp') return [];
   const found: Weakness[] = [];
-  const window = directions.lampSize >= wideLamp;
+  const window = plate.pictures.lampSize >= wideLamp;
   if (window) found.push('window');
   const [along] = slopesOf(plate);
   const dull = along >= 6; // [degrees] gold: the shine is as wide along the bead as across it

@@ -1,6 +1,16 @@
-// Everything that makes a plate. Plain data, never changed in place: one undo step is one Plate, and two Plates share what
-// did not change.
-import type { DirectionEncoding, DirectionMode, PrintParams, PrinterValues, Spool, ToolpathParams } from 'sillon';
+// Everything that makes a plate: the sections of a project under the core's own names, and what only the studio has, which a
+// project keeps in a section of its own. Plain data, never changed in place: one undo step is one Plate, and two Plates share
+// what did not change.
+import type {
+  DirectionEncoding,
+  DirectionMode,
+  PictureParams,
+  PrintParams,
+  PrinterValues,
+  Project,
+  Spool,
+} from 'sillon';
+import type { ToolpathParams } from 'sillon';
 
 /** A file as it came: kept for the project file. Equal `id`: equal bytes. */
 export interface SourceFile {
@@ -14,21 +24,12 @@ export const ofExample = 'example/';
 
 export const isExample = ({ id }: SourceFile): boolean => id.startsWith(ofExample);
 
-/** The 2D shape on its page. Sizes are mm. */
-export type ShapeSource =
-  | { kind: 'rectangle' }
-  | { kind: 'rounded'; radius: number }
-  | { kind: 'disc' }
-  /** SVG, or a mask picture: bright, opaque pixels are inside. */
-  | {
-      kind: 'file';
-      file: SourceFile;
-      unitless: 'px' | 'mm';
-      /** Left out: as it appears, but for lengths in mm without a unit. */
-      paint?: 'shown' | 'ignore';
-      /** What is thinner than a bead is widened to one. */
-      keepThin?: boolean;
-    };
+/** How a shape is read: the core's, beside what it is made of and its size. */
+export type ShapeSettings = Required<Pick<Project['shape'], 'radius' | 'unitless' | 'paint' | 'keepThin'>>;
+
+/** The 2D shape on its page. Sizes are mm. A file is an SVG, or a mask picture: bright, opaque pixels are inside. */
+export type ShapeSource = ShapeSettings &
+  ({ kind: 'rectangle' | 'rounded' | 'disc' } | { kind: 'file'; file: SourceFile });
 
 /** A picture to be seen while its lamp shines: azimuth counter-clockwise from the right, and elevation [degrees]; null: the
  * engine chooses. */
@@ -47,15 +48,8 @@ export interface FlatColour {
  * Places are in the page's unit square, y up; lengths are shares of the page's width. */
 export type DirectionSource =
   | { kind: 'angle'; angle: number }
-  /** Up to four pictures, each solved for by the engine: the directions that show it under its lamp. `lampSize` is the slope of
-   * the surface that would blur a point as much. */
-  | {
-      kind: 'lamp';
-      pictures: readonly LampPicture[];
-      lampSize: number;
-      smoothness: number;
-      localContrast: number;
-    }
+  /** Up to four pictures, each solved for by the engine: the directions that show it under its lamp. */
+  | { kind: 'lamp'; pictures: readonly LampPicture[] }
   /** A picture that tells angles as the engine reads them. */
   | { kind: 'map'; file: SourceFile; encoding: DirectionEncoding }
   /** Tone to angle: black is `from`, white is `to`. Smoothing is a blur radius; contrast 1 leaves tones as they are. */
@@ -91,7 +85,7 @@ export interface Stroke {
 
 /** What everything but the strokes asks of places, and a picture of modes laid over it. */
 export interface ModeSource {
-  base: DirectionMode;
+  mode: DirectionMode;
   file?: SourceFile;
 }
 
@@ -101,23 +95,29 @@ export interface OwnSpool extends Readonly<Spool> {
   key: string;
 }
 
+/** The profiles that a printer began with, where a project names them: their values are all there, too. */
+export type Machine = PrinterValues & { profile?: string; filament?: string };
+
 export interface Plate {
-  name: string;
   shape: ShapeSource;
   /** Of the page; a file's proportions are kept by whoever sets them. 0 height: follows the direction picture. */
   width: number;
   height: number;
   directions: DirectionSource;
   modes: ModeSource;
-  strokes: readonly Stroke[];
+  /** All but the pictures themselves, which `directions` has. The spool is the filament whose colour and gloss the appearance
+   * shows, too. */
+  pictures: Omit<PictureParams, 'files'>;
   toolpath: ToolpathParams;
   print: Omit<PrintParams, 'date'>;
-  printer: PrinterValues;
+  printer: Machine;
+
+  // What only the studio has; of the directions, all that is drawn.
+  name: string;
+  strokes: readonly Stroke[];
   /** Printer that came with a design from elsewhere and is not used before the visitor says so; kept with the work alone. */
-  brought?: PrinterValues | undefined;
-  /** Key of the filament whose colour and gloss the appearance shows. */
-  filament: string;
-  /** Instead of its colour and gloss, those of a spool of one's own. */
+  brought?: Machine | undefined;
+  /** Instead of the spool's colour and gloss, those of one's own. */
   spool?: OwnSpool | undefined;
 }
 
@@ -126,3 +126,7 @@ export const pageOf = ({ width, height }: Pick<Plate, 'width' | 'height'>): [num
   width,
   height || width,
 ];
+
+/** Whether the studio draws directions and modes for the engine; else the project's own sections tell them. */
+export const isDrawn = ({ directions: { kind }, strokes }: Pick<Plate, 'directions' | 'strokes'>): boolean =>
+  kind !== 'lamp' && (strokes.length > 0 || (kind !== 'angle' && kind !== 'map'));

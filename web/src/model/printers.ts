@@ -3,6 +3,7 @@ import type { PrinterValues } from 'sillon';
 import table from 'sillon/printers.json' with { type: 'json' };
 import { printerDefaults } from './defaults.js';
 import type { Plate } from './plate.js';
+import { without } from './without.js';
 
 export const ofFilament = [
   'filamentDensity',
@@ -80,7 +81,7 @@ export function withPrinter(plate: Plate, key: PrinterKey): Plate {
   const chosen = printers.find((one) => one.key === key);
   if (chosen === undefined) throw new Error(`there is no printer ${key}`);
   const { nozzle } = plate.printer;
-  const printer = { ...plate.printer, ...structuredClone(chosen.machine), nozzle };
+  const printer = { ...without(plate.printer, 'profile'), ...structuredClone(chosen.machine), nozzle };
   return { ...plate, printer: { ...printer, ...makersAdvance(printer) } };
 }
 

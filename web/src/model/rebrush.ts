@@ -1,7 +1,7 @@
 // What a visitor wants of a sliced print, as plain data, and how the engine is asked for it.
 import type { DirectionMode, RebrushOptions, SlicedSurface } from 'sillon';
 import { engineInput, rasterInput } from './input.js';
-import { spoolSlopes } from './filaments.js';
+import { spoolSlopes, type FilamentKey } from './filaments.js';
 import type { OwnSpool, Plate, SourceFile, Stroke } from './plate.js';
 import type { DirectionRaster } from './raster.js';
 
@@ -24,7 +24,7 @@ export interface Wish {
   /** Azimuth and elevation [degrees]. */
   lamp: readonly [number, number];
   /** Key of the filament: pictures are solved for its gloss. */
-  spool: string;
+  spool: FilamentKey;
   /** Instead of it, a spool of one's own. */
   own: OwnSpool | undefined;
   fit: Fit;
@@ -102,7 +102,11 @@ export function howOf(
       return { ...rasterInput(raster), fit: 'all', ...only };
     case 'plate': {
       const { directions, modes, pictures } = engineInput({ plate, raster }).input;
-      const lit = pictures && { ...pictures, slopes: null, ...slopesFor(plate.spool, wish.side, nozzle) };
+      const lit = pictures && {
+        ...pictures,
+        slopes: plate.pictures.slopes,
+        ...slopesFor(plate.spool, wish.side, nozzle),
+      };
       const given = Object.entries({ directions, modes, pictures: lit }).filter(([, part]) => part !== undefined);
       return { ...(Object.fromEntries(given) as Partial<RebrushOptions>), fit: wish.fit, ...only };
     }
@@ -110,7 +114,7 @@ export function howOf(
       const { picture, lamp } = wish;
       if (picture === undefined) throw new Error('there is no picture');
       const files = [{ file: picture.bytes, lamp: [lamp[0], lamp[1]] as [number, number] }];
-      const pictures = { files, spool: wish.spool as never, ...slopesFor(wish.own, wish.side, nozzle) };
+      const pictures = { files, spool: wish.spool, ...slopesFor(wish.own, wish.side, nozzle) };
       return { pictures, fit: wish.fit, ...only };
     }
   }

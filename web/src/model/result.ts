@@ -1,5 +1,5 @@
 // What of a plate is the same in another.
-import { sameSpool } from './lamp.js';
+import { samePictures } from './lamp.js';
 import type { Plate } from './plate.js';
 import type { PlateResult } from './state.js';
 
@@ -26,4 +26,4 @@ export const sameDirections = (a: Plate, b: Plate): boolean => a.strokes === b.s
 /** Whether it is the plate's path: all but printer, print and looks are the same. Asked for the file of another, the engine
  * would begin it, also where it has just been cancelled. */
 export const isOf = ({ plate: of }: Pick<PlateResult, 'plate'>, plate: Plate): boolean =>
-  sameDirections(of, plate) && of.shape === plate.shape && of.toolpath === plate.toolpath && sameSpool(of, plate);
+  sameDirections(of, plate) && of.shape === plate.shape && of.toolpath === plate.toolpath && samePictures(of, plate);

@@ -1,5 +1,14 @@
 // Made by tools/generate.mjs from the core's table of settings: ./dev generate.
 export const table = {
+  pictures: {
+    proportions: { type: 'choice', level: 'advanced', default: 'keep', choices: ['keep','stretch'] },
+    spool: { type: 'choice', level: 'basic', default: 'bluePla', choices: ['bluePla','clearPetg','goldPla','greyPla','redPetg'] },
+    slopes: { type: 'pair', level: 'expert', default: null, unit: '°', low: 0.1, high: 45, nullable: true },
+    lampSize: { type: 'number', level: 'basic', default: 0.1, low: 0, high: 2 },
+    smoothness: { type: 'number', level: 'advanced', default: 0.02, low: 0.001, high: 10 },
+    localContrast: { type: 'number', level: 'advanced', default: 0, low: 0, high: 2 },
+    corrections: { type: 'integer', level: 'advanced', default: 3, low: 0, high: 8 },
+  },
   toolpath: {
     spacing: { type: 'number', level: 'basic', default: 0.4, unit: 'mm', low: 0.05, high: 20 },
     perimeterMode: { type: 'choice', level: 'basic', default: 'count', choices: ['none','soft','count'] },
@@ -51,7 +60,7 @@ export const table = {
     place: { type: 'pair', level: 'basic', default: null, unit: 'mm', low: -10000, high: 10000, nullable: true },
   },
   printer: {
-    name: { type: 'text', level: 'advanced', default: 'Generic' },
+    name: { type: 'text', level: 'advanced', default: 'Generic', maxBytes: 1024 },
     flavor: { type: 'choice', level: 'advanced', default: 'marlin', choices: ['marlin','klipper','reprap','prusa','bambu'] },
     bedMin: { type: 'pair', level: 'advanced', default: [0,0], unit: 'mm', low: -5000, high: 5000 },
     bedMax: { type: 'pair', level: 'advanced', default: [220,220], unit: 'mm', low: -5000, high: 5000 },
@@ -64,7 +73,7 @@ export const table = {
     filamentDiameter: { type: 'number', level: 'advanced', default: 1.75, unit: 'mm', low: 0.5, high: 5 },
     filamentDensity: { type: 'number', level: 'advanced', default: 1.24, unit: 'g/cm³', low: 0.1, high: 25 },
     filamentFlow: { type: 'number', level: 'advanced', default: 1, low: 0.1, high: 2 },
-    filamentType: { type: 'text', level: 'advanced', default: 'PLA' },
+    filamentType: { type: 'text', level: 'advanced', default: 'PLA', maxBytes: 1024 },
     maxNozzleTemperature: { type: 'number', level: 'advanced', default: 300, unit: '°C', low: 170, high: 300 },
     maxBedTemperature: { type: 'number', level: 'advanced', default: 120, unit: '°C', low: 0, high: 120 },
     anyTemperature: { type: 'flag', level: 'advanced', default: false },
@@ -95,14 +104,8 @@ export const table = {
     retractSpeed: { type: 'number', level: 'advanced', default: 35, unit: 'mm/s', low: 1, high: 200 },
     lift: { type: 'number', level: 'advanced', default: 0.4, unit: 'mm', low: 0, high: 20 },
     absoluteE: { type: 'flag', level: 'advanced', default: false },
-    startGcode: { type: 'block', level: 'advanced', default: '' },
-    endGcode: { type: 'block', level: 'advanced', default: '' },
-    screenSizes: { type: 'text', level: 'advanced', default: '32x32, 300x300' },
+    startGcode: { type: 'block', level: 'advanced', default: '', maxBytes: 65536 },
+    endGcode: { type: 'block', level: 'advanced', default: '', maxBytes: 65536 },
+    screenSizes: { type: 'text', level: 'advanced', default: '32x32, 300x300', maxBytes: 1024 },
   },
-} as const;
-
-export const pictureTable = {
-  lampSize: { type: 'number', level: 'basic', default: 0.1, low: 0, high: 2 },
-  smoothness: { type: 'number', level: 'advanced', default: 0.02, low: 0.001, high: 10 },
-  localContrast: { type: 'number', level: 'advanced', default: 0, low: 0, high: 2 },
 } as const;

@@ -1,6 +1,6 @@
 // The engine's settings as rows of data, from which the panels are drawn and links are checked: the core's table, and what
 // a control needs besides.
-import type { PrintParams, PrinterValues, ToolpathParams } from 'sillon';
+import type { PictureParams, PrintParams, PrinterValues, ToolpathParams } from 'sillon';
 import presetTable from 'sillon/presets.json' with { type: 'json' };
 import { toolpathDefaults } from './defaults.js';
 import type { Plate } from './plate.js';
@@ -10,14 +10,17 @@ import { withAdvance } from './printers.js';
 type PrintSettings = Omit<PrintParams, 'date'>;
 
 export interface Sections {
+  pictures: Omit<PictureParams, 'files'>;
   toolpath: ToolpathParams;
   print: PrintSettings;
   printer: PrinterValues;
 }
 export type SectionName = keyof Sections;
 
-export type SettingId =
-  `toolpath.${keyof ToolpathParams}` | `print.${keyof PrintSettings}` | `printer.${keyof PrinterValues}`;
+/** Of those that have a control of their own kind. */
+export type SettingId = {
+  [Name in Exclude<SectionName, 'pictures'>]: `${Name}.${keyof Sections[Name] & string}`;
+}[Exclude<SectionName, 'pictures'>];
 
 /** 'spacing': multiples of the spacing. */
 export type Unit = '' | 'mm' | 'mm/s' | 'mm/s²' | 'mm³/s' | 'g/cm³' | '°' | '°C' | 's' | '1/s' | '%' | 'spacing';
@@ -57,7 +60,8 @@ export interface FlagSetting extends Row {
 
 export interface TextSetting extends Row {
   kind: 'text';
-  maxLength: number;
+  /** In UTF-8. */
+  maxBytes: number;
   /** Several lines. */
   long: boolean;
   default: string;
@@ -167,15 +171,6 @@ const controls: Record<
   'printer.excludedMax': { step: 1 },
 };
 
-/** Most letters that a field takes and a link may bring. */
-const lengths: Record<IdOf<'text' | 'block'>, number> = {
-  'printer.name': 64,
-  'printer.filamentType': 64,
-  'printer.startGcode': 65536,
-  'printer.endGcode': 65536,
-  'printer.screenSizes': 200,
-};
-
 interface TableRow {
   type: string;
   level: string;
@@ -185,11 +180,12 @@ interface TableRow {
   high?: number;
   choices?: readonly string[];
   nullable?: boolean;
+  maxBytes?: number;
 }
 
 function settingFrom(section: SectionName, key: string, entry: TableRow): Setting {
   const id = `${section}.${key}` as SettingId;
-  const { type, unit = '', low: min = 0, high: max = 0, choices = [], nullable = false } = entry;
+  const { type, unit = '', low: min = 0, high: max = 0, choices = [], nullable = false, maxBytes = 0 } = entry;
   const row = { id, section, key, advanced: entry.level !== 'basic' };
   switch (type) {
     case 'choice':
@@ -201,12 +197,12 @@ function settingFrom(section: SectionName, key: string, entry: TableRow): Settin
       return {
         ...row,
         kind: 'text',
-        maxLength: lengths[id as keyof typeof lengths],
+        maxBytes,
         long: type === 'block',
         default: entry.default as string,
       };
   }
-  const { step, usual = [min, max] } = controls[id as keyof typeof controls];
+  const { step, usual = [min, max] } = section === 'pictures' ? { step: 0.01 } : controls[id as keyof typeof controls];
   const span = { ...row, unit, min, max, step, nullable };
   if (type === 'number' || type === 'integer') {
     return { ...span, kind: type, usual, default: entry.default as number | null };
@@ -218,14 +214,23 @@ const rows = (Object.entries(table) as [SectionName, Record<string, TableRow>][]
   Object.entries(entries).map(([key, entry]) => ({ level: entry.level, setting: settingFrom(section, key, entry) })),
 );
 
-export const settings: readonly Setting[] = rows.map(({ setting }) => setting);
+const everySetting: readonly Setting[] = rows.map(({ setting }) => setting);
+
+/** Those of the core that a plate holds as they are. */
+export const settingsOf = (section: SectionName): readonly Setting[] =>
+  everySetting.filter((setting) => setting.section === section);
+
+/** Those that have a control of this kind; pictures have their own. */
+export const settings: readonly Setting[] = everySetting.filter(({ section }) => section !== 'pictures');
 
 /** Constants of the method, in files and presets only. */
 export const expertSettings: ReadonlySet<SettingId> = new Set(
-  rows.filter(({ level }) => level === 'expert').map(({ setting }) => setting.id),
+  rows
+    .filter(({ level, setting }) => level === 'expert' && setting.section !== 'pictures')
+    .map(({ setting }) => setting.id),
 );
 
-const byId = new Map(settings.map((setting) => [setting.id, setting]));
+const byId = new Map(everySetting.map((setting) => [setting.id, setting]));
 
 export function settingOf(id: SettingId): Setting {
   const setting = byId.get(id);
@@ -264,7 +269,7 @@ export function accepts(setting: Setting, value: unknown): value is SettingValue
     case 'text':
       return (
         typeof value === 'string' &&
-        value.length <= setting.maxLength &&
+        new TextEncoder().encode(value).length <= setting.maxBytes &&
         !controlCharacter.test(setting.long ? value.replace(/[\t\n]/g, '') : value)
       );
     case 'pair':

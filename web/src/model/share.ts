@@ -3,7 +3,6 @@
 import {
   directionsFrom,
   fieldsOf,
-  filamentFrom,
   heightFrom,
   modeFrom,
   nameFrom,
@@ -14,12 +13,12 @@ import {
   widthFrom,
   type Fields,
 } from './check-plate.js';
-import { fileKinds, newGenerator, newPlate, newShape } from './defaults.js';
+import { fileKinds, newGenerator, newPlate, newShape, pictureDefaults } from './defaults.js';
 import type { DirectionSource, Plate, ShapeSource, SourceFile } from './plate.js';
 import { mostPictures } from './lamp.js';
 import { profileOf } from './printers.js';
 import { StudioError } from './problem.js';
-import { accepts, settings, settingOf, type Setting, type SettingValue } from './settings.js';
+import { accepts, settings, settingOf, settingsOf, type Setting, type SettingValue } from './settings.js';
 
 const key = 'plate=';
 const version = 1;
@@ -98,11 +97,14 @@ const ownAlone: readonly string[] = ['printer.startGcode', 'printer.endGcode', '
 
 const isFileKind = (kind: string): boolean => (fileKinds as readonly string[]).includes(kind);
 
+/** All that travel. */
+const travelling: readonly Setting[] = [...settingsOf('pictures'), ...settings];
+
 /** Settings that are not the default's. */
 function changed(plate: Plate): Record<string, SettingValue> {
   const values: Record<string, SettingValue> = {};
   const profile = profileOf(plate.printer) !== undefined;
-  for (const setting of settings) {
+  for (const setting of travelling) {
     if (!profile && ownAlone.includes(setting.id)) continue;
     const value = (plate[setting.section] as unknown as Record<string, SettingValue>)[setting.key] as SettingValue;
     if (JSON.stringify(value) !== JSON.stringify(setting.default)) values[setting.id] = value;
@@ -150,7 +152,7 @@ async function toldDirections(directions: DirectionSource, shrink: Shrink | unde
 /** @param shrink  left out: pictures do not travel */
 export async function writeLink(plate: Plate, shrink?: Shrink): Promise<Link> {
   const untold: Untold[] = [];
-  const { name, shape, width, height, directions, modes, filament } = plate;
+  const { name, shape, width, height, directions, modes } = plate;
   const drawing = await toldShape(shape, shrink);
   if (drawing.told === undefined) untold.push('shape');
   const toldOf = await toldDirections(directions, shrink, mostPictureBytes - drawing.bytes);
@@ -166,8 +168,7 @@ export async function writeLink(plate: Plate, shrink?: Shrink): Promise<Link> {
     width,
     height,
     directions: toldOf,
-    mode: modes.base,
-    filament,
+    mode: modes.mode,
     settings: changed(plate),
     ...(plate.spool !== undefined && { spool: plate.spool }),
     ...(untold.length > 0 ? { untold } : {}),
@@ -180,9 +181,10 @@ export async function writeLink(plate: Plate, shrink?: Shrink): Promise<Link> {
 
 /** Sparse: what is not told has its default. */
 function settingsFrom(plate: Plate, value: unknown): Plate {
-  const ids = settings.map(({ id }) => id);
+  const ids = travelling.map(({ id }) => id);
   const fields = fieldsOf(value, 'settings', ids);
-  const sections = { toolpath: { ...plate.toolpath }, print: { ...plate.print }, printer: { ...plate.printer } };
+  const { pictures, toolpath, print, printer } = plate;
+  const sections = structuredClone({ pictures, toolpath, print, printer });
   for (const id of ids) {
     if (!(id in fields)) continue;
     const setting: Setting = settingOf(id);
@@ -219,11 +221,12 @@ function toldPlate(value: unknown, files: ReadonlyMap<unknown, SourceFile>): Pla
     if (file === undefined) throw new Unfit(where, told);
     return file;
   };
-  const known = ['name', 'shape', 'width', 'height', 'directions', 'mode', 'filament', 'settings', 'spool', 'untold'];
+  const known = ['name', 'shape', 'width', 'height', 'directions', 'mode', 'settings', 'spool', 'untold'];
   const fields = fieldsOf(value, '', known);
   const { shape, directions } = fields; // undefined: it was a file
   const plate: Plate = {
     ...newPlate(),
+    pictures: { ...pictureDefaults },
     name: nameFrom(fields['name']),
     shape: shape === undefined ? newShape('rectangle') : shapeFrom(shape, files.size > 0 ? fileFrom : undefined),
     width: widthFrom(fields['width']),
@@ -232,9 +235,7 @@ function toldPlate(value: unknown, files: ReadonlyMap<unknown, SourceFile>): Pla
       directions === undefined
         ? newGenerator('angle')
         : directionsFrom(directions, files.size > 0 ? fileFrom : undefined),
-    modes: { base: modeFrom(fields['mode'], 'mode') },
-    strokes: [],
-    filament: filamentFrom(fields['filament']),
+    modes: { mode: modeFrom(fields['mode'], 'mode') },
     ...plateSpoolFrom(fields['spool']),
   };
   return settingsFrom(plate, fields['settings']);

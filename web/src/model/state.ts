@@ -28,7 +28,7 @@ export interface PlateResult {
   report: Report;
   /** Of two pictures and more: what they take from each other. */
   conflict?: Conflict | undefined;
-  /** Made with a larger spacing, as a quick preview. */
+  /** A quick preview: made with a larger spacing, or without the corrections of its pictures. */
   coarse: boolean;
   measured: boolean;
 }

@@ -93,7 +93,8 @@ export function printerField(studio: Studio): TemplateResult {
 }
 
 export function filamentField(studio: Studio): TemplateResult {
-  const { filament: key, spool } = studio.store.state.plate;
+  const { pictures, spool } = studio.store.state.plate;
+  const key = pictures.spool;
   const own = ownSpools(studio);
   const chosen = filaments.find((filament) => filament.key === key) ?? filaments[0];
   return html`<div class="field">

@@ -5,7 +5,7 @@ import { live } from 'lit/directives/live.js';
 import { r } from '../i18n/rebrush.js';
 import { filamentLabel } from '../i18n/say.js';
 import { t } from '../i18n/text.js';
-import { filaments } from '../model/filaments.js';
+import { filamentOf, filaments } from '../model/filaments.js';
 import { modeChoices, type OwnSpool } from '../model/plate.js';
 import { fits, type HandBrush, type Wish } from '../model/rebrush.js';
 import type { Light } from '../model/view.js';
@@ -195,7 +195,7 @@ function pictureFields({ wish, spools, done, onWant, onPickPicture }: DirectionF
       ],
       onChoose: (key) => {
         const own = spools.find((one) => one.key === key);
-        onWant(own === undefined ? { spool: key, own } : { own });
+        onWant(own === undefined ? { spool: filamentOf(key).key, own } : { own });
       },
     })}`;
 }

@@ -95,7 +95,7 @@ export class RebrushView extends StudioElement {
       angle: plate.directions.kind === 'angle' ? plate.directions.angle : 30,
       picture: undefined,
       lamp: lampFor([], this.light),
-      spool: plate.filament,
+      spool: plate.pictures.spool,
       own: plate.spool,
       fit: 'face',
       strokes: [],
@@ -397,7 +397,8 @@ export class RebrushView extends StudioElement {
     const { plate, theme, sliced } = this.state;
     const done = this.fresh ? this.done : undefined;
     const lamps = wish.way === 'picture' ? { azimuth: wish.lamp[0], elevation: wish.lamp[1] } : light;
-    const filament = lookOf({ ...plate, filament: wish.spool, spool: wish.own });
+    const pictures = { ...plate.pictures, spool: wish.spool, slopes: null };
+    const filament = lookOf({ ...plate, pictures, spool: wish.own });
     const dark = theme === 'auto' ? this.darkScheme : theme === 'dark';
     const toggle = (event: CustomEvent<number>): void => {
       this.#toggle(event.detail);

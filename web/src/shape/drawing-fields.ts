@@ -2,7 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { d } from '../i18n/drawing.js';
-import { paintOf } from '../model/input.js';
+import { usualPaint } from '../model/defaults.js';
 import type { ShapeSource } from '../model/plate.js';
 import { StudioElement } from '../controls/element.js';
 import { flag, select } from '../controls/fields.js';
@@ -36,7 +36,7 @@ export class DrawingFields extends StudioElement {
       id: 'keep-thin',
       label: d('keepThin'),
       help: d('keepThin.help'),
-      value: shape.keepThin ?? false,
+      value: shape.keepThin,
       onChange: (keepThin) => {
         change({ keepThin });
       },
@@ -48,7 +48,7 @@ export class DrawingFields extends StudioElement {
       id: 'paint',
       label: d('paint'),
       help: d('paint.help'),
-      value: paintOf(shape),
+      value: shape.paint,
       options: [
         { value: 'shown', label: d('paint.shown') },
         { value: 'ignore', label: d('paint.ignore') },
@@ -66,7 +66,7 @@ export class DrawingFields extends StudioElement {
         { value: 'mm', label: d('unitless.mm') },
       ],
       onChoose: (unitless) => {
-        change({ unitless });
+        change({ unitless, ...(shape.paint === usualPaint(shape.unitless) && { paint: usualPaint(unitless) }) });
       },
     })}`;
   }

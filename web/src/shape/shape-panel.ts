@@ -117,7 +117,7 @@ export class ShapePanel extends StudioElement {
         step: 0.5,
         usual: [0, Math.max(1, Math.floor(Math.min(plate.width, plate.height) / 2))] as const,
         onInput: (radius: number) => {
-          this.studio.change((now) => ({ ...now, shape: { kind: 'rounded', radius } }), 'radius');
+          this.studio.change((now) => ({ ...now, shape: { ...shape, radius } }), 'radius');
         },
         onSettle: () => {
           this.studio.settle();

@@ -337,7 +337,7 @@ export class PlateCanvas extends StudioElement implements Stage {
       directions,
       view: solved ? 'toolpath' : view,
       colourBy: solved ? 'direction' : colourBy,
-      lampSlope: lit?.lampSize ?? appearance.softbox,
+      lampSlope: lit === undefined ? appearance.softbox : plate.pictures.lampSize,
       fromAfar: lit !== undefined,
       feed: {
         speed: plate.printer.speed,

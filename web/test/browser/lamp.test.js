@@ -65,10 +65,12 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
     .waitFor();
   await visit.page.keyboard.press('Escape');
   await visit.page.evaluate(() => {
-    document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, filament: 'bluePla' }));
+    document
+      .querySelector('sillon-app')
+      .studio.change((plate) => ({ ...plate, pictures: { ...plate.pictures, spool: 'bluePla' } }));
   });
   await visit.until(
-    '({ plate, result }) => plate.filament === "bluePla" && result?.measured && result.plate === plate',
+    '({ plate, result }) => plate.pictures.spool === "bluePla" && result?.measured && result.plate === plate',
   );
   await panel.getByText(/This spool shows pictures faintly/).waitFor({ state: 'detached' });
   await visit.until(({ result }) => result?.report.pictures?.[0].contrast > 5);

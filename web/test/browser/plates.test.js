@@ -110,27 +110,6 @@ test('undo and redo survive a reload', { skip }, async () => {
   }
 });
 
-test('the one plate of earlier versions is found', { skip }, async () => {
-  const visit = await bench.open({ small: true });
-  await visit.until((state) => state.result !== undefined);
-  await rename(visit, 'Old');
-  await kept(visit, 'Old');
-  await visit.page.evaluate(async () => {
-    const answered = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result)));
-    const database = await answered(indexedDB.open('sillon-studio'));
-    const work = database.transaction('work', 'readwrite').objectStore('work');
-    const key = (await answered(work.getAllKeys())).find((one) => one.startsWith('plate/'));
-    const { plate } = await answered(work.get(key));
-    await answered(work.clear());
-    await answered(work.put({ version: 1, files: [], plate: { ...plate, name: 'Older' } }, 'plate'));
-    database.close();
-    sessionStorage.clear();
-  });
-  await visit.page.reload();
-  await visit.until((state) => state.plate.name === 'Older');
-  assert.deepEqual(await names(visit), ['Older']);
-});
-
 const pictures = process.env.SILLON_PICTURES;
 
 /** As if a later version had written the plate that is kept. */

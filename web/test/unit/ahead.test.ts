@@ -48,6 +48,6 @@ test('nothing is ahead where the beads follow all strokes, of another source, or
   assert.equal(drawn({ ...made, strokes: [] }, made), undefined);
   const more = { ...made, strokes: [...made.strokes, stroke(0.75)] };
   assert.equal(drawn({ ...more, directions: { kind: 'angle', angle: 10 } }, made), undefined);
-  const lamp: Plate['directions'] = { kind: 'lamp', lampSize: 0.1, smoothness: 0, localContrast: 0, pictures: [] };
+  const lamp: Plate['directions'] = { kind: 'lamp', pictures: [] };
   assert.equal(drawn({ ...more, directions: lamp }, { ...made, directions: lamp }), undefined);
 });

@@ -162,7 +162,7 @@ test('a new plate is as before on the usual printer, and elsewhere on the visito
   const plate = newPlateOn(wide);
   assert.equal(profileOf(plate.printer)?.key, 'prusa-mini');
   assert.deepEqual([plate.printer.nozzle, plate.toolpath.spacing, plate.print.layerHeight], [0.8, 0.8, 0.4]);
-  assert.deepEqual([plate.filament, plate.printer.filamentType], ['goldPla', 'PLA']);
+  assert.deepEqual([plate.pictures.spool, plate.printer.filamentType], ['goldPla', 'PLA']);
   const imported = { ...own, name: 'Mine', startGcode: 'G28' };
   assert.equal(newPlateOn(imported).printer.startGcode, 'G28');
 });

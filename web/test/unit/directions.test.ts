@@ -14,7 +14,7 @@ import { newFileDirections, newGenerator } from '../../src/model/defaults.js';
 import { between, chances, fileOf, greyPicture } from './support/pictures.js';
 
 const square = [70, 70] as const;
-const everywhere: ModeSource = { base: 'constrained' };
+const everywhere: ModeSource = { mode: 'constrained' };
 const file = fileOf('picture.png');
 
 const draw = (
@@ -312,11 +312,11 @@ describe('modes', () => {
   test('a picture of modes is read as the engine reads it, else the base counts', () => {
     const greys = Uint8Array.of(0, 42, 43, 85, 127, 128, 170, 212, 213, 255, 0, 0, 0, 0, 0, 0);
     const picture: Picture = { width: 16, height: 1, channels: 1, samples: greys };
-    const modes: ModeSource = { base: 'smoothest', file };
+    const modes: ModeSource = { mode: 'smoothest', file };
     const options = { page: [16, 1] as const, resolution: 16, modes };
     const raster = draw(newGenerator('waves'), { modes: picture }, options);
     assert.deepEqual([...raster.mode], [0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 0, 0, 0, 0, 0, 0]);
-    assert.ok(draw(newGenerator('waves'), {}, { modes: { base: 'smoothest' } }).mode.every((mode) => mode === 2));
+    assert.ok(draw(newGenerator('waves'), {}, { modes: { mode: 'smoothest' } }).mode.every((mode) => mode === 2));
   });
 });
 

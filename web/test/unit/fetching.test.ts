@@ -60,7 +60,8 @@ test('files of a project lie in its folder or below, are asked for without query
         response.end(JSON.stringify({ sillon: 1, shape: { file: shapes[Number(k)] } }));
       else {
         const pictures = { files: [{ file: 'one.png', lamp: [60, 45] }, { file: 'two.png' }] };
-        response.end(JSON.stringify({ sillon: 1, pictures }));
+        const studio = { files: { 'two.png': 'Two.png', 'inputs/tone.png': 'tone.png' } };
+        response.end(JSON.stringify({ sillon: 1, pictures, studio }));
       }
     },
     async (base) => {
@@ -76,7 +77,7 @@ test('files of a project lie in its folder or below, are asked for without query
       const files = await fetchFiles([{ url: `project${shapes.length}.json`, role: '' }], base);
       assert.deepEqual(
         files.slice(1).map(({ name }) => name),
-        ['one.png', 'two.png'],
+        ['one.png', 'two.png', 'tone.png'],
       );
     },
   );

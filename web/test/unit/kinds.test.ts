@@ -78,5 +78,5 @@ test('figures belong to the plate that they were made of', () => {
   assert.ok(!isOf(result, { ...plate, width: 1000, height: 1000 }));
   assert.ok(!isOf(result, { ...plate, toolpath: { ...plate.toolpath } }));
   // The spool counts where pictures are made for it.
-  assert.ok(isOf(result, { ...plate, filament: 'bluePla' }));
+  assert.ok(isOf(result, { ...plate, pictures: { ...plate.pictures, spool: 'bluePla' } }));
 });

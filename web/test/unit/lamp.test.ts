@@ -60,13 +60,15 @@ test('the engine is asked for the pictures under the spool of the plate', () => 
       { file: cat.bytes, lamp: [60, 45] },
       { file: dog.bytes, lamp: null },
     ],
+    proportions: 'keep',
     spool: 'bluePla',
     slopes: [2.36, 17.32],
     lampSize: 0.1,
     smoothness: 0.02,
     localContrast: 0,
-    corrections: 0,
+    corrections: 3,
   });
+  assert.equal(engineInput({ plate, raster: undefined }, { factor: 1 }).input.pictures?.corrections, 0);
   const same = (a: Plate, b: Plate): boolean =>
     sameToolpath({ plate: a, raster: undefined }, { plate: b, raster: undefined });
   assert.ok(same(plate, { ...plate, name: 'other' }));
@@ -122,7 +124,7 @@ test('a spool or a lamp that shows little is told', () => {
   assert.deepEqual(weaknessesOf(blue, three), ['crowded']);
   assert.deepEqual(leastSeen(three), { n: 3, r: 0.57 });
   assert.deepEqual(weaknessesOf(withFilament(blue, 'goldPla'), undefined), ['spool']);
-  const window = { ...blue, directions: { ...newLampDirections([{ file: cat, lamp: null }]), lampSize: 0.4 } };
+  const window = { ...blue, pictures: { ...blue.pictures, lampSize: 0.4 } };
   assert.deepEqual(weaknessesOf(window, seen(1.5)), ['window']);
   assert.deepEqual(weaknessesOf(newPlate(), undefined), []); // gold waves are fine
   assert.equal(greySteps(1), 1);

@@ -8,7 +8,7 @@ import { kindOf } from '../../src/files/kind.js';
 import { identify, withFile, withFiles, withoutFiles } from '../../src/files/open.js';
 import { encodeGreyPng } from '../../src/files/png16.js';
 import { cleanName, digest, plainDigest, stemOf } from '../../src/files/source-file.js';
-import { newFileDirections, newGenerator, newPlate, newShape } from '../../src/model/defaults.js';
+import { newFileDirections, newFileShape, newGenerator, newPlate, newShape } from '../../src/model/defaults.js';
 import type { Plate } from '../../src/model/plate.js';
 import { StudioError, type ProblemCode } from '../../src/model/problem.js';
 import type { Opened, Role } from '../../src/model/file-role.js';
@@ -181,7 +181,7 @@ test('files that come together share the work', () => {
   const map = { ...newFileDirections('map', fileOf('a.png')) };
   const logo = [{ name: 'x', facts: facts('logo') }];
   assert.deepEqual(guessRoles(logo, plateWith({ directions: map })), ['mask']);
-  const shape = { kind: 'file', file: fileOf('a.svg'), unitless: 'px' } as const;
+  const shape = newFileShape(fileOf('a.svg'));
   assert.deepEqual(guessRoles(logo, plateWith({ directions: map, shape })), ['levels']);
 });
 
@@ -220,13 +220,8 @@ test('a drawing is as large as it was drawn, where that can be printed', () => {
   assert.deepEqual(sized([6, 3]), [70, 35]);
   assert.deepEqual(sized([2000, 1000]), [70, 35]);
   assert.deepEqual(sized([100, 400]), [17.5, 70]);
-  const again = withFile(
-    plateWith({ shape: { kind: 'file', file: fileOf('b.svg'), unitless: 'mm' } }),
-    file,
-    'shape',
-    [20, 10],
-  );
-  assert.deepEqual(again.shape, { kind: 'file', file, unitless: 'mm' });
+  const again = withFile(plateWith({ shape: newFileShape(fileOf('b.svg'), 'mm') }), file, 'shape', [20, 10]);
+  assert.deepEqual(again.shape, newFileShape(file, 'mm'));
 });
 
 test('built-in shapes take a picture’s proportions; drawn ones keep theirs', () => {
@@ -239,7 +234,7 @@ test('built-in shapes take a picture’s proportions; drawn ones keep theirs', (
   assert.deepEqual(framed(newShape('rounded'), [480, 640]), ['rounded', 60, 80]);
   assert.deepEqual(framed(newShape('disc'), [500, 500]), ['disc', 60, 80]);
   assert.deepEqual(framed(newShape('disc'), [800, 400]), ['rectangle', 80, 40]);
-  assert.deepEqual(framed({ kind: 'file', file, unitless: 'px' }, [640, 480]), ['file', 60, 80]);
+  assert.deepEqual(framed(newFileShape(file), [640, 480]), ['file', 60, 80]);
   const masked = withFile(newPlate(), file, 'mask', [200, 100]);
   assert.deepEqual([masked.shape.kind, masked.width, masked.height], ['file', 70, 35]);
   const thin = withFile(newPlate(), file, 'mask', [1, 10_000]);
@@ -253,7 +248,7 @@ test('another picture of the same use keeps what was set for it', () => {
   assert.deepEqual(withFile(plate, b, 'tone', [1, 1]).directions, { ...tone, file: b });
   assert.deepEqual(withFile(plate, b, 'edges', [1, 1]).directions, newFileDirections('edges', b));
   assert.deepEqual(withFile(plate, b, 'tangent', [1, 1]).directions, { kind: 'map', file: b, encoding: 'tangent' });
-  assert.deepEqual(withFile(plate, b, 'modes', [1, 1]).modes, { base: 'constrained', file: b });
+  assert.deepEqual(withFile(plate, b, 'modes', [1, 1]).modes, { mode: 'constrained', file: b });
   assert.equal(withFile(plate, b, 'none', [1, 1]), plate);
 });
 
@@ -317,11 +312,11 @@ test('another role keeps every edit since the files were opened', async () => {
     assert.deepEqual([kept.width, kept.height], [77, 57.75], role);
   }
   // A picture whose lamp was moved is there once, whatever it is used as.
-  const moved = { ...made, directions: { ...made.directions, lampSize: 0.01 } } as Plate;
+  const moved: Plate = { ...made, pictures: { ...made.pictures, lampSize: 0.01 } };
   const again = files.map((one) => ({ ...one, role: 'more' as const }));
-  const { directions: lit } = await withFiles(withoutFiles(moved, opened), again, engine);
+  const { directions: lit, pictures: other } = await withFiles(withoutFiles(moved, opened), again, engine);
   assert.ok(lit.kind === 'lamp');
-  assert.deepEqual([lit.pictures.length, lit.lampSize], [1, 0.01]);
+  assert.deepEqual([lit.pictures.length, other.lampSize], [1, 0.01]);
 });
 
 test('a name that is a file’s goes on to the next picture, and not to what it does not show', async () => {

@@ -9,13 +9,14 @@ import { createEngine, type Engine } from 'sillon';
 import { rasterise } from '../../src/generators/rasterise.js';
 import type { DirectionRaster } from '../../src/model/raster.js';
 import { engineInput } from '../../src/model/input.js';
-import { packStored, readProject, writeProject } from '../../src/files/project.js';
+import { packStored, projectData, readProject, writeProject } from '../../src/files/project.js';
 import { filesOf, plateData } from '../../src/files/plate-data.js';
 import { sourceFile } from '../../src/files/source-file.js';
 import {
   fileKinds,
   generatorKinds,
   newFileDirections,
+  newFileShape,
   newGenerator,
   newLampDirections,
   newPlate,
@@ -67,7 +68,10 @@ async function drawn(plate: Plate, resolution = 96): Promise<DirectionRaster> {
   );
 }
 
-const zipOf = async (plate: Plate, raster?: DirectionRaster): Promise<Uint8Array<ArrayBuffer>> =>
+/** Stands for directions that no test looks at. */
+const anyRaster: DirectionRaster = { width: 1, height: 1, angle: Uint16Array.of(7), mode: Uint8Array.of(3) };
+
+const zipOf = async (plate: Plate, raster = anyRaster): Promise<Uint8Array<ArrayBuffer>> =>
   bytesOf(await writeProject(plate, raster));
 const read = async (bytes: Uint8Array<ArrayBuffer> | string, others: SourceFile[] = []): Promise<Plate> =>
   readProject(await asFile(typeof bytes === 'string' ? 'plate.json' : 'plate.zip', bytes), others, engine);
@@ -105,9 +109,9 @@ test('every kind of plate comes back as it went, with the bytes of its files', a
     {
       ...newPlate(),
       name: 'Épicéa ✨ “quoted”',
-      shape: { kind: 'file', file: leaf, unitless: 'mm', paint: 'shown', keepThin: true },
+      shape: { ...newFileShape(leaf, 'mm'), paint: 'shown', keepThin: true },
       directions: newFileDirections('tone', photo),
-      modes: { base: 'smoothest', file: modeMap },
+      modes: { mode: 'smoothest', file: modeMap },
       strokes: [stroke, { ...stroke, tool: 'mode', mode: 'orthogonal' }, { ...stroke, tool: 'erase' }],
       height: 0,
       print: { ...newPlate().print, place: [12.5, 3], rotate: 30, mirror: true },
@@ -126,18 +130,21 @@ test('names that no file system would take stay the plate’s, and stand beside 
   const other = { ...modeMap, name: 'leaf.png' };
   const plate: Plate = {
     ...newPlate(),
-    shape: { kind: 'file', file: { ...shape, name: 'b:…?*.svg' }, unitless: 'px' },
+    shape: newFileShape({ ...shape, name: 'b:…?*.svg' }),
     directions: newFileDirections('levels', one),
-    modes: { base: 'parallel', file: other },
+    modes: { mode: 'parallel', file: other },
   };
   const zip = await zipOf(plate);
   const names = Object.keys(unzipSync(zip));
-  assert.deepEqual(names, ['project.json', 'studio.json', 'inputs/b_.svg', 'inputs/Leaf.png', 'inputs/leaf-2.png']);
+  assert.deepEqual(names, [
+    ...['project.json', 'directions.png', 'modes.png'],
+    ...['inputs/b_.svg', 'inputs/Leaf.png', 'inputs/leaf-2.png'],
+  ]);
   assert.deepEqual(await read(zip), plate);
 });
 
 test('the same plate gives the same bytes', async () => {
-  const plate: Plate = { ...small(), shape: { kind: 'file', file: leaf, unitless: 'px' } };
+  const plate: Plate = { ...small(), shape: newFileShape(leaf) };
   const raster = await drawn(plate);
   assert.deepEqual(await zipOf(plate, raster), await zipOf(plate, raster));
 });
@@ -161,7 +168,7 @@ test('directions and modes stand in the zip exactly as the raster has them', asy
 
 const date = new Date(0);
 
-async function studioGcode(plate: Plate, raster: DirectionRaster | undefined): Promise<string> {
+async function studioGcode(plate: Plate, raster: DirectionRaster): Promise<string> {
   const { input, params } = engineInput({ plate, raster });
   const { toolpath } = await engine.generateToolpath(input, params);
   const { blob } = await engine.writeGcode(toolpath, plate.printer, { ...plate.print, date });
@@ -194,7 +201,7 @@ test('the native program makes the page’s G-code from the unpacked project', {
       'leaf',
       {
         ...small(),
-        shape: { kind: 'file', file: leaf, unitless: 'px' },
+        shape: newFileShape(leaf),
         height: 16,
         directions: newFileDirections('tone', photo),
         print: { ...newPlate().print, layers: 2, rotate: 17, mirror: true, place: [50, 60.5] },
@@ -205,10 +212,10 @@ test('the native program makes the page’s G-code from the unpacked project', {
       'rounded',
       {
         ...small(),
-        shape: { kind: 'rounded', radius: 5.3 },
+        shape: { ...newShape('rounded'), radius: 5.3 },
         height: 0,
         directions: { ...newFileDirections('map', photo), encoding: 'rotation' },
-        modes: { base: 'constrained', file: modeMap },
+        modes: { mode: 'constrained', file: modeMap },
         toolpath: { ...small().toolpath, perimeterMode: 'soft', seed: Number.MAX_SAFE_INTEGER, bridge: 0 },
       },
     ],
@@ -225,12 +232,12 @@ test('and without a raster, from one direction and one mode', { skip: noProgram 
   const plate: Plate = {
     ...small(),
     directions: { kind: 'angle', angle: 33.3 },
-    modes: { base: 'orthogonal' },
+    modes: { mode: 'orthogonal' },
     shape: newShape('rectangle'),
   };
   const zip = await zipOf(plate);
   assert.ok(!('directions.png' in unzipSync(zip)));
-  assert.ok(nativeGcode(zip, 'plain') === (await studioGcode(plate, undefined)));
+  assert.ok(nativeGcode(zip, 'plain') === (await studioGcode(plate, anyRaster)));
 });
 
 // --- Projects of the command line ----------------------------------------------------------------------------------------
@@ -263,7 +270,7 @@ test('a project of a picture alone is as large as the command line makes it', as
   const json = JSON.stringify({ sillon: 1, directions: { file: 'in/photo.png', encoding: 'rotation' } });
   const plate = await read(json, [photo]);
   const { width, height } = await engine.decodePicture(photo.bytes);
-  assert.deepEqual([plate.shape, plate.width], [{ kind: 'rectangle' }, 80]);
+  assert.deepEqual([plate.shape, plate.width], [{ ...newShape('rectangle'), radius: 3 }, 80]);
   assert.ok(Math.abs(plate.height - (80 * height) / width) < 1e-6);
   assert.deepEqual(plate.directions, { kind: 'map', file: photo, encoding: 'rotation' });
 });
@@ -275,7 +282,7 @@ test('a zip that was packed by hand opens, also with a folder around it', async 
     const zip = zipSync({ [`${around}project.json`]: Buffer.from(json), [`${around}in/leaf.svg`]: svg });
     const plate = await read(zip);
     assert.deepEqual([plate.width, plate.height], [20, 16]);
-    assert.deepEqual(plate.shape, { kind: 'file', file: leaf, unitless: 'px' });
+    assert.deepEqual(plate.shape, { ...newFileShape(leaf), radius: 3 });
   }
   const studio = unzipSync(await zipOf(small()));
   const again = zipSync(Object.fromEntries(Object.entries(studio).map(([path, bytes]) => [`folder/${path}`, bytes])));
@@ -299,49 +306,37 @@ async function refused(
   });
 }
 
-const packed = (studio: unknown, more: Zippable = {}): Uint8Array<ArrayBuffer> =>
-  zipSync({ 'studio.json': Buffer.from(typeof studio === 'string' ? studio : JSON.stringify(studio)), ...more });
+const packed = (project: unknown, more: Zippable = {}): Uint8Array<ArrayBuffer> =>
+  zipSync({ 'project.json': Buffer.from(typeof project === 'string' ? project : JSON.stringify(project)), ...more });
 
 test('what is wrong with a project is said', async () => {
-  const plate = { ...newPlate() };
-  const withShape = {
-    ...plate,
-    shape: { kind: 'file', unitless: 'px', file: { path: 'inputs/a.svg', name: 'a.svg' } },
-  };
   await refused('{ "sillon": 2 }', 'BrokenProject', /sillon/);
   await refused('{ "sillon": 1, "shape": { "file": "a/leaf.svg" } }', 'BrokenProject', /^a\/leaf\.svg is missing/);
   await refused('{ "sillon": 1, "toolpath": { "spacing": 99 } }', 'BrokenProject', /spacing/);
   await refused(`{ "sillon": 1, "directions": { "angle": 1 }, "x": ${'['.repeat(1e5)}`, 'BrokenProject', /./);
-  await refused(' '.repeat(2 << 20), 'BrokenProject', /2\.1 MB; at most/);
-  await refused(packed({ studio: 2, plate }), 'BrokenProject', /^studio is 2/);
-  await refused(packed({ studio: 1, plate, more: 1 }), 'BrokenProject', /^more is 1/);
-  await refused(packed({ studio: 1 }), 'BrokenProject', /./);
-  await refused(packed({ studio: 1, plate: { ...plate, width: 1e9 } }), 'BrokenProject', /^width is 1000000000/);
-  await refused(packed({ studio: 1, plate: withShape }), 'BrokenProject', /^inputs\/a\.svg is missing/);
-  await refused(
-    packed({ studio: 1, plate: { ...plate, modes: { base: 'up' } } }),
-    'BrokenProject',
-    /^modes\.base is "up"/,
-  );
-  await refused(packed({ studio: 1, plate: { ...plate, filament: 'toString' } }), 'BrokenProject', /^filament/);
-  await refused(packed('{"studio":1,"plate":{"__proto__":{"width":3}}}'), 'BrokenProject', /__proto__/);
-  await refused(packed(`{"studio":1,"plate":${'['.repeat(1e6)}`), 'BrokenProject', /nested too deep/);
-  await refused(packed('{"studio":1,'), 'BrokenProject', /JSON/);
+  await refused(' '.repeat(17 << 20), 'BrokenProject', /17\.8 MB; at most/);
+  const project = { ...(projectData(newPlate()) as { studio: object }) };
+  const withStudio = (studio: object): Uint8Array<ArrayBuffer> =>
+    packed({ ...project, studio: { ...project.studio, ...studio } });
+  await refused(withStudio({ version: 2 }), 'BrokenProject', /^studio\.version is 2/);
+  await refused(withStudio({ more: 1 }), 'BrokenProject', /^studio\.more is 1/);
+  await refused(withStudio({ name: 7 }), 'BrokenProject', /^name is 7/);
+  await refused(withStudio({ directions: { kind: 'up' } }), 'BrokenProject', /^directions\.kind is "up"/);
+  await refused(withStudio({ strokes: [7] }), 'BrokenProject', /^strokes\[0\] is 7/);
+  const tone = { ...newFileDirections('tone', photo), file: 'inputs/a.png' };
+  await refused(withStudio({ directions: tone }), 'BrokenProject', /^inputs\/a\.png is missing/);
+  await refused(packed({ ...project, modes: { mode: 'up' } }), 'BrokenProject', /modes\.mode is "up"/);
+  await refused(packed({ ...project, sparkle: {} }), 'BrokenProject', /unknown key "sparkle"/);
+  await refused(packed('{"sillon":1,"studio":{"__proto__":{"width":3}}}'), 'BrokenProject', /__proto__/);
+  await refused(packed(`{"sillon":1,"studio":${'['.repeat(1e6)}`), 'BrokenProject', /nested deeper/);
+  await refused(packed('{"sillon":1,'), 'BrokenProject', /JSON/);
   await refused(zipSync({ 'word/document.xml': Buffer.from('<w/>') }), 'UnknownFile', /^$/);
-  await refused(
-    zipSync({ 'project.json': Buffer.from('{"sillon":1,"shape":{"file":"b.svg"}}') }),
-    'BrokenProject',
-    /b\.svg/,
-  );
+  await refused(packed({ sillon: 1, shape: { file: 'b.svg' } }), 'BrokenProject', /b\.svg/);
 });
 
 test('names that lead out of the archive are refused', async () => {
-  for (const path of ['../studio.json', '/etc/passwd', 'a/../../b', 'C:\\a', 'a\\..\\b', 'a\u0000b']) {
-    await refused(
-      packed({ studio: 1, plate: newPlate() }, { [path]: Buffer.from('x') }),
-      'BrokenProject',
-      /not allowed/,
-    );
+  for (const path of ['../project.json', '/etc/passwd', 'a/../../b', 'C:\\a', 'a\\..\\b', 'a\u0000b']) {
+    await refused(packed(projectData(newPlate()), { [path]: Buffer.from('x') }), 'BrokenProject', /not allowed/);
   }
 });
 
@@ -356,10 +351,10 @@ function patched(zip: Uint8Array<ArrayBuffer>, offset: number, value: number): U
 test('bombs are refused before they are unpacked', async () => {
   const bomb = packed(' '.repeat(100e6));
   assert.ok(bomb.length < 1e6);
-  await refused(bomb, 'BrokenProject', /100 MB; at most 16 MB/);
+  await refused(bomb, 'BrokenProject', /100 MB; at most 16\.8 MB/);
   await refused(patched(bomb, 24, 1000), 'BrokenProject', /larger than the archive says/);
   await refused(patched(bomb, 24, 15e6), 'BrokenProject', /larger than the archive says/);
-  const good = packed({ studio: 1, plate: newPlate() });
+  const good = packed(projectData(newPlate()));
   await refused(patched(good, 24, 1e6), 'BrokenProject', /is incomplete/);
   await refused(patched(good, 16, 1), 'BrokenProject', /is damaged/);
   await refused(patched(good, 42, 1e9), 'BrokenProject', /./);
@@ -375,12 +370,12 @@ test('random bytes and damage end in a plate or in an error of ours', async () =
   const pick = (n: number): number => Math.floor(n * chance());
   const plate: Plate = {
     ...newPlate(),
-    shape: { kind: 'file', file: leaf, unitless: 'px' },
+    shape: newFileShape(leaf),
     strokes: [stroke],
     toolpath: { ...newPlate().toolpath, seed: 7 },
   };
   const whole = await zipOf(plate, await drawn(plate, 16));
-  const studio = Buffer.from(unzipSync(whole)['studio.json'] ?? new Uint8Array(0)).toString();
+  const project = Buffer.from(unzipSync(whole)['project.json'] ?? new Uint8Array(0)).toString();
   const cases: (() => Uint8Array<ArrayBuffer> | string)[] = [
     () => Uint8Array.from({ length: pick(2000) }, () => pick(256)),
     () => Uint8Array.from({ length: 100 + pick(2000) }, (_, k) => [0x50, 0x4b, 3, 4][k] ?? pick(256)),
@@ -398,7 +393,7 @@ test('random bytes and damage end in a plate or in an error of ours', async () =
       return bytes;
     },
     () => {
-      const letters = Array.from(studio);
+      const letters = Array.from(project);
       for (let n = 1 + pick(3); n > 0; --n) letters[pick(letters.length)] = '0{}[]",:-e9'[pick(11)] ?? '';
       return packed(letters.join(''), { 'inputs/leaf.svg': Buffer.from('<svg/>') });
     },
@@ -422,12 +417,12 @@ test('random bytes and damage end in a plate or in an error of ours', async () =
 test('what is kept is handed out as it is, and the version that wrote it opens it', async () => {
   const plate: Plate = {
     ...small(),
-    shape: { kind: 'file', file: leaf, unitless: 'mm' },
+    shape: newFileShape(leaf, 'mm'),
     directions: newLampDirections([{ file: photo, lamp: [60, 45] }]),
   };
   const told = plateData(plate, ({ id, name }) => ({ id, name })) as object;
   const files = new Map(filesOf(plate).map(({ id, bytes }) => [id, bytes]));
-  const record = { version: 2, files: [...files.keys()], plate: told, past: [], future: [] };
+  const record = { version: 1, files: [...files.keys()], plate: told, past: [], future: [] };
   const about = { name: 'theirs', picture: new Blob(['small']) };
   const zip = await bytesOf(await packStored({ record, about, files }));
   const back = await read(zip);

@@ -57,7 +57,7 @@ function setUp() {
 
 const waves: Wanted = {
   source: newGenerator('waves'),
-  modes: { base: 'constrained' },
+  modes: { mode: 'constrained' },
   strokes: [],
   page: [70, 70],
   resolution: 50,
@@ -112,7 +112,7 @@ describe('rasteriser', () => {
       assert.deepEqual(await rasteriser.rasterise(wanted), directly(wanted, picture()));
     }
     assert.deepEqual(decoded, ['a.png']);
-    await rasteriser.rasterise({ ...waves, source, modes: { base: 'parallel', file: fileOf('a.png') } });
+    await rasteriser.rasterise({ ...waves, source, modes: { mode: 'parallel', file: fileOf('a.png') } });
     assert.deepEqual(decoded, ['a.png']);
     await rasteriser.rasterise(waves);
     await rasteriser.rasterise({ ...waves, source });

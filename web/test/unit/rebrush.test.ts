@@ -118,13 +118,7 @@ test('the engine is asked for what was chosen, and for no list where all are', (
   const drawn = howOf(wish({ way: 'plate' }), all, plate, raster, 0.4);
   assert.deepEqual(Object.keys(drawn).sort(), ['directions', 'fit', 'modes']);
   // Pictures of the plate stay pictures.
-  const directions = {
-    kind: 'lamp',
-    pictures: [{ file: picture, lamp: [10, 40] }],
-    lampSize: 0.1,
-    smoothness: 1,
-    localContrast: 0,
-  } satisfies DirectionSource;
+  const directions = { kind: 'lamp', pictures: [{ file: picture, lamp: [10, 40] }] } satisfies DirectionSource;
   const solved = howOf(wish({ way: 'plate' }), all, { ...plate, directions }, undefined, 0.4);
   assert.deepEqual(solved.pictures?.files[0], { file: picture.bytes, lamp: [10, 40] });
   assert.equal('directions' in solved, false);

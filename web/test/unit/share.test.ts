@@ -5,6 +5,7 @@ import {
   fileKinds,
   generatorKinds,
   newFileDirections,
+  newFileShape,
   newGenerator,
   newLampDirections,
   newPlate,
@@ -48,7 +49,7 @@ test('every generator, shape, printer and filament comes back as it went', async
     ...(['rectangle', 'rounded', 'disc'] as const).map((kind) => ({ ...newPlate(), shape: newShape(kind) })),
     ...printers.map(({ key }) => withPrinter(newPlate(), key)),
     ...filaments.map(({ key }) => withFilament(newPlate(), key)),
-    { ...newPlate(), name: 'Épicéa ✨ “quoted” \\ <b>', modes: { base: 'smoothest' as const }, height: 0 },
+    { ...newPlate(), name: 'Épicéa ✨ “quoted” \\ <b>', modes: { mode: 'smoothest' as const }, height: 0 },
     { ...newPlate(), directions: { ...newGenerator('text'), text: 'two\nlines' } },
   ];
   for (const plate of plates) {
@@ -70,7 +71,7 @@ function another(setting: (typeof settings)[number]): SettingValue {
     case 'flag':
       return !setting.default;
     case 'text':
-      return 'x'.repeat(setting.maxLength);
+      return 'x'.repeat(Math.min(64, setting.maxBytes));
     case 'pair':
       return [setting.min, setting.max];
   }
@@ -98,9 +99,9 @@ test('what cannot travel is named and replaced by something plain', async () => 
     const plate: Plate = {
       ...newPlate(),
       width: 33,
-      shape: { kind: 'file', file, unitless: 'px' },
+      shape: newFileShape(file),
       directions: newFileDirections(kind, file),
-      modes: { base: 'parallel', file },
+      modes: { mode: 'parallel', file },
       strokes: [{ tool: 'comb', points: [0, 0, 1, 1], radius: 0.1, softness: 0 }],
     };
     const { hash, untold } = await writeLink(plate);
@@ -108,9 +109,9 @@ test('what cannot travel is named and replaced by something plain', async () => 
     const read = await readLink(hash);
     assert.deepEqual(read, {
       ...plate,
-      shape: { kind: 'rectangle' },
+      shape: newShape('rectangle'),
       directions: newGenerator('angle'),
-      modes: { base: 'parallel' },
+      modes: { mode: 'parallel' },
       strokes: [],
     });
   }
@@ -155,7 +156,7 @@ test('every field is checked: kind, range, unknown names', async () => {
   const good = await told({ ...newPlate(), shape: newShape('rounded') });
   const directions = good['directions'] as Record<string, unknown>;
   const wrong: Record<string, unknown>[] = [
-    ...['name', 'width', 'height', 'mode', 'filament', 'settings'].map((name) => ({ ...good, [name]: undefined })),
+    ...['name', 'width', 'height', 'mode', 'settings'].map((name) => ({ ...good, [name]: undefined })),
     { ...good, name: 7 },
     { ...good, name: 'x'.repeat(201) },
     { ...good, name: '\u0000' },
@@ -165,12 +166,12 @@ test('every field is checked: kind, range, unknown names', async () => {
     { ...good, height: -1 },
     { ...good, mode: 'none' },
     { ...good, mode: 'toString' },
-    { ...good, filament: 'gold' },
-    { ...good, filament: 'constructor' },
+    { ...good, settings: { 'pictures.spool': 'gold' } },
+    { ...good, settings: { 'pictures.spool': 'constructor' } },
     { ...good, shape: null },
     { ...good, shape: 'disc' },
     { ...good, shape: { kind: 'file' } },
-    { ...good, shape: { kind: 'rounded' } },
+    { ...good, shape: { kind: 'rounded', radius: -1 } },
     { ...good, shape: { kind: 'disc', radius: 1, extra: 1 } },
     { ...good, directions: null },
     { ...good, directions: [] },

@@ -9,7 +9,8 @@ import { kinds, answerOf, spacingBetween, withFound, withWidths } from '../../sr
 import { plateFrom, Unfit } from '../../src/model/check-plate.js';
 import { newLampDirections, newPlate } from '../../src/model/defaults.js';
 import { lookOf, slopesOf, viewLook, withFilament, withSpool } from '../../src/model/filaments.js';
-import { pictureInput, sameSpool, type LampSource } from '../../src/model/lamp.js';
+import { engineInput } from '../../src/model/input.js';
+import { samePictures, type LampSource } from '../../src/model/lamp.js';
 import type { OwnSpool, Plate, SourceFile } from '../../src/model/plate.js';
 import { howOf } from '../../src/model/rebrush.js';
 import { readLink, writeLink } from '../../src/model/share.js';
@@ -95,11 +96,11 @@ test('whatever is drawn or solved takes the spool', () => {
   assert.deepEqual(slopesOf({ ...withSpool(plain, wide), printer: { ...plain.printer, nozzle: 0.6 } }), [4, 16]);
 
   const directions: LampSource = newLampDirections([{ file: picture, lamp: null }]);
-  assert.deepEqual(pictureInput({ ...own, directions }, directions, ({ name }) => name).slopes, [3, 14]);
-  assert.ok(!sameSpool({ ...own, directions }, { ...plain, directions }));
+  assert.deepEqual(engineInput({ plate: { ...own, directions }, raster: undefined }).input.pictures?.slopes, [3, 14]);
+  assert.ok(!samePictures({ ...own, directions }, { ...plain, directions }));
   const wish = {
     ...{ side: 'bottom' as const, chosen: new Set([0]), way: 'picture' as const, angle: 0, picture },
-    ...{ lamp: [60, 35] as const, spool: 'bluePla', own: spool, fit: 'face' as const, strokes: [] },
+    ...{ lamp: [60, 35] as const, spool: 'bluePla' as const, own: spool, fit: 'face' as const, strokes: [] },
   };
   assert.deepEqual(howOf(wish, [], plain, undefined, 0.4).pictures?.slopes, [2, 9]);
   assert.deepEqual(

@@ -15,10 +15,11 @@ import { Cost, cellsOf } from '../../src/engine/coarse.js';
 import { engineInput, sameToolpath } from '../../src/model/input.js';
 import { StudioEngine } from '../../src/engine/studio-engine.js';
 import { TimeLeft } from '../../src/model/time-left.js';
-import { newGenerator, newPlate } from '../../src/model/defaults.js';
+import { newFileShape, newGenerator, newLampDirections, newPlate, newShape } from '../../src/model/defaults.js';
 import type { Plate } from '../../src/model/plate.js';
 import type { Problem } from '../../src/model/problem.js';
 import type { PlateResult, Progress } from '../../src/model/state.js';
+import { fileOf } from './support/pictures.js';
 
 const turn = (): Promise<void> => new Promise((resolve) => setImmediate(resolve));
 
@@ -197,6 +198,36 @@ test('while a hand moves there are previews, the whole plate comes when it rests
   assert.equal(bench.results.at(-1)?.measured, true);
 });
 
+/** A plate of one picture, which is corrected. */
+const litOf = (width: number): Plate => ({
+  ...plateOf(width),
+  directions: newLampDirections([{ file: fileOf('moon.png'), lamp: [60, 45] }]),
+});
+
+test('a picture is solved once while a hand moves, and with all corrections when it rests', async () => {
+  const asked = (): (number | undefined)[] => bench.calls.map(({ input }) => input.pictures?.corrections);
+  bench.studio.update(litOf(20), raster, { live: true });
+  await turn();
+  await bench.call.finish();
+  assert.deepEqual([asked(), bench.results.at(-1)?.coarse], [[0], true]);
+  mock.timers.tick(250);
+  await turn();
+  await bench.finishAll();
+  assert.deepEqual(asked(), [0, 3]); // the plates of its corrections are made only once, with the measures
+  assert.deepEqual([bench.results.at(-1)?.coarse, bench.results.at(-1)?.measured], [false, true]);
+  assert.equal(bench.call.options.measure, true);
+
+  // At rest from the start: something is seen after the first of the four plates.
+  bench.studio.update(litOf(30), raster);
+  await bench.finishAll();
+  assert.deepEqual(asked(), [0, 3, 0, 3]);
+  // Without corrections it is made as any other.
+  const { pictures } = newPlate();
+  bench.studio.update({ ...litOf(30), pictures: { ...pictures, corrections: 0 } }, raster);
+  await bench.finishAll();
+  assert.deepEqual(asked().slice(4), [0, 0]);
+});
+
 test('of updates under a running preview only the newest is made, and none is starved', async () => {
   for (let width = 200; width < 210; ++width) {
     bench.studio.update(plateOf(width), raster, { live: true });
@@ -255,7 +286,8 @@ test('changes of printer, print and name make nothing again', async () => {
   bench.studio.update(plate, raster);
   await bench.finishAll();
   const { length } = bench.calls;
-  bench.studio.update({ ...plate, name: 'x', printer: { ...plate.printer, speed: 20 }, filament: 'bluePla' }, raster);
+  const pictures = { ...plate.pictures, spool: 'bluePla' as const };
+  bench.studio.update({ ...plate, name: 'x', printer: { ...plate.printer, speed: 20 }, pictures }, raster);
   await turn();
   assert.equal(bench.calls.length, length);
 });
@@ -430,7 +462,8 @@ test('a file that nobody wants any more is not written to its end', async () => 
 
 test('a plate becomes what the engine takes: degrees as grey, modes as the four greys', () => {
   const { input, params } = engineInput({ plate: newPlate(), raster });
-  assert.deepEqual(input.shape, { builtin: 'disc', size: [70, 70] });
+  const read = { radius: 6, unitless: 'px', paint: 'shown', keepThin: false };
+  assert.deepEqual(input.shape, { builtin: 'disc', size: [70, 70], ...read });
   assert.deepEqual(input.directions, {
     file: { width: 2, height: 1, channels: 1, samples: new Uint16Array([1, 2]) },
     encoding: 'angle',
@@ -443,7 +476,7 @@ test('without a picture the one direction is told in words', () => {
   const plate: Plate = {
     ...newPlate(),
     directions: { ...newGenerator('angle'), angle: 30 },
-    modes: { base: 'smoothest' },
+    modes: { mode: 'smoothest' },
   };
   const { input } = engineInput({ plate, raster: undefined });
   assert.deepEqual(input.directions, { angle: 30 });
@@ -458,7 +491,7 @@ test('a preview has wider spacing, a thinner picture, and joins no parts that th
     angle: Uint16Array.from({ length: size * size }, (_, k) => k % size),
     mode: new Uint8Array(size * size).fill(3),
   };
-  const { input, params } = engineInput({ plate: plateOf(40), raster: large }, 2);
+  const { input, params } = engineInput({ plate: plateOf(40), raster: large }, { factor: 2 });
   assert.equal(params.spacing, 0.8);
   assert.equal(params.bridge, 0.4);
   const file = (input.directions as { file: { width: number; height: number; samples: Uint16Array } }).file;
@@ -477,22 +510,10 @@ test('a file is handed over with the width of its page', () => {
   const bytes = new Blob(['<svg/>']);
   const plate: Plate = {
     ...newPlate(),
-    shape: { kind: 'file', file: { id: 'a', name: 'a.svg', bytes }, unitless: 'mm' },
+    shape: newFileShape({ id: 'a', name: 'a.svg', bytes }, 'mm'),
   };
-  assert.deepEqual(engineInput({ plate, raster }).input.shape, {
-    file: bytes,
-    pageWidth: 70,
-    unitless: 'mm',
-    paint: 'ignore',
-  });
-  const read = (shape: object): unknown =>
-    engineInput({ plate: { ...plate, shape: { ...plate.shape, ...shape } }, raster }).input.shape;
-  assert.deepEqual(read({ paint: 'shown', keepThin: true }), {
-    file: bytes,
-    pageWidth: 70,
-    unitless: 'mm',
-    keepThin: true,
-  });
+  const read = { radius: 6, unitless: 'mm', paint: 'ignore', keepThin: false };
+  assert.deepEqual(engineInput({ plate, raster }).input.shape, { file: bytes, pageWidth: 70, ...read });
 });
 
 test('what makes another toolpath, and what does not', () => {
@@ -502,13 +523,13 @@ test('what makes another toolpath, and what does not', () => {
   assert.ok(same({}));
   assert.ok(same({ print: { ...plate.print } }));
   assert.ok(!same({ width: 71 }));
-  assert.ok(!same({ shape: { kind: 'disc' } }));
+  assert.ok(!same({ shape: newShape('disc') }));
   assert.ok(!same({ toolpath: { ...plate.toolpath } }));
   assert.ok(!same({}, { ...raster }));
   assert.ok(
     !sameToolpath(
       { plate, raster: undefined },
-      { plate: { ...plate, modes: { base: 'parallel' } }, raster: undefined },
+      { plate: { ...plate, modes: { mode: 'parallel' } }, raster: undefined },
     ),
   );
 });

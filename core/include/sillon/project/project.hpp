@@ -1,6 +1,7 @@
 // Project files, and the inputs they name.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -17,16 +18,19 @@ namespace sillon {
 // Project files (JSON, versioned) and the published scene files, which are read as they are.
 
 inline constexpr int kProjectVersion = 1;
+/// The studio's strokes take most of it [bytes].
+inline constexpr std::size_t kMaxProjectBytes = std::size_t{16} << 20;
 
 /// Reads a project or a published scene. Keys, units, ranges and defaults:
 /// docs/reference/project.md.
-/// \param json  at most 1 MiB, nested at most 64 deep.
+/// \param json  at most kMaxProjectBytes, nested at most 64 deep.
 /// \return InvalidFile (no JSON, unknown or repeated key, wrong type) or InvalidArgument (out of
 /// range); the message names the key.
 Result<Project> readProject(std::string_view json);
 
 /// Writes a project as JSON. All fields are there but `print.date` and `print.notes`, which belong
-/// to a run; readProject reads it back equal if invalidSettings finds nothing.
+/// to a run; readProject reads it back equal if invalidSettings finds nothing. The studio's
+/// own section is kept as it came.
 std::string writeProject(const Project& project);
 
 // From a project and the files it names to what the pipeline eats.

@@ -308,6 +308,8 @@ struct Project {
   std::string printerProfile;   ///< whose values `printer` began with; empty: none
   std::string filamentProfile;  ///< laid over them; empty: none
   Printer printer;
+  std::string
+      studio;  ///< what the studio keeps of its own in a project, a JSON object; empty: nothing
 };
 
 }  // namespace sillon

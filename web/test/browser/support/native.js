@@ -28,13 +28,16 @@ function madeOf(project, option, name, epoch) {
   }
 }
 
-/** The G-code that the native program makes from the project file, with the same date. */
-export function natively(project, gcode) {
+/** When a G-code was written. */
+export function dateOf(gcode) {
   const date = /(\d{4}-\d\d-\d\d) at (\d\d:\d\d:\d\d) UTC/.exec(gcode);
   assert.ok(date, 'the file tells no date');
-  const epoch = Date.parse(`${date[1]}T${date[2]}Z`) / 1000;
-  return madeOf(project, '--gcode', 'native.gcode', epoch).toString('utf8');
+  return new Date(`${date[1]}T${date[2]}Z`);
 }
+
+/** The G-code that the native program makes from the project file, with the same date. */
+export const natively = (project, gcode) =>
+  madeOf(project, '--gcode', 'native.gcode', dateOf(gcode).getTime() / 1000).toString('utf8');
 
 /** The base layers as a solid. */
 export const bodyNatively = (project) => madeOf(project, '--body', 'native.3mf', 0);

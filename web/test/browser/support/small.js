@@ -11,8 +11,7 @@ export const linkOf = (changes = {}) => {
     height: 24,
     directions: { kind: 'waves', angle: 0, amplitude: 40, length: 0.35 },
     mode: 'constrained',
-    filament: 'goldPla',
-    settings: {},
+    settings: { 'pictures.spool': 'goldPla' },
     ...changes,
   };
   return `#plate=1.${deflateRawSync(JSON.stringify(plate)).toString('base64url')}`;

@@ -1,0 +1,98 @@
+// One plate in three programs: the studio, the npm package and the command line write the same G-code, byte for byte.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { unzipSync } from 'fflate';
+import { createEngine } from 'sillon';
+
+import { dateOf, natively } from './support/native.js';
+import { sharedBench } from './support/shared.js';
+import { linkOf } from './support/small.js';
+import { fileAt, inputs, skip, start } from './support/studio.js';
+
+const bench = sharedBench(skip, start);
+
+let engine;
+before(async () => (engine = await createEngine({ threads: 'off' })));
+after(() => engine.dispose());
+
+/** What somebody's program makes of the project with the npm package. */
+async function packaged(zip, date) {
+  const files = unzipSync(zip);
+  const { shape, directions, modes, pictures, toolpath, print, printer } = await engine.readProject(
+    Buffer.from(files['project.json']).toString(),
+  );
+  const brought = (part) => ({ ...part, file: part.file === '' ? undefined : files[part.file] });
+  const input = {
+    shape: brought(shape),
+    directions: brought(directions),
+    modes: brought(modes),
+    pictures: { ...pictures, files: pictures.files.map(brought) },
+    printer,
+    print,
+  };
+  const made = await engine.generateToolpath(input, toolpath, { measure: true });
+  const { blob } = await engine.writeGcode(made.toolpath, printer, { ...print, date });
+  return blob.text();
+}
+
+/** Line of the first difference, with both. */
+function firstDifference(a, b) {
+  if (a === b) return undefined;
+  const [left, right] = [a.split('\n'), b.split('\n')];
+  const k = left.findIndex((line, at) => line !== right[at]);
+  return [k, left[k]?.slice(0, 200), right[k]?.slice(0, 200)];
+}
+
+/** Opens pictures of examples/inputs, each for its use. */
+async function show(visit, roles) {
+  for (const [name, role] of Object.entries(roles)) {
+    const { data } = fileAt(join(inputs, name));
+    await visit.page.evaluate(
+      ([name, role, data]) => {
+        const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+        return document.querySelector('sillon-app').studio.open([new File([bytes], name)], role);
+      },
+      [name, role, data],
+    );
+  }
+  const count = Object.keys(roles).length;
+  await visit.until(`({ plate }) => plate.directions.pictures?.length === ${count}`);
+}
+
+const stroke = { tool: 'comb', points: [0.2, 0.4, 0.5, 0.6, 0.8, 0.4], radius: 0.15, softness: 0.5 };
+const text = { kind: 'text', text: 'Ab', font: 'serif', bold: true, size: 0.6, letters: 90, ground: 0 };
+const code = { kind: 'qr', text: 'SILLON', dark: 0, light: 90, margin: 2 };
+
+/** What a link tells of a plate, and what is done with it then. */
+const plates = {
+  photograph: [{}, (visit) => show(visit, { 'photo.png': 'lamp' })],
+  'two photographs': [{}, (visit) => show(visit, { 'photo.png': 'lamp', 'relief.png': 'more' })],
+  text: [{ directions: text }],
+  'QR code': [{ shape: { kind: 'rectangle' }, directions: code }],
+  'comb stroke': [
+    { directions: { kind: 'angle', angle: 20 } },
+    (visit) =>
+      visit.page.evaluate((stroke) => {
+        document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, strokes: [stroke] }));
+      }, stroke),
+  ],
+};
+
+for (const [what, [link, make]] of Object.entries(plates)) {
+  test(`studio, npm package and command line write one G-code: ${what}`, { skip }, async () => {
+    // Between the nozzles whose gloss was measured, so that slopes are computed everywhere.
+    const settings = { 'printer.nozzle': 0.5, 'toolpath.spacing': 0.5, 'pictures.spool': 'bluePla' };
+    const visit = await bench.open({ path: `/${linkOf({ ...link, settings })}` });
+    await visit.until(({ plate }) => plate.width === 24);
+    await make?.(visit);
+    await visit.idle();
+    const gcode = (await visit.download('G-code')).bytes.toString('utf8');
+    const { bytes: zip } = await visit.download('Project with its files');
+    assert.ok(gcode.length > 20_000);
+    assert.equal(firstDifference(gcode, natively(zip, gcode)), undefined, 'the command line');
+    assert.equal(firstDifference(gcode, await packaged(zip, dateOf(gcode))), undefined, 'the npm package');
+    assert.deepEqual(visit.problems, []);
+  });
+}

@@ -1,0 +1,166 @@
+// A project goes from the command line into the studio and back: each setting of the core's table is still what it was.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { after, before, test } from 'node:test';
+import { unzipSync } from 'fflate';
+import { createEngine, type Engine } from 'sillon';
+import { readProject, writeProject } from '../../src/files/project.js';
+import { sourceFile } from '../../src/files/source-file.js';
+import type { SourceFile } from '../../src/model/plate.js';
+
+const program = resolve('build/release/sillon');
+const folder = mkdtempSync(join(tmpdir(), 'sillon-round-'));
+const raster = { width: 1, height: 1, angle: Uint16Array.of(7), mode: Uint8Array.of(3) };
+
+let engine: Engine;
+let files: SourceFile[];
+before(async () => {
+  engine = await createEngine({ threads: 'off' });
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="20" height="16"><path d="M1 1H19V15H1Z"/></svg>`;
+  const picture = (name: string): Promise<SourceFile> =>
+    sourceFile(name, new Uint8Array(readFileSync(`examples/inputs/${name}`)));
+  files = await Promise.all([
+    sourceFile('leaf.svg', new TextEncoder().encode(svg)),
+    ...['logo_angle.png', 'logo_mode.png', 'moon.png', 'sun.png'].map(picture),
+  ]);
+  for (const { name, bytes } of files) writeFileSync(join(folder, name), new Uint8Array(await bytes.arrayBuffer()));
+});
+after(() => {
+  engine.dispose();
+  rmSync(folder, { recursive: true });
+});
+
+type Section = Record<string, unknown>;
+type Sections = Record<string, Section>;
+
+interface Row {
+  section: string;
+  key: string;
+  type: string;
+  default?: unknown;
+  low?: number;
+  high?: number;
+  choices?: string[];
+}
+
+const run = (...words: string[]): string => {
+  const { status, stdout, stderr } = spawnSync(program, words, { cwd: folder, encoding: 'utf8' });
+  assert.equal(status, 0, `${words.join(' ')}: ${stderr}`);
+  return stdout;
+};
+
+/** The project with every field, as the command line writes it. */
+function completed(path: string): Sections {
+  const out = `${path}.full.json`;
+  run('generate', path, '--project', out, '--quiet');
+  return JSON.parse(readFileSync(join(folder, out), 'utf8')) as Sections;
+}
+
+/** Another value of a setting. What rules between settings, and a quick test, ask for stands in `chosen`. */
+function another({ section, key, type, default: usual, low = 0, high = 0, choices = [] }: Row): unknown {
+  const one = (from: unknown): number => {
+    const number = typeof from === 'number' ? from : low;
+    const moved = number + (number === high ? low - high : high - number) / 10;
+    return type.startsWith('integer') ? Math.ceil(moved) : moved;
+  };
+  switch (type) {
+    case 'number':
+    case 'integer':
+      return one(usual);
+    case 'pair':
+    case 'integer pair':
+      return Array.isArray(usual) ? usual.map(one) : [one(low), one(one(low))];
+    case 'choice':
+      return choices.find((choice) => choice !== usual);
+    case 'flag':
+      return usual !== true;
+    case 'text':
+      return `another ${key}`;
+    case 'block':
+      return 'G28 ; home\nG1 Z5 F600\n';
+  }
+  return assert.fail(`${section}.${key} is of type ${type}, which this test does not know`);
+}
+
+const chosen: Sections = {
+  toolpath: { seed: 12345, sweepsPerLevel: 9, relaxationRounds: 3, spacing: 1.25, preset: 'fine' },
+  print: { layers: 2, base: 3, coast: 0, startHeight: 1.5, place: [3.5, 4.25] },
+  printer: { profile: 'prusa-mk4s', filament: 'petg', screenSizes: '48x48', speed: 61.5, roundBed: false },
+};
+
+/** Sections that exclude each other are spread over several projects. */
+const projects: Record<string, Sections> = {
+  drawing: {
+    shape: { file: 'leaf.svg', pageWidth: 22.5, unitless: 'mm', paint: 'shown', keepThin: true, radius: 2.5 },
+    directions: { file: 'logo_angle.png', encoding: 'rotation' },
+    modes: { file: 'logo_mode.png', mode: 'smoothest' },
+    print: { coast: 0.5, scarf: 0 },
+    printer: { bedMin: [0, 0], bedMax: [300, 300], roundBed: true },
+  },
+  outlines: { shape: { file: 'leaf.svg', pageWidth: 22.5, unitless: 'px', paint: 'ignore' } },
+  rounded: {
+    shape: { builtin: 'rounded', size: [24, 18.5], radius: 2.5, keepThin: true },
+    directions: { angle: 33.3 },
+    modes: { mode: 'smoothest' },
+  },
+  pictures: {
+    shape: { builtin: 'rectangle', size: [24, 18.5] },
+    pictures: {
+      files: [
+        { file: 'moon.png', lamp: [60.5, 35] },
+        { file: 'sun.png', lamp: null },
+      ],
+    },
+  },
+};
+
+/** Without the studio's own section; files lie elsewhere. */
+function compared({ studio: _, ...sections }: Sections): unknown {
+  return JSON.parse(JSON.stringify(sections), (key, value: unknown) =>
+    key === 'file' && typeof value === 'string' ? value.split('/').at(-1) : value,
+  );
+}
+
+/** Sends a project to the studio and back. @returns the settings that it has off their defaults */
+async function there(name: string, sections: Sections, settings: readonly Row[]): Promise<string[]> {
+  const asked: Sections = {};
+  for (const row of settings) {
+    const { section, key, type } = row;
+    const own = sections[section]?.[key] ?? chosen[section]?.[key];
+    const everywhere = !['shape', 'directions', 'modes'].includes(section) && type !== 'pictures';
+    if (own !== undefined || everywhere) (asked[section] ??= {})[key] = own ?? another(row);
+  }
+  const path = `${name}.json`;
+  const text = JSON.stringify({ sillon: 1, ...asked });
+  writeFileSync(join(folder, path), text);
+  const before = completed(path);
+
+  const plate = await readProject(await sourceFile(path, new TextEncoder().encode(text)), files, engine);
+  const zip = new Uint8Array(await (await writeProject(plate, raster)).arrayBuffer());
+  for (const [file, bytes] of Object.entries(unzipSync(zip))) {
+    const place = join(folder, name, file);
+    mkdirSync(dirname(place), { recursive: true });
+    writeFileSync(place, bytes);
+  }
+  const back = completed(join(name, 'project.json'));
+  assert.deepEqual(compared(back), compared(before), name);
+  assert.equal(back['studio']?.['name'], name); // the command line has left the studio's section as it was
+
+  const isOff = ({ section, key, default: usual }: Row): boolean =>
+    asked[section]?.[key] !== undefined &&
+    (usual === undefined || JSON.stringify(before[section]?.[key]) !== JSON.stringify(usual)); // a preset is but its values
+  return settings.filter(isOff).map(({ section, key }) => `${section}.${key}`);
+}
+
+test('every setting off its default is the same after the command line, the studio and the command line', async () => {
+  const { settings } = JSON.parse(run('settings', '--json')) as { settings: Row[] };
+  const changed = new Set<string>();
+  for (const [name, sections] of Object.entries(projects)) {
+    for (const id of await there(name, sections, settings)) changed.add(id);
+  }
+  const left = settings.map(({ section, key }) => `${section}.${key}`).filter((id) => !changed.has(id));
+  assert.deepEqual(left, [], 'left at their defaults');
+});
