@@ -669,9 +669,9 @@ export const de: Translation = {
   'verdict.coverage.poor':
     'Nur {percent} % der Form sind gedeckt. Ein kleinerer Abstand oder breitere Bahnen würden die Lücken schließen.',
   'verdict.order.good':
-    'Bahnen folgen bald auf ihre Nachbarn: {percent} % liegen über zwei Minuten auseinander. Die einfache Oberseite eines Slicers hat {usual} %.',
+    'Bahnen folgen bald auf ihre Nachbarn: {percent} % liegen über zwei Minuten auseinander. Die einfache Oberseite eines Slicers hat {usual} %.',
   'verdict.order.fair':
-    '{percent} % der Bahnen liegen zeitlich über zwei Minuten von einer Nachbarbahn entfernt und können anders glänzen. Die einfache Oberseite eines Slicers hat {usual} %.',
+    '{percent} % der Bahnen liegen zeitlich über zwei Minuten von einer Nachbarbahn entfernt und können anders glänzen. Die einfache Oberseite eines Slicers hat {usual} %.',
   'verdict.overlap.good': 'Die Bahnen überlappen kaum: {percent} % der Form.',
   'verdict.overlap.fair': 'Die Bahnen überlappen auf {percent} % der Form; dort kann die Oberfläche rau sein.',
   'verdict.overlap.poor':

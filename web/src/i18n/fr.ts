@@ -673,9 +673,9 @@ export const fr: Translation = {
   'verdict.coverage.poor':
     'Les cordons ne couvrent que {percent} % de la forme. Un espacement plus petit ou des cordons plus larges combleraient les vides.',
   'verdict.order.good':
-    'Les cordons suivent vite leurs voisins : {percent} % en sont séparés de plus de deux minutes. Le dessus simple d’un slicer en a {usual} %.',
+    'Les cordons suivent vite leurs voisins : {percent} % en sont séparés de plus de deux minutes. Le dessus simple d’un slicer en a {usual} %.',
   'verdict.order.fair':
-    '{percent} % des cordons sont posés à plus de deux minutes d’un voisin et peuvent briller autrement. Le dessus simple d’un slicer en a {usual} %.',
+    '{percent} % des cordons sont posés à plus de deux minutes d’un voisin et peuvent briller autrement. Le dessus simple d’un slicer en a {usual} %.',
   'verdict.overlap.good': 'Les cordons se recouvrent à peine : {percent} % de la forme.',
   'verdict.overlap.fair': 'Les cordons se recouvrent sur {percent} % de la forme ; la surface peut y être rugueuse.',
   'verdict.overlap.poor':

@@ -162,8 +162,8 @@ test('photographs become a spool that the plate, its project and its link take',
   await visit.until((state) => state.dialog === undefined);
 
   const project = await visit.download('Project');
-  const { plate } = JSON.parse(strFromU8(unzipSync(project.bytes)['studio.json']));
-  assert.deepEqual(plate.spool, spool);
+  const { studio: own } = JSON.parse(strFromU8(unzipSync(project.bytes)['project.json']));
+  assert.deepEqual(own.spool, spool);
   const link = await page.evaluate(async () => {
     const { studio } = document.querySelector('sillon-app');
     return (await studio.services.link(studio.store.state.plate)).url;

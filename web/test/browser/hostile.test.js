@@ -31,7 +31,7 @@ const wrongFiles = [
   ['a zip that is no project', fileOf('other.zip', zipSync({ 'readme.txt': bytes('hello') })), /other\.zip/],
   [
     'a project that is cut',
-    fileOf('cut.sillon.zip', zipSync({ 'studio.json': bytes('{"studio": 1, "pla') })),
+    fileOf('cut.sillon.zip', zipSync({ 'project.json': bytes('{"sillon": 1, "pla') })),
     /cut\.sillon\.zip/,
   ],
 ];
