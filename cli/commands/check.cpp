@@ -102,6 +102,7 @@ std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::st
                                 {"noise", known(check.noise)},
                                 {"coverage", nlohmann::ordered_json::array()}};
   for (const double share : check.coverage) out["coverage"].push_back(known(share));
+  out["neighbourDelay"] = nullptr;
   if (check.delay) {
     out["neighbourDelay"] = {
         {"over30", check.delay->over30}, {"over120", check.delay->over120}, {"most", check.delay->most}};
