@@ -39,6 +39,9 @@ while read -r header; do
   fi
 done < <(cd core/include && find sillon/*/ -name '*.hpp' | sort)
 
+# A public header that includes one of the source tree compiles here and nowhere else.
+if grep -rn '^#include "' core/include | grep -v '"sillon/'; then broken=1; fi
+
 find core -name '*.[ch]pp' -print0 | sort -z |
   xargs -0 grep -nE '^[[:space:]]*#[[:space:]]*include' /dev/null |
   awk -v rooms="$rooms" -v forbidden="^<($forbidden)>\$" '

@@ -34,7 +34,8 @@ Json words() {
 
 std::string wordsTable() {
   std::string out;
-  for (const auto& [kind, sentences] : words().items()) {
+  const Json all = words();
+  for (const auto& [kind, sentences] : all.items()) {
     out += (out.empty() ? "" : "\n") + kind + "\n";
     for (const auto& [code, text] : sentences.items()) out += "  " + code + ": " + text.get<std::string>() + "\n";
   }

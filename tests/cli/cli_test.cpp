@@ -251,7 +251,7 @@ TEST_CASE("the table of settings is listed as text and as JSON") {
 
 TEST_CASE("the sentences of warnings, notes, findings and refusals are listed by their codes") {
   const Folder folder;
-  CHECK(has(folder.run("words").out, "\n  SkirtLeftOut: the skirt does not fit the bed"));
+  CHECK(has(folder.run("words").out, "\n  SkirtLeftOut: the skirt does not fit the bed and was left out"));
   const Json kinds = Json::parse(folder.run("words --json").out, nullptr, false);
   REQUIRE(kinds.size() == 7);
   CHECK(kinds["warnings"].size() == static_cast<std::size_t>(sillon::WarningCode::WidthHeld) + 1);
@@ -604,7 +604,7 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
                "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'><rect width='9' "
                "height='9'/><text>a</text></svg>");
   const Run told = folder.run("zones --shape text.svg --angle 30 -o told.3mf");
-  CHECK(has(told.out, "note   1 <text> of the drawing is left out"));
+  CHECK(has(told.out, "note   text in the drawing is left out (1 <text>)"));
   CHECK(has(told.out, "off    0.0 degrees on average"));
   folder.write("off.svg",
                "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm' viewBox='0 0 9 9'><rect width='19' "
@@ -1097,7 +1097,7 @@ TEST_CASE("pictures may stand one behind the other, and what of them cannot be s
   const std::size_t ramp = run.out.find("picture    ramp.png"), grey = run.out.find("picture    grey.png");
   CHECK(ramp < grey);
   CHECK(grey < run.out.size());
-  CHECK(has(run.out, "\nwarning    picture 2 has one tone on this plate, so nothing can be seen in it; give"));
+  CHECK(has(run.out, "\nwarning    picture 2 has one tone on this plate, so nothing can be seen in it; use"));
   CHECK(has(readAll(folder.at("r.json")), R"("code":"PictureOneTone","values":{"picture":2.0})"));
 
   const Run lost = folder.run("generate checks.png" + coarse);
@@ -1227,8 +1227,8 @@ TEST_CASE("what is taken for granted of a file, or left out of it, is said") {
   const Run drawn = folder.run("generate --shape a.svg" + coarse);
   CHECK(has(drawn.out, "\nnote       the drawing is in pixels, each taken as 1/96 inch; shape.pageWidth (--size)"));
   CHECK(has(drawn.out,
-            "\nnote       1 <text> of the drawing is left out; convert text and pictures to paths in the program"));
-  CHECK(has(drawn.out, "\nnote       1 <image> of the drawing is left out"));
+            "\nnote       text in the drawing is left out (1 <text>); convert it to paths in the program"));
+  CHECK(has(drawn.out, "\nnote       pictures in the drawing are left out (1 <image>)"));
   CHECK(has(drawn.out, "\nnote       the drawing has several colours, all printed as one solid"));
   CHECK_FALSE(has(folder.run("generate --shape a.svg --size 20" + coarse).out, "pixels"));
   CHECK(has(folder.run("generate --shape l.png" + coarse).out, "\nnote       no size is given, so it is 80 mm wide"));
@@ -1409,7 +1409,7 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--spacing 1,5", "--spacing is \"1,5\"; it must be a number");
   refused("--spacing 1e9", "spacing is");
   refused("--spacing 1e-7", "toolpath.spacing is 1e-07 mm; it must be 0.05 to 20");
-  refused("--spacing 15", "spacing is 15 mm");  // wider than the disc
+  refused("--spacing 15", "at a spacing of 15 mm");  // wider than the disc
   refused("--angle inf", "--angle is \"inf\"");
   refused("--bridge -1", "bridge is -1 mm");
   refused("--seed -1", "--seed is \"-1\"");

@@ -266,7 +266,7 @@ TEST_CASE("what was taken for granted of the input is told as a code, its values
   CHECK(std::string(notes[1].code) == "TextLeftOut");
   REQUIRE(notes[1].values.size() == 1);
   CHECK(notes[1].values[0].number == 1);
-  CHECK(has(notes[1].message, "1 <text> of the drawing is left out"));
+  CHECK(has(notes[1].message, "text in the drawing is left out (1 <text>)"));
   project.pageWidth = 20;
   CHECK(made(project, options).notes().size() == 1);
 }

@@ -577,7 +577,7 @@ TEST_CASE("what cannot be replaced is left, with the reason") {
     change(variant);
     return Slices(prusa, variant).text();
   };
-  CHECK(why(with([](Variant& v) { v.ironing = true; })).find("irons it") != std::string::npos);
+  CHECK(why(with([](Variant& v) { v.ironing = true; })).find("ironed afterwards") != std::string::npos);
   for (const char* command :
        {"M600", "T1", "G4 P5", "M221 S90", "MY_MACRO", "G28", "G91", "G20", "M109 S200", "M400", "G92 X0"}) {
     CAPTURE(std::string(command));

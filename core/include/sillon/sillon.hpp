@@ -10,36 +10,23 @@
 #include "sillon/base/version.hpp"
 #include "sillon/base/words.hpp"
 
-// What a person may choose.
+// Everything a person may choose, and project files.
+#include "sillon/project/project.hpp"
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/project.hpp"
 #include "sillon/settings/table.hpp"
 
 // Shapes and maps, from bytes (Sec. 4).
-#include "geometry/parts.hpp"
-#include "geometry/signed_distance.hpp"
-#include "input/plate_size.hpp"
-#include "input/svg.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/input/plate_input.hpp"
 
-// The field of waves (Sec. 5.1 to 5.4).
-#include "field/fields.hpp"
+// From a project to a plate, or only to its toolpath (Alg. 1), and how good the result is.
 #include "sillon/field/dislocations.hpp"
-
-// The toolpath (Sec. 5.4 to 5.6).
-#include "toolpath/path.hpp"
-
-// The way from a project to a plate.
 #include "sillon/job/path_gcode.hpp"
 #include "sillon/job/plate.hpp"
 #include "sillon/pictures/pictures.hpp"
-#include "sillon/project/project.hpp"
-
-// The toolpath in one call (Alg. 1), and how good the result is.
-#include "pipeline/stages.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/report/input_note.hpp"
@@ -47,14 +34,11 @@
 #include "sillon/report/warning.hpp"
 
 // G-code out, and any G-code in.
-#include "gcode/layout.hpp"
-#include "gcode/read_back.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/rebrush/rebrush.hpp"
 
 // Pictures, drawings and other files.
-#include "look/tones.hpp"
 #include "sillon/export/base_solid.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/export/svg_drawing.hpp"
