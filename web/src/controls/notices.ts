@@ -14,6 +14,10 @@ const loadExact = async (): Promise<void> => {
   exact = (await import('../i18n/say-problem.js')).exactWords;
 };
 
+/** In English the page says many problems in the engine's own words: those are no details. */
+const sameWords = (one: string, other: string): boolean => lettersOf(one) === lettersOf(other);
+const lettersOf = (text: string): string => text.toLowerCase().replaceAll(/[\s.]+/g, '');
+
 @customElement('sillon-notices')
 export class Notices extends StudioElement {
   static override reads = ['notices', 'problem'] as const;
@@ -194,7 +198,7 @@ export class Notices extends StudioElement {
       <div>
         <b>${message}</b>${hint}
         ${
-          detail === ''
+          detail === '' || sameWords(detail, message)
             ? nothing
             : html`<details ?open=${named}>
                 <summary>${icon('fold', 14)} ${t('problem.details')}</summary>

@@ -68,7 +68,7 @@ test('methods give the plate that was loaded, as project, report and files', { s
     files.exportBody = { name, type: blob.type, size: blob.size };
     return { told, report, flat, again, files, zip };
   }, project);
-  assert.deepEqual(made.told.shape, { builtin: 'disc', size: [16, 16] });
+  assert.deepEqual([made.told.shape.builtin, made.told.shape.size], ['disc', [16, 16]]);
   assert.equal(made.told.print.base, 0);
   assert.equal(made.report.toolpaths, 1);
   assert.ok(made.report.grams > 0.05 && made.report.grams < 1, String(made.report.grams)); // 16 mm, one layer
