@@ -84,6 +84,7 @@ export class Pipeline {
   /** Of the plate as it is now. @param unwanted  ends it */
   async gcode(unwanted?: AbortSignal): Promise<Gcode> {
     const current = await this.finished();
+    unwanted?.throwIfAborted(); // else it would stop the timer of the summary that follows it
     const { plate } = this.store.state;
     if (this.#written !== undefined && sameFile(this.#written, plate, current)) return this.#written.gcode;
     clearTimeout(this.#summaryTimer);

@@ -79,7 +79,7 @@ async function takenOver(one) {
   // Asked for in the second tab, it is taken from the first, which says so and goes on with a copy.
   const dialog = await showPlates(two);
   await dialog.getByRole('button', { name: 'Open One again' }).click();
-  const told = one.page.getByText('Another tab goes on with this plate').waitFor(); // for seven seconds
+  const told = one.page.getByText('Another tab continues with this plate').waitFor(); // for seven seconds
   await dialog.getByRole('button', { name: 'Continue here' }).click();
   await Promise.all([told, two.until((state) => state.plate.name === 'One again')]);
   return two;
