@@ -6,7 +6,6 @@ import { profileOf, type PrinterChoice } from '../model/printers.js';
 import type { Problem } from '../model/problem.js';
 import type { ChoiceSetting, NumberSetting, PairSetting, Setting, SettingValue, Unit } from '../model/settings.js';
 import type { Progress } from '../model/state.js';
-import type { Verdict } from '../model/verdicts.js';
 import { formatDuration, formatNumber, hasText, t } from './text.js';
 
 export const settingLabel = ({ id }: Setting): string => t(`setting.${id}`);
@@ -57,8 +56,6 @@ export const problemWords = ({ code, values, detail }: Problem): ProblemWords =>
   hint: t(`hint.${code}`, values),
   detail,
 });
-
-export const verdictText = ({ text, values }: Verdict): string => t(`verdict.${text}`, values);
 
 export const printerLabel = (printer: PrinterChoice | undefined): string => {
   if (printer === undefined) return t('printer.own');

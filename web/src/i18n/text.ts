@@ -9,6 +9,7 @@ import type { words as importNotes } from './en/core/import-notes.js';
 import type { words as reasons } from './en/core/reasons.js';
 import type { words as settingHelp } from './en/core/setting-help.js';
 import type { words as warnings } from './en/core/warnings.js';
+import type { words as verdicts } from './en/verdicts.js';
 import type { words as doubts } from './en/doubts.js';
 import type { words as drawing } from './en/drawing.js';
 import type { words as exports } from './en/export.js';
@@ -45,6 +46,7 @@ type Late =
   | typeof reasons
   | typeof rebrush
   | typeof settingHelp
+  | typeof verdicts
   | typeof warnings;
 type IdOf<Words> = Words extends unknown ? keyof Words : never;
 /** A language but English has all its words in one file. */

@@ -1,5 +1,5 @@
 // What a report means to somebody who is about to print. Limits are by eye, from rendered examples; the sentences are
-// in the dictionary: `verdict.TEXT`.
+// in the dictionary: `verdict.TEXT`, see i18n/say-verdict.ts.
 import type { NeighbourDelay, Report } from 'sillon';
 
 export type Measure =

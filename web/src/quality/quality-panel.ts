@@ -1,7 +1,8 @@
 // What to know before printing: one sentence per measure, how wide the beads are, and places to look at.
 import { css, html, nothing, svg, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { threadsWords, verdictText } from '../i18n/say.js';
+import { threadsWords } from '../i18n/say.js';
+import { verdictText } from '../i18n/say-verdict.js';
 import { formatNumber, t } from '../i18n/text.js';
 import { orderVerdict, verdictsOf, type Verdict } from '../model/verdicts.js';
 import { widthHistogram } from '../controls/histogram.js';

@@ -21,7 +21,6 @@ import {
   settingLabel,
   threadsWords,
   valueText,
-  verdictText,
 } from '../../src/i18n/say.js';
 import {
   formatBytes,
@@ -35,6 +34,7 @@ import {
   t,
   type Text,
 } from '../../src/i18n/text.js';
+import { verdictText } from '../../src/i18n/say-verdict.js';
 import { printers } from '../../src/model/printers.js';
 import { problemOf, StudioError } from '../../src/model/problem.js';
 import { settingOf, settings } from '../../src/model/settings.js';
