@@ -22,10 +22,10 @@ report: settings geometry look pipeline quality gcode_reader
 project: settings geometry input
 pictures: geometry input look pipeline quality project
 rebrush: settings geometry input look pipeline quality gcode_reader
-gcode: settings geometry toolpath quality report printer gcode_reader
+gcode: settings geometry toolpath quality printer gcode_reader report
 calibrate: settings geometry look pipeline gcode
 export: settings geometry input toolpath look gcode_reader gcode
-job: settings geometry input look pipeline quality report gcode_reader project pictures gcode
+job: settings geometry input look pipeline quality gcode_reader report project pictures gcode
 printer_import: settings look gcode_reader project gcode export
 "
 

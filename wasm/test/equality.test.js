@@ -38,7 +38,16 @@ function native(path, ...options) {
 }
 
 /** What the report says of the plate, without what it says of the run and of the G-code. */
-function plateOf({ time: _1, peakBytes: _2, threads: _3, warnings: _4, pictures: _5, print: _6, ...plate }) {
+function plateOf({
+  time: _1,
+  peakBytes: _2,
+  threads: _3,
+  warnings: _4,
+  pictures: _5,
+  print: _6,
+  neighbourDelay: _7,
+  ...plate
+}) {
   return plate;
 }
 

@@ -129,7 +129,10 @@ std::optional<NeighbourDelay> neighbourDelay(const std::vector<LaidBead>& beads)
     begin = last;
   }
   if (waits.empty()) return std::nullopt;
-  std::sort(waits.begin(), waits.end(), [](const Wait& a, const Wait& b) { return a.seconds < b.seconds; });
+  // By length, too: sums of numbers in another order may end in another digit.
+  std::sort(waits.begin(), waits.end(), [](const Wait& a, const Wait& b) {
+    return a.seconds != b.seconds ? a.seconds < b.seconds : a.length < b.length;
+  });
   double all = 0;
   for (const Wait& wait : waits) all += static_cast<double>(wait.length);
   NeighbourDelay delay;
