@@ -473,6 +473,7 @@ for (const [what, attributes, expected] of [
 test('what cannot be shown takes the place of a plate that was there, until another is', { skip }, async () => {
   const { page, context, frame } = await element({}, { prepare: served });
   await page.evaluate(() => globalThis.element.generate()); // of nothing that is named: the studio's own
+  await until(async () => (await results(page)) > 0, 'its result');
   const refused = async (name) => {
     const before = await results(page);
     const [first, ...others] = new Set(await refusals(page));
@@ -481,18 +482,24 @@ test('what cannot be shown takes the place of a plate that was there, until anot
     await wordsInstead(frame);
     assert.equal(await results(page), before);
   };
+  /** With its result, which may come later than its files. */
+  const loaded = async () => {
+    const before = await results(page);
+    await load(page);
+    await until(async () => (await results(page)) > before, 'the result');
+  };
   await page.evaluate(() => (globalThis.element.image = 'gone.png'));
   await refused(/^LoadFailed: .*gone\.png/);
   await page.evaluate(() => globalThis.element.removeAttribute('image'));
   await refused(/gone\.png/);
-  await load(page);
+  await loaded();
   assert.equal(await page.evaluate(async () => (await globalThis.element.exportSvg()).name), 'project.svg');
   const upload = page.evaluate(() =>
     globalThis.element.load(new File(['no drawing'], 'upload.svg')).catch(({ code, message }) => `${code}: ${message}`),
   );
   assert.match(await upload, /^UnknownFile: .*upload\.svg/);
   await refused(/^UnknownFile: .*upload\.svg/);
-  await load(page);
+  await loaded();
   await frame.locator('sillon-canvas').waitFor();
   await context.setOffline(true);
   await page.evaluate(() => (globalThis.element.project = 'examples/stress_17.json'));
