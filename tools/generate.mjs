@@ -161,9 +161,7 @@ ${['pictures', ...sectionsOfStudio].map(studioSection).join('\n')}
 
 const words = JSON.parse(execFileSync(program, ['words', '--json'], { encoding: 'utf8' }));
 const sectionsOfStudio = ['toolpath', 'print', 'printer'];
-const settingsOfStudio = settings.filter(
-  (setting) => sectionsOfStudio.includes(setting.section) && isValue(setting),
-);
+const settingsOfStudio = settings.filter((setting) => sectionsOfStudio.includes(setting.section) && isValue(setting));
 const labels = new Map(settings.map(({ section, key, label }) => [`${section}.${key}`, typeset(label)]));
 
 const sentence = (text) => text[0].toUpperCase() + text.slice(1) + (text.endsWith('.') ? '' : '.');

@@ -1226,8 +1226,7 @@ TEST_CASE("what is taken for granted of a file, or left out of it, is said") {
   const std::string coarse = " --spacing 2 --nozzle 1";
   const Run drawn = folder.run("generate --shape a.svg" + coarse);
   CHECK(has(drawn.out, "\nnote       the drawing is in pixels, each taken as 1/96 inch; shape.pageWidth (--size)"));
-  CHECK(has(drawn.out,
-            "\nnote       text in the drawing is left out (1 <text>); convert it to paths in the program"));
+  CHECK(has(drawn.out, "\nnote       text in the drawing is left out (1 <text>); convert it to paths in the program"));
   CHECK(has(drawn.out, "\nnote       pictures in the drawing are left out (1 <image>)"));
   CHECK(has(drawn.out, "\nnote       the drawing has several colours, all printed as one solid"));
   CHECK_FALSE(has(folder.run("generate --shape a.svg --size 20" + coarse).out, "pixels"));

@@ -19,7 +19,7 @@ namespace {
 constexpr Vec2 kCard{85.6, 53.98};  // [mm], ISO/IEC 7810 ID-1
 constexpr double kCorner = 3.18;    // [mm], likewise
 constexpr double kPixel = 0.2;      // [mm]
-constexpr double kCardMargin = 5;       // [mm]
+constexpr double kCardMargin = 5;   // [mm]
 constexpr double kLargest = 1.4;    // [mm] per unit of writing
 constexpr double kBold = 0.9;       // [units], thickness of strokes
 constexpr int kPatches = 12;        // of directions, along the lower edge
@@ -114,7 +114,8 @@ std::optional<Error> addSwatch(CalibrationPlate& plate, const Project& project, 
   plate.values.clear();
   for (int k = 0; k < kPatches; ++k) {
     const double degrees = 15 * k;
-    const Bounds box{{kCardMargin + k * step, kCardMargin - 2}, {kCardMargin + (k + 1) * step, kCardMargin - 2 + kPatchHeight}};
+    const Bounds box{{kCardMargin + k * step, kCardMargin - 2},
+                     {kCardMargin + (k + 1) * step, kCardMargin - 2 + kPatchHeight}};
     picture.fill(box, degrees > 90 ? degrees - 180 : degrees,
                  [&](Vec2 p) { return p.x >= box.min.x && p.x < box.max.x && p.y >= box.min.y && p.y < box.max.y; });
     plate.values.push_back({"", degrees, 0.5 * (box.min + box.max), 0});
