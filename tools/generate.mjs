@@ -166,7 +166,7 @@ const labels = new Map(settings.map(({ section, key, label }) => [`${section}.${
 
 const sentence = (text) => text[0].toUpperCase() + text.slice(1) + (text.endsWith('.') ? '' : '.');
 
-/** As a page prints it: settings by their labels, units and quotes as in books. */
+/** A sentence as a page prints it: settings by their labels, units and quotes as in books. */
 const printed = (text) =>
   typeset(text)
     .replace(/\b[a-z]+\.[a-z][A-Za-z]+\b/g, (name) => (labels.has(name) ? `“${labels.get(name)}”` : name))
@@ -176,7 +176,7 @@ const printed = (text) =>
     .replace(/ um\b/g, ' µm')
     .replace(/\b(k?mm|s)([23])\b/g, (_, unit, power) => unit + { 2: '²', 3: '³' }[power]);
 
-/** What null does has a label of its own there. */
+/** The help without the meaning of null, which has a label of its own there. */
 const helpOf = ({ help }) => sentence(printed(help.replace(/; null [^;]*/, '')));
 
 const wordsFile = (rows) => `// Made by tools/generate.mjs from the core's words: ./dev generate.

@@ -1,4 +1,4 @@
-// What all bindings share.
+// Code that all bindings share.
 #pragma once
 
 #include <emscripten/val.h>
@@ -20,7 +20,7 @@ val guarded(const std::function<val(sillon::RunContext&)>& body);
 /// Tells JavaScript how far a job is. \param begin, end  the part of the whole call that the job is, in [0, 1].
 void tell(sillon::RunContext& run, const val& onProgress, double begin, double end);
 
-/// What is free in the engine's memory, or may be had [bytes].
+/// Memory of the engine that is free or may be had [bytes].
 double freeMemory();
 
 /// A project made of arguments: what is wrong in it is no file's fault.

@@ -1,4 +1,4 @@
-// What stays in the engine for the calls that come after, under the numbers that the host gives it: nothing of it has
+// Values that stay in the engine for later calls, under numbers that the host gives: nothing of it has
 // to be handed out and back in. The host is told of what is there after each call, and hands over what is not.
 #pragma once
 
@@ -24,7 +24,7 @@ void keep(int number, std::string gcode);
 
 const std::string& gcodeOf(int number);
 
-/// Of beads and G-code.
+/// Numbers of the beads and the G-code that are kept.
 std::vector<int> numbers();
 
 }  // namespace kept

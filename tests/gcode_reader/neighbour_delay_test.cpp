@@ -29,7 +29,7 @@ struct Piece {
   double time;
 };
 
-// As metrics.md defines it for beads of one width, without any grid. Reads the file's moves by itself.
+// The delay as metrics.md defines it for beads of one width, without any grid. Reads the file's moves by itself.
 NeighbourDelay bruteForce(const std::string& text, double width) {
   std::vector<Piece> pieces;
   double clock = 0;

@@ -35,7 +35,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
   // Asynchronous functions turn what `input` throws into rejections. They run up to their first await when they are
   // called, so that calls enter the queue in order.
   const run = (call: Call, options: input.CallOptions): Promise<unknown> => plates.run(call, options);
-  /** Where the file is already, if that is free. */
+  /** Runs a call where its file is already, if nothing else runs there. */
   const runOnGcode = (call: GcodeCall, options: input.CallOptions): Promise<unknown> =>
     (plates.has(call.file.number) ? plates : aside).run(call, options);
   const runAside = (call: Call, options: input.CallOptions): Promise<unknown> => aside.run(call, options);

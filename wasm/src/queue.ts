@@ -57,7 +57,7 @@ export class Queue {
     return { version: this.#version, variant: variantOf(this.using.threads), ...this.using };
   }
 
-  /** Whether a call for what has this number could begin at once, without its value. */
+  /** Tells whether a call with this number could begin at once, without its value. */
   has(number: number): boolean {
     return this.#running === undefined && this.#session?.ended === false && this.#session.kept.has(number);
   }

@@ -1,4 +1,4 @@
-// What the engine's worker keeps does not travel a second time; what has changed, or is gone from there, does.
+// Values that the engine's worker keeps do not travel a second time; those that changed, or are gone from there, do.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

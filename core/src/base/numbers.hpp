@@ -64,7 +64,7 @@ inline std::string outOfRange(const char* field, double value, const char* unit,
 
 // The nearest whole number without a call.
 
-/// As llround, to the last bit. \param value  |value| < 2^62.
+/// Rounds as llround does, to the last bit. \param value  |value| < 2^62.
 inline std::int64_t toWhole(double value) {
 #if defined(__wasm__)
   return std::llround(value);  // a conversion takes more code than a call there

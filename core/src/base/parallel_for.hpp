@@ -11,7 +11,7 @@
 
 namespace sillon {
 
-// How a job ends that was asked to stop.
+// The end of a job that was asked to stop.
 
 /// ErrorCode::Cancelled.
 Error cancelledRun();

@@ -28,7 +28,7 @@ std::string textOf(const std::pair<Name, std::string>& value) {
   return value.second;
 }
 
-/// Whether a sentence gets each value that it says, and says each that it does not mark as unsaid.
+/// Tells whether a sentence gets each value that it says, and says each that it does not mark as unsaid.
 /// \param values  NamedValue, or pairs of a name and a text
 template <class Values>
 bool saysAll(const Sentence& sentence, const Values& values) {
@@ -54,8 +54,8 @@ std::string filled(const Sentence& sentence, const Values& values) {
   for (std::size_t open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
     const std::size_t close = rest.find('}');
     const std::string_view name = rest.substr(open + 1, close - open - 1);
-    out.append(rest.substr(0, open)) +=
-        textOf(*std::find_if(values.begin(), values.end(), [&](const auto& one) { return nameOf(one) == name; }));
+    const auto value = std::find_if(values.begin(), values.end(), [&](const auto& one) { return nameOf(one) == name; });
+    out.append(rest.substr(0, open)).append(value != values.end() ? textOf(*value) : "?");
     rest.remove_prefix(close + 1);
   }
   return out.append(rest);

@@ -41,7 +41,7 @@ struct Mat3 {
   friend constexpr Mat3 operator*(const Mat3& m, const Mat3& n) { return {m * n.a, m * n.b, m * n.c}; }
 
   [[nodiscard]] constexpr Mat3 transposed() const { return {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}}; }
-  /// Of one that has an inverse.
+  /// Inverts a map that has an inverse.
   [[nodiscard]] constexpr Mat3 inverse() const {
     const Vec3 bc = cross(b, c);
     const double by = 1 / dot(a, bc);
@@ -49,7 +49,7 @@ struct Mat3 {
   }
 };
 
-/// Where a map of planes has a point: homogeneous coordinates.
+/// Maps a point, in homogeneous coordinates.
 constexpr Vec2 mapped(const Mat3& map, Vec2 p) {
   const Vec3 at = map * Vec3{p.x, p.y, 1};
   return {at.x / at.z, at.y / at.z};
@@ -67,20 +67,20 @@ struct PointPair {
 /// \param side  of the plate [mm], whose middle gets depth 1. \return plate to pixels, homogeneous.
 Mat3 mapThrough(const std::vector<PointPair>& pairs, double side);
 
-/// What a map leaves of what is measured [pixels].
+/// Residual that a map leaves of what is measured [pixels].
 double leftOf(const PointPair& pair, const Mat3& map);
 
 /// The same, where pairs count less the farther they are off, half at 0.1 mm: some are seen where they are not.
 /// \param scale  [pixels/mm] \return weighted RMS of what is left, of what is measured [mm].
 double fitMap(Mat3& map, const std::vector<PointPair>& pairs, double side, double scale);
 
-// Where a square plate's outline lies in a photograph.
+// Finds the outline of a square plate in a photograph.
 
 /// Corners of the one thing that lies on a plain ground [pixels from the upper left], as the picture's y goes down:
 /// clockwise to the eye. \return InvalidFile: no plain ground, nothing on it, cut off, or not of four sides.
 Result<std::vector<Vec2>> findOutline(const Image& photograph);
 
-// Where a coupon lies in a photograph.
+// Finds a coupon in a photograph.
 
 /// A photograph and the map from the plate into it.
 struct FoundCoupon {
@@ -101,7 +101,7 @@ struct FoundCoupon {
 Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, const std::vector<CouponSpiral>& spirals,
                                const RunContext& run);
 
-// Where spirals lie in a photograph, by the pattern of their turns.
+// Finds spirals in a photograph, by the pattern of their turns.
 
 struct SeenSpiral {
   Vec2 off;            ///< of the spiral from where the map has it [mm]
@@ -158,7 +158,7 @@ struct SeenFrom {
   double strange = 0;          ///< how far the map is from any that a whole picture has, by the map's error
 };
 
-/// What is known of the lamp's elevation before [degrees].
+/// Prior of the lamp's elevation [degrees].
 struct Elevation {
   double value = 47;
   double error = 9;
@@ -224,7 +224,8 @@ struct NormalEquations {
   [[nodiscard]] std::vector<double> variances(std::size_t count) const;
 };
 
-// What photographs of one spool are off by alike: large lamps look like rough surfaces, and the model is not exact.
+// Errors that photographs of one spool have in common: large lamps look like rough surfaces, and the model is not
+// exact.
 
 inline constexpr double kModelShare = 0.03;  ///< of a slope, as rendered photographs have it
 
@@ -240,13 +241,13 @@ inline LampPart lampPartOf(const std::optional<double>& slope) {
   return {kMost / 3, kMost * std::sqrt(4.0 / 45)};
 }
 
-/// Of a slope, out of that of its variance [degrees].
+/// Error of a slope, out of that of its variance [degrees].
 inline double slopeErrorOf(double degrees, double varianceError) {
   const double slope = std::tan(degrees * std::numbers::pi / 180);
   return varianceError / (2 * slope) / (1 + slope * slope) * 180 / std::numbers::pi;
 }
 
-// What folded spirals show in the light of one lamp: the appearance model, and a camera's tone curve.
+// Model of folded spirals in the light of one lamp: the appearance model, and a camera's tone curve.
 
 /// Slope that mirrors the lamp into a camera towards `eye`, and back.
 Vec2 tiltAt(Vec3 lamp, Vec3 eye);
@@ -267,7 +268,7 @@ class SpiralModel {
 
   /// The light that a camera of this contrast has seen, weighted so that equal steps of codes count alike.
   [[nodiscard]] Light lightOf(std::size_t which, double contrast) const;
-  /// That of the brightest bin.
+  /// Light of the brightest bin.
   [[nodiscard]] double brightest(double contrast) const;
 
   static constexpr std::size_t kHarmonics = 6;  ///< of the pattern across a pitch; lenses leave no more
@@ -276,8 +277,8 @@ class SpiralModel {
   };
   using Pattern = std::array<Wave, kHarmonics>;
 
-  /// What a spiral sends, before lens and shift. The globals for blur, contrast, sharpening and offset do not matter
-  /// to it.
+  /// Light that a spiral sends, before lens and shift. The globals for blur, contrast, sharpening and offset do not
+  /// matter to it.
   struct Shape {
     double light = 1;                                       ///< by the distance of the lamp
     Pattern body{};                                         ///< at every angle
@@ -286,7 +287,7 @@ class SpiralModel {
   };
   [[nodiscard]] Shape shapeOf(std::size_t which, const Globals& g) const;
 
-  /// What a spiral shows for a highlight of 1, for a body of 1, and for gaps of 1 between loose turns where
+  /// Tones of a spiral for a highlight of 1, for a body of 1, and for gaps of 1 between loose turns where
   /// no bead stands before the lamp or the camera.
   /// \param off  of the spiral from where it was folded about [mm].
   [[nodiscard]] Basis basisOf(std::size_t which, const Shape& shape, const Globals& g, Vec2 off) const;

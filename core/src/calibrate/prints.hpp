@@ -17,7 +17,7 @@
 
 namespace sillon {
 
-// What each kind of calibration tries: its values, their ranges, and what is said of them.
+// Kinds of calibration: the values that each tries, their ranges, and what is said of them.
 
 struct CalibrationRow {
   const char* name;
@@ -34,13 +34,13 @@ inline constexpr double kMostWidth = 1.6;
 
 const CalibrationRow& rowOf(CalibrationKind kind);
 
-/// What hot end and machine manage [mm/s]. \param width  of the widest bead [nozzle].
+/// Fastest speed that hot end and machine manage [mm/s]. \param width  of the widest bead [nozzle].
 double fastest(const Printer& printer, const PrintParams& print, double width);
 
 /// The values that a plate tries. \return InvalidArgument (what, value, range).
 Result<std::vector<double>> valuesToTry(const CalibrationRequest& request);
 
-// What calibration plates are made of: filled polygons, spirals, wedges, wavy rows, writing.
+// Pieces of calibration plates: filled polygons, spirals, wedges, wavy rows, writing.
 
 Ring box(Vec2 low, Vec2 high);
 Ring disc(Vec2 centre, double radius);
@@ -100,7 +100,7 @@ class PlateBuilder {
   [[nodiscard]] const std::vector<double>& values() const { return values_; }
   /// After the point, that all values need.
   [[nodiscard]] int digits() const;
-  /// Of a bead: the nozzle [mm].
+  /// Width of a bead: the nozzle [mm].
   [[nodiscard]] double width() const { return plate_.printer.nozzle; }
   [[nodiscard]] const Printer& printer() const { return plate_.printer; }
   [[nodiscard]] const PrintParams& print() const { return plate_.print; }
@@ -116,7 +116,7 @@ class PlateBuilder {
   void label(const std::string& text, Vec2 corner, double unit = kUnit);
   /// \param middle  of the writing.
   void labelAt(const std::string& text, Vec2 middle, double unit = kUnit);
-  /// Of the patch that is laid next.
+  /// Notes the value of the patch that is laid next.
   void value(double value, std::string label, Vec2 at);
 
   /// Moves all to the page's corner.
@@ -130,7 +130,7 @@ class PlateBuilder {
 
 // The star of directions, which has all of them.
 
-/// Of length 1, towards 15 k degrees.
+/// The unit vector towards 15 k degrees.
 Vec2 spoke(int k);
 
 /// Sector k of 24 lies where the dial says 15 k degrees, and its beads run that way.
@@ -162,7 +162,7 @@ class PlateBuilder;
 /// Star on the upper left, discs on the right, loose spirals and wedge below, ruler and corner marks along the edges.
 void layCoupon(PlateBuilder& plate);
 
-// Where each kind's pieces lie on its plate.
+// Places of each kind's pieces on its plate.
 
 /// Every kind but the swatch, whose toolpath is made as any picture's: see addSwatch.
 void layOut(CalibrationKind kind, PlateBuilder& plate);

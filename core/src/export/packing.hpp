@@ -44,7 +44,7 @@ std::string md5(const std::vector<std::string_view>& parts);
 
 inline bool isGzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
-/// What the file holds. \return InvalidFile for one that is damaged or made of several; TooLarge above 256 MiB.
+/// Unpacks a gzip file. \return InvalidFile for one that is damaged or made of several; TooLarge above 256 MiB.
 Result<std::string> unzipped(std::string_view file);
 
 /// The text behind the header of `file`, with its name and date.
@@ -54,7 +54,7 @@ Result<std::string> zippedLike(std::string_view file, std::string_view text);
 /// The text behind a header without name and date. \return TooLarge above 1 GiB.
 Result<std::string> zipped(std::string_view text);
 
-// What packed files may hold, of whatever kind they are.
+// Limits on packed files of any kind.
 
 /// Nothing that is deflated becomes smaller than this share.
 inline constexpr std::size_t kBestDeflate = 1032;
@@ -76,9 +76,9 @@ inline Error damagedFile(const char* kind, const char* what) {
   return {ErrorCode::InvalidFile, std::move(message)};
 }
 
-// What a G-code file tells of itself in its comments: figures, pictures, settings; and the box of its beads.
+// Facts that a G-code file tells of itself in comments: figures, pictures, settings; and the box of its beads.
 
-/// What is read of figures and pictures: so many bytes at the beginning, and at the end.
+/// Reach of reading for figures and pictures: so many bytes at the beginning, and at the end.
 inline constexpr std::size_t kTold = std::size_t{1} << 20;
 
 /// The value of "; key = value" or "; key: value" in the first or the last MiB of a file, the last one there; letters,

@@ -79,7 +79,7 @@ inline void addPackageParts(Zip& zip, std::string_view moreTypes = "") {
               "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n</Relationships>\n");
 }
 
-// What a zip holds, entry by entry, as its directory tells.
+// Entries of a zip, as its directory tells them.
 
 struct ZipEntry {
   std::string_view name;

@@ -14,7 +14,7 @@
 
 namespace sillon {
 
-// What zones are cut from: the directions as a picture, and the steps of cutting it.
+// The picture of directions that zones are cut from, and the steps of cutting it.
 
 /// Directions of the cells of a page.
 struct DirectionPicture {
@@ -32,7 +32,7 @@ inline double angleBetween(double a, double b) {
 /// At most `most` directions that are nearest to the picture's in the mean square, rising, in whole tenths.
 std::vector<double> zoneDirections(const DirectionPicture& picture, int most);
 
-/// Which of the directions each cell takes, -1 outside of the shape: the nearest ones, as even as their borders allow;
+/// Gives each cell one of the directions, -1 outside of the shape: the nearest ones, as even as their borders allow;
 /// what is narrower than `least` [mm] or smaller than its square goes to its neighbours. Of a cancelled run of no use.
 std::vector<std::int32_t> zoneLabels(const DirectionPicture& picture, const std::vector<double>& directions,
                                      double least, const RunContext& run);

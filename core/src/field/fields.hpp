@@ -15,7 +15,7 @@
 
 namespace sillon {
 
-// What each cell is asked for: its zone, its mode and the line of the direction map (Sec. 4, 5).
+// Constraints of each cell: its zone, its mode and the line of the direction map (Sec. 4, 5).
 
 /// Bands parallel to the border, from outside in.
 enum class Zone : std::uint8_t {
@@ -118,7 +118,7 @@ Result<RelaxedDirections> relaxDirections(const LineField& asked, const std::vec
                                           const SineField& waves, const CellConstraints& cells,
                                           const ToolpathParams& params, const RunContext& run);
 
-// How far the spacing must bend so that the lines can be the gradient of one wave.
+// Bends the spacing so that the lines can be the gradient of one wave.
 
 /// Frequency of the wave per cell, in units of pi/tau: beads lie tau / frequency apart. Where lines fan out, a constant
 /// spacing asks for new beads, which begin at U-turns; beads that widen a little need none. With u = log frequency and

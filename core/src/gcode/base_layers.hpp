@@ -27,7 +27,7 @@ struct ShapeScan {
 /// \param box  around the shape.
 ShapeScan scanShape(const Shape& shape, const Bounds& box);
 
-/// Whether a point lies in the shape or at most 0.1 mm outside.
+/// Tells whether a point lies in the shape or at most 0.1 mm outside.
 bool holds(const ShapeScan& scan, Vec2 p);
 
 /// Points that lie more than 0.1 mm outside the shape.
@@ -53,7 +53,7 @@ std::vector<Polyline> hatchLines(const Shape& shape, double lineWidth, bool fall
 Result<std::vector<Polyline>> offsetLoops(const Shape& shape, double first, double step, int count,
                                           std::vector<Polyline>* second = nullptr, double shift = 0);
 
-// What primes the nozzle and holds the plate on the bed: skirt, purge line, brim.
+// Skirt, purge line and brim, which prime the nozzle and hold the plate on the bed.
 
 /// Closed rectangles around a box, the innermost 5 mm off, printed from the outside in.
 std::vector<Polyline> skirtLoops(const Bounds& box, double lineWidth, int loops);

@@ -14,7 +14,7 @@
 
 namespace sillon {
 
-// What slicers reckon in their start and end blocks: {first_layer_temperature[0] - 60}, {if max_layer_z < 100}.
+// Expressions in slicers' start and end blocks: {first_layer_temperature[0] - 60}, {if max_layer_z < 100}.
 
 /// A placeholder's names, one per program that people know them from, and its values: {name} is the first, {name[k]}
 /// the k-th.
@@ -41,7 +41,8 @@ std::optional<std::string> evaluated(std::string_view expression, const std::vec
 
 // Start and end blocks of the user's: text with placeholders, as slicers have them.
 
-/// What blocks may ask for, by the names of PrusaSlicer, Orca, Cura and IceSL. \param beads  box around all beads [mm].
+/// Values that blocks may ask for, by the names of PrusaSlicer, Orca, Cura and IceSL. \param beads  box around all
+/// beads [mm].
 std::vector<TemplateValue> templateValues(const Printer& printer, const PrintParams& params, const Bounds& beads);
 
 /// Puts values in the place of {expression}, [name], [name[0]] and <NAME>, and leaves out what {if}, {elsif}, {else}
@@ -68,7 +69,7 @@ bool setsPressureAdvance(std::string_view block);
 std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Printer& printer,
                                const PrintParams& params);
 
-// What surrounds the layers: the start block, heat and purge before them, and the end block.
+// The start block, heat and purge before the layers, and the end block.
 
 /// From cold to a primed nozzle beside the plate.
 void writeStart(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params);

@@ -134,9 +134,9 @@ Result<GcodeJob> preparePatchJob(const PatchPlate& plate, const Printer& printer
 
 // Ranges of everything G-code export is given.
 
-/// What can be judged number by number, before anything is placed: text, ranges, finite coordinates and widths.
-/// \return the first fault: InvalidArgument, DoesNotFit (in height) or EmptyShape (no cycles).
-/// \param across  read where needsAcross, and missing there if null.
+/// Checks all that can be judged number by number, before anything is placed: text, ranges, finite coordinates and
+/// widths. \return the first fault: InvalidArgument, DoesNotFit (in height) or EmptyShape (no cycles). \param across
+/// read where needsAcross, and missing there if null.
 std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Toolpath* across, const Shape& shape,
                                      const Printer& printer, const PrintParams& params);
 

@@ -1,4 +1,4 @@
-// Where plates lie on the bed.
+// Plates on the bed: their place, copies and seams.
 #pragma once
 
 #include <cmath>
@@ -42,7 +42,7 @@ class PlateTransform {
   Vec2 to_;    ///< middle of the turned page
 };
 
-// Where plates lie on the bed: placement, copies, the grid of the file, and whether all of it fits.
+// Placement of plates on the bed: copies, the grid of the file, and whether all of it fits.
 
 /// To the grid of the file.
 inline PointUm rounded(Vec2 p) { return {toWhole(p.x * 1000), toWhole(p.y * 1000)}; }
@@ -83,14 +83,14 @@ std::optional<Error> checkFit(const Bounds& box, const Shape& outline, Vec2 shif
 /// What would bring a plate upon the bed that does not fit where it is; empty if nothing would.
 std::string wayOut(const Shape& shape, const Printer& printer, const PrintParams& params);
 
-// Where cycles begin: at places where a seam does not show.
+// Seams: cycles begin at places where a seam does not show.
 
 /// Marks where each cycle may begin unseen: within a bead of the border, seen along x or y; near a concave corner if it
 /// passes one. \param offset  from the shape to the cycles. \param spacing  of the toolpath [mm].
 void markSeams(std::vector<BeadPath>& cycles, PointUm offset, const Shape& shape, const ShapeScan& scan,
                double spacing);
 
-// Whether a plate finds room on a bed, and what would help if it does not.
+// Tells whether a plate finds room on a bed, and what would help if it does not.
 
 /// Ways to bring all copies of a plate, brims included, upon the bed, judged by their boxes: shapes that find room only
 /// between the corners of a round bed or around its excluded part are not found, except single ones on a round bed.

@@ -1,4 +1,4 @@
-// How the nozzle moves along a bead.
+// The motion of the nozzle along a bead.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace sillon {
 
-// How a printer runs along one path: widths it can follow, feedrates, and the time it takes.
+// The motion along one path: widths that a printer can follow, feedrates, and time.
 
 using PointUm = Vec2T<std::int64_t>;  ///< on the bed [µm], exactly as it is written
 
@@ -69,7 +69,7 @@ Motion planMotion(const BeadPath& path, std::size_t start, const MotionLimits& l
 /// \param limits  of which flavor, acceleration and cornerSpeed count.
 double travelSeconds(const std::vector<PointUm>& points, double speed, const MotionLimits& limits);
 
-// What a slow board can follow: fewer moves where they come thick, then speeds that change as little as they may.
+// Limits of a slow board: fewer moves where they come thick, then speeds that change as little as they may.
 
 /// Joins moves to longer ones where the path would otherwise be slowed by maxSegmentsPerSecond. Points left out lie
 /// within 10 um of the line that replaces them, and widths within 0.08 mm of the one that is written there: both as

@@ -10,7 +10,7 @@
 
 namespace sillon {
 
-// Which cells of a plate beads lie on.
+// A raster of the cells that beads lie on.
 
 /// Square cells over a box, at most 4 million of them.
 class BeadRaster {
@@ -42,10 +42,10 @@ class BeadRaster {
   std::size_t rowWords_ = 0;
 };
 
-/// How many cells are set.
+/// Counts the cells that are set.
 std::int64_t countOf(const BeadRaster::Bits& bits);
 
-// How much of what lies below it an oriented layer of a read file covers.
+// Cover of an oriented layer over what lies below it, in a file that was read.
 
 /// A bead as a file tells it, all [mm].
 struct LaidBead {
@@ -68,7 +68,7 @@ const LaidBead* stackEnd(const LaidBead* begin, const LaidBead* end);
 /// raster of 0.05 mm, coarser for plates above 100 cm².
 std::vector<double> orientedCoverage(const std::vector<LaidBead>& beads);
 
-/// How long the oriented beads of the lowest and of the highest layer of each stack wait for their neighbours. A
+/// Measures the wait of oriented beads for their neighbours, in the lowest and the highest layer of each stack. A
 /// neighbour lies 0.6 to 1.4 mean widths to one side; places without any are not counted.
 /// \return nothing where no place has a neighbour.
 std::optional<NeighbourDelay> neighbourDelay(const std::vector<LaidBead>& beads);

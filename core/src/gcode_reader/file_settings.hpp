@@ -16,7 +16,7 @@ namespace sillon {
 inline constexpr double kThinFilament = 1.75;  ///< [mm], of most printers
 inline constexpr double kWideFilament = 2.85;  ///< [mm], as in Cura's ultimaker2.def.json and its extruders
 
-/// How far a file's beads tell its filament.
+/// The degree to which a file's beads tell its filament.
 enum class FilamentEvidence {
   None,     ///< too few beads can be judged: the usual diameter
   Fits,     ///< beads are as beads of the diameter are, and not as those of the other
@@ -30,7 +30,7 @@ struct WeighedFilament {
   FilamentEvidence evidence = FilamentEvidence::None;
   double perFace = 0;  ///< filament for each mm of bead and mm of layer height [1/mm]: the median
 
-  /// How wide the beads would be [mm].
+  /// Width that the beads would have [mm].
   [[nodiscard]] double widthWith(double filamentDiameter) const;
 };
 
@@ -42,7 +42,7 @@ WeighedFilament weighFilament(std::string_view gcode, GcodeFlavor flavor, std::o
 /// The sentence that asks for the diameter where the evidence is Open.
 std::string askForFilament(const WeighedFilament& weighed);
 
-// What the comments of any slicer say of the machine that a file is for.
+// Facts in any slicer's comments about the machine that a file is for.
 
 struct FileSettings {
   std::optional<Printer> printer;     ///< bed and limits, if given by the caller

@@ -1,4 +1,4 @@
-// Where layers begin.
+// The beginnings of layers.
 #pragma once
 
 #include <string_view>
@@ -33,7 +33,7 @@ inline bool isPurge(std::string_view role) {
   return false;
 }
 
-// How high what a file has printed stands, place by place.
+// Heights of what a file has printed, place by place.
 
 /// Heights of the nozzle while it laid beads, on cells of 1 mm. All [mm].
 class LaidHeights {
@@ -41,10 +41,10 @@ class LaidHeights {
   /// Raises what a bead passes over; places further than 5 m from the origin are left out.
   void add(const MachineMove& bead);
 
-  /// How far a move comes below what stands under it, at most; 0 where it does not.
+  /// Greatest depth of a move below what stands under it; 0 where it does not.
   [[nodiscard]] double depthOf(const MachineMove& move) const;
 
-  /// Of all beads; 0 before the first.
+  /// Height of the highest bead; 0 before the first.
   [[nodiscard]] double top() const { return top_; }
 
  private:

@@ -36,7 +36,7 @@ class Offsets {
   Axes place_;  // G10 L2, L20
 };
 
-// What a file asks of the heaters, and what it has waited for.
+// Heaters: the temperatures that a file asks for, and those it has waited for.
 
 inline constexpr double kColdest = 170;  ///< [degrees Celsius] of a nozzle that extrudes
 
@@ -84,7 +84,7 @@ class Heaters {
   Heater chamber_;
 };
 
-// What a printer knows while it runs a file: modes, place, filament, heat. One step per command.
+// State of a printer while it runs a file: modes, place, filament, heat. One step per command.
 
 inline constexpr unsigned kAxisX = 1, kAxisY = 2, kAxisZ = 4;
 inline constexpr unsigned kPlane = kAxisX | kAxisY;
@@ -183,7 +183,7 @@ bool setsTool(const GcodeCommand& command, const GcodeWords& words, bool duet = 
 /// What M200 makes of volumetric extrusion; nothing: it is another command, or leaves it as it is.
 std::optional<bool> volumetricBy(const GcodeCommand& command, const GcodeWords& words);
 
-// What a printer puts aside and takes up again: states by name or on a stack, and the filament that each tool holds
+// States that a printer puts aside and takes up again: by name or on a stack, and the filament that each tool holds
 // back.
 
 /// \param tool  from 0; others change nothing.
@@ -197,7 +197,7 @@ void popModes(MachineState& state);
 /// where MOVE=1 asks for it.
 std::optional<MachineMove> runMemory(MachineState& state, const GcodeCommand& command);
 
-// Where the code that changes a tool or a filament begins and ends: it cuts, flushes and wipes in ways of its own.
+// Begin and end of code that changes a tool or a filament: it cuts, flushes and wipes in ways of its own.
 
 /// \return true: it begins; false: it ends; nothing: the line is something else. PrusaSlicer's comments, and M620 S and
 /// M621 S of Bambu's printers.

@@ -35,10 +35,10 @@ constexpr double kMostShift = 0.5;             // [mm] of X and Y
 constexpr double kMostRaised = 2;              // [mm] of Z
 constexpr double kFirstLift = 10;              // [mm]
 constexpr double kScratch = 0.1;               // [mm] that a nozzle may be lower than what it passes over
-constexpr double kOffLayer = 0.25;             // [mm] that calibration plates lift beads, at most
-constexpr double kMostGap = 2;                 // [mm] between a bead and what is highest before it: the thickest layer
-constexpr double kMostPushed = 5;              // [mm of filament] without a move
-constexpr double kFarSheet = 255;              // [mm], Y of the steel behind the sheets of Bambu's machines
+constexpr double kOffLayer = 0.25;  // [mm] of a bead from its layer's height, more than rounding and less than a layer
+constexpr double kMostGap = 2;      // [mm] between a bead and what is highest before it: the thickest layer
+constexpr double kMostPushed = 5;   // [mm of filament] without a move
+constexpr double kFarSheet = 255;   // [mm], Y of the steel behind the sheets of Bambu's machines
 
 // How far a place lies beyond the bed [mm]; below 0 inside; nothing where the bed is not known.
 std::optional<double> beyondBed(const FileSettings& settings, Vec2 p) {

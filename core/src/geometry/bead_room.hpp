@@ -7,7 +7,7 @@
 
 namespace sillon {
 
-// How deep inside a shape points lie that are asked for one after the other, each near to the one before.
+// Depths of points inside a shape that are asked for one after the other, each near to the one before.
 
 /// Depth changes by no more than a point moves, so that most points away from the border need no search, and most of
 /// these not even a look at the index: on brain it halves both. What it answers does not depend on what was asked

@@ -44,7 +44,7 @@ inline Vec2f tangentAt(const ClosedCurves& curves, int curve, int point) {
 
 // Exact crossings of closed curves.
 
-/// Whether the segments ab and cd share a point, exact on coordinates rounded to 1 µm.
+/// Tells whether the segments ab and cd share a point, exact on coordinates rounded to 1 µm.
 bool segmentsMeet(Vec2f a, Vec2f b, Vec2f c, Vec2f d);
 
 /// All pairs of non-consecutive segments that share a point, exact on coordinates rounded to 1 µm, each pair once in

@@ -11,7 +11,7 @@
 
 namespace sillon {
 
-// What lies inside along a line: edges of paths that cross it, and their winding numbers.
+// The inside along a line: edges of paths that cross it, and their winding numbers.
 
 /// One side of a ring.
 struct PathEdge {
@@ -20,7 +20,8 @@ struct PathEdge {
   int path;
 };
 
-/// Of all rings, without those of no length. \param without  where not empty, 1 for paths that are left out.
+/// Collects the edges of all rings, without those of no length. \param without  where not empty, 1 for paths that are
+/// left out.
 std::vector<PathEdge> edgesOf(const std::vector<FilledPath>& paths, const std::vector<char>& without = {});
 
 /// Half-open in y, so that a vertex on the line counts once. +1 upwards, -1 downwards, 0 none.

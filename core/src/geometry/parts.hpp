@@ -35,7 +35,7 @@ Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, doub
 ///   spacing; as resolveOutline and buildBorderIndex, and Cancelled.
 Result<Shape> keepThinPlaces(Shape shape, double spacing, const RunContext& run);
 
-// Where a shape is narrower than a bead, as samples.
+// Samples of places where a shape is narrower than a bead.
 
 /// The shape minus its opening by a disc of one spacing, in connected places larger than tau²/4.
 struct LostCells {

@@ -61,7 +61,7 @@ class BorderIndex {
   /// inside.
   [[nodiscard]] float blockDepth(Vec2 p) const;
 
-  /// Whether p lies outside the shape; cheap away from the border.
+  /// Tells whether p lies outside the shape; cheap away from the border.
   [[nodiscard]] bool outside(Vec2 p) const;
 
   friend Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, const RunContext& run);

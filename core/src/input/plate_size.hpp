@@ -1,4 +1,4 @@
-// How large a plate may be.
+// Limits on the size of a plate.
 #pragma once
 
 #include <limits>

@@ -26,7 +26,7 @@ inline float decay(float x) {
   return v;
 }
 
-/// Of four at once, each the same to the last bit.
+/// Decays of four values, one per SIMD lane, each the same to the last bit.
 inline F4 decay(F4 x) {
   const F4 one = splat(1);
   const F4 y = min4(splat(80.0f), x) * splat(1.0f / 256);

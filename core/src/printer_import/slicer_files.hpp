@@ -17,7 +17,7 @@
 
 namespace sillon {
 
-// What each kind of file gives; importPrinter tells them apart.
+// Readers of each kind of file; importPrinter tells them apart.
 
 inline constexpr std::size_t kMaxSettingsBytes = std::size_t{16} << 20;
 inline constexpr std::size_t kMaxBlockBytes = 65'536;  ///< of a start or end block
@@ -31,7 +31,7 @@ Result<ImportedPrinter> importJson(std::string_view text);
 /// G-code that a slicer made for the printer.
 Result<ImportedPrinter> importDonor(std::string_view text);
 
-/// Whether a line, trimmed, is where slicers begin a layer.
+/// Tells whether a line, trimmed, is where slicers begin a layer.
 bool isLayerMark(std::string_view line);
 
 // G-code as slicers spell it: capitals, one blank before each word, no zeros before a command's number.
@@ -40,7 +40,7 @@ bool isLayerMark(std::string_view line);
 /// holds text, is left as it is.
 std::string spelled(std::string_view line);
 
-/// Whether it is spelled so already, as nearly all lines are.
+/// Tells whether a line is spelled so already, as nearly all lines are.
 bool isSpelled(std::string_view line);
 
 // A slicer's settings to a printer: which key is which field, in the words of PrusaSlicer, Orca and Cura.
@@ -50,7 +50,7 @@ using SlicerSettings = std::map<std::string, std::string, std::less<>>;  ///< re
 /// Lays what is known of the settings over out.printer, and lists what was read and what could not be.
 void takeSettings(const SlicerSettings& settings, ImportedPrinter& out);
 
-/// Of lists with a value for each filament, as "PLA;PETG", keeps that of one tool.
+/// Keeps one tool's value of lists with a value for each filament, such as "PLA;PETG".
 void chooseTool(SlicerSettings& settings, std::size_t tool);
 
 /// Notes placeholders of the blocks that an export would refuse.
@@ -85,7 +85,7 @@ std::vector<Vec2> readCorners(std::string_view text);
 /// PrusaSlicer's and Cura's escapes in one-line texts.
 std::string unescaped(std::string_view text);
 
-/// How many values "1250,960" or "PLA;PETG" has.
+/// Counts the values of "1250,960" or "PLA;PETG".
 std::size_t itemsOf(std::string_view list);
 
 /// The k-th of them without its escapes, or the first where there are fewer.
@@ -94,14 +94,14 @@ std::string itemOf(std::string_view list, std::size_t index);
 /// "key = value", split at the first equal sign only: values hold them too.
 bool splitSetting(std::string_view line, std::string_view& key, std::string_view& value);
 
-// What of a bed a plate may use, as Orca's settings tell it.
+// The area of a bed that a plate may use, as Orca's settings tell it.
 
 struct BedArea {
   Bounds bed;       ///< [mm]
   Bounds excluded;  ///< a box within it; empty: none
 };
 
-/// Of several nozzles: keeps what all of them reach. \param text  extruder_printable_area: corners of a box for each.
+/// Keeps what all of several nozzles reach. \param text  extruder_printable_area: corners of a box for each.
 /// \return whether it could be read.
 bool reachByAll(std::string_view text, BedArea& area);
 
@@ -109,7 +109,7 @@ bool reachByAll(std::string_view text, BedArea& area);
 /// excluded. \param text  bed_exclude_area: corners, four for each of several boxes. \return whether it could be read.
 bool exclude(std::string_view text, BedArea& area);
 
-// Whether lines of a printed block say what a template says of them.
+// Compares lines of a printed block with what a template says of them.
 
 bool isCommand(std::string_view line, std::string_view word);
 
@@ -118,15 +118,15 @@ std::string_view firstWord(std::string_view text);
 /// Belongs to the print it was made for, and says nothing about ours.
 bool isOfOldPrint(std::string_view line);
 
-/// Of a text [bytes]; end is 0: none.
+/// A range of a text [bytes]; end is 0: none.
 struct Stretch {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// Where the lines of a block say the same, one by one and with no command between, as a template's: the same commands
-/// with about the same numbers. The slicer knows the plate's edge, a donor tells its beads. \param told  the template
-/// with the donor's own values.
+/// Finds where the lines of a block say the same, one by one and with no command between, as a template's: the same
+/// commands with about the same numbers. The slicer knows the plate's edge, a donor tells its beads. \param told  the
+/// template with the donor's own values.
 Stretch whereSaid(std::string_view done, std::string_view told);
 
 }  // namespace sillon

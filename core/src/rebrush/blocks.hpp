@@ -15,14 +15,14 @@
 
 namespace sillon {
 
-// How slicers mark what they lay.
+// Marks that slicers write about what they lay.
 
 enum class MarkKind { None, Layer, Role, Width, Height, Z, Object };
 
-/// What the following moves are.
+/// The kind of the moves that follow.
 enum class RoleKind { Other, Top, Bottom, FirstSolid, Skin, Ironing, Purge };
 
-/// What a comment says.
+/// Content of a comment.
 struct Mark {
   MarkKind kind = MarkKind::None;
   RoleKind role = RoleKind::Other;
@@ -44,16 +44,16 @@ struct Program {
 };
 std::optional<Program> programOf(std::string_view comment);
 
-// How long moves take.
+// Times of moves.
 
 /// By the rule of Klipper's planner: trapezoids, corners by their square corner velocity. \param acceleration  where
 /// the text begins [mm/s²]; M204 and SET_VELOCITY_LIMIT change it. \return [s].
 double secondsOfMoves(std::string_view text, const MachineState& before, double acceleration);
 
-/// What an acceleration command sets for beads [mm/s²]; 0: it is none.
+/// The acceleration that a command sets for beads [mm/s²]; 0: it sets none.
 double accelerationOf(std::string_view code);
 
-// What a file tells of its own duration: comments and progress commands.
+// Comments and progress commands about a file's own duration.
 
 /// Somewhere the print takes longer, or shorter.
 struct TimeChange {

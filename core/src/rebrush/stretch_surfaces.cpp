@@ -52,7 +52,7 @@ double neighbourDistance(const std::vector<StretchLine>& lines) {
 
 bool joined(Vec2 a, Vec2 b) { return length(a - b) < kJoined; }
 
-// Whether most beads are followed by a way without plastic.
+// Tells whether most beads are followed by a way without plastic.
 bool areSeparate(const std::vector<RegionBead>& beads) {
   std::size_t gaps = 1;
   for (std::size_t k = 1; k < beads.size(); ++k) gaps += joined(beads[k - 1].to, beads[k].from) ? 0 : 1;
@@ -84,7 +84,7 @@ double areaOf(const RegionField& field) {
   return static_cast<double>(inside) * field.cell * field.cell;
 }
 
-// How the beads of a stretch are shaped.
+// The shape of a stretch's beads.
 struct BeadShape {
   double height = 0;  // [mm]
   double spacing = 0;
@@ -200,7 +200,7 @@ std::string_view withoutLineEnd(std::string_view line) {
   return line;
 }
 
-// What its lines lay, and whether one of them forbids to replace it.
+// Sums up what the surface's lines lay, and leaves it where one of them forbids to replace it.
 // \param part  of the field; partOf tells that of each line.
 void judgeLines(const Stretch& stretch, std::string_view gcode, const std::vector<int>& partOf, int part,
                 SurfaceBlock& block) {

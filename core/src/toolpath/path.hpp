@@ -120,7 +120,7 @@ struct Relaxed {
 /// 1 µm). The last round ends with `roundKinks`. The published repulsion pushes apart only what is nearer than tau/2.
 /// \param asked  where not null, every round but the last turns the beads towards these lines, the last time less, and
 /// gaps are evened out by at least a quarter of their difference: tones of a picture come nearer to what was asked for.
-/// Of two rounds and more there are two more then, and points are pulled to their neighbours' middle by 0.3 at most.
+/// With two rounds or more, two are added then, and points are pulled to their neighbours' middle by 0.3 at most.
 Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, const ToolpathParams& params,
                              const RunContext& run, const LineField* asked = nullptr);
 
@@ -147,7 +147,7 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const BeadGaps& gaps, 
 Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& widths, const ToolpathParams& params,
                                 const RunContext& run);
 
-// What the drawings expect of a toolpath: they may get one that somebody changed.
+// Checks of a toolpath before it is drawn: somebody may have changed it.
 
 /// Why no plate can have this page [mm]; empty if one can.
 std::string pageDefect(Vec2 page);

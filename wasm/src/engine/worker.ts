@@ -337,7 +337,7 @@ function roomFor(size: number, module: SillonModule): Uint8Array {
   return valueOf(outcome);
 }
 
-/** What has come though the worker might have kept it. */
+/** The value that came along, as the worker did not have it. */
 function brought<T>({ number, value }: Known<T>): T {
   if (value === undefined) throw new Failed('Internal', `what has the number ${number} is not kept`);
   return value;
@@ -427,7 +427,7 @@ function decoded(bytes: Uint8Array, name: string, number: number, module: Sillon
   return keep(number, picture);
 }
 
-/** What the next call needs no value for. */
+/** Numbers for which the next call needs no value. */
 const kept = (module: SillonModule): number[] => [
   ...valueOf(module.keptNumbers()),
   ...pictures.keys(),

@@ -81,7 +81,7 @@ export class Pipeline {
     return this.engine.finished();
   }
 
-  /** Of the plate as it is now. @param unwanted  ends it */
+  /** Writes the plate as it is now. @param unwanted  ends it */
   async gcode(unwanted?: AbortSignal): Promise<Gcode> {
     const current = await this.finished();
     unwanted?.throwIfAborted(); // else it would stop the timer of the summary that follows it

@@ -6,7 +6,7 @@ import { accepts, settingOf, withValue, type SettingId, type SettingValue } from
 /** The coupon has most of the others in it; each of these relies on those before it. */
 export const kinds: readonly CalibrationKind[] = ['coupon', 'flow', 'speed', 'fan', 'width', 'directions', 'swatch'];
 
-/** What is typed back: a setting's own value, two widths, or nothing. */
+/** The answer to type back: a setting's own value, two widths, or nothing. */
 export type Answer = { kind: 'setting'; setting: SettingId } | { kind: 'widths' | 'none' };
 
 const settingFor: Partial<Record<CalibrationKind, SettingId>> = {

@@ -18,7 +18,7 @@ import { sourceFile, stemOf } from './source-file.js';
 import { openZip, ZipError, type Entry } from './unzip.js';
 
 const version = 1;
-/** Of one input, and of a project with its strokes, as the core has it [bytes]. */
+/** Limits of one input, and of a project with its strokes, as the core has them [bytes]. */
 export const mostBytes = { input: 64e6, project: 16 << 20 };
 /** Pictures that the studio has drawn for the engine. */
 const drawnFiles = { directions: 'directions.png', modes: 'modes.png' };
@@ -46,7 +46,7 @@ function pathsFor(files: readonly SourceFile[]): Map<string, string> {
 
 const json = (value: unknown): Uint8Array<ArrayBuffer> => strToU8(`${JSON.stringify(value, undefined, 2)}\n`);
 
-/** What the core has no section for. @param paths  of the plate's own files */
+/** The section `studio`: all that the core has no section for. @param paths  of the plate's own files */
 function studioSection(plate: Plate, paths: ReadonlyMap<string, string>): object {
   const { name, width, height, directions, modes, strokes, spool } = plate;
   const pathOf = ({ id }: SourceFile): string | undefined => paths.get(id);
@@ -97,7 +97,7 @@ export async function writeProject(plate: Plate, raster: DirectionRaster): Promi
 const zipped = (whole: Zippable): Blob =>
   new Blob([zipSync(whole, { level: 6, mtime: new Date(1980, 0, 1) })], { type: 'application/zip' });
 
-/** What was kept of a plate that only another version can read: everything as it is, which that version opens.
+/** Packs what was kept of a plate that only another version can read: everything as it is, which that version opens.
  * @param stored  as of `Autosave.stored` */
 export async function packStored({ record, about, files }: Stored): Promise<Blob> {
   const names = new Map<unknown, string>();
@@ -132,7 +132,7 @@ export async function packStored({ record, about, files }: Stored): Promise<Blob
 
 // --- In ----------------------------------------------------------------------------------------------------------------
 
-/** What reading a project takes. */
+/** The engine's calls that reading a project takes. */
 export type ProjectEngine = Pick<Engine, 'readProject' | 'readShape'>;
 
 /** A file by its path as it stands in a project. */
@@ -241,7 +241,7 @@ function topmost(entries: Map<string, Entry>, name: string): Entry | undefined {
   return found.sort((a, b) => depth(a) - depth(b))[0];
 }
 
-/** What `packStored` has packed. */
+/** Reads what `packStored` has packed. */
 async function storedPlate(text: string, entryAt: (path: string) => Entry | undefined): Promise<Plate> {
   const { record, files } = JSON.parse(text) as { record: unknown; files: Record<string, string> };
   const blobs = new Map<string, Blob>();

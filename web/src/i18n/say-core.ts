@@ -51,7 +51,7 @@ export function findingText({
 
 export interface StartLine {
   line: number;
-  /** As it stands in the start block. */
+  /** The line as it stands in the start block. */
   code: string;
   /** In the engine's words. */
   what: string;

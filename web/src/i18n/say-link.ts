@@ -1,4 +1,4 @@
-// What a link to a plate cannot carry, in the page's language.
+// Words for what a link to a plate cannot carry.
 import type { Untold } from '../model/share.js';
 import { words } from './en/links.js';
 import { language, say } from './text.js';

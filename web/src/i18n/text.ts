@@ -78,13 +78,13 @@ export function languageFor(wanted: readonly string[]): string {
 /** Numbers among the values are written as the language does, with at most two decimals. */
 export const t = (id: TextId, values: Values = {}): string => filled(dictionary[id], values);
 
-/** As `t`, for words that are loaded with what shows them. @param english  the words of one file of en/ */
+/** Does what `t` does for words that are loaded with what shows them. @param english  the words of one file of en/ */
 export const say = <Id extends string>(english: Readonly<Record<Id, Text>>, id: Id, values: Values = {}): string =>
   filled((dictionary as Readonly<Record<string, Text>>)[id] ?? english[id], values);
 
 type Rest<Id, Prefix extends string> = Id extends `${Prefix}${infer Name}` ? Name : never;
 
-/** As `say`, for words whose ids all begin alike. */
+/** Makes a `say` for words whose ids all begin alike. */
 export const sayer =
   <Prefix extends string, Id extends `${Prefix}${string}`>(prefix: Prefix, english: Readonly<Record<Id, Text>>) =>
   (name: Rest<Id, Prefix>, values: Values = {}): string =>

@@ -137,7 +137,7 @@ export function plateSpoolFrom(value: unknown): { spool?: OwnSpool } {
   return { spool: spoolFrom(key, entry) };
 }
 
-/** What is left out is as it is at first. @param fileFrom  undefined: files are not allowed */
+/** Fills what is left out with first values. @param fileFrom  undefined: files are not allowed */
 export function shapeFrom(value: unknown, fileFrom?: FileFrom): ShapeSource {
   const keys = ['radius', 'unitless', 'paint', 'keepThin'] as const;
   const fields = fieldsOf(value, 'shape', ['kind', ...(fileFrom === undefined ? [] : ['file']), ...keys]);

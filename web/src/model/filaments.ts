@@ -112,7 +112,7 @@ export function slopesOf(plate: Plate): [number, number] {
   return slopesFor(looksOf(plate).roughness, printer.nozzle, print.showSide === 'bed' ? 'bedSide' : 'nozzleSide');
 }
 
-/** What a project has to tell of them; null: they are those of a spool that every program knows. */
+/** Slopes that a project has to tell; null: they are those of a spool that every program knows. */
 export const givenSlopes = (plate: Plate): [number, number] | null =>
   plate.spool === undefined ? plate.pictures.slopes : slopesOf(plate);
 

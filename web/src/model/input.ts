@@ -23,7 +23,7 @@ export function sameToolpath(a: Input, b: Input): boolean {
     : p.directions === q.directions && p.modes === q.modes;
 }
 
-/** What stands for a file: its bytes for the engine, its path in a project. */
+/** The stand-in for a file: its bytes for the engine, its path in a project. */
 type ContentOf<Content> = (file: SourceFile) => Content;
 
 export function shapeInput<Content>({ shape, width, height }: Plate, content: ContentOf<Content>) {

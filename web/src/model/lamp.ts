@@ -26,7 +26,7 @@ export function samePictures(a: Plate, b: Plate): boolean {
   return asked(a) === asked(b) && a.spool === b.spool && slopesOf(a).join() === slopesOf(b).join();
 }
 
-/** How many plates the engine makes of the pictures: each correction is one more, as `platesFor` of the core has it. */
+/** Number of plates that the engine makes of the pictures: each correction is one more, as `platesFor` of the core has it. */
 export const platesFor = ({ directions, pictures: { corrections, localContrast } }: Plate): number =>
   directions.kind === 'lamp' && localContrast === 0 ? 1 + corrections : 1;
 

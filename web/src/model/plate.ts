@@ -24,7 +24,7 @@ export const ofExample = 'example/';
 
 export const isExample = ({ id }: SourceFile): boolean => id.startsWith(ofExample);
 
-/** How a shape is read: the core's, beside what it is made of and its size. */
+/** The core's settings for reading a shape, beside its content and size. */
 export type ShapeSettings = Required<Pick<Project['shape'], 'radius' | 'unitless' | 'paint' | 'keepThin'>>;
 
 /** The 2D shape on its page. Sizes are mm. A file is an SVG, or a mask picture: bright, opaque pixels are inside. */
@@ -112,7 +112,7 @@ export interface Plate {
   print: Omit<PrintParams, 'date'>;
   printer: Machine;
 
-  // What only the studio has; of the directions, all that is drawn.
+  // Parts that only the studio has; of the directions, all that is drawn.
   name: string;
   strokes: readonly Stroke[];
   /** Printer that came with a design from elsewhere and is not used before the visitor says so; kept with the work alone. */
@@ -127,6 +127,6 @@ export const pageOf = ({ width, height }: Pick<Plate, 'width' | 'height'>): [num
   height || width,
 ];
 
-/** Whether the studio draws directions and modes for the engine; else the project's own sections tell them. */
+/** Tells whether the studio draws directions and modes for the engine; else the project's own sections tell them. */
 export const isDrawn = ({ directions: { kind }, strokes }: Pick<Plate, 'directions' | 'strokes'>): boolean =>
   kind !== 'lamp' && (strokes.length > 0 || (kind !== 'angle' && kind !== 'map'));

@@ -17,7 +17,7 @@ export interface Sections {
 }
 export type SectionName = keyof Sections;
 
-/** Of those that have a control of their own kind. */
+/** Ids of all settings but those of pictures, which have controls of their own. */
 export type SettingId = {
   [Name in Exclude<SectionName, 'pictures'>]: `${Name}.${keyof Sections[Name] & string}`;
 }[Exclude<SectionName, 'pictures'>];
@@ -216,11 +216,11 @@ const rows = (Object.entries(table) as [SectionName, Record<string, TableRow>][]
 
 const everySetting: readonly Setting[] = rows.map(({ setting }) => setting);
 
-/** Those of the core that a plate holds as they are. */
+/** Settings of one section of the core. */
 export const settingsOf = (section: SectionName): readonly Setting[] =>
   everySetting.filter((setting) => setting.section === section);
 
-/** Those that have a control of this kind; pictures have their own. */
+/** Settings with controls of this kind; pictures have their own. */
 export const settings: readonly Setting[] = everySetting.filter(({ section }) => section !== 'pictures');
 
 /** Constants of the method, in files and presets only. */

@@ -125,7 +125,7 @@ export function verdictsOf(report: Report): Verdict[] {
 
 const plainTop = 0.03; // of the length, that PrusaSlicer's monotonic top of a disc of 60 mm lays over two minutes apart
 
-/** Whether beads are laid soon after the beads beside them. */
+/** Judges whether beads are laid soon after the beads beside them. */
 export const orderVerdict = ({ over120 }: NeighbourDelay): Verdict =>
   judged('order', over120 <= plainTop ? 'good' : 'fair', {
     percent: round(100 * over120, 1),

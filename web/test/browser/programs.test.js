@@ -17,7 +17,7 @@ let engine;
 before(async () => (engine = await createEngine({ threads: 'off' })));
 after(() => engine.dispose());
 
-/** What somebody's program makes of the project with the npm package. */
+/** Makes the project with the npm package, as somebody's program would. */
 async function packaged(zip, date) {
   const files = unzipSync(zip);
   const { shape, directions, modes, pictures, toolpath, print, printer } = await engine.readProject(
@@ -65,7 +65,7 @@ const stroke = { tool: 'comb', points: [0.2, 0.4, 0.5, 0.6, 0.8, 0.4], radius: 0
 const text = { kind: 'text', text: 'Ab', font: 'serif', bold: true, size: 0.6, letters: 90, ground: 0 };
 const code = { kind: 'qr', text: 'SILLON', dark: 0, light: 90, margin: 2 };
 
-/** What a link tells of a plate, and what is done with it then. */
+/** Plates by name: changes of the small plate in a link, then what is done with it. */
 const plates = {
   photograph: [{}, (visit) => show(visit, { 'photo.png': 'lamp' })],
   'two photographs': [{}, (visit) => show(visit, { 'photo.png': 'lamp', 'relief.png': 'more' })],

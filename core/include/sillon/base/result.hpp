@@ -38,7 +38,7 @@ struct NamedValue {
 struct Error {
   ErrorCode code = ErrorCode::Internal;
   std::string message;  ///< one English sentence: what, which value, which range is allowed
-  /// Which sentence that is, where other languages have it too: a name of sillon::reason
+  /// Name of the sentence in sillon::reason, for other languages; empty: it is English alone
   const char* reason = "";
   std::vector<NamedValue> values = {};  ///< of the reason
 };
@@ -110,8 +110,8 @@ namespace sillon {
 /// The sentences of reasons whose errors say nothing else.
 std::span<const Sentence> reasonSentences();
 
-/// Hints against most errors of a code, by its name.
-/// Codes whose messages say it themselves have none.
+/// Hints against most errors of a code, by its name. Codes whose messages say it themselves have
+/// none.
 std::span<const Sentence> errorHints();
 
 }  // namespace sillon

@@ -1,4 +1,4 @@
-// What the core says, by codes: English is made from these sentences, and other languages translate
+// Sentences of the core by codes: English is made from them, and other languages translate
 // them by their codes.
 #pragma once
 

@@ -30,8 +30,8 @@ struct PhotoRequest {
   std::optional<double> lampElevation;  ///< measured, within 2 degrees, 10..80; unset: 47 within 9
 };
 
-/// Of a bulb that somebody sees as small. Rough surfaces and large lamps blur alike: no photograph
-/// tells them apart.
+/// Slope of a lamp that looks small. Rough surfaces and large lamps blur alike: no photograph tells
+/// them apart.
 inline constexpr double kUnknownLampSlope = 0.03;
 
 struct CouponReading {
@@ -61,7 +61,7 @@ struct CouponReading {
 Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoRequest& request,
                                       const RunContext& run);
 
-/// What several photographs of one coupon say together, weighted by their error bars. Lamp and
+/// Joins readings of several photographs of one coupon, weighted by their error bars. Lamp and
 /// camera are of the first. Photographs whose lamps stand within 10 degrees of each other are wrong
 /// alike, or are copies, and count as one.
 /// \param request  they were read with.

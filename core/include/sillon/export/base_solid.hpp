@@ -26,7 +26,7 @@ struct Mesh {
 /// TooLarge.
 Result<Mesh> baseBody(const Shape& shape, const Printer& printer, const PrintParams& params);
 
-/// What is wrong with a mesh, in one sentence: a corner that is not a point of it, or a point that
+/// Describes a fault of a mesh in one sentence: a corner that is not a point of it, or a point that
 /// is not finite. Empty: nothing.
 [[nodiscard]] std::string meshDefect(const Mesh& mesh);
 

@@ -26,8 +26,8 @@ struct GcodeContainer {
   int plates = 1;     ///< with G-code in a .gcode.3mf, of which the first is here
 };
 
-/// What a file holds, told by its first bytes: of a .gcode.3mf the first plate, of a .bgcode all
-/// its blocks, of anything else the bytes as they are.
+/// Unpacks a file by its first bytes: of a .gcode.3mf the first plate, of a .bgcode all its blocks,
+/// of anything else the bytes as they are.
 /// \return InvalidFile for a container that is damaged, encrypted or holds no G-code; TooLarge
 /// above 256 MiB of text.
 Result<GcodeContainer> readGcodeContainer(std::string file);

@@ -6,7 +6,7 @@
 namespace sillon {
 
 struct Dislocations {
-  /// Of the waves: sum of the sizes of their indices; each is a U-turn or two
+  /// Sum of the sizes of the waves' indices; each is a U-turn or two
   std::int64_t count = 0;
   std::int64_t singularities = 0;  ///< of the lines: places round which they turn by half a turn
   /// Estimate of the least count at one constant spacing: the integral of |div t| over the infill

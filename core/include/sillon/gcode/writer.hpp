@@ -26,7 +26,7 @@ struct GcodeSummary {
   std::int64_t moves = 0;
   std::int64_t bytes = 0;
   double clampedLengthMm = 0;  ///< extruded with a width held at 0.6 or 1.6 nozzle
-  /// Of oriented beads that curveAcceleration slows, or that stay even beside slower ones
+  /// Length of oriented beads that curveAcceleration slows, or that stay even beside slower ones
   double curveSlowedMm = 0;
   std::vector<Warning> warnings;
 };

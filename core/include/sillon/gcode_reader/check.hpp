@@ -16,19 +16,19 @@
 
 namespace sillon {
 
-// What a reader of G-code has to say: a code with values, and the English sentence made from them.
+// Findings about G-code: a code with values, and the English sentence made from them.
 
 /// One rule that was broken, however often.
 struct GcodeFinding {
   /// One of findingSentences(), such as too-hot
   std::string code;
-  /// What it belongs to: commands, grammar, homing, heating, modes, bounds, height, extrusion,
-  /// flow, speed, rate, retraction, cycle, coverage, noise, settings, totals, layers, end
+  /// Group of rules: commands, grammar, homing, heating, modes, bounds, height, extrusion, flow,
+  /// speed, rate, retraction, cycle, coverage, noise, settings, totals, layers, end
   std::string rule;
   bool error = false;      ///< the print or the machine is at risk; else worth knowing
   std::int64_t line = 0;   ///< the first, from 1; 0: the file as a whole
   std::int64_t count = 0;  ///< lines that break it in this way
-  /// Of the first, by name, as the sentence shows them
+  /// Values of the first line, by name, as the sentence shows them
   std::vector<std::pair<std::string, std::string>> values;
   std::string message;  ///< about the first
 };
@@ -39,7 +39,7 @@ std::span<const Sentence> findingSentences();
 // Reads any G-code as a printer would and says what would go wrong. Shares nothing with the writer
 // but the grammar.
 
-/// How long the beads of the visible layers wait for their neighbours, weighed by length.
+/// Times that beads of the visible layers wait for their neighbours, weighed by length.
 ///
 /// A bead that is squeezed between beads that cooled minutes ago lies higher and shines
 /// differently. Counted is the longer of the waits on its two sides, by the lengths and speeds of
@@ -103,7 +103,7 @@ struct GcodeCheck {
 /// the bed's edge, as makers' own do.
 GcodeCheck checkGcode(std::string_view text, const std::optional<Printer>& printer = {});
 
-/// What checkGcode cannot judge, as neither `printer` nor the file itself tells the limits: of
+/// Lists what checkGcode cannot judge, as neither `printer` nor the file tells the limits: of
 /// "bed", "height", "nozzle", "flow" and "speed". Apart from checkGcode, so that those who always
 /// know the printer go without.
 std::vector<std::string> uncheckedIn(std::string_view text,
@@ -111,7 +111,7 @@ std::vector<std::string> uncheckedIn(std::string_view text,
 
 // Looks at a start or end block line by line, before it is trusted with a machine.
 
-/// What each line of a block by somebody else would do that its reader should know: heat beyond 300
+/// Tells what lines of somebody else's block would do that its reader should know: heat beyond 300
 /// degrees Celsius (bed 120), moves below the bed, commands that outlive the print, reach files or
 /// the network, move or heat in ways that nobody can follow, or have no place in a print; and
 /// commands that are not in the list of known ones, and macros, whose meaning is not in the block.

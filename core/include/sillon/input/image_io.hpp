@@ -23,8 +23,8 @@ inline constexpr std::int64_t kMaxImagePixels = 100'000'000;
 /// above.
 Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Whether a file begins with the mark of a picture: one that decodeImage reads, less TGA, which
-/// has none, or one of another format (GIF, WebP, HEIC, AVIF, TIFF).
+/// Tells whether a file begins with the mark of a picture: one that decodeImage reads, less TGA,
+/// which has none, or one of another format (GIF, WebP, HEIC, AVIF, TIFF).
 /// \param bytes  its first 32 at least.
 bool beginsLikePicture(std::span<const std::uint8_t> bytes);
 

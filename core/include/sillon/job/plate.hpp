@@ -87,7 +87,7 @@ Result<Plate> makePlate(Project project, const ReadInput& read, const PlateOptio
 /// Facts for the G-code that the plate does not know.
 struct PlateGcodeOptions {
   std::string date = PrintParams().date;
-  /// Of thumbnails of pictures; none: the project's spool
+  /// Colour of the thumbnails of pictures; none: the project's spool
   std::optional<std::array<std::uint8_t, 3>> colour;
 };
 

@@ -1,5 +1,6 @@
-// What a bead sends to the eye under a lamp: the one model that previews, view files, the views'
-// shaders, the inversion of pictures and their measures share. docs/internals/pictures.md has it.
+// Light that a bead sends to the eye under a lamp: the one model that previews, view files, the
+// views' shaders, the inversion of pictures and their measures share. docs/internals/pictures.md
+// has it.
 #pragma once
 
 #include <string>

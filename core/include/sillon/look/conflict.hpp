@@ -1,4 +1,4 @@
-// What pictures on one plate take from each other: one direction per place cannot show every set of
+// Conflicts between pictures on one plate: one direction per place cannot show every set of
 // tones.
 #pragma once
 
@@ -22,7 +22,7 @@ struct PictureConflict {
   std::vector<std::vector<float>> missing;
 };
 
-/// Of directions alone, without what beads and their ends change.
+/// Measures conflicts by directions alone, without what beads and their ends change.
 /// \param shown  at least one; stretched over the page of the directions.
 /// \param roughness  in range.
 /// \param level  light of white, as solveDirections returned it.

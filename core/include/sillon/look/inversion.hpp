@@ -78,11 +78,11 @@ struct InversionParams {
   /// Weight of changes of direction against squared errors of tone, 0.001..10: more means fewer
   /// U-turns and less detail; thrice as much for several pictures
   double smoothness = 0.02;
-  /// Of a single picture: how far details as fine as beads are raised, which lose contrast when
-  /// they become beads, 0..2
+  /// Boost of details as fine as beads, for a single picture: they lose contrast when they become
+  /// beads, 0..2
   double sharpness = 0.5;
-  /// How far differences within a tenth of the page are raised, 0..2: readable faces, but other
-  /// tones than the picture has
+  /// Boost of differences within a tenth of the page, 0..2: readable faces, but other tones than
+  /// the picture has
   double localContrast = 0;
   /// Light of white against the brightest direction, 0.05..1; 0: 1 for one picture, chosen for
   /// several: less leaves room for the tones of the others
@@ -106,8 +106,8 @@ struct PicturePage {
 struct SolvedDirections {
   DirectionMap directions;  ///< cells of half a spacing, at most 4096 on a side
   std::vector<Lamp> lamps;  ///< one per picture, as given or chosen
-  /// Of a single lamp that was chosen: others that may suit the picture as well [degrees], best
-  /// first; plates tell
+  /// Other azimuths of a single lamp that was chosen, which may suit the picture as well [degrees],
+  /// best first; plates tell
   std::vector<double> azimuths;
   double level = 1;  ///< as given or chosen
   /// The pictures after levels, on the raster of the directions: what is to be seen

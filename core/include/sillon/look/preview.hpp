@@ -22,12 +22,12 @@ struct LookParams {
   Lamp lamp{60, 35, 0.1};
   std::array<std::uint8_t, 3> colour{24, 78, 168};  ///< of the body, sRGB; blue PLA
   Roughness roughness{2.36, 17.32};
-  /// Of the eye above the plate's middle, in its longer sides, 0.1..1000; 0: far away
+  /// Height of the eye above the plate's middle, in its longer sides, 0.1..1000; 0: far away
   double eyeDistance = 2.4;
 };
 
 struct PreviewParams {
-  /// Of one panel with its margins [pixels], 16..16384; the height follows the page
+  /// Width of one panel with its margins [pixels], 16..16384; the height follows the page
   int width = 1600;
   LookParams look;
 };

@@ -24,7 +24,7 @@ struct PlatePictures {
   Roughness roughness;          ///< of the spool, on the side that is seen
   double level = 1;             ///< SolvedDirections::level
   double contrast = 1;          ///< of the first lamp's brightest and darkest direction
-  /// Of what the directions alone show and what is asked for; beads only lower it
+  /// Correlation of each picture with what the directions alone show; beads only lower it
   std::vector<double> fieldR;
 };
 
@@ -45,7 +45,7 @@ Roughness roughnessOf(const Project& project);
 /// \return what reading and decodeImage return.
 Result<std::vector<LitPicture>> readPictures(const PictureParams& params, const ReadInput& read);
 
-/// How much of each picture a plate shows.
+/// Tells how well a plate shows each picture.
 /// \param measures  of each, or empty: not measured.
 std::vector<PictureFacts> pictureFacts(const PlatePictures& pictures,
                                        const std::vector<PictureMeasures>& measures);
@@ -85,7 +85,7 @@ Result<ToolpathResult> makeShownPlate(const Project& project, const PlatePicture
                                       PlateInput& input, const MakeToolpath& make,
                                       const RunContext& run);
 
-/// How previews and thumbnails look at the plate.
+/// The view of previews and thumbnails.
 /// \param picture  under whose lamp, from far above, as it was solved for; beyond the pictures:
 /// under the preview's own lamp.
 LookParams lookOf(const Project& project, const PlatePictures& pictures, std::size_t picture);

@@ -35,7 +35,7 @@ struct ToolpathResult {
   std::vector<Vec2> apart;      ///< where those toolpaths lie: middles of their boxes [mm]
   std::int64_t stitchWork = 0;  ///< joints looked at while stitching, see Stitched
   std::vector<StageTime> time;  ///< in order; the sum is the total
-  /// Of the waves, where they were asked for; not in `time`
+  /// Dislocations of the waves, where they were asked for; not in `time`
   std::optional<Dislocations> dislocations;
 };
 
@@ -65,7 +65,7 @@ class Session {
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
 
-  /// As the function of this name.
+  /// Does the same as the function of this name.
   Result<ToolpathResult> generateToolpath(const PlateInput& input, const ToolpathParams& params,
                                           const RunContext& run, bool countDislocations = false);
 

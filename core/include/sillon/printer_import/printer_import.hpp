@@ -22,7 +22,7 @@ struct ImportNote {
 
 struct ImportedPrinter {
   Printer printer;  ///< values that the file does not tell are the profile's, else the defaults
-  /// Of the same machine, whose values lie under the file's; empty: none is known
+  /// Profile of the same machine, whose values lie under the file's; empty: none is known
   std::string profile;
   std::string source;  ///< "donor G-code", "PrusaSlicer settings", "Orca settings", "project"
   std::vector<std::string> read;    ///< names of the settings taken, ascending

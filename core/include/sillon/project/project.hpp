@@ -29,8 +29,8 @@ inline constexpr std::size_t kMaxProjectBytes = std::size_t{16} << 20;
 Result<Project> readProject(std::string_view json);
 
 /// Writes a project as JSON. All fields are there but `print.date` and `print.notes`, which belong
-/// to a run; readProject reads it back equal if invalidSettings finds nothing. The studio's
-/// own section is kept as it came.
+/// to a run; readProject reads it back equal if invalidSettings finds nothing. The studio's own
+/// section is kept as it came.
 std::string writeProject(const Project& project);
 
 // From a project and the files it names to what the pipeline eats.
@@ -43,7 +43,7 @@ using InputFile = std::variant<std::string, Image>;
 using ReadInput =
     std::function<Result<InputFile>(const std::string& name, const std::string& what)>;
 
-/// What a project says of directions, for shapes that come from elsewhere.
+/// Directions and modes of a project, for shapes that come from elsewhere.
 struct PlateField {
   DirectionMap directions;
   ModeMap modes;

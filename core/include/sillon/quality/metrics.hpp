@@ -1,4 +1,4 @@
-// How good a toolpath is: alignment, coverage, turns, and how well a picture is seen.
+// Measures of a toolpath: alignment, coverage, turns, and likeness of pictures.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace sillon {
 
-// How good a plate is: alignment (Eq. 17), coverage and overlap (Tab. 5), turns, widths, crossings.
+// Measures of a plate: alignment (Eq. 17), coverage and overlap (Tab. 5), turns, widths, crossings.
 // Definitions: docs/reference/metrics.md.
 
 /// Length-weighted distribution of the delivered widths, in spacings.
@@ -43,8 +43,8 @@ struct Measures {
   double fillRatio = 0;             ///< bead area / shape area, a ratio
   double shapeAreaMm2 = 0;
   double lostAreaMm2 = 0;  ///< of all lost places
-  /// Which no bead of one spacing can reach, the largest first. As wide as a strip of the same mean
-  /// depth, at most as the thickest point within tau/8.
+  /// Places that no bead of one spacing can reach, the largest first. Each is as wide as a strip of
+  /// the same mean depth, at most as the thickest point within tau/8.
   std::vector<ThinPlace> lostPlaces;
   double keptAreaMm2 = 0;             ///< of all kept places
   std::vector<ThinPlace> keptPlaces;  ///< which were widened to one bead (keepThinPlaces)
@@ -52,7 +52,7 @@ struct Measures {
   std::int64_t kinks = 0;
   /// Pairs of non-consecutive segments that share a point, on coordinates of 1 µm
   std::int64_t crossings = 0;
-  /// Of the waves that these directions make: beads that begin or end
+  /// Dislocations of the waves that these directions make: beads that begin or end
   std::int64_t dislocations = 0;
   std::int64_t singularities = 0;  ///< of the lines: places round which they turn by half a turn
   /// About as many are forced by the directions at one constant spacing
@@ -80,7 +80,7 @@ std::int64_t countCrossings(const Toolpath& toolpath);
 /// count as 0.
 std::string digestOf(const Toolpath& toolpath);
 
-// How well a toolpath shows the pictures it was made for, each under its lamp. Definitions:
+// Likeness of the pictures that a toolpath was made for, each under its lamp. Definitions:
 // docs/reference/metrics.md.
 
 struct PictureMeasures {
@@ -92,14 +92,14 @@ struct PictureMeasures {
   std::vector<double> others;
 };
 
-/// How much of one picture a plate shows: r with what was asked for, -1..1.
+/// Likeness of one picture: r of what the plate shows with what was asked for, -1..1.
 struct PictureFacts {
   bool oneTone = false;  ///< nothing can be seen in it, whatever its r
   double fieldR = 1;     ///< of what the directions alone show; 1: the plate has no other picture
   double seenR = 1;      ///< of what the beads show; 1: not measured
 };
 
-/// What a plate shows under each lamp, in cells of about 2 tau.
+/// Light of a plate under each lamp, in cells of about 2 tau.
 struct SeenCells {
   int width = 0;
   int height = 0;
@@ -122,7 +122,7 @@ Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, V
                                                      const RunContext& run);
 
 /// The same of light that is known: rows of cells, row 0 on top, negative where there is no plate.
-/// As of no plate where there are not as many cells as the picture has.
+/// Compares light with a picture; without as many cells as the picture has, nothing is seen.
 PictureMeasures compareTones(std::span<const float> light, const Tones& picture);
 
 }  // namespace sillon

@@ -124,8 +124,8 @@ std::string withEdits(std::string_view text, const std::vector<Edit>& edits);
 // Lays other beads on the top of somebody's print: replaces surfaces of a sliced file by oriented
 // cycles, and nothing else.
 
-/// What pictures and maps are stretched over. All but Face let one picture run across several
-/// surfaces.
+/// The area that pictures and maps are stretched over. All but Face let one picture run across
+/// several surfaces.
 enum class PictureFit {
   Face,    ///< each surface by itself
   Object,  ///< the box around the chosen surfaces of one object, as the slicer names them
@@ -143,11 +143,11 @@ struct RebrushOptions {
   std::string spool = "bluePla";    ///< how the filament looks: a key of spools()
   const Spool* ownSpool = nullptr;  ///< instead of it; outlives the call
   PictureFit fit = PictureFit::Face;
-  /// Of `pictures`, over what `fit` says
+  /// Proportions of `pictures` over what `fit` says
   PictureProportions proportions = PictureProportions::Keep;
   bool tops = true;
   bool bottoms = false;
-  /// Of SlicedFile::surfaces, whatever their side; empty: all that are asked for
+  /// Indices of SlicedFile::surfaces, whatever their side; empty: all that are asked for
   std::vector<std::size_t> only;
   /// Called before each surface is made, for what tells progress: the context's begins anew with
   /// each.
@@ -166,7 +166,7 @@ struct RebrushedSurface {
   double beyond = 0;     ///< how far a bead reaches over the region at most [mm]
   std::int64_t moves = 0;
   double seconds = 0;  ///< by which its moves take longer than the slicer's, as estimated
-  /// Of each picture; of bottoms as they stand when the print is turned over
+  /// The lamp of each picture; for bottoms as they stand when the print is turned over
   std::vector<Lamp> lamps;
   std::vector<PictureMeasures> pictures;  ///< how well they are seen
   std::vector<double> leftOut;  ///< share of each that is cut off to keep its proportions, 0..1

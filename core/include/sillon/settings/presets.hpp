@@ -1,4 +1,4 @@
-// What comes with the library: profiles of printers and filaments, presets of the toolpath
+// Data that come with the library: profiles of printers and filaments, presets of the toolpath
 // (core/data/printers.json, filaments.json, presets.json).
 #pragma once
 

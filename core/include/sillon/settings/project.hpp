@@ -12,7 +12,7 @@
 
 namespace sillon {
 
-// What a person may choose about the print: layers, placement, flow, what goes into the file's
+// Choices about the print: layers, placement, flow, what goes into the file's
 // header.
 
 enum class ThumbnailFormat { Png, Qoi };
@@ -38,7 +38,7 @@ enum class ShowSide {
   Both,  ///< oriented layers mirrored on the bed, base layers, and as many oriented layers on top
 };
 
-/// How one plate is stacked and placed.
+/// Layers and place of one plate.
 struct PrintParams {
   int layers = 1;  ///< oriented layers, of each side shown, 1..1000
   int base = 2;    ///< plain layers, 0..1000
@@ -57,12 +57,12 @@ struct PrintParams {
   Vec2 copies{1, 1};  ///< plates in a row and in a column, one printed after the other, 1..20 each
   double copyGap = 10;       ///< between their boxes, brims included [mm], 1..100
   double layerHeight = 0.2;  ///< [mm], 0.05..0.8 nozzle
-  /// Of a print that stands on the bed, above which all layers lie [mm], 0..maxZ
+  /// Height of a print that stands on the bed, above which all layers lie [mm], 0..maxZ
   double startHeight = 0;
   double firstLayerHeight = 0;  ///< [mm], 0.05..0.8 nozzle; 0: same as layerHeight
   double flow = 0.95;  ///< of oriented layers, 0.01..2; `baseFlow`: of base layers, likewise
   double baseFlow = 1;
-  /// Of an oriented layer on the bed, likewise: nothing below it takes what is too much
+  /// Flow of an oriented layer on the bed, likewise: nothing below it takes what is too much
   double bedFlow = 1;
   double rotate = 0;    ///< of the plate on the bed, counter-clockwise [degrees], -360..360
   bool mirror = false;  ///< left to right, before turning: for plates seen from below
@@ -76,7 +76,7 @@ struct PrintParams {
   std::vector<Thumbnail> thumbnails;  ///< in the header, in this order
 };
 
-/// Whether a base layer takes a path of its own, which runs across the oriented beads.
+/// Tells whether a base layer takes a path of its own, which runs across the oriented beads.
 inline bool needsAcross(const PrintParams& params) {
   return params.basePattern == BasePattern::Across && params.base > 0;
 }
@@ -93,15 +93,15 @@ struct ThumbnailSize {
 /// \return at most 8; InvalidArgument.
 Result<std::vector<ThumbnailSize>> readThumbnailSizes(std::string_view text);
 
-// What a person may choose about the shape, its directions and its modes.
+// Choices about the shape, its directions and its modes.
 
 inline constexpr double kDefaultWidth =
     80;  ///< page width [mm] of built-in shapes and masks that name none
 
 enum class BuiltinShape { None, Rectangle, RoundedRectangle, Disc };
 
-/// How a picture encodes directions. Colour pictures are read by their luma (Rec. 709) except for
-/// tangents; alpha is ignored.
+/// Encodings of directions in a picture. Colour pictures are read by their luma (Rec. 709) except
+/// for tangents; alpha is ignored.
 enum class DirectionEncoding {
   Angle,     ///< grey 0..1 is -90..90 degrees, as in the paper
   Rotation,  ///< grey 0..1 is 0..180 degrees, the rotation map of texture tools
@@ -110,7 +110,7 @@ enum class DirectionEncoding {
   Tangent,
 };
 
-/// What a place asks of its beads.
+/// Demands of a place on its beads.
 enum class DirectionMode : std::uint8_t {
   Parallel,     ///< to the nearest border, smoothly
   Orthogonal,   ///< to the nearest border, smoothly
@@ -133,7 +133,7 @@ struct LampPicture {
 /// The measured spools, in the order of their keys: look/spools.hpp says what they look like.
 enum class SpoolName { BluePla, ClearPetg, GoldPla, GreyPla, RedPetg };
 
-/// What becomes of pictures whose proportions are not the page's.
+/// Ways to fit pictures whose proportions are not the page's.
 enum class PictureProportions {
   Keep,     ///< what sticks out is cut off, as much on either side
   Stretch,  ///< they are stretched over the page
@@ -148,14 +148,14 @@ struct PictureParams {
   double lampSize = 0.1;     ///< of all lamps, as a slope, 0..2
   double smoothness = 0.02;  ///< InversionParams::smoothness, 0.001..10
   double localContrast = 0;  ///< InversionParams::localContrast, 0..2
-  /// How often a single picture is asked for anew with what its beads leave out, 0..8
+  /// Number of times that a single picture is solved anew for what its beads leave out, 0..8
   int corrections = 3;
 };
 
-// What a person may choose about the toolpath. Each field is a row of the documentation: default,
+// Choices about the toolpath. Each field is a row of the documentation: default,
 // unit, range.
 
-/// How beads meet the border.
+/// Ways in which beads meet the border.
 enum class PerimeterMode {
   None,  ///< beads end at the border in U-turns
   Soft,  ///< beads follow the border where the directions allow it, and end there where they do not
@@ -167,7 +167,7 @@ enum class MapFilter {
   Nearest,  ///< the texel under the cell's centre
 };
 
-/// How the wave of a neighbour is carried over (Eq. 8).
+/// Ways to carry over the wave of a neighbour (Eq. 8).
 enum class PhaseTransport {
   Midpoint,   ///< by the mean of both lines: second order
   Neighbour,  ///< by the neighbour's line alone, as published in 2023: first order
@@ -201,7 +201,7 @@ struct ToolpathParams {
   double relaxationSmoothing = 0.65;  ///< pull towards the neighbours' middle per round, 0..1
   /// 0: the nearer neighbour bounds a bead on both sides (Eq. 16); 1: the room does, 0..1
   double widthBalance = 1;
-  /// How far beads may overlap [tau], 0..1; 1: they are not held apart
+  /// Greatest overlap of beads [tau], 0..1; 1: they are not held apart
   double beadOverlap = 0.0021;
   double minWidth = 0.5;  ///< narrowest bead [tau], 0.1..1
   double maxWidth = 2;    ///< widest bead [tau], 1..4
@@ -250,7 +250,7 @@ struct Printer {
   double speed = 50;
   double firstLayerSpeed = 20;
   double baseSpeed = 0;  ///< of base layers above the first; 0: `speed`
-  /// Of oriented layers; 0: `speed`, but at most 20 where nothing sets pressure advance
+  /// Speed of oriented layers; 0: `speed`, but at most 20 where nothing sets pressure advance
   double showSpeed = 0;
   double travelSpeed = 120;
   double machineSpeed = 0;  ///< all speeds are held at it; 0: not known
@@ -264,7 +264,7 @@ struct Printer {
   /// Curves of radius r go at most at √(this · r); 0: as fast as straights
   double curveAcceleration = 1000;
   double firstLayerFan = 0;  ///< [%]
-  /// Of base layers above the first [%]; below 0: what the filament usually gets
+  /// Fan of base layers above the first [%]; below 0: what the filament usually gets
   double baseFan = -1;
   double showFan = -1;  ///< of oriented layers above the first [%], likewise
   /// Layers that would take less are slowed, not below 5 mm/s [s]; 0: none
@@ -279,7 +279,7 @@ struct Printer {
   bool absoluteE = false;  ///< M82 and G92 E0 per layer, for hosts that know nothing else
   std::string startGcode;  ///< template, docs/reference/gcode.md; empty: home, heat, wait
   std::string endGcode;    ///< template; empty: park, heaters off
-  /// Of the pictures for its screen: WxH, WxH/PNG or WxH/QOI
+  /// Sizes of the pictures for its screen: WxH, WxH/PNG or WxH/QOI
   std::string screenSizes = "32x32, 300x300";
 };
 

@@ -76,7 +76,7 @@ struct Setting {
   const char* choices = "";
 };
 
-/// What help and documentation say of a setting, in ASCII. Apart from it: the engines in browsers
+/// Words of help and documentation about a setting, in ASCII. They stand apart: engines in browsers
 /// do without.
 struct SettingWords {
   const char* label = "";   ///< at most a few words

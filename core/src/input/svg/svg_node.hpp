@@ -34,19 +34,19 @@ inline std::optional<std::string_view> hrefOf(const Node& node) {
   return href ? href : attribute(node, "xlink:href");
 }
 
-// What a DOCTYPE abbreviates: Illustrator writes <!ENTITY st0 "fill:none;"> and style="&st0;".
+// Entities of a DOCTYPE: Illustrator writes <!ENTITY st0 "fill:none;"> and style="&st0;".
 
 /// The text with its own general entities written out; empty: it has none. Entities hold only those declared before.
 /// Throws Refused: the text would be longer than `maxBytes`, or there are too many entities.
 std::string withEntities(std::string_view text, std::size_t maxBytes);
 
-// Which elements are SVG's, whatever prefixes a file gives them: https://www.w3.org/TR/xml-names/.
+// Elements of SVG, whatever prefixes a file gives them: https://www.w3.org/TR/xml-names/.
 
 /// Leaves elements of SVG their local names and all others empty ones, and calls each href of XLink `xlink:href`.
 /// Throws Refused: the root is no <svg>, or there are more namespaces than can be.
 void resolveNamespaces(Node& root);
 
-// Whether a text nests as XML does, and not too deep: looked over before RapidXML reads it.
+// Checks that a text nests as XML does, and not too deep: it is looked over before RapidXML reads it.
 
 inline constexpr int kMaxDepth = 200;  ///< of elements, <use> counted in: each level costs stack
 

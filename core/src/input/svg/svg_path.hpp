@@ -26,7 +26,8 @@ struct Length {
   bool percent = false;
 };
 
-/// Of a CSS length, in lower case; 0: no unit, user units. Nothing for an unknown one. em and ex: of a 16 px font.
+/// The unit of a CSS length, in lower case; 0: no unit, user units. Nothing for an unknown one. em and ex: of a 16 px
+/// font.
 std::optional<double> mmPerUnit(std::string_view unit);
 
 /// Nothing for a missing attribute and for "auto". Throws Refused: an unknown unit.
@@ -42,7 +43,7 @@ struct UserUnits {
   [[nodiscard]] double positive(const Node& node, const char* name, double full, double missing) const;
   /// rx and ry; a missing one is like the other. \param full  100 % of either.
   [[nodiscard]] Vec2 radii(const Node& node, Vec2 full) const;
-  /// Of a style; NaN for what is none.
+  /// The length in a style; NaN for what is none.
   [[nodiscard]] double ofStyle(std::string_view text, double full) const;
 };
 
@@ -111,7 +112,7 @@ void drawRectangle(Outliner& out, Vec2 corner, Vec2 size, Vec2 radii);
 Matrix matrix(double a, double b, double c, double d, double e, double f);
 Matrix shifted(double x, double y);
 
-/// What lengths in CSS refer to.
+/// References for lengths in CSS.
 struct CssLengths {
   UserUnits units;
   Vec2 box;  ///< of the element's transform-box: 100 % in user units
@@ -135,7 +136,7 @@ Matrix fit(const Node& node, const ViewBox& box, Vec2 size);
 
 // Outlines of the elements that have one: paths and basic shapes.
 
-/// Whether elements of this name have an outline.
+/// Tells whether elements of this name have an outline.
 bool isShape(std::string_view name);
 
 /// \param view  what percentages refer to, in user units. \return false: it has no area, and no stroke either.
@@ -157,17 +158,15 @@ struct Stroke {
   double dashOffset = 0;       ///< where in the pattern a line begins
 };
 
-/// What a stroke covers, to be filled by nonzero winding: no part of a ring runs against the others, so that overlaps
-/// never cancel.
-/// \param toWorld  from the element's units to mm; of a singular one nothing is left.
-/// \param tolerance  of round caps and joins [mm]. \param pointsLeft  of the whole drawing.
-/// Throws Refused: too many points.
+/// The area that a stroke covers, to be filled by nonzero winding: no part of a ring runs against the others, so that
+/// overlaps never cancel. \param toWorld  from the element's units to mm; of a singular one nothing is left. \param
+/// tolerance  of round caps and joins [mm]. \param pointsLeft  of the whole drawing. Throws Refused: too many points.
 std::vector<Ring> strokeRings(const std::vector<Line>& lines, const Stroke& stroke, const Matrix& toWorld,
                               double tolerance, std::int64_t& pointsLeft);
 
 // Areas that limit what is shown, and areas laid over each other.
 
-/// What is shown lies inside of it.
+/// A limit of what is shown: all of it lies inside.
 struct Limit {
   FilledPath area;
   Bounds box;
@@ -182,15 +181,15 @@ struct Layer {
 };
 
 std::shared_ptr<const Limit> limitOf(FilledPath area);
-/// Whether nothing of `box` is cut off.
+/// Tells whether nothing of `box` is cut off.
 bool covers(const Limit& limit, const Bounds& box);
 Bounds boxOf(const std::vector<Ring>& rings);
 
-/// What of the paths `rule` says. Throws Refused.
+/// Combines paths by a rule. Throws Refused.
 FilledPath combine(const std::vector<FilledPath>& paths, const InsideRule& rule, Work& work);
-/// What of a path lies within all limits. Throws Refused.
+/// Cuts a path to what lies within all limits. Throws Refused.
 FilledPath within(FilledPath path, const std::vector<const Limit*>& limits, Work& work);
-/// What of a path lies outside of a limit that is a box, in pieces. Throws Refused.
+/// Cuts a path to what lies outside of a limit that is a box, in pieces. Throws Refused.
 std::vector<FilledPath> beyondBox(const FilledPath& path, const Limit& limit, Work& work);
 /// Layers from below upwards as one area. Throws Refused.
 FilledPath flattened(const std::vector<Layer>& layers, Work& work);

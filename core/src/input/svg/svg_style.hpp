@@ -21,12 +21,12 @@ namespace sillon::svg {
 
 // The words CSS knows for colours.
 
-/// Whether CSS has a colour of this name, of the system's colours too. \param name  in lower case.
+/// Tells whether CSS has a colour of this name, of the system's colours too. \param name  in lower case.
 bool isColorName(std::string_view name);
 
 // Selectors of CSS rules: https://www.w3.org/TR/selectors-4/.
 
-/// What one element must have: the `g.a#b` of "svg > g.a#b path".
+/// Conditions on one element: the `g.a#b` of "svg > g.a#b path".
 struct Compound {
   std::string name;                ///< empty: any
   std::vector<std::string> marks;  ///< ".a", "#b"
@@ -41,7 +41,7 @@ struct Selector {
   /// \return nothing where a part of the text is not read.
   static std::optional<Selector> read(std::string_view text);
   [[nodiscard]] bool fits(const Node& node, Work& work) const;
-  /// As CSS counts: ids, then classes, then names. Below 2^20.
+  /// Weight as CSS counts it: ids, then classes, then names. Below 2^20.
   [[nodiscard]] std::int64_t specificity() const;
 };
 
@@ -193,7 +193,7 @@ class StyleSheet {
   std::string unread_;
 };
 
-// What an element is painted with, as far as it matters where one bead is like the next: whether it is seen at all,
+// The paint of an element, as far as it matters where one bead is like the next: whether it is seen at all,
 // whether it is black, which hides in a mask, and whether its colour is that of others.
 
 struct Paint {
@@ -229,7 +229,7 @@ struct PaintState {
   [[nodiscard]] double strokeAlpha() const { return visible ? stroke.alpha * strokeOpacity * opacity : 0; }
 };
 
-/// What a style needs to know of the document.
+/// Facts of the document that a style needs.
 struct PaintContext {
   std::function<std::optional<Paint>(std::string_view id)> server;  ///< a gradient or pattern; nothing: it is neither
   std::function<double(std::string_view)> length;                   ///< in user units; NaN: not a length
@@ -238,7 +238,7 @@ struct PaintContext {
 /// Lays the declarations of an element over what it inherits. As in CSS, a value that cannot be read counts as missing.
 void apply(const Style& style, const PaintContext& context, PaintState& state);
 
-/// Of a stop of a gradient.
+/// The paint of a stop of a gradient.
 Paint stopPaint(const Style& style, const Paint& current);
 
 /// "#a" of "url(#a)", without the #; empty: no such reference.

@@ -1,4 +1,4 @@
-// Whether the plate shows what it was made from.
+// Doubts that the plate shows what it was made from.
 
 export const words = {
   'scan.reads':

@@ -1,4 +1,4 @@
-// How a drawing is read.
+// Choices for reading a drawing.
 
 export const words = {
   'drawing.unitless': 'Lengths without a unit are',

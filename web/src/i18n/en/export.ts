@@ -1,4 +1,4 @@
-// What can be downloaded.
+// Downloads.
 
 export const words = {
   'export.gcode.help': 'For the printer.',

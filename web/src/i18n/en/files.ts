@@ -1,4 +1,4 @@
-// What becomes of files that were opened.
+// Files that were opened, and their uses.
 
 export const words = {
   'files.address': 'Nothing is fetched from {host}. Save the picture first, then drop its file here.',

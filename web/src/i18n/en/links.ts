@@ -1,4 +1,4 @@
-// What links to plates can carry.
+// Limits of links to plates.
 
 export const words = {
   'link.missing': 'This link could not carry {parts}; something plain stands in their place. Ask for the project file.',

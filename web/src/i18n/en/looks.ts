@@ -1,4 +1,4 @@
-// What the appearance is compared with, and at which size it is shown.
+// Comparisons of the appearance, and its sizes.
 
 export const words = {
   'looks.over': 'Compare with',

@@ -1,4 +1,4 @@
-// What every visit needs first; words that are shown later stand in the files beside this one.
+// Words that every visit needs first; others that are shown later stand in the files beside this one.
 
 export const words = {
   'app.name': 'Sillon Studio',

@@ -1,4 +1,4 @@
-// What is known of a problem beyond its code, and where a file has it.
+// Details of problems beyond their codes, and their places in files.
 
 export const words = {
   'check.place': 'Line {line}: {what}',

@@ -1,4 +1,4 @@
-// What a measure means to somebody who is about to print.
+// Meanings of the measures for somebody who is about to print.
 
 export const words = {
   'verdict.coverage.good': '{percent}% of the shape is covered by beads.',
