@@ -255,7 +255,7 @@ TEST_CASE("where beads of both filaments are possible, the file is refused and a
   CHECK(refused.error().code == ErrorCode::InvalidFile);
   CHECK(
       refused.error().message ==
-      "the file does not tell the no filament diameter, and its beads may be 0.25 mm wide from filament of 1.75 mm or "
+      "the file gives no filament diameter, and its beads may be 0.25 mm wide from filament of 1.75 mm or "
       "0.66 mm wide from filament of 2.85 mm; add a line \"; filament_diameter = 1.75\" or \"; filament_diameter = "
       "2.85\" at its end");
   CHECK(imported(open + "; filament_diameter = 1.75\n").printer.filamentDiameter == 1.75);
@@ -322,7 +322,7 @@ TEST_CASE("a bundle gives its active printer and filament with all they inherit"
 
   const ImportedPrinter other = imported(kBundle, "Other");
   CHECK(other.printer.name == "OTHER");
-  CHECK(notes(other, "printer:*missing* is inherited, but not in the file"));
+  CHECK(notes(other, "printer:*missing* is inherited, but missing from the file"));
   CHECK(problem(kBundle, "Third") == "the file has no printer \"Third\"; it has \"Other\", \"Prusa MK4S\"");
   CHECK(problem("[print:fast]\nlayer_height = 0.2\n") == "the file has no section of a printer");
 }
@@ -838,7 +838,7 @@ TEST_CASE("a share of speed or flow that the start block leaves is pointed out, 
   CHECK(imported(text).printer.filamentFlow == 1);
   text.replace(text.find("M221 S95\nM220 S100\n"), 19, "M221 S95\nM221 S100\nM220 S50\n");
   CHECK_FALSE(notes(imported(text), "M221"));
-  CHECK(notes(imported(text), "M220 S50, a share of the speed; files written here go back to 100 %"));
+  CHECK(notes(imported(text), "M220 S50, which scales the speed; it is set back to 100 % after the block"));
 }
 
 TEST_CASE("the filament's flow as its owner has calibrated it is taken, in every slicer's words") {
