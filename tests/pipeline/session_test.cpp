@@ -60,6 +60,7 @@ TEST_CASE("after any edit a session's toolpath is that of a run from nothing") {
       {"kernelRadius", [](PlateInput&, ToolpathParams& p) { p.kernelRadius = 0.7; }},
       {"stitchAlignment", [](PlateInput&, ToolpathParams& p) { p.stitchAlignment = 0; }},
       {"relaxationRounds", [](PlateInput&, ToolpathParams& p) { p.relaxationRounds = 1; }},
+      {"order", [](PlateInput&, ToolpathParams& p) { p.order = BeadOrder::Plain; }},
       {"relaxationStrength", [](PlateInput&, ToolpathParams& p) { p.relaxationStrength = 0.3; }},
       {"relaxationSmoothing", [](PlateInput&, ToolpathParams& p) { p.relaxationSmoothing = 0.4; }},
       {"showsPictures", [](PlateInput& i, ToolpathParams&) { i.showsPictures = true; }},

@@ -60,6 +60,7 @@ Project unusualProject() {
   p.toolpath.borderWeight = 2.5;
   p.toolpath.stitchAlignment = 0.6;
   p.toolpath.relaxationRounds = 4;
+  p.toolpath.order = BeadOrder::Plain;
   p.toolpath.relaxationStrength = 0.2;
   p.toolpath.relaxationSmoothing = 0.3;
   p.toolpath.widthBalance = 0.7;

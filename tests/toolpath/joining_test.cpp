@@ -31,6 +31,7 @@ struct Page {
   ClosedCurves curves;
 
   Page() {
+    params.order = BeadOrder::Plain;
     const RunContext run(1);
     const Outline outline = resolveOutline(scenes::shapeOf({scenes::rectangle({0, 0}, {kGapLeft, 30}),
                                                             scenes::rectangle({kGapRight, 0}, {40, 30})},
@@ -211,6 +212,50 @@ TEST_CASE("a joint is made exactly where nothing stands against it, however long
   CHECK(made > 100);
   CHECK(longOnes > 3);
   CHECK(refused > 1000);
+}
+
+TEST_CASE("joints toggled by chance never cross, and all toggled back leave the curves as they were") {
+  const Page page;
+  const RunContext run(1);
+  const PointGrid grid(page.curves.points, static_cast<float>(page.params.spacing), run);
+  scenes::Random random(29);
+  Joining joining(page.curves, grid, page.lines, page.border, page.params);
+  const int count = static_cast<int>(page.curves.points.size());
+  const auto byChance = [&] { return Joint{random.index(count), random.index(count), 4, 0.6f}; };
+  for (int tried = 0; tried < 100000; ++tried) {
+    const Joint joint = byChance();
+    if (length(joining.at(joint.i) - joining.at(joint.j)) < 2)
+      joining.join({0, joint.i, joint.j, joint.span}, joint.gap);
+  }
+  const ClosedCurves before = joining.joined();
+  const int gaps = joining.gapJoints();
+  const float longest = joining.longestJoint();
+  std::vector<Joint> joints = joining.made();
+  REQUIRE(joints.size() > 20);
+  for (int tried = 0; tried < 20000; ++tried) {
+    const Joint joint = byChance();
+    if (length(joining.at(joint.i) - joining.at(joint.j)) < 2) joints.push_back(joint);
+  }
+  std::vector<std::size_t> toggled;
+  for (int tried = 0; tried < 3000; ++tried) {
+    const std::size_t k = static_cast<std::size_t>(random.index(static_cast<int>(joints.size())));
+    const bool on = joints[k].on;
+    const bool blocked = joining.blocked(joints[k]);
+    const bool done = joining.toggle(joints[k]);
+    CHECK(joints[k].on == (done ? !on : on));
+    CHECK(!(blocked && done));
+    if (done) toggled.push_back(k);
+    // Every edge of the path leads to a point whose edge leads back.
+    for (int p = 0; p < count && tried % 100 == 0; ++p) {
+      if (joining.onPath(p) && joining.before(joining.after(p)) != p) FAIL_CHECK("the path is torn");
+    }
+  }
+  CHECK(toggled.size() > 200);
+  for (; !toggled.empty(); toggled.pop_back()) REQUIRE(joining.toggle(joints[toggled.back()]));
+  CHECK(joining.joined().points == before.points);
+  CHECK(joining.joined().begin == before.begin);
+  CHECK(joining.gapJoints() == gaps);
+  CHECK(joining.longestJoint() == longest);
 }
 
 TEST_CASE("a joint costs 0.65 of the length it adds, and the price of the misaligned length it adds (Eq. 14)") {

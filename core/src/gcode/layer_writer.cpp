@@ -98,9 +98,13 @@ void LayerWriter::paths(const std::vector<BeadPath>& paths, const Role& role, do
     std::size_t start = 0;
     if (path.closed) {
       const std::size_t count = path.seams.empty() ? path.points.size() : path.seams.size();
+      // Toolpaths begin where their sweep does, so that neighbouring beads are laid in time: the layer that is seen
+      // begins there, and others elsewhere.
+      const bool kept = oriented && path.beginsUnseen;
+      const bool seen = layer.onBed || layer.index == layerCount(params_) - 1;
       const auto step = static_cast<std::size_t>(kSeamStep * static_cast<double>(count));
-      const std::size_t chosen = static_cast<std::size_t>(layer.turn) * step % count;
-      start = path.seams.empty() ? chosen : path.seams[chosen];
+      const std::size_t chosen = static_cast<std::size_t>(layer.turn + (kept ? 1 : 0)) * step % count;
+      start = kept && seen ? 0 : path.seams.empty() ? chosen : path.seams[chosen];
     }
     lay(path, start, limits, layer.height, layer.top, oriented);
     if (nozzle_.out().failed()) return;

@@ -86,7 +86,8 @@ std::string wayOut(const Shape& shape, const Printer& printer, const PrintParams
 // Seams: cycles begin at places where a seam does not show.
 
 /// Marks where each cycle may begin unseen: within a bead of the border, seen along x or y; near a concave corner if it
-/// passes one. \param offset  from the shape to the cycles. \param spacing  of the toolpath [mm].
+/// passes one. Marks, too, where its first point is within a bead of the border. \param offset  from the shape to the
+/// cycles. \param spacing  of the toolpath [mm].
 void markSeams(std::vector<BeadPath>& cycles, PointUm offset, const Shape& shape, const ShapeScan& scan,
                double spacing);
 

@@ -23,6 +23,7 @@ struct BeadPath {
   std::vector<double> widths;        ///< one per point [mm], > 0
   bool closed = false;               ///< a segment leads from the last point back to the first
   std::vector<std::uint32_t> seams;  ///< points where a closed path may begin unseen, ascending; empty: any
+  bool beginsUnseen = false;         ///< the first point is at the border
 };
 
 /// What the layer and the printer allow.

@@ -44,6 +44,7 @@ void markSeams(std::vector<BeadPath>& cycles, PointUm offset, const Shape& shape
         continue;
       }
       path.seams.push_back(static_cast<std::uint32_t>(i));
+      path.beginsUnseen = path.beginsUnseen || i == 0;
       const auto near = [&](Vec2 corner) { return length(corner - p) <= 2 * reach; };
       if (std::any_of(corners.begin(), corners.end(), near)) hidden.push_back(static_cast<std::uint32_t>(i));
     }

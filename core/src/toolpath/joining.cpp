@@ -29,12 +29,13 @@ Joining::Joining(const ClosedCurves& curves, const PointGrid& grid, const LineFi
       farthest_(static_cast<float>(0.5 * (params.bridge.value_or(params.spacing) + params.spacing))),
       curveOf_(curveOfPoints(curves)),
       next_(curves.points.size()),
+      previous_(curves.points.size()),
       used_(curves.points.size(), kFree),
       root_(static_cast<std::size_t>(curves.count())) {
   for (int c = 0; c < curves.count(); ++c) {
     for (int k = 0; k < curves.size(c); ++k) {
       const int point = curves.begin[c] + k;
-      next_[point] = nextOf(curves, c, point);
+      link(point, nextOf(curves, c, point));
     }
   }
   std::iota(root_.begin(), root_.end(), 0);
@@ -70,44 +71,115 @@ bool Joining::join(const Candidate& candidate, float gap) {
   const int si = setOf(curveOf(candidate.i));
   const int sj = setOf(curveOf(candidate.j));
   if (si == sj) return false;
-  const Piece a = pieceAround(candidate.i, candidate.span);
-  const Piece b = pieceAround(candidate.j, candidate.span);
-  if (touchesUsed(a) || touchesUsed(b)) return false;
+  Joint joint{candidate.i, candidate.j, candidate.span, gap};
+  if (!toggle(joint)) return false;
+  made_.push_back(joint);
+  root_[std::max(si, sj)] = std::min(si, sj);
+  return true;
+}
+
+bool Joining::toggle(Joint& joint) {
+  if (!(joint.on ? undo(joint) : make(joint))) return false;
+  joint.on = !joint.on;
+  return true;
+}
+
+bool Joining::make(const Joint& joint) {
+  const Piece a = pieceAround(joint.i, joint.span);
+  const Piece b = pieceAround(joint.j, joint.span);
+  if (touchesUsed(a) || touchesUsed(b) || overlap(a, b)) return false;
   const Edge e{a.begin, b.end};
   const Edge f{b.begin, a.end};
-  const float outsideE = outsideLength(e, gap);
-  if (outsideE > gap) return false;
-  const float outsideF = outsideLength(f, gap);
-  if (outsideF > gap) return false;
+  const float outsideE = outsideLength(e, joint.gap);
+  if (outsideE > joint.gap) return false;
+  const float outsideF = outsideLength(f, joint.gap);
+  if (outsideF > joint.gap) return false;
   if (segmentsMeet(at(e.from), at(e.to), at(f.from), at(f.to))) return false;
   markUsed(a);
   markUsed(b);  // taken out, so that the new edges may pass over them
   // The middle too: where nearly all of a tiny cycle is taken out, the edges may pass round what is left of it, which
   // turns the cycle inside out, and then no joint fits it any more.
-  const Edge middle{candidate.i, candidate.j};
+  const Edge middle{joint.i, joint.j};
   if (meetsLiveEdge(e) || meetsLiveEdge(f) || meetsLiveEdge(middle)) {
     unmark(a);
     unmark(b);
     return false;
   }
-  next_[e.from] = e.to;
-  next_[f.from] = f.to;
   gapJoints_ += outsideE + outsideF > 0 ? 1 : 0;
   for (const Edge& edge : {e, f}) {
+    link(edge.from, edge.to);
     addJoint(edge);
-    longest_ = std::max(longest_, length(at(edge.from) - at(edge.to)));
   }
-  root_[std::max(si, sj)] = std::min(si, sj);
   return true;
+}
+
+bool Joining::undo(const Joint& joint) {
+  const Piece a = pieceAround(joint.i, joint.span);
+  const Piece b = pieceAround(joint.j, joint.span);
+  const Edge e{a.begin, b.end};
+  const Edge f{b.begin, a.end};
+  removeJoint(e);
+  removeJoint(f);
+  // Curves do not meet, but a later joint may pass over what comes back.
+  bool meets = false;
+  const auto look = [&](int p, int q) { meets = meets || meetsJoint({p, q}, (at(p) + at(q)) * 0.5f, 1); };
+  forSegments(a, look);
+  forSegments(b, look);
+  if (meets) {
+    addJoint(e);
+    addJoint(f);
+    return false;
+  }
+  if (joint.gap > 0 && leavesShape(e, f)) --gapJoints_;
+  unmark(a);
+  unmark(b);
+  const auto back = [&](int p, int q) { link(p, q); };
+  forSegments(a, back);
+  forSegments(b, back);
+  return true;
+}
+
+void Joining::link(int from, int to) {
+  next_[from] = to;
+  previous_[to] = from;
+}
+
+bool Joining::leavesShape(const Edge& e, const Edge& f) const { return outsideLength(e, 0) + outsideLength(f, 0) > 0; }
+
+bool Joining::blocked(const Joint& joint) const {
+  return !joint.on && (touchesUsed(pieceAround(joint.i, joint.span)) || touchesUsed(pieceAround(joint.j, joint.span)));
+}
+
+std::pair<int, int> Joining::beginsOf(const Joint& joint) const {
+  return {pieceAround(joint.i, joint.span).begin, pieceAround(joint.j, joint.span).begin};
+}
+
+// Every edge that is none of its curve's leads from an end of a piece to another.
+float Joining::longestJoint() const {
+  float longest = 0;
+  for (std::size_t p = 0; p < next_.size(); ++p) {
+    if (used_[p] != kEnd) continue;
+    const int from = static_cast<int>(p);
+    const int to = next_[p];
+    if (to != nextOf(curves_, curveOf(from), from)) longest = std::max(longest, length(at(from) - at(to)));
+  }
+  return longest;
 }
 
 ClosedCurves Joining::joined() const {
   ClosedCurves out;
+  std::vector<int> beginOf(root_.size(), -1);
+  for (const int point : begins_) {
+    int set = curveOf(point);
+    while (root_[set] != set) set = root_[set];
+    beginOf[set] = point;
+  }
   for (int c = 0; c < curves_.count(); ++c) {
     if (root_[c] != c) continue;
     // Begin at a point that is still part of the path.
     int start = curves_.begin[c];
     while (start < curves_.begin[static_cast<std::size_t>(c) + 1] && inner(start)) ++start;
+    if (beginOf[c] >= 0 && !inner(beginOf[c])) start = beginOf[c];
     out.begin.push_back(static_cast<int>(out.points.size()));
     int k = start;
     do {
@@ -142,7 +214,6 @@ void Joining::forSegments(const Piece& piece, const Visit& visit) const {
   }
 }
 
-// Length times sin² of the angle to the wanted bead: the part of it along d.
 float Joining::misalignment(Vec2f a, Vec2f b) const {
   const Vec2f e = b - a;
   const float size = length(e);
@@ -162,6 +233,15 @@ bool Joining::touchesUsed(const Piece& piece) const {
   bool touches = used(piece.begin);
   forSegments(piece, [&](int, int b) { touches = touches || used(b); });
   return touches;
+}
+
+bool Joining::overlap(const Piece& a, const Piece& b) const {
+  bool meet = a.begin == b.begin;
+  forSegments(a, [&](int, int p) {
+    meet = meet || p == b.begin;
+    forSegments(b, [&](int, int q) { meet = meet || q == p || q == a.begin; });
+  });
+  return meet;
 }
 
 void Joining::markUsed(const Piece& piece) {
@@ -249,17 +329,28 @@ std::pair<int, int> Joining::jointCell(Vec2f p) const {
   return {static_cast<int>(std::floor(p.x / size)), static_cast<int>(std::floor(p.y / size))};
 }
 
-// Registered in the cells it passes, by samples half a cell apart.
-void Joining::addJoint(const Edge& edge) {
+// Calls visit with the joints registered in each cell that an edge passes, by samples half a cell apart.
+template <class Visit>
+void Joining::forCells(const Edge& edge, const Visit& visit) {
   const Vec2f a = at(edge.from);
   const Vec2f b = at(edge.to);
   const int steps = static_cast<int>(length(b - a) / spacing_) + 1;
   std::pair<int, int> last{INT32_MIN, INT32_MIN};
   for (int k = 0; k <= steps; ++k) {
     const auto key = jointCell(a + (b - a) * (static_cast<float>(k) / static_cast<float>(steps)));
-    if (key != last) joints_[packed(key.first, key.second)].push_back(edge);
+    if (key != last) visit(joints_[packed(key.first, key.second)]);
     last = key;
   }
+}
+
+void Joining::addJoint(const Edge& edge) {
+  forCells(edge, [&](std::vector<Edge>& in) { in.push_back(edge); });
+}
+
+void Joining::removeJoint(const Edge& edge) {
+  forCells(edge, [&](std::vector<Edge>& in) {
+    std::erase_if(in, [&](const Edge& other) { return other.from == edge.from && other.to == edge.to; });
+  });
 }
 
 }  // namespace sillon

@@ -23,6 +23,15 @@ struct Candidate {
   int span;  ///< segments taken out of each
 };
 
+/// A joint that can be made and undone, between two curves or within one, which it splits in two then.
+struct Joint {
+  int i;          ///< middle of one piece
+  int j;          ///< middle of the other piece
+  int span;       ///< segments taken out of each
+  float gap = 0;  ///< length of a new edge that may lie outside the shape [mm]
+  bool on = false;
+};
+
 /// Curves whose pieces are taken out and closed crosswise, one pair after the other. The points never move. A set is
 /// what has become one curve by joints; it is named by its lowest curve.
 class Joining {
@@ -48,11 +57,29 @@ class Joining {
   /// edges nor the line between the pieces' middles meet another edge. The work grows with the edges' length.
   /// \param gap  what each new edge may lie outside the shape [mm].
   bool join(const Candidate& candidate, float gap);
+  /// The joints that join() made, in their order.
+  [[nodiscard]] const std::vector<Joint>& made() const { return made_; }
+
+  /// Undoes a joint that is on and makes one that is off, whatever the sets are. Sets are not followed: in the end each
+  /// must be one curve again.
+  /// \return whether nothing stood against it, by the rules of join(), nor another joint where segments come back.
+  bool toggle(Joint& joint);
+  /// Tells whether a joint that is off would touch a used point.
+  [[nodiscard]] bool blocked(const Joint& joint) const;
+  /// Where the two pieces of a joint begin. Both points stay on the path when it is made or undone.
+  [[nodiscard]] std::pair<int, int> beginsOf(const Joint& joint) const;
+  /// Part of a segment's length that runs across the wanted lines: its length times sin² of the angle [mm].
+  [[nodiscard]] float misalignment(Vec2f a, Vec2f b) const;
+  [[nodiscard]] bool onPath(int point) const { return !inner(point); }  ///< tells whether no joint has taken it out
+  [[nodiscard]] int after(int point) const { return next_[point]; }     ///< the point after one that is on the path
+  [[nodiscard]] int before(int point) const { return previous_[point]; }
+  /// Makes the path of the point's set begin there.
+  void beginAt(int point) { begins_.push_back(point); }
 
   /// The curves as they are now, one for each set, in order of their lowest curves.
   [[nodiscard]] ClosedCurves joined() const;
-  [[nodiscard]] float longestJoint() const { return longest_; }  ///< [mm]
-  [[nodiscard]] int gapJoints() const { return gapJoints_; }     ///< joints that lie outside the shape in part
+  [[nodiscard]] float longestJoint() const;                   ///< [mm]
+  [[nodiscard]] int gapJoints() const { return gapJoints_; }  ///< joints that lie outside the shape in part
 
  private:
   struct Piece {
@@ -71,9 +98,9 @@ class Joining {
   [[nodiscard]] Piece pieceAround(int point, int wanted) const;
   template <class Visit>
   void forSegments(const Piece& piece, const Visit& visit) const;
-  [[nodiscard]] float misalignment(Vec2f a, Vec2f b) const;
   [[nodiscard]] float misalignment(const Piece& piece) const;
   [[nodiscard]] bool touchesUsed(const Piece& piece) const;
+  [[nodiscard]] bool overlap(const Piece& a, const Piece& b) const;
   void markUsed(const Piece& piece);
   void unmark(const Piece& piece);
   [[nodiscard]] bool live(int point) const;
@@ -82,7 +109,14 @@ class Joining {
   [[nodiscard]] bool meetsJoint(const Edge& edge, Vec2f middle, int cells) const;
   [[nodiscard]] float outsideLength(const Edge& edge, float enough) const;
   [[nodiscard]] std::pair<int, int> jointCell(Vec2f p) const;
+  template <class Visit>
+  void forCells(const Edge& edge, const Visit& visit);
   void addJoint(const Edge& edge);
+  void removeJoint(const Edge& edge);
+  [[nodiscard]] bool leavesShape(const Edge& e, const Edge& f) const;
+  bool make(const Joint& joint);
+  bool undo(const Joint& joint);
+  void link(int from, int to);
 
   const ClosedCurves& curves_;
   const PointGrid& grid_;
@@ -93,10 +127,12 @@ class Joining {
   float farthest_;  ///< that an edge may lie from the shape: what is farther is of no part [mm]
   std::vector<std::int32_t> curveOf_;
   std::vector<int> next_;  ///< along the curves as joined
+  std::vector<int> previous_;
   std::vector<Use> used_;
   std::vector<int> root_;                                        ///< of the sets, for union and find
   std::unordered_map<std::uint64_t, std::vector<Edge>> joints_;  ///< by the cells they pass
-  float longest_ = 0;
+  std::vector<Joint> made_;
+  std::vector<int> begins_;
   int gapJoints_ = 0;
 };
 

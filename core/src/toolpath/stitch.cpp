@@ -10,6 +10,7 @@
 #include "base/sort_key.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
+#include "toolpath/even_order.hpp"
 #include "toolpath/joining.hpp"
 
 namespace sillon {
@@ -373,6 +374,8 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
     search = wider(search);
   }
   if (run.cancelled()) return cancelledRun();
+  const Beads beads{curves, grid, border, static_cast<float>(params.spacing)};
+  if (params.order == BeadOrder::Even && !evenOrder(beads, params, joining, run)) return cancelledRun();
   stitched.curves = joining.joined();
   stitched.parts = held;
   stitched.longestJoint = static_cast<double>(joining.longestJoint());

@@ -290,6 +290,7 @@ export const fr: Translation = {
   'colour.width': 'La largeur du cordon',
   'colour.speed': 'La vitesse',
   'colour.order': 'L’ordre',
+  'colour.delay': 'L’attente du cordon voisin',
   'light.title': 'Lumière',
   'light.azimuth': 'Lumière venant de',
   'light.elevation': 'Hauteur de la lumière',

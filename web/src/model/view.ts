@@ -1,6 +1,9 @@
 // How a plate is looked at.
 export type ViewName = 'directions' | 'toolpath' | 'appearance' | 'quality';
-export type ColourBy = 'direction' | 'width' | 'speed' | 'order';
+export type ColourBy = 'direction' | 'width' | 'speed' | 'order' | 'delay';
+
+/** Delays between neighbouring beads from here on have one colour [s]. */
+export const mostDelay = 120;
 
 /** Light and camera look at the plate from above; azimuth and elevation in degrees. */
 export interface Light {

@@ -3,7 +3,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { formatNumber, t } from '../i18n/text.js';
 import { directionPalette, markColours, rampColour } from '../views/palette.js';
-import type { ColourBy, Mark } from '../model/view.js';
+import { mostDelay, type ColourBy, type Mark } from '../model/view.js';
 import { StudioElement } from '../controls/element.js';
 
 const kinds: readonly Mark['kind'][] = ['lost', 'kept', 'gap', 'turn', 'narrow', 'wide'];
@@ -78,6 +78,7 @@ export class Legend extends StudioElement {
       width: [`${formatNumber(0.5 * spacing)} mm`, `${formatNumber(1.5 * spacing)} mm`],
       speed: [`${formatNumber(speed / 2)} mm/s`, `${formatNumber(speed)} mm/s`],
       order: [t('legend.first'), t('legend.last')],
+      delay: [`0 s`, `${formatNumber(mostDelay)} s`],
     };
     const [from, to] = ends[colourBy];
     return html`<span class="ramp">${from}<canvas width="130" height="1" aria-hidden="true"></canvas>${to}</span>`;

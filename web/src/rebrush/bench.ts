@@ -133,7 +133,7 @@ export class RebrushBench extends PrintBench {
         colourBy: 'direction',
         lampSlope: appearance.softbox,
         fromAfar: this.lit,
-        feed: { speed: 1, maxFlow: 1, layerHeight: 1 },
+        feed: { speed: 1, shown: 20, maxFlow: 1, layerHeight: 1 },
         progress: 1,
         compare: false,
         light: this.#light ?? this.home,

@@ -341,6 +341,8 @@ export class PlateCanvas extends StudioElement implements Stage {
       fromAfar: lit !== undefined,
       feed: {
         speed: plate.printer.speed,
+        // The engine goes at most so fast where nothing sets pressure advance, which the page does not know.
+        shown: plate.printer.showSpeed || Math.min(plate.printer.speed, 20),
         maxFlow: plate.printer.maxFlow,
         layerHeight: plate.print.layerHeight,
       },

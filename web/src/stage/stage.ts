@@ -13,7 +13,7 @@ import './status-bar.js';
 import '../directions/tool-palette.js';
 
 const views: readonly ViewName[] = ['directions', 'toolpath', 'appearance', 'quality'];
-const colours: readonly ColourBy[] = ['direction', 'width', 'speed', 'order'];
+const colours: readonly ColourBy[] = ['direction', 'width', 'speed', 'order', 'delay'];
 const videoSeconds = 6;
 
 /** Parts that the first view does not need at once. */

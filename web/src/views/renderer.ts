@@ -1,7 +1,8 @@
 // Draws the plate with WebGL2: beads as capsules, their look by an anisotropic microfacet lobe (Beckmann).
 import type { Toolpath } from 'sillon';
 import type { DirectionRaster } from '../model/raster.js';
-import type { ColourBy } from '../model/view.js';
+import { mostDelay, type ColourBy } from '../model/view.js';
+import type { Delayed } from './delays.js';
 import { setLook } from './look.js';
 import { directionPalette } from './palette.js';
 import { compile, type Program } from './program.js';
@@ -25,6 +26,8 @@ interface Run {
 interface Beads {
   tolerance: number;
   points: WebGLTexture;
+  /** How late neighbours are laid, for the same points; one texel where nobody asked. */
+  delays: WebGLTexture;
   runs: Run[];
   spacing: number;
 }
@@ -37,7 +40,7 @@ const cornersOfRun = Uint16Array.from(
   (_, k) => 4 * Math.floor(k / 6) + ([0, 1, 2, 1, 2, 3][k % 6] ?? 0),
 );
 
-const colourModes: Record<ColourBy, number> = { direction: 0, width: 1, speed: 2, order: 3 };
+const colourModes: Record<ColourBy, number> = { direction: 0, width: 1, speed: 2, order: 3, delay: 4 };
 
 /** Values that shaders read one by one. @param kind  internal format, format and type */
 function dataTexture(
@@ -58,11 +61,12 @@ function dataTexture(
 /** How far the screen's beads may lie from the toolpath's, for fewer of them [pixels]. */
 const unseen = 0.05;
 
-function upload(gl: WebGL2RenderingContext, toolpath: Toolpath, tolerance: number): Beads {
+function upload(gl: WebGL2RenderingContext, toolpath: Toolpath, tolerance: number, delays?: Float32Array[]): Beads {
   const drawn = toolpath.cycles.map(({ points, widths }) => pointsToDraw(points, widths, tolerance));
   const total = drawn.reduce((sum, { length }) => sum + length + 3, 0);
   const rows = Math.ceil(total / columns);
   const data = new Float32Array(rows * columns * stride);
+  const late = new Float32Array(delays === undefined ? 1 : rows * columns);
   const all = toolpath.cycles.reduce((sum, { widths }) => sum + widths.length, 0);
   const runs: Run[] = [];
   let at = 0;
@@ -78,6 +82,7 @@ function upload(gl: WebGL2RenderingContext, toolpath: Toolpath, tolerance: numbe
       data[at * stride + 1] = points[2 * from + 1] ?? 0;
       data[at * stride + 2] = widths[from] ?? 0;
       data[at * stride + 3] = (done + (k < count ? from : widths.length)) / all;
+      if (delays !== undefined) late[at] = (delays[cycle]?.[from] ?? 0) / mostDelay;
     }
     data[start * stride + 3] = done / all;
     for (let first = start; first < start + count; first += segmentsPerRun) {
@@ -87,7 +92,9 @@ function upload(gl: WebGL2RenderingContext, toolpath: Toolpath, tolerance: numbe
     done += widths.length;
   });
   const points = dataTexture(gl, [columns, rows], [gl.RGBA32F, gl.RGBA, gl.FLOAT], data);
-  return { tolerance, points, runs, spacing: toolpath.spacing };
+  const size = delays === undefined ? ([1, 1] as const) : ([columns, rows] as const);
+  const lateness = dataTexture(gl, size, [gl.R32F, gl.RED, gl.FLOAT], late);
+  return { tolerance, points, delays: lateness, runs, spacing: toolpath.spacing };
 }
 
 /** @param data  of points as they are uploaded */
@@ -116,6 +123,7 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
   let fieldTextures: { angle: WebGLTexture; mode: WebGLTexture; of: DirectionRaster } | undefined;
   const uploaded = new Map<Toolpath, Beads>();
   const zigzags = new WeakMap<Toolpath, Toolpath>();
+  const delayed = new WeakMap<Toolpath, { by: Delayed; speed: number }>();
   let last: { scene: Scene; camera: Camera } | undefined;
 
   function prepare(): void {
@@ -145,14 +153,15 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
   canvas.addEventListener('webglcontextrestored', onRestored);
 
   /** Keeps what the scene shows, frees the rest. */
-  function beadsOf(wanted: Toolpath[], tolerance: number): Beads[] {
+  function beadsOf(wanted: Toolpath[], tolerance: number, late?: Delayed): Beads[] {
     for (const [toolpath, beads] of uploaded) {
       if (wanted.includes(toolpath) && beads.tolerance === tolerance) continue;
       gl.deleteTexture(beads.points);
+      gl.deleteTexture(beads.delays);
       uploaded.delete(toolpath);
     }
     return wanted.map((toolpath) => {
-      const beads = uploaded.get(toolpath) ?? upload(gl, toolpath, tolerance);
+      const beads = uploaded.get(toolpath) ?? upload(gl, toolpath, tolerance, late?.toolpath === toolpath ? late.delays : undefined);
       uploaded.set(toolpath, beads);
       return beads;
     });
@@ -162,6 +171,19 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
   let zigzag: (typeof import('./zigzag.js'))['zigzag'] | undefined;
   async function loadZigzag(): Promise<void> {
     ({ zigzag } = await import('./zigzag.js'));
+  }
+
+  let delaysOf: (typeof import('./delays.js'))['delaysOf'] | undefined;
+  async function loadDelays(): Promise<void> {
+    ({ delaysOf } = await import('./delays.js'));
+  }
+
+  function delayedOf(toolpath: Toolpath, speed: number): Delayed | undefined {
+    const known = delayed.get(toolpath);
+    if (known?.speed === speed || delaysOf === undefined) return known?.by;
+    const by = delaysOf(toolpath, speed);
+    delayed.set(toolpath, { by, speed });
+    return by;
   }
 
   function zigzagOf(toolpath: Toolpath): Toolpath | undefined {
@@ -186,6 +208,9 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     gl.uniform1i(at('colourBy'), colourModes[scene.colourBy]);
     gl.uniform1i(at('palette'), 0);
     gl.uniform1i(at('points'), 1);
+    gl.uniform1i(at('delays'), 2);
+    gl.activeTexture(gl.TEXTURE2);
+    gl.bindTexture(gl.TEXTURE_2D, beads.delays);
     gl.activeTexture(gl.TEXTURE1);
     gl.bindTexture(gl.TEXTURE_2D, beads.points);
     gl.activeTexture(gl.TEXTURE0);
@@ -248,8 +273,12 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     const other = comparing(scene) ? zigzagOf(scene.toolpath) : undefined;
     if (comparing(scene) && other === undefined) void loadZigzag().then(redraw);
     // By powers of two, not to begin anew with every step of a zoom; what is played grows point by point.
-    const tolerance = scene.progress < 1 ? 0 : 2 ** Math.floor(Math.log2(unseen / camera.scale));
-    const beads = beadsOf(other === undefined ? [scene.toolpath] : [scene.toolpath, other], tolerance);
+    const byDelay = scene.view === 'toolpath' && scene.colourBy === 'delay';
+    const late = byDelay ? delayedOf(scene.toolpath, scene.feed.shown) : undefined;
+    if (byDelay && late === undefined) void loadDelays().then(redraw);
+    const tolerance = scene.progress < 1 || late !== undefined ? 0 : 2 ** Math.floor(Math.log2(unseen / camera.scale));
+    const shown = late?.toolpath ?? scene.toolpath;
+    const beads = beadsOf(other === undefined ? [shown] : [shown, other], tolerance, late);
     const { drawingBufferWidth: columns, drawingBufferHeight: rows } = gl;
     const edge = wipe === undefined ? 0 : Math.round(columns / 2 + (wipe * page[0] - camera.x) * camera.scale);
     beads.forEach((one, k) => {
@@ -299,7 +328,10 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     dispose() {
       canvas.removeEventListener('webglcontextlost', onLost);
       canvas.removeEventListener('webglcontextrestored', onRestored);
-      for (const beads of uploaded.values()) gl.deleteTexture(beads.points);
+      for (const beads of uploaded.values()) {
+        gl.deleteTexture(beads.points);
+        gl.deleteTexture(beads.delays);
+      }
       gl.getExtension('WEBGL_lose_context')?.loseContext();
     },
   };

@@ -12,6 +12,7 @@ vec4 toScreen(vec2 p) { return vec4((p - camera.xy) * camera.z * 2.0 / screen, 0
 export const beadVertex = `#version 300 es
 precision highp float;
 uniform highp sampler2D points;  // x, y, width, share of the print
+uniform highp sampler2D delays;  // how late neighbours are laid, 0..1; one texel: not known
 uniform int first;               // point before the first segment
 uniform float progress;
 ${toScreen}
@@ -20,6 +21,7 @@ flat out vec4 ends;      // a, b
 flat out vec4 tangents;  // at a, at b
 flat out vec2 radii;
 flat out float order;
+flat out vec2 delay;  // at a, at b
 
 vec2 direction(vec2 v) { float l = length(v); return l > 0.0 ? v / l : vec2(1.0, 0.0); }
 
@@ -36,6 +38,11 @@ vec4 point(int k) {
   return texelFetch(points, ivec2(k % columns, k / columns), 0);
 }
 
+float delayAt(int k) {
+  ivec2 size = textureSize(delays, 0);
+  return size.y * size.x == 1 ? 0.0 : texelFetch(delays, ivec2(k % size.x, k / size.x), 0).r;
+}
+
 void main() {
   int segment = first + gl_VertexID / 4;
   vec4 before = point(segment), a = point(segment + 1), b = point(segment + 2), after = point(segment + 3);
@@ -43,6 +50,7 @@ void main() {
   ends = vec4(a.xy, b.xy);
   radii = 0.5 * vec2(a.z, b.z);
   order = a.w;
+  delay = vec2(delayAt(segment + 1), delayAt(segment + 2));
   float reach = max(radii.x, radii.y) + 1.0 / camera.z;
   vec3 atA = joint(along, direction(a.xy - before.xy), reach);
   vec3 atB = joint(along, direction(after.xy - b.xy), reach);
@@ -108,6 +116,7 @@ flat in vec4 ends;
 flat in vec4 tangents;
 flat in vec2 radii;
 flat in float order;
+flat in vec2 delay;
 uniform vec4 camera;
 uniform float spacing;
 uniform int view;
@@ -150,7 +159,8 @@ void main() {
   else if (colourBy == 0) base = texture(palette, vec2(atan(along.y, along.x) / 3.14159265 + 0.5 / 256.0, 0.5)).rgb;
   else if (colourBy == 1) base = ramp((2.0 * radius / spacing - 0.5) / 1.0);
   else if (colourBy == 2) base = ramp(2.0 * min(1.0, feed.y / (2.0 * radius * feed.z * feed.x)) - 1.0);
-  else base = ramp(order);
+  else if (colourBy == 3) base = ramp(order);
+  else base = ramp(mix(delay.x, delay.y, t));
   colour = vec4(base * shade, alpha);
 }
 `;

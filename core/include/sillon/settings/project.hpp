@@ -173,6 +173,12 @@ enum class PhaseTransport {
   Neighbour,  ///< by the neighbour's line alone, as published in 2023: first order
 };
 
+/// Orders in which a path lays its beads.
+enum class BeadOrder {
+  Even,   ///< neighbouring beads soon after one another
+  Plain,  ///< follows from the cheapest joints
+};
+
 struct ToolpathParams {
   double spacing = 0.4;  ///< tau [mm], distance between neighbouring beads, 0.05..20
   PerimeterMode perimeterMode = PerimeterMode::Count;
@@ -196,6 +202,7 @@ struct ToolpathParams {
   /// Cost of misaligned length made by a stitch, against 0.65 of added length, 0..10
   double stitchAlignment = 1.1;
   int relaxationRounds = 2;  ///< rounds of spacing relaxation, 0..100
+  BeadOrder order = BeadOrder::Even;
   /// Move towards the wider side per round, of the gaps' difference, 0..0.5
   double relaxationStrength = 0.08;
   double relaxationSmoothing = 0.65;  ///< pull towards the neighbours' middle per round, 0..1

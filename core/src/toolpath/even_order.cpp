@@ -1,0 +1,85 @@
+#include "toolpath/even_order.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace sillon {
+namespace {
+
+constexpr std::size_t kLeastPath = 1000;  ///< points; shorter paths have no late neighbours
+
+// The paths as joined; the points of a piece that was taken out follow the joint's ends.
+std::vector<PathOrder> pathsOf(const Beads& beads, const Joining& joining) {
+  const int count = static_cast<int>(beads.curves.points.size());
+  std::vector<int> after;
+  for (int p = 0; p < count; ++p) after.push_back(nextOf(beads.curves, joining.curveOf(p), p));
+  for (const Joint& joint : joining.made()) std::swap(after[joint.i], after[joint.j]);
+  std::vector<char> seen(after.size(), 0);
+  std::vector<PathOrder> paths;
+  for (int p = 0; p < count; ++p) {
+    if (seen[p] != 0) continue;
+    paths.emplace_back();
+    for (int q = p; seen[q] == 0; q = after[q]) {
+      seen[q] = 1;
+      paths.back().points.push_back(q);
+    }
+  }
+  return paths;
+}
+
+// Each link and each switch goes to the path that holds both its points.
+void addNeighbours(const Beads& beads, double stitchAlignment, const Joining& joining, const RunContext& run,
+                   std::vector<PathOrder>& paths) {
+  std::vector<int> pathOf(beads.curves.points.size());
+  std::vector<int> place(beads.curves.points.size());
+  for (std::size_t t = 0; t < paths.size(); ++t) {
+    for (std::size_t k = 0; k < paths[t].points.size(); ++k) {
+      pathOf[paths[t].points[k]] = static_cast<int>(t);
+      place[paths[t].points[k]] = static_cast<int>(k);
+    }
+  }
+  for (const Link& link : linksBeside(beads, joining, run)) {
+    if (pathOf[link.a] == pathOf[link.b]) paths[pathOf[link.a]].links.push_back({place[link.a], place[link.b]});
+  }
+  for (const Switch& one : findSwitches(beads, stitchAlignment, joining, run)) {
+    const auto [i, j] = std::pair{one.joint.i, one.joint.j};
+    if (pathOf[i] != pathOf[j]) continue;
+    paths[pathOf[i]].switches.push_back(one);
+    paths[pathOf[i]].cuts.push_back({place[i], place[j]});
+  }
+}
+
+// At the border, where a begin hides, such that neighbours are laid as soon after one another as they can be.
+void chooseBegin(const Beads& beads, const PathOrder& path, const Tour& tour, Joining& joining) {
+  const std::vector<double> lateness = tour.latenessOfBegins(path.links);
+  std::vector<int> pointAt(path.points.size());
+  for (int k = 0; k < static_cast<int>(path.points.size()); ++k) pointAt[tour.placeNow(k)] = path.points[k];
+  double least = std::numeric_limits<double>::max();
+  int begin = -1;
+  for (std::size_t k = 0; k < pointAt.size(); ++k) {
+    if (lateness[k] >= least || !joining.onPath(pointAt[k])) continue;
+    const Vec2f p = joining.at(pointAt[k]);
+    const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
+    if (std::abs(beads.border.nearest(at).distance) > beads.spacing) continue;
+    least = lateness[k];
+    begin = pointAt[k];
+  }
+  if (begin >= 0) joining.beginAt(begin);
+}
+
+}  // namespace
+
+bool evenOrder(const Beads& beads, const ToolpathParams& params, Joining& joining, const RunContext& run) {
+  std::vector<PathOrder> paths = pathsOf(beads, joining);
+  addNeighbours(beads, params.stitchAlignment, joining, run, paths);
+  for (PathOrder& path : paths) {
+    if (run.cancelled()) return false;
+    if (path.points.size() < kLeastPath) continue;
+    const Tour tour = searchOrder(beads, params, path, joining, run);
+    chooseBegin(beads, path, tour, joining);
+  }
+  return !run.cancelled();
+}
+
+}  // namespace sillon

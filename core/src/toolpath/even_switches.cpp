@@ -1,0 +1,199 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "toolpath/even_order.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kSpan = 4;           ///< segments taken out of each strand, as in stitching
+constexpr int kStride = 2;         ///< points from one that looks for a joint to the next
+constexpr int kApart = 20;         ///< points from one joint to the next between two strands
+constexpr int kLeastLoop = 40;     ///< points that a joint within a curve splits off
+constexpr float kStraight = 0.9f;  ///< cosine over four spacings
+constexpr float kTurnCost = 0.3f;  ///< price of an added U-turn, to choose between neighbours [mm]
+constexpr float kDearest = 1.5f;   ///< joint by the usual price of misalignment [mm]
+constexpr double kUsualPrice = 1.1;
+constexpr int kMostTurns = 1;
+
+// The point `steps` after one of the same curve, or before it.
+int stepped(const Beads& beads, const Joining& joining, int point, int steps) {
+  const int curve = joining.curveOf(point);
+  const int first = beads.curves.begin[curve];
+  const int size = beads.curves.size(curve);
+  return first + ((point - first + steps) % size + size) % size;
+}
+
+Vec2f tangentOf(const Beads& beads, const Joining& joining, int point) {
+  return tangentAt(beads.curves, joining.curveOf(point), point);
+}
+
+bool straightAround(const Beads& beads, const Joining& joining, int point) {
+  return dot(tangentOf(beads, joining, stepped(beads, joining, point, -8)),
+             tangentOf(beads, joining, stepped(beads, joining, point, 8))) > kStraight;
+}
+
+// The nearest point on the left and on the right within reach, across the bead; -1: none.
+struct Sides {
+  int left = -1;
+  int right = -1;
+};
+
+template <class Wanted>
+Sides besides(const Beads& beads, const Joining& joining, int point, float reach, const Wanted& wanted) {
+  const Vec2f p = joining.at(point);
+  const Vec2f t = tangentOf(beads, joining, point);
+  Sides sides;
+  float left = reach;
+  float right = reach;
+  beads.grid.around(p, reach, [&](int first, int last) {
+    for (int k = first; k < last; ++k) {
+      const Vec2f v{beads.grid.x[k] - p.x, beads.grid.y[k] - p.y};
+      const float across = t.x * v.y - t.y * v.x;
+      if (std::abs(across) < 0.4f * beads.spacing || std::abs(dot(t, v)) > 0.7f * beads.spacing) continue;
+      const float away = length(v);
+      if (away >= (across > 0 ? left : right) || !wanted(beads.grid.id[k], t)) continue;
+      (across > 0 ? left : right) = away;
+      (across > 0 ? sides.left : sides.right) = beads.grid.id[k];
+    }
+  });
+  return sides;
+}
+
+// Items that points find, looked for on the run's threads, in the points' order.
+template <class Item, class Find>
+std::vector<Item> found(int count, const RunContext& run, const Find& find) {
+  constexpr int kGrain = 1024;
+  std::vector<std::vector<Item>> some(static_cast<std::size_t>((count + kGrain - 1) / kGrain));
+  parallelFor(run, count, kGrain, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) find(k, some[begin / kGrain]);
+  });
+  std::vector<Item> all;
+  for (const std::vector<Item>& part : some) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+// U-turns that a joint adds to the four strands at its ends.
+int turnsAdded(const Beads& beads, const Joining& joining, const Joint& joint) {
+  constexpr int kAround = 10;
+  const int begin = -(joint.span / 2);
+  const int end = begin + joint.span;
+  const auto append = [&](std::vector<Vec2f>& line, int point, int from, int to) {
+    for (int k = from; k <= to; ++k) line.push_back(joining.at(stepped(beads, joining, point, k)));
+  };
+  std::vector<Vec2f> line;
+  int turns = 0;
+  for (const auto& [from, to] : {std::pair{joint.i, joint.j}, std::pair{joint.j, joint.i}}) {
+    line.clear();
+    append(line, from, begin - kAround, end + kAround);
+    turns -= uTurnsOf(line, beads.spacing);
+    line.clear();
+    append(line, from, begin - kAround, begin);
+    append(line, to, end, end + kAround);
+    turns += uTurnsOf(line, beads.spacing);
+  }
+  return turns;
+}
+
+// A joint that could be made, cheapest first in order.
+struct Possible {
+  float cost;
+  Switch made;
+
+  bool operator<(const Possible& other) const {
+    return std::tie(cost, made.joint.i, made.joint.j) < std::tie(other.cost, other.made.joint.i, other.made.joint.j);
+  }
+};
+
+// Stretches of two strands that have a joint.
+class Taken {
+ public:
+  /// \param apart  points from one joint to the next
+  Taken(int points, int apart) : apart_(apart), at_(static_cast<std::size_t>(points / apart + 2)) {}
+
+  void take(const Joint& joint) { at_[joint.i / apart_].push_back({joint.i, joint.j}); }
+
+  [[nodiscard]] bool near(const Joint& joint) const {
+    const int own = joint.i / apart_;
+    for (int k = std::max(0, own - 1); k <= own + 1; ++k) {
+      for (const Link& other : at_[k]) {
+        if (std::abs(other.a - joint.i) < apart_ && std::abs(other.b - joint.j) < apart_) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  int apart_;
+  std::vector<std::vector<Link>> at_;
+};
+
+// Keeps the cheapest of each stretch that is not taken.
+void thinOut(std::vector<Possible>& possible, Taken taken) {
+  std::sort(possible.begin(), possible.end());
+  std::erase_if(possible, [&](const Possible& one) {
+    if (taken.near(one.made.joint)) return true;
+    taken.take(one.made.joint);
+    return false;
+  });
+}
+
+}  // namespace
+
+std::vector<Link> linksBeside(const Beads& beads, const Joining& joining, const RunContext& run) {
+  const int count = static_cast<int>(beads.curves.points.size());
+  return found<Link>((count + kPointsPerLink - 1) / kPointsPerLink, run, [&](int k, std::vector<Link>& out) {
+    const int point = k * kPointsPerLink;
+    const Sides sides = besides(beads, joining, point, 1.45f * beads.spacing, [](int, Vec2f) { return true; });
+    if (sides.left >= 0) out.push_back({point, sides.left});
+    if (sides.right >= 0) out.push_back({point, sides.right});
+  });
+}
+
+std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, const Joining& joining,
+                                 const RunContext& run) {
+  const float dearest = kDearest * static_cast<float>(std::max(1.0, stitchAlignment / kUsualPrice));
+  const float price = static_cast<float>(kUsualPrice / std::max(kUsualPrice, stitchAlignment));
+  const int count = static_cast<int>(beads.curves.points.size());
+  const auto look = [&](int i, int j, std::vector<Possible>& out) {
+    if (j < 0) return;
+    if (joining.curveOf(i) == joining.curveOf(j)) {
+      const int apart = std::abs(i - j);
+      if (std::min(apart, beads.curves.size(joining.curveOf(i)) - apart) < kLeastLoop) return;
+    }
+    const Joint joint{std::min(i, j), std::max(i, j), kSpan};
+    const float miss = joining.cost(joint.i, joint.j, kSpan);
+    if (miss < dearest) out.push_back({miss, {joint, miss, 0}});
+  };
+  std::vector<Possible> possible = found<Possible>((count + kStride - 1) / kStride, run, [&](int k, auto& out) {
+    const int i = k * kStride;
+    if (straightAround(beads, joining, i)) return;
+    const Sides sides = besides(beads, joining, i, 1.8f * beads.spacing,
+                                [&](int j, Vec2f t) { return dot(t, tangentOf(beads, joining, j)) <= -0.7f; });
+    look(i, sides.left, out);
+    look(i, sides.right, out);
+  });
+  // Turns are counted for few: that takes longer than all the rest.
+  thinOut(possible, Taken(count, kApart / 4));
+  parallelFor(run, static_cast<int>(possible.size()), 64, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      Switch& made = possible[k].made;
+      made.turns = turnsAdded(beads, joining, made.joint);
+      possible[k].cost = price * made.miss + kTurnCost * static_cast<float>(made.turns);
+    }
+  });
+  std::erase_if(possible, [](const Possible& one) { return one.made.turns > kMostTurns; });
+
+  std::vector<Switch> switches;
+  Taken taken(count, kApart);
+  for (const Joint& joint : joining.made()) {
+    taken.take({std::min(joint.i, joint.j), std::max(joint.i, joint.j), joint.span});
+    switches.push_back({joint, joining.cost(joint.i, joint.j, joint.span), turnsAdded(beads, joining, joint)});
+  }
+  thinOut(possible, taken);
+  for (const Possible& one : possible) switches.push_back(one.made);
+  return switches;
+}
+
+}  // namespace sillon

@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <tuple>
+
+#include "toolpath/even_order.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kUnit = 1024;  ///< one link's lateness: whole numbers add up alike in any order
+
+int latenessAfter(double seconds) {
+  const auto share = [&](double limit) { return std::min(1.0, seconds / limit); };
+  return static_cast<int>(kUnit * (0.5 * share(30) + 0.5 * share(120) + 0.1 * share(1000)));
+}
+
+}  // namespace
+
+Tour::Tour(int size, std::vector<int> cuts, const std::vector<Link>& links, double pointSeconds)
+    : size_(size),
+      cuts_(std::move(cuts)),
+      begin_(cuts_),
+      length_(cuts_.size()),
+      order_(cuts_.size()),
+      rank_(cuts_.size()),
+      orderedBegin_(cuts_) {
+  const int count = static_cast<int>(cuts_.size());
+  for (int e = 0; e < count; ++e) {
+    order_[e] = rank_[e] = e;
+    length_[e] = (e + 1 < count ? cuts_[static_cast<std::size_t>(e) + 1] : size_) - cuts_[e];
+  }
+  for (int k = 0; k <= size_ / kLateStep; ++k) late_.push_back(latenessAfter((k + 0.5) * kLateStep * pointSeconds));
+
+  for (const Link& link : links) {
+    int a = elementAt(link.a);
+    int b = elementAt(link.b);
+    if (a == b) continue;
+    int offset = (link.a - cuts_[a]) - (link.b - cuts_[b]);
+    if (a > b) {
+      std::swap(a, b);
+      offset = -offset;
+    }
+    bonds_.push_back({a, b, offset, 1});
+  }
+  std::sort(bonds_.begin(), bonds_.end(),
+            [](const Bond& x, const Bond& y) { return std::tie(x.a, x.b, x.offset) < std::tie(y.a, y.b, y.offset); });
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < bonds_.size();) {
+    Bond bond = bonds_[k];
+    std::int64_t sum = 0;
+    for (bond.weight = 0; k < bonds_.size() && bonds_[k].a == bond.a && bonds_[k].b == bond.b; ++k, ++bond.weight)
+      sum += bonds_[k].offset;
+    bond.offset = static_cast<int>(sum / bond.weight);
+    bonds_[kept++] = bond;
+  }
+  bonds_.resize(kept);
+
+  firstBeside_.assign(cuts_.size() + 1, 0);
+  for (const Bond& bond : bonds_) {
+    ++firstBeside_[static_cast<std::size_t>(bond.a) + 1];
+    ++firstBeside_[static_cast<std::size_t>(bond.b) + 1];
+  }
+  for (std::size_t e = 0; e < cuts_.size(); ++e) firstBeside_[e + 1] += firstBeside_[e];
+  beside_.resize(2 * bonds_.size());
+  std::vector<int> at(firstBeside_.begin(), firstBeside_.end() - 1);
+  for (const Bond& bond : bonds_) {
+    beside_[at[bond.a]++] = {bond.b, bond.offset, bond.weight};
+    beside_[at[bond.b]++] = {bond.a, -bond.offset, bond.weight};
+    now_ += static_cast<std::int64_t>(bond.weight) * lateRound(std::abs(begin_[bond.a] - begin_[bond.b] + bond.offset));
+  }
+}
+
+int Tour::elementAt(int place) const {
+  return static_cast<int>(std::upper_bound(cuts_.begin(), cuts_.end(), place) - cuts_.begin()) - 1;
+}
+
+int Tour::placeNow(int place) const {
+  const int e = elementAt(place);
+  return begin_[e] + place - cuts_[e];
+}
+
+int Tour::rankAt(int place) const {
+  return static_cast<int>(std::lower_bound(orderedBegin_.begin(), orderedBegin_.end(), place) - orderedBegin_.begin());
+}
+
+double Tour::lateness() const { return static_cast<double>(now_) / kUnit; }
+
+// Links within a block keep their delay: those of all blocks but the longest are looked at.
+double Tour::gain(const Cuts& cuts) const {
+  const int x = cuts[1] - cuts[0];
+  const int y = cuts[2] - cuts[1];
+  const int z = cuts[3] - cuts[2];
+  const std::array<int, 4> shift{0, z + y, z - x, -(x + y)};
+  const std::array<int, 4> lengths{size_ - (cuts[3] - cuts[0]), x, y, z};
+  const int longest = static_cast<int>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+  const auto blockOf = [&](int place) {
+    return place < cuts[0] || place >= cuts[3] ? 0 : 1 + (place >= cuts[1] ? 1 : 0) + (place >= cuts[2] ? 1 : 0);
+  };
+  std::int64_t gained = 0;
+  const auto look = [&](int from, int to, int block) {
+    if (block == longest) return;
+    for (int r = rankAt(from), end = rankAt(to); r < end; ++r) {
+      const int e = order_[r];
+      for (int k = firstBeside_[e]; k < firstBeside_[static_cast<std::size_t>(e) + 1]; ++k) {
+        const Beside& beside = beside_[k];
+        const int there = begin_[beside.other];
+        const int other = blockOf(there);
+        if (other == block || (other != longest && e > beside.other)) continue;
+        const int apart = begin_[e] - there + beside.offset;
+        gained += static_cast<std::int64_t>(beside.weight) *
+                  (lateRound(std::abs(apart)) - lateRound(std::abs(apart + shift[block] - shift[other])));
+      }
+    }
+  };
+  look(0, cuts[0], 0);
+  look(cuts[3], size_, 0);
+  for (std::size_t block = 1; block < 4; ++block) look(cuts[block - 1], cuts[block], static_cast<int>(block));
+  return static_cast<double>(gained) / kUnit;
+}
+
+void Tour::exchange(const Cuts& cuts) {
+  now_ -= static_cast<std::int64_t>(std::llround(gain(cuts) * kUnit));
+  std::array<int, 4> ranks{};
+  for (std::size_t k = 0; k < 4; ++k) ranks[k] = rankAt(cuts[k]);
+  std::vector<int> blocks;
+  for (std::size_t k = 3; k > 0; --k)
+    blocks.insert(blocks.end(), order_.begin() + ranks[k - 1], order_.begin() + ranks[k]);
+  int place = cuts[0];
+  for (int r = ranks[0]; r < ranks[3]; ++r) {
+    const int e = order_[r] = blocks[r - ranks[0]];
+    rank_[e] = r;
+    begin_[e] = orderedBegin_[r] = place;
+    place += length_[e];
+  }
+}
+
+std::vector<double> Tour::latenessOfBegins(const std::vector<Link>& links) const {
+  std::vector<std::int64_t> steps(static_cast<std::size_t>(size_) + 1, 0);
+  for (const Link& link : links) {
+    int a = placeNow(link.a);
+    int b = placeNow(link.b);
+    if (a > b) std::swap(a, b);
+    // A path that begins between the two places goes the other way round.
+    const int other = late(size_ - (b - a)) - late(b - a);
+    steps[static_cast<std::size_t>(a) + 1] += other;
+    steps[static_cast<std::size_t>(b) + 1] -= other;
+  }
+  std::vector<double> sums(static_cast<std::size_t>(size_));
+  std::int64_t sum = 0;
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = static_cast<double>(sum += steps[k]) / kUnit;
+  return sums;
+}
+
+// The pair of cuts makes two rings: [low, high), and the rest from `high` on. A third and a fourth cut open each, and
+// the one is put into the other. Links within a ring depend on one of these cuts only.
+Tour::Split::Split(const Tour& tour, int low, int high)
+    : tour_(tour), low_(low), high_(high), added_(2 * tour.order_.size() + 2, 0) {
+  const int count = static_cast<int>(tour.order_.size());
+  const int inside = high - low;
+  const int outside = tour.size_ - inside;
+  for (const Bond& bond : tour.bonds_) {
+    int a = tour.begin_[bond.a];
+    int b = tour.begin_[bond.b];
+    const bool in = a >= low && a < high;
+    if (in != (b >= low && b < high)) {
+      const int out = in ? b : a;
+      across_.push_back({in ? a : b, out < low ? out + tour.size_ : out, in ? bond.offset : -bond.offset, bond.weight});
+      continue;
+    }
+    int rankA = tour.rank_[bond.a];
+    int rankB = tour.rank_[bond.b];
+    if (a < low) {
+      a += tour.size_;
+      rankA += count;
+    }
+    if (b < low) {
+      b += tour.size_;
+      rankB += count;
+    }
+    const int apart = std::abs(a - b + bond.offset);
+    const int together = tour.lateRound(apart);
+    kept_ += static_cast<std::int64_t>(bond.weight) * together;
+    const int cut = bond.weight * (tour.lateRound(std::max(0, (in ? inside : outside) - apart)) - together);
+    if (rankA > rankB) std::swap(rankA, rankB);
+    added_[static_cast<std::size_t>(rankA) + 1] += cut;
+    added_[static_cast<std::size_t>(rankB) + 1] -= cut;
+  }
+  for (std::size_t k = 1; k < added_.size(); ++k) added_[k] += added_[k - 1];
+}
+
+Tour::Split::Cut Tour::Split::cutAt(int a, int b) const {
+  const bool aIn = tour_.endOf(a) > low_ && tour_.endOf(a) < high_;
+  const int in = aIn ? a : b;
+  const int out = aIn ? b : a;
+  Cut cut{tour_.endOf(in), tour_.endOf(out), 0};
+  std::size_t rankOut = static_cast<std::size_t>(tour_.rank_[out]) + 1;
+  if (cut.out < high_) {
+    cut.out += tour_.size_;
+    rankOut += tour_.order_.size();
+  }
+  cut.late = kept_ + added_[static_cast<std::size_t>(tour_.rank_[in]) + 1] + added_[rankOut];
+  return cut;
+}
+
+double Tour::Split::atMost(int a, int b) const { return static_cast<double>(tour_.now_ - cutAt(a, b).late) / kUnit; }
+
+double Tour::Split::gain(int a, int b, double least, std::int64_t& work) const {
+  const Cut cut = cutAt(a, b);
+  const int inside = high_ - low_;
+  const int outside = tour_.size_ - inside;
+  const std::int64_t most = tour_.now_ - static_cast<std::int64_t>(std::floor(least * kUnit));
+  std::int64_t late = cut.late;
+  std::size_t k = 0;
+  for (; k < across_.size() && late <= most; ++k) {
+    const Across& link = across_[k];
+    const int within = link.in - cut.in + (link.in < cut.in ? inside : 0);
+    const int around = link.out - cut.out + (link.out < cut.out ? outside : 0);
+    late += static_cast<std::int64_t>(link.weight) *
+            tour_.lateRound(std::clamp(outside + within - around + link.offset, 0, tour_.size_));
+  }
+  work += static_cast<std::int64_t>(k);
+  return static_cast<double>(tour_.now_ - late) / kUnit;
+}
+
+}  // namespace sillon
