@@ -21,7 +21,7 @@ const program = at('build/release/sillon');
 const photograph = at('docs/pictures/coupon-photograph.jpg');
 
 const open = async (options) => {
-  const visit = await bench.open({ small: true, visited: true, ...options });
+  const visit = await bench.open({ small: true, ...options });
   await visit.until((state) => state.result !== undefined);
   return visit;
 };
@@ -108,7 +108,7 @@ test('what the printer cannot do is said where its print would be', { skip }, as
 });
 
 test('photographs become a spool that the plate, its project and its link take', { skip }, async () => {
-  const visit = await open();
+  const visit = await open({ fresh: true });
   const { page } = visit;
   await show(visit, 'calibrate');
   await page.getByRole('button', { name: 'Photograph it…' }).click();

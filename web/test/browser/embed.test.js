@@ -36,6 +36,18 @@ async function element(attributes = {}, more = {}) {
   return { ...visit, frame, ready };
 }
 
+let usual;
+
+/** The element without attributes that other tests have used, as long as these went well: for what follows a `load`. */
+async function usualElement() {
+  if (usual === undefined || usual.page.isClosed()) usual = await element({}, { kept: true });
+  else hosts.take(usual);
+  usual.problems.length = 0;
+  await usual.page.evaluate(() => (globalThis.heard.length = 0));
+  await load(usual.page);
+  return usual;
+}
+
 const state = (frame, read) => frame.evaluate(`(${read})(document.querySelector('sillon-app').studio.store.state)`);
 
 /** Not by waitForFunction, whose eval the studio's policy forbids. */
@@ -47,7 +59,7 @@ const stateIs = (frame, read) =>
 const load = (page) => page.evaluate((project) => globalThis.element.load(project), project);
 
 test('methods give the plate that was loaded, as project, report and files', { skip }, async () => {
-  const { page, frame, ready, problems } = await element();
+  const { page, frame, ready, problems } = await usualElement();
   assert.ok(ready.threads >= 1 && typeof ready.why === 'string' && /^\d/.test(ready.version));
   const made = await page.evaluate(async (project) => {
     const { element } = globalThis;
@@ -90,7 +102,7 @@ test('methods give the plate that was loaded, as project, report and files', { s
 });
 
 test('the file comes with what it takes and what is to be known of it', { skip }, async () => {
-  const { page } = await element();
+  const { page } = await usualElement();
   const { grams, seconds, findings, size } = await page.evaluate(async (project) => {
     const { element } = globalThis;
     await element.load({ ...project, print: { ...project.print, purgeLength: 0 } });
@@ -188,7 +200,7 @@ test('after an abort and a removal no rejection is left that nobody handles', { 
 });
 
 test('a signal that outlives its calls keeps nothing of them', { skip }, async () => {
-  const { page } = await element();
+  const { page } = await usualElement();
   await load(page);
   const kept = await page.evaluate(async () => {
     const { signal } = new AbortController();
@@ -200,13 +212,14 @@ test('a signal that outlives its calls keeps nothing of them', { skip }, async (
     const early = document.createElement('sillon-studio'); // waits for its frame
     document.body.append(early);
     await early.exportProject({ signal });
+    early.remove();
     return kept;
   });
   assert.equal(kept, 0);
 });
 
 test('what cannot be loaded or asked for is refused with a code', { skip }, async () => {
-  const { page } = await element();
+  const { page } = await usualElement();
   const nothing = ['generate', 'exportGcode', 'exportBody', 'exportSvg', 'exportProject', 'exportView', 'capture'];
   const names = await page.evaluate((methods) => {
     const refused = methods.map((method) => globalThis.element[method](null)); // none throws
@@ -309,7 +322,7 @@ test(
 );
 
 test('events tell progress, result and changes by the visitor', { skip }, async () => {
-  const { page, frame } = await element();
+  const { page, frame } = await usualElement();
   await load(page);
   await page.evaluate(() => globalThis.element.generate());
   await page.evaluate(() => (globalThis.heard.length = 0));
@@ -331,7 +344,7 @@ test('events tell progress, result and changes by the visitor', { skip }, async 
 });
 
 test('an abort rejects, ends the work, and leaves the studio usable', { skip }, async () => {
-  const { page, frame } = await element();
+  const { page, frame } = await usualElement();
   const outcome = await page.evaluate(async (project) => {
     const { element } = globalThis;
     await element.load({ ...project, shape: { builtin: 'disc', size: [300, 300] }, toolpath: { spacing: 0.25 } });
@@ -712,13 +725,15 @@ test('it wears the colour, corners and font of its page, and gives them back', {
 });
 
 test('what runs can be asked before and after it is ready', { skip }, async () => {
-  const { page, ready } = await element();
+  const { page, ready } = await usualElement();
   assert.deepEqual(await page.evaluate(() => globalThis.element.info()), ready);
   const early = await page.evaluate(async () => {
     const another = document.createElement('sillon-studio');
     another.style.marginTop = '3000px'; // out of sight: the question loads it, and no frame of it is ever drawn
     document.body.append(another);
-    return another.info();
+    const info = await another.info();
+    another.remove();
+    return info;
   });
   assert.equal(early.version, ready.version);
 });

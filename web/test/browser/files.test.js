@@ -10,8 +10,8 @@ import { until } from './support/waits.js';
 const bench = sharedBench(skip, start);
 const photo = (name) => ({ ...fileAt(join(inputs, 'photo.png')), name });
 
-async function dropped() {
-  const visit = await bench.open({ small: true });
+async function dropped(options = {}) {
+  const visit = await bench.open({ small: true, ...options });
   await visit.until(({ plate }) => plate.width === 24); // of the link, which would take the file's place
   await visit.drop([photo('first.png')]);
   await visit.page.getByText('first.png: Picture under a lamp').waitFor();
@@ -80,7 +80,7 @@ test('a second picture is lit at once, names the plate, and can take the place o
 });
 
 test('what is changed while a file is being read stays', { skip }, async () => {
-  const visit = await bench.open({ small: true });
+  const visit = await bench.open({ small: true, fresh: true });
   await visit.until(({ plate }) => plate.width === 24);
   // A hand that is there at each step, the last of which makes the plate.
   await visit.page.evaluate(() => {
@@ -115,7 +115,7 @@ for (const way of ['drop', 'paste']) {
 }
 
 test('who tries other cards and comes back is asked for no file again', { skip }, async () => {
-  const visit = await dropped();
+  const visit = await dropped({ fresh: true });
   const { page } = visit;
   await visit.drop([photo('second.png')]);
   await visit.until(({ plate }) => plate.directions.pictures.length === 2);

@@ -88,7 +88,7 @@ for (const [what, change] of [
     `a link whose ${what} cannot be made is told of, and is not what the next visit begins with`,
     { skip },
     async () => {
-      const mine = await bench.open({ small: true });
+      const mine = await bench.open({ small: true, fresh: true });
       await keepMine(mine);
       await mine.page.close();
       const visit = await bench.open({ keep: mine.context, path: `/${linkOf({ name: 'gift', ...change })}` });
@@ -105,14 +105,14 @@ for (const [what, change] of [
 }
 
 test('a link is kept once its plate has been made', { skip }, async () => {
-  const visit = await bench.open({ path: `/${linkOf({ name: 'gift' })}` });
+  const visit = await bench.open({ path: `/${linkOf({ name: 'gift' })}`, fresh: true });
   await until(async () => (await keptPlate(visit.page))?.name === 'gift', 'the plate in the storage');
   assert.ok(await visit.state(({ result }) => result !== undefined));
 });
 
 /** A plate of somebody's own, and the page that was opening it when the browser was killed. */
-async function killed(options) {
-  const mine = await bench.open({ small: true, ...options });
+async function killed() {
+  const mine = await bench.open({ small: true, fresh: true });
   await keepMine(mine);
   await mine.page.close();
   const { context } = mine;
@@ -128,34 +128,28 @@ async function killed(options) {
   return context;
 }
 
-for (const [locale, offer, list] of [
-  ['en-US', 'Open it anyway', 'Your plates…'],
-  ['de-DE', 'Trotzdem öffnen', 'Eigene Platten\u00a0…'],
-  ['fr-FR', 'L’ouvrir quand même', 'Vos plaques…'],
-]) {
-  test(`what was never shown is offered, not restored (${locale})`, { skip }, async () => {
-    const context = await killed({ locale });
-    const visit = await bench.open({ keep: context, path: '/' });
-    await visit.button(offer).waitFor();
-    assert.notEqual(await visit.state(({ plate }) => plate.name), 'Mine');
-    await draw(visit, `unshown-${locale}`);
-    await visit.page.locator('sillon-notices').getByRole('button', { name: list, exact: true }).click();
-    await visit.page.locator('sillon-plates input.name').first().waitFor();
-    assert.deepEqual(await plates(visit), ['Mine']);
-    await visit.page.keyboard.press('Escape');
-    // Offered once more until it has been shown.
-    await visit.page.reload();
-    await visit.button(offer).click();
-    await shows(visit, 'Mine');
-    await visit.idle();
-    await until(
-      () => visit.page.evaluate(() => Object.keys(localStorage).every((key) => !key.includes('opening'))),
-      'the mark to go',
-    );
-    await visit.page.reload();
-    await shows(visit, 'Mine');
-  });
-}
+test('what was never shown is offered, not restored', { skip }, async () => {
+  const context = await killed();
+  const visit = await bench.open({ keep: context, path: '/' });
+  await visit.button('Open it anyway').waitFor();
+  assert.notEqual(await visit.state(({ plate }) => plate.name), 'Mine');
+  await draw(visit, 'unshown');
+  await visit.page.locator('sillon-notices').getByRole('button', { name: 'Your plates…', exact: true }).click();
+  await visit.page.locator('sillon-plates input.name').first().waitFor();
+  assert.deepEqual(await plates(visit), ['Mine']);
+  await visit.page.keyboard.press('Escape');
+  // Offered once more until it has been shown.
+  await visit.page.reload();
+  await visit.button('Open it anyway').click();
+  await shows(visit, 'Mine');
+  await visit.idle();
+  await until(
+    () => visit.page.evaluate(() => Object.keys(localStorage).every((key) => !key.includes('opening'))),
+    'the mark to go',
+  );
+  await visit.page.reload();
+  await shows(visit, 'Mine');
+});
 
 test('opened files are shown as pictures of their own, never as drawings', { skip }, async () => {
   const visit = await bench.open({ small: true });

@@ -79,7 +79,7 @@ test('a value that is too high, and a plate that does not fit, are told with nam
 });
 
 test('a broken link is told, and the page begins as usual', { skip }, async () => {
-  const visit = await bench.open({ path: '/#plate=1.AAAA' });
+  const visit = await bench.open({ path: '/#plate=1.AAAA', fresh: true });
   const alert = visit.page.locator('sillon-notices .problem').first();
   await alert.waitFor();
   assert.match(await alert.innerText(), /link/i);
@@ -87,7 +87,7 @@ test('a broken link is told, and the page begins as usual', { skip }, async () =
 });
 
 test('no other plate is made while a link’s is on its way', { skip }, async () => {
-  const visit = await bench.open({ small: true });
+  const visit = await bench.open({ small: true, fresh: true });
   await stretchWaits(visit.page, 1500, 0); // then a page without a link begins (`restoreWithin`): at once
   await stretchWaits(visit.page, 10_000, 170_000); // then a page begins without its link's plate (`linkWithin`)
   let begun;
@@ -180,7 +180,7 @@ test('the page’s thread goes on while a plate is made', { skip }, async (t) =>
 });
 
 test('unsaved work survives a reload', { skip }, async () => {
-  const visit = await bench.open({ small: true });
+  const visit = await bench.open({ small: true, fresh: true });
   await visit.idle();
   await visit.drop([fileAt(join(inputs, 'relief.png'))]);
   await visit.until((state) => state.plate.directions.kind === 'lamp');
@@ -194,7 +194,7 @@ test('unsaved work survives a reload', { skip }, async () => {
 });
 
 test('a link does not put away what was kept: it is offered', { skip }, async () => {
-  const first = await bench.open({ small: true });
+  const first = await bench.open({ small: true, fresh: true });
   await first.until((state) => state.result !== undefined);
   await first.page.evaluate(() => {
     document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, name: 'Kept' }));
@@ -208,11 +208,10 @@ test('a link does not put away what was kept: it is offered', { skip }, async ()
 
 test('without shared memory there is one thread, a reason, and the same plate', { skip }, async () => {
   const digest = (state) => state.result.report.digest;
-  const usual = await bench.open();
+  const usual = await bench.open({ small: true });
   await usual.idle();
   const threaded = await usual.state(digest);
-  await usual.close();
-  const visit = await bench.open({ path: '/?threads=off' });
+  const visit = await bench.open({ path: `/?threads=off${smallPlate}` });
   await visit.idle();
   assert.equal(await visit.state((state) => state.engine.threads), 1);
   assert.equal(await visit.state((state) => state.engine.variant), 'st');

@@ -188,7 +188,7 @@ test('a picture can be made for the light that the pointer has aimed', { skip },
 });
 
 test('pictures under lamps come back after a reload, from a project and from a link', { skip }, async () => {
-  const visit = await bench.open({ small: true });
+  const visit = await bench.open({ small: true, fresh: true });
   await visit.until(({ plate }) => plate.width === 24);
   await visit.drop([photo(), await second(visit.page)]);
   await visit.until('({ plate }) => plate.directions.pictures?.length === 2');

@@ -104,7 +104,10 @@ test('what a link brings is shown line by line, and used only when that is chose
 });
 
 test('used unseen, lines are shown before the first download, which may be given up', { skip }, async () => {
-  const visit = await bench.open({ path: giftWith({ 'printer.startGcode': 'G28 ; home\nG29\nM300 S440' }) });
+  const visit = await bench.open({
+    path: giftWith({ 'printer.startGcode': 'G28 ; home\nG29\nM300 S440' }),
+    fresh: true,
+  });
   await visit.idle();
   await bar(visit).getByRole('button', { name: 'Use', exact: true }).click();
   await visit.idle();
@@ -145,7 +148,7 @@ test('used unseen, lines are shown before the first download, which may be given
 });
 
 test('the choice that waits, and the one that was made, outlive a reload', { skip }, async () => {
-  const visit = await bench.open({ path: giftWith(spoof) });
+  const visit = await bench.open({ path: giftWith(spoof), fresh: true });
   await visit.idle();
   await bar(visit).waitFor();
   await until(async () => (await keptPlate(visit.page))?.name === 'gift', 'the work is kept');
@@ -161,7 +164,7 @@ test('the choice that waits, and the one that was made, outlive a reload', { ski
 });
 
 test('a link is opened on the printer of the work that was left here', { skip }, async () => {
-  const visit = await bench.open({ small: true });
+  const visit = await bench.open({ small: true, fresh: true });
   await visit.idle();
   await visit.section('Print');
   await visit.page.locator('#printer').selectOption('prusa-mini');
@@ -205,27 +208,29 @@ test('links leave blocks out, and say so', { skip }, async () => {
   assert.equal(await other.state((state) => JSON.stringify(state.plate).includes('secret')), false);
 });
 
-for (const language of languages) {
-  for (const width of [1440, 360]) {
-    test(`bar and lines can be read in ${language} at ${width} pixels`, { skip }, async () => {
-      const visit = await bench.open({
-        path: `/?lang=${language}${giftWith({ ...spoof, ...hot }).slice(1)}`,
-        viewport: { width, height: 760 },
-      });
-      await visit.idle();
-      await bar(visit).waitFor();
+test('bar and lines can be read in every language, on a desk and on a phone', { skip }, async () => {
+  const visit = await bench.open({ path: giftWith({ ...spoof, ...hot }) });
+  await bar(visit).waitFor();
+  for (const language of languages) {
+    await visit.page.evaluate((name) => document.querySelector('sillon-app').studio.setLanguage(name), language);
+    for (const width of [1440, 360]) {
+      await visit.page.setViewportSize({ width, height: 760 });
+      await settled(visit.page);
+      const where = `${language}, ${width} pixels`;
       const box = await bar(visit).boundingBox();
-      assert.ok(box.x >= 0 && box.x + box.width <= width);
+      assert.ok(box.x >= 0 && box.x + box.width <= width, where);
       for (const button of await bar(visit).getByRole('button').all()) {
         const place = await button.boundingBox();
-        assert.ok(place.x >= 0 && place.x + place.width <= width, await button.innerText());
+        assert.ok(place.x >= 0 && place.x + place.width <= width, `${where}: ${await button.innerText()}`);
       }
       await draw(visit, `bar-${language}-${width}`);
       await bar(visit).getByRole('button').first().click();
       await dialog(visit).waitFor();
       await draw(visit, `dialog-${language}-${width}`);
       const wide = await dialog(visit).evaluate((element) => element.scrollWidth - element.clientWidth);
-      assert.equal(wide, 0);
-    });
+      assert.equal(wide, 0, where);
+      await visit.page.keyboard.press('Escape');
+      await visit.until((state) => state.dialog === undefined);
+    }
   }
-}
+});

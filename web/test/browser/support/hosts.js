@@ -21,8 +21,8 @@ export async function startHosts(name) {
     studio: `${studio.origin}/`,
     host: `${host.origin.replace('localhost', '127.0.0.1')}/`,
     /** A page of the hosts' site, or another. @param prepare  is given the page before it goes there
-     * @param small  frames begin with a small plate, but for those whose address names files */
-    async open({ path = 'host.html', site = '127.0.0.1', small = true, prepare, ...options } = {}) {
+     * @param kept  for other tests, which `take` it @param small  frames begin with a small plate, but for those whose address names files */
+    async open({ path = 'host.html', site = '127.0.0.1', small = true, prepare, kept = false, ...options } = {}) {
       const context = await browser.newContext({ reducedMotion: 'reduce', locale: 'en-US', ...options });
       const begin = (hash) => {
         const { pathname, search } = globalThis.location;
@@ -37,7 +37,11 @@ export async function startHosts(name) {
       await prepare?.(page);
       await page.goto(this.host.replace('127.0.0.1', site) + path);
       await page.waitForFunction(() => globalThis.attempt !== undefined);
-      return { page, context, problems };
+      return { page, context, problems, kept };
+    },
+    /** After a visit. @param well  else it is closed, though other tests would take it */
+    async leave({ context, kept }, well) {
+      if (!kept || !well) await context.close();
     },
     async close() {
       await browser.close();

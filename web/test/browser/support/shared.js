@@ -1,5 +1,5 @@
 // The hooks of a file of browser tests: one bench (browser, servers) for all of them, and what a test has opened is closed
-// after it.
+// after it, or left to the next test.
 import { after, afterEach, before } from 'node:test';
 
 /**
@@ -20,11 +20,16 @@ export function sharedBench(skip, start) {
         opened.push(visit);
         return visit;
       },
+      /** What another test has opened is this test's now. */
+      take(visit) {
+        opened.push(visit);
+        return visit;
+      },
     });
   });
   after(() => bench?.close());
-  afterEach(async () => {
-    for (const { context } of opened.splice(0)) await context.close();
+  afterEach(async ({ passed }) => {
+    for (const visit of opened.splice(0)) await (bench.leave?.(visit, passed) ?? visit.context.close());
   });
   return shared;
 }

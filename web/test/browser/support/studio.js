@@ -23,55 +23,147 @@ export const fileAt = (path) => ({
 });
 export const fileOf = (name, bytes, type = '') => ({ name, type, data: Buffer.from(bytes).toString('base64') });
 
+/** Runs in a page that has just begun, and later brings it back to where it was then: a page costs as much as ten changes. */
+async function beginAgain(language) {
+  const { studio } = document.querySelector('sillon-app');
+  const { store } = studio;
+  const followsFromPlate = ['directions', 'result', 'summary', 'check', 'progress', 'marks', 'scan', 'engine'];
+  const shown = Object.entries(store.state).filter(([name]) => !followsFromPlate.includes(name));
+  globalThis.begun ??= { ...Object.fromEntries(shown), notices: [] };
+  const { plate, ...others } = globalThis.begun;
+  const frames = async () => {
+    for (let k = 0; k < 2; ++k) await new Promise((resolve) => requestAnimationFrame(resolve));
+  };
+  const all = (root) =>
+    [...root.querySelectorAll('*')].flatMap((one) => [one, ...(one.shadowRoot ? all(one.shadowRoot) : [])]);
+  for (const one of all(document)) if (one.matches(':popover-open')) one.hidePopover();
+  for (let one = document.activeElement; one; one = one.shadowRoot?.activeElement) one.blur();
+  document.documentElement.style.fontSize = '';
+  const { cancelled } = store.state;
+  store.set({ panel: '', dialog: undefined, view: 'directions' });
+  await frames(); // what was open is gone, with its places and choices
+  await studio.setLanguage(language);
+  if (store.state.plate !== plate) studio.services.newPlate(); // a record of its own in the storage
+  store.restore({ past: [], plate, future: [] });
+  const panel = matchMedia('(min-width: 721px)').matches ? 'directions' : '';
+  store.set({ ...others, panel, language });
+  studio.setOpened(undefined);
+  studio.stage.fit();
+  if (cancelled) studio.services.retry();
+  await frames();
+  localStorage.clear();
+  sessionStorage.clear();
+}
+
+const desk = { width: 1000, height: 600 };
+
+/** Whether a visit is about what happens in a page, whatever has happened there before, so that it need not load it. */
+const isPlain = ({ small, path, ...options }) =>
+  (path === undefined ? small === true : path.startsWith('/#plate=')) &&
+  Object.keys(options).every((name) =>
+    ['viewport', 'colorScheme', 'language', 'locale', 'hasTouch', 'isMobile'].includes(name),
+  );
+
 /** One browser and one server for a file of tests. */
 export async function start() {
   assert.ok(existsSync(`${dist}/index.html`), 'there is no web/dist; ./dev build makes it');
   const browser = await startChromium();
   const site = await serve(dist, 0);
+  /** Pages that one visit leaves to the next, by the options of their contexts. */
+  const left = new Map();
+  const taken = new Set();
+
+  const load = async ({
+    small = false,
+    visited = false,
+    path = small ? `/${smallPlate}` : '/',
+    keep,
+    places = false,
+    prepare,
+    language,
+    ...options
+  } = {}) => {
+    const context =
+      keep ??
+      (await browser.newContext({
+        viewport: desk,
+        deviceScaleFactor: 0.5, // pictures are drawn in software
+        reducedMotion: 'reduce',
+        locale: 'en-US',
+        acceptDownloads: true,
+        serviceWorkers: 'block', // it would fetch and keep all of the studio: a fifth of a visit's CPU time
+        ...options,
+      }));
+    // Playwright answers inputs alone; files in their place have a test of their own.
+    if (!places) await context.addInitScript(() => delete globalThis.showOpenFilePicker);
+    if (visited) {
+      await context.addInitScript(() => {
+        localStorage.setItem('sillon.welcomed', 'yes');
+      });
+    }
+    if (prepare !== undefined) await context.addInitScript(prepare);
+    const page = await context.newPage();
+    page.setDefaultTimeout(patience);
+    const problems = [];
+    page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
+    page.on('pageerror', (error) => problems.push(String(error)));
+    await page.goto(site.origin + path);
+    const visit = new Visit(page, context, problems);
+    // A page that is long without its link begins with another plate, and then takes what a test has made of that away.
+    if (path === `/${smallPlate}`) await visit.until((state) => state.plate.width === 24);
+    if (language !== undefined)
+      await page.evaluate((name) => document.querySelector('sillon-app').studio.setLanguage(name), language);
+    return visit;
+  };
+
+  /** A page that another visit has left, or a new one for the next visits, at its beginning. */
+  const reuse = async ({ path, viewport = desk, colorScheme = 'light', language, ...options }) => {
+    const { small: _, ...made } = options;
+    const key = JSON.stringify(Object.entries(made).sort());
+    if (taken.has(key)) return load({ ...made, path: path ?? `/${smallPlate}`, viewport, colorScheme, language });
+    taken.add(key);
+    const visit = left.get(key) ?? (await load({ ...made, small: true, viewport }));
+    left.delete(key);
+    visit.key = key;
+    const { page } = visit;
+    await page.setViewportSize(viewport);
+    await page.emulateMedia({ colorScheme });
+    await page.mouse.move(0, 0);
+    await page.evaluate(beginAgain, language ?? (options.locale ?? 'en').slice(0, 2));
+    if (path !== undefined) {
+      await page.evaluate((hash) => (location.hash = hash), path.slice(1));
+      await page.waitForFunction(() => {
+        const { begun } = globalThis;
+        return location.hash === '' && document.querySelector('sillon-app').studio.store.state.plate !== begun.plate;
+      });
+    }
+    return visit;
+  };
+
   return {
     browser,
     origin: site.origin,
-    /** @param options  of the browser's context; `path` of the page; `small`: it begins with a small plate; `visited`: the
-     * visitor has been here before, so that it begins with a new plate; `keep`: a context to open it in; `places`: it may ask
-     * for files that can be saved in their place; `prepare`: run in the page before its own scripts */
-    async open({
-      small = false,
-      visited = false,
-      path = small ? `/${smallPlate}` : '/',
-      keep,
-      places = false,
-      prepare,
-      ...options
-    } = {}) {
-      const context =
-        keep ??
-        (await browser.newContext({
-          viewport: { width: 1000, height: 600 },
-          deviceScaleFactor: 0.5, // pictures are drawn in software
-          reducedMotion: 'reduce',
-          locale: 'en-US',
-          acceptDownloads: true,
-          serviceWorkers: 'block', // it would fetch and keep all of the studio: a fifth of a visit's CPU time
-          ...options,
-        }));
-      // Playwright answers inputs alone; files in their place have a test of their own.
-      if (!places) await context.addInitScript(() => delete globalThis.showOpenFilePicker);
-      if (visited) {
-        await context.addInitScript(() => {
-          localStorage.setItem('sillon.welcomed', 'yes');
-        });
+    /** A visit to the studio. One with a `small` plate or another plate's link, and no more than a window, a language or colours of
+     * its own, may find a page that another visit has left, brought back to its beginning.
+     * @param options  of the browser's context; `path` of the page; `small`: it begins with a small plate; `visited`: the
+     * visitor has been here before, so that it begins with a new plate; `fresh`: in a page of its own, as what is tested is the
+     * loading, the storage, or a change of the browser that would stay; `language` of the page; `keep`: a context to open it in;
+     * `places`: it may ask for files that can be saved in their place; `prepare`: run in the page before its own scripts */
+    open({ fresh = false, ...options } = {}) {
+      return !fresh && isPlain(options) ? reuse(options) : load(options);
+    },
+    /** After a visit. @param well  whether its page may be another visit's */
+    async leave(visit, well) {
+      const { page, context, problems, key } = visit;
+      taken.delete(key);
+      if (key === undefined || !well || problems.length > 0 || page.isClosed()) {
+        await context.close();
+        return;
       }
-      if (prepare !== undefined) await context.addInitScript(prepare);
-      const page = await context.newPage();
-      page.setDefaultTimeout(patience);
-      const problems = [];
-      page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
-      page.on('pageerror', (error) => problems.push(String(error)));
-      await page.goto(site.origin + path);
-      const visit = new Visit(page, context, problems);
-      // A page that is long without its link begins with another plate, and then takes what a test has made of that away.
-      if (path === `/${smallPlate}`) await visit.until((state) => state.plate.width === 24);
-      return visit;
+      for (const name of ['download', 'filechooser', 'request']) page.removeAllListeners(name);
+      await page.unrouteAll({ behavior: 'ignoreErrors' });
+      for (const one of context.pages()) if (one !== page) await one.close();
+      left.set(key, visit);
     },
     async close() {
       await browser.close();
