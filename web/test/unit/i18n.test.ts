@@ -90,6 +90,17 @@ test('all languages have the same ids and placeholders, and no text is empty', a
   }
 });
 
+test('the sections of settings and the views share no name', async () => {
+  for (const tag of spoken) {
+    const words = new Map(await wordsOf(tag));
+    const named = (kind: string, names: string[]): string[] =>
+      names.map((name) => words.get(`${kind}.${name}`)?.[0] ?? '');
+    const rail = named('section', ['shape', 'directions', 'toolpath', 'print', 'quality']);
+    const tabs = named('view', ['directions', 'toolpath', 'appearance', 'quality']);
+    assert.equal(new Set([...rail, ...tabs, '']).size, 10, `${tag}: ${[...rail, ...tabs].join()}`);
+  }
+});
+
 test('French has its spaces: none that break before ; : ! ? » and units, none after «, no straight apostrophe', async () => {
   const unit = /[\d}] (?:mm²|mm|cm²|%|°C|s|min|h|Mo|ko|g|m|octets)(?![\p{L}\d])/u;
   for (const [id, texts] of await wordsOf('fr')) {

@@ -60,6 +60,15 @@ test('every generator, shape, printer and filament comes back as it went', async
   }
 });
 
+test('a link that is out in the world opens', async () => {
+  const link =
+    '#plate=1.TY4xCsMwEAT_srUwJnEavSJfENIhHZFPwneOC6O_BydNuoVhhj0hYSV4wEFL6AR_4sWS4JFYI4bDwckK_G1xKMS52G8n3igaN9E_5whvUjgEyZXgZ4ew9sq2J4JfZodKkq_aPN0fw2FtF0BsorYFFkrXETJjyd9u52j7Rjppb63CI7eanjVgjA8';
+  const plate = await readLink(link);
+  assert.ok(plate !== undefined);
+  const { name, width, directions, pictures } = plate;
+  assert.deepEqual([name, width, directions.kind, pictures.spool], ['', 24, 'waves', 'goldPla']);
+});
+
 /** Another value than the default that its setting accepts. */
 function another(setting: (typeof settings)[number]): SettingValue {
   switch (setting.kind) {
