@@ -7,9 +7,9 @@ import { fileURLToPath } from 'node:url';
 
 import MiniSearch from 'minisearch';
 
+import { licences } from '../tools/licences.mjs';
 import { drawGallery } from './gallery.mjs';
-import { licences } from './licences.mjs';
-import { contentsOf, escaped, render, sectionsOf } from './markdown.mjs';
+import { contentsOf, descriptionOf, escaped, render, sectionsOf } from './markdown.mjs';
 import { addressOf, isPicture, pageOf, pages, relative, root, sources, targetOf } from './pages.mjs';
 
 const at = (path) => join(root, path);
@@ -43,7 +43,7 @@ function writeDocs(folder) {
     const isFolder = statSync(at(path)).isDirectory();
     if (!isFolder && extname(path) !== '.md') {
       const code = `<h1>${escaped(path)}</h1>\n<pre tabindex="0"><code>${escaped(readFileSync(at(path), 'utf8'))}</code></pre>`;
-      write(folder, address, pageOf(address, path, code));
+      write(folder, address, pageOf(address, path, code, { description: `${path}, a file of Sillon's source.` }));
       continue;
     }
     const text = isFolder ? folderPage(path, files) : readFileSync(at(path), 'utf8');
@@ -58,7 +58,7 @@ function writeDocs(folder) {
       const anchor = href.includes('#') ? `#${href.split('#')[1]}` : '';
       return relative(address, addressOf(target)) + anchor;
     });
-    write(folder, address, pageOf(address, title, html));
+    write(folder, address, pageOf(address, title, html, { description: descriptionOf(text) }));
   }
 }
 
@@ -69,11 +69,20 @@ export async function buildSite(folder, examples) {
   mkdirSync(folder, { recursive: true });
   if (existsSync(at('web/dist/index.html'))) cpSync(at('web/dist'), folder, { recursive: true });
   writeDocs(folder);
-  write(folder, 'licences.txt', licences());
+  write(folder, 'licences.txt', licences('site'));
+  write(folder, '404.html', notFound());
   cpSync(at('site/style.css'), join(folder, 'docs/style.css'));
-  cpSync(at('web/public/icon.svg'), join(folder, 'icon.svg'));
+  for (const name of ['icon.svg', 'apple-touch-icon.png', 'preview.jpg'])
+    cpSync(at(`web/public/${name}`), join(folder, name));
   await drawGallery(folder, examples);
   writeSearch(folder);
+}
+
+/** What hosts show at addresses where nothing is. */
+function notFound() {
+  const body = `<h1>There is nothing at this address</h1>
+<p>The page may have moved. The menu above leads to the studio, the documentation and the gallery, and its search finds every page.</p>`;
+  return pageOf('404.html', 'Not found', body, { wide: true, anywhere: true });
 }
 
 /** The search page, and the index it looks into: the sections of all pages of docs. */
@@ -83,7 +92,14 @@ function writeSearch(folder) {
 <input type="search" aria-label="Search the documentation" autocomplete="off" />
 <p id="state" role="status">Search needs JavaScript.</p>
 <ol id="results"></ol>`;
-  write(folder, address, pageOf(address, 'Search', body, { script: 'docs/search.js' }));
+  write(
+    folder,
+    address,
+    pageOf(address, 'Search', body, {
+      script: 'docs/search.js',
+      description: 'Search in the documentation of Sillon.',
+    }),
+  );
   const index = new MiniSearch({ fields: ['title', 'text'], storeFields: ['title', 'text', 'address'] });
   for (const page of pages().filter((path) => path.startsWith('docs/'))) {
     const to = relative(address, addressOf(page));

@@ -101,5 +101,8 @@ export async function drawGallery(folder, examples) {
 the upper right. None has been printed by us.</p>
 <div class="gallery">
 ${figures.join('\n')}</div>`;
-  writeFileSync(join(folder, 'gallery/index.html'), pageOf('gallery/index.html', 'Gallery', body, { wide: true }));
+  const description =
+    'Plates that Sillon makes from a shape and a picture, each with its project, which opens in the studio.';
+  const page = pageOf('gallery/index.html', 'Gallery', body, { wide: true, description });
+  writeFileSync(join(folder, 'gallery/index.html'), page);
 }

@@ -57,8 +57,8 @@ export function render(text, addressOf) {
     code({ text }) {
       return `<pre tabindex="0"><code>${escaped(text)}\n</code></pre>\n`;
     },
-    // No page needs HTML of its own: it is shown as it is written.
-    html: ({ text }) => escaped(text),
+    // No page needs HTML of its own: it is shown as it is written, and its comments are not shown.
+    html: ({ text }) => (/^<!--.*-->\s*$/s.test(text) ? '' : escaped(text)),
   };
   const html = new Marked({ renderer }).parse(text);
   return { title, html };
@@ -80,6 +80,23 @@ export function contentsOf(text) {
   });
   found.commands = found.commands.map((line) => line.replace(/\s#.*$/, '').trim()).filter((line) => line !== '');
   return found;
+}
+
+const longestDescription = 200; // characters; search engines and messengers show no more
+
+/** The first paragraph of a page as plain words, cut after a sentence or a word. */
+export function descriptionOf(text) {
+  const paragraph = lexer(text).find(
+    ({ type, tokens }) => type === 'paragraph' && tokens.every((token) => token.type !== 'image'),
+  );
+  if (paragraph === undefined) return '';
+  const words = plain(new Marked().parser([paragraph]))
+    .replace(/\s+/g, ' ')
+    .trim();
+  if (words.length <= longestDescription) return words;
+  const short = words.slice(0, longestDescription);
+  const end = short.lastIndexOf('. ');
+  return end > 60 ? short.slice(0, end + 1) : `${short.slice(0, short.lastIndexOf(' '))} …`;
 }
 
 /** @returns {{ heading: string, anchor: string, text: string }[]} the page cut at its headings, as plain words */

@@ -3,6 +3,7 @@ import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join, posix } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
+import { linksOf, readAddresses } from '../tools/addresses.mjs';
 import { escaped } from './markdown.mjs';
 
 export const root = fileURLToPath(new URL('..', import.meta.url));
@@ -80,12 +81,46 @@ function neighbours(from) {
 export const relative = (from, to) =>
   posix.relative(posix.dirname(from), to).replace(/(^|\/)index\.html$/, '$1') || './';
 
-/** A whole page. @param body  HTML @param script  address of the page's script */
-export function pageOf(address, title, body, { wide = false, script } = {}) {
-  const link = (to) => relative(address, to);
+const addresses = readAddresses();
+
+/** What other places show of a page that is linked there: its first sentence, its picture, its one address. The last two are told
+ * once the page's own address is known. */
+function preview(address, title, description, { page }) {
+  const tag = (key, name, content) => `<meta ${key}="${name}" content="${escaped(content)}" />`;
+  const tags = [
+    ...(description === ''
+      ? []
+      : [tag('name', 'description', description), tag('property', 'og:description', description)]),
+    tag('property', 'og:title', `${title} · Sillon`),
+    tag('property', 'og:type', 'website'),
+  ];
+  if (page !== '') {
+    const own = page + address.replace(/(^|\/)index\.html$/, '$1');
+    tags.push(
+      `<link rel="canonical" href="${escaped(own)}" />`,
+      tag('property', 'og:url', own),
+      tag('property', 'og:image', `${page}preview.jpg`),
+      tag('name', 'twitter:card', 'summary_large_image'),
+    );
+  }
+  return tags.join('\n');
+}
+
+/** A whole page. @param body  HTML @param script  address of the page's script @param description  a sentence or two
+ * @param anywhere  it is shown at any address, so its links are those of the whole site */
+export function pageOf(
+  address,
+  title,
+  body,
+  { wide = false, script, description = '', anywhere = false, known = addresses } = {},
+) {
+  const base = anywhere && known.page !== '' ? new URL(known.page).pathname : undefined;
+  const link = (to) => (base === undefined ? relative(address, to) : base + to.replace(/(^|\/)index\.html$/, '$1'));
   const section = address.startsWith('gallery/') ? 'gallery/index.html' : 'docs/index.html';
-  const current = (to) => (to === section ? ' aria-current="true"' : '');
+  const current = (to) => (to === section && !anywhere ? ' aria-current="true"' : '');
   const scripts = script === undefined ? '' : " script-src 'self'; connect-src 'self';";
+  const { source, report } = linksOf(known);
+  const outside = (words, to) => (to === '' ? '' : `\n<a href="${escaped(to)}">${words}</a>`);
   return `<!doctype html>
 <html lang="en">
 <head>
@@ -94,7 +129,9 @@ export function pageOf(address, title, body, { wide = false, script } = {}) {
 <meta name="viewport" content="width=device-width, initial-scale=1" />
 <meta name="color-scheme" content="light dark" />
 <title>${escaped(title)} · Sillon</title>
+${anywhere ? '<meta name="robots" content="noindex" />' : preview(address, title, description, known)}
 <link rel="icon" href="${link('icon.svg')}" />
+<link rel="apple-touch-icon" href="${link('apple-touch-icon.png')}" />
 <link rel="stylesheet" href="${link('docs/style.css')}" />${script === undefined ? '' : `\n<script type="module" src="${link(script)}"></script>`}
 </head>
 <body>
@@ -105,16 +142,19 @@ export function pageOf(address, title, body, { wide = false, script } = {}) {
 <a href="${link('index.html')}">Studio</a>
 <a href="${link('docs/index.html')}"${current('docs/index.html')}>Documentation</a>
 <a href="${link('gallery/index.html')}"${current('gallery/index.html')}>Gallery</a>
-<a href="${link('docs/search.html')}">Search</a>
+<a href="${link('docs/search.html')}">Search</a>${outside('Source', source)}
 </nav>
 </header>
 <div class="${wide ? 'one' : 'two'}">
 <main id="main" tabindex="-1">
 ${body}
-${neighbours(address)}
+${anywhere ? '' : neighbours(address)}
 </main>
 ${wide ? '' : `<nav class="pages" aria-label="Pages"><ul>\n${contents(address)}\n</ul></nav>`}
 </div>
+<footer>
+<a href="${link('licences.txt')}">Licences</a>${outside('Report a problem', report)}
+</footer>
 </body>
 </html>
 `;

@@ -4,6 +4,8 @@ import { cpSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
+import { licences } from '../tools/licences.mjs';
+import { linksOf, readAddresses } from '../tools/addresses.mjs';
 import { contentSecurityPolicy, engineBase, headers, isolation } from './headers.js';
 import { filesOf } from './serve.js';
 
@@ -89,14 +91,43 @@ const strings = {
   },
 };
 
-/** What both pages have in their heads. */
+const addresses = readAddresses();
+const { version } = JSON.parse(readFileSync(at('package.json'), 'utf8'));
+/** SILLON_DOCS: where the documentation lies beside this build, if it does; else it is that of the published page. */
+const links = { ...linksOf(addresses), ...(process.env.SILLON_DOCS ? { documentation: process.env.SILLON_DOCS } : {}) };
+
+/** What both pages have in their heads; and where the page is published, its one address and its picture for those that link to it. */
 const head = {
   name: 'studio-head',
   transformIndexHtml: {
     order: 'pre',
-    handler: (html) => html.replace('<!-- src/head.html -->', () => readFileSync(at('src/head.html'), 'utf8').trim()),
+    handler(html, { filename }) {
+      const whole = html.replace('<!-- src/head.html -->', () => readFileSync(at('src/head.html'), 'utf8').trim());
+      if (addresses.page === '' || !filename.endsWith('index.html')) return whole;
+      const meta = (property, content) => ({ tag: 'meta', attrs: { property, content }, injectTo: 'head' });
+      return {
+        html: whole,
+        tags: [
+          { tag: 'link', attrs: { rel: 'canonical', href: addresses.page }, injectTo: 'head' },
+          meta('og:url', addresses.page),
+          meta('og:image', `${addresses.page}preview.jpg`),
+        ],
+      };
+    },
   },
 };
+
+/** The texts lie beside the page wherever it is copied. */
+const licenceFile = {
+  name: 'studio-licences',
+  apply: 'build',
+  writeBundle() {
+    writeFileSync(join(dist, 'licences.txt'), licences('studio'));
+  },
+};
+
+/** Those that no visit without a network needs. */
+const notKept = new Set(['sw.js', 'embed.html', 'licences.txt', 'preview.jpg']);
 
 /** For hosts that send no headers. Not while developing, where Vite puts styles into the page. */
 const policy = {
@@ -127,7 +158,7 @@ const offline = {
           .slice(dist.length + 1)
           .replaceAll('\\', '/'),
       )
-      .filter((name) => name !== 'sw.js' && name !== 'embed.html')
+      .filter((name) => !notKept.has(name))
       .sort();
     const hash = (bytes) => createHash('sha256').update(bytes).digest('base64');
     // The page goes by its folder's address: some hosts send index.html there.
@@ -143,7 +174,8 @@ const offline = {
 export default {
   root: at('.'),
   base: './',
-  plugins: [head, engineFiles, exampleFiles, printerTable, strings, policy, offline],
+  define: { publicLinks: JSON.stringify(links), publicVersion: JSON.stringify(version) },
+  plugins: [head, engineFiles, exampleFiles, licenceFile, printerTable, strings, policy, offline],
   server: { headers: isolation },
   preview: { headers },
   worker: { format: 'iife' }, // sandboxed frames start no modules

@@ -53,6 +53,17 @@ test('every link and picture of every page is there, and nothing comes from else
   assert.deepEqual(broken, []);
 });
 
+test('every page says in a sentence what it is about, and the licences of all parts are there', () => {
+  const without = htmlFiles().filter(
+    (file) => !/<meta name="description" content="[^"]{10,}" \/>/.test(readFileSync(join(folder, file), 'utf8')),
+  );
+  assert.deepEqual(without, []);
+  const licences = readFileSync(join(folder, 'licences.txt'), 'utf8');
+  for (const name of ['eigen3', 'stb', 'fast-float', 'musl', 'minisearch', 'lit', 'qrcode-generator']) {
+    assert.match(licences, new RegExp(`^==== ${name}[ ,]`, 'm'));
+  }
+});
+
 test('every example has its place in the gallery', () => {
   const files = readdirSync(join(root, 'examples')).filter((name) => name.endsWith('.json'));
   assert.deepEqual(

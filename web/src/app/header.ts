@@ -1,26 +1,22 @@
 // The page's head: what the plate is called, back and forth, out of the door.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { languages } from '../i18n/languages.js';
 import { t } from '../i18n/text.js';
 import type { Plate } from '../model/plate.js';
-import type { Theme } from '../model/state.js';
 import { StudioElement } from '../controls/element.js';
 import { typing } from '../controls/fields.js';
 import { icon, mark, type IconName } from '../controls/icons.js';
-import { menuStyle } from '../controls/menu-style.js';
 import { offers } from '../studio/shown.js';
 
 const loadDownloads = (): Promise<unknown> => import('../print/downloads.js');
-const themes: readonly Theme[] = ['auto', 'light', 'dark'];
+const loadMenu = (): Promise<unknown> => import('./menu.js');
 
 @customElement('sillon-header')
 export class Header extends StudioElement {
-  static override reads = ['plate', 'theme', 'mode', 'controls', 'host'] as const;
+  static override reads = ['plate', 'mode', 'controls'] as const;
 
   static override styles = [
     ...StudioElement.styles,
-    menuStyle,
     css`
       :host {
         display: flex;
@@ -90,15 +86,6 @@ export class Header extends StudioElement {
         color: var(--ink);
         box-shadow: var(--lift);
         overflow: auto;
-      }
-      [popover] .field {
-        padding: 8px 10px;
-        gap: 6px;
-      }
-      @media (width > 980px) {
-        .narrow {
-          display: none;
-        }
       }
       @media (max-width: 980px) {
         .wide {
@@ -285,19 +272,6 @@ export class Header extends StudioElement {
       this.renderRoot.querySelector<HTMLElement>(`[popovertarget=${popover.id}]`)?.focus();
   };
 
-  #item(name: IconName, label: string, run: () => void, where = ''): TemplateResult {
-    return html`<button
-      type="button"
-      class="item ${where}"
-      @click=${() => {
-        this.#hide();
-        run();
-      }}
-    >
-      ${icon(name, 20)}<span>${label}</span>
-    </button>`;
-  }
-
   /** What is in it comes when it is first opened. */
   #exports(): TemplateResult {
     return html`<div
@@ -325,71 +299,30 @@ export class Header extends StudioElement {
   }
 
   #opened = false;
+  #menuOpened = false;
 
+  /** What is in it comes when it is first opened. */
   #menu(): TemplateResult {
-    const { theme, language, host } = this.state;
-    return html`<div id="menu" popover role="group" aria-label=${t('app.menu')} @beforetoggle=${this.#onToggle}>
-      ${this.#item('plus', t('verb.new'), () => {
-        this.studio.services.newPlate();
-      })}
+    return html`<div
+      id="menu"
+      popover
+      role="group"
+      aria-label=${t('app.menu')}
+      @beforetoggle=${(event: ToggleEvent) => {
+        this.#onToggle(event);
+        this.#menuOpened = true;
+        this.requestUpdate();
+      }}
+    >
       ${
-        host === ''
-          ? this.#item('gallery', t('verb.plates'), () => {
-              this.studio.show('plates');
-            })
+        this.#menuOpened && this.lazy(loadMenu)
+          ? html`<sillon-menu
+              .studio=${this.studio}
+              @done=${() => {
+                this.#hide();
+              }}
+            ></sillon-menu>`
           : nothing
-      }
-      ${this.#item(
-        'share',
-        t('verb.share'),
-        () => {
-          this.studio.show('share');
-        },
-        'narrow',
-      )}
-      ${this.#item('print', t('verb.first'), () => {
-        this.studio.show('first');
-      })}
-      ${this.#item('tune', t('verb.calibrate'), () => {
-        this.studio.show('calibrate');
-      })}
-      ${this.#item('help', t('help.title'), () => {
-        this.studio.show('help');
-      })}
-      <hr />
-      <div class="field">
-        <label for="language">${t('language.title')}</label>
-        <select
-          id="language"
-          @change=${(event: Event) => {
-            void this.studio.setLanguage((event.currentTarget as HTMLSelectElement).value);
-          }}
-        >
-          ${Object.entries(languages).map(
-            ([key, { name }]) => html`<option value=${key} lang=${key} ?selected=${key === language}>${name}</option>`,
-          )}
-        </select>
-        <label for="theme">${t('theme.title')}</label>
-        <select
-          id="theme"
-          @change=${(event: Event) => {
-            this.studio.setTheme((event.currentTarget as HTMLSelectElement).value as Theme);
-          }}
-        >
-          ${themes.map((key) => html`<option value=${key} ?selected=${key === theme}>${t(`theme.${key}`)}</option>`)}
-        </select>
-      </div>
-      <hr />
-      ${
-        host === ''
-          ? html`<p class="note field">${t('app.local')}</p>`
-          : html`<p class="note field">${t('app.host', { host })}</p>
-              ${this.#item('open', t('app.open'), () => {
-                void this.studio.attempt(async () => {
-                  const { url } = await this.studio.services.link(this.state.plate);
-                  open(url, '_blank', 'noopener');
-                });
-              })}`
       }
     </div>`;
   }

@@ -12,7 +12,7 @@ import { newPlateOn, onOwnPrinter, withoutBrought } from '../model/brought.js';
 import type { Plate } from '../model/plate.js';
 import { homeLight, pictureOf } from '../model/lamp.js';
 import { nothingLeft } from '../model/left.js';
-import { problemOf, StudioError } from '../model/problem.js';
+import { markUnfetched, problemOf, StudioError } from '../model/problem.js';
 import { addressed } from '../embed/address.js';
 import { guestSettings, type GuestSettings } from '../model/guest.js';
 import type { OpenedFiles } from '../model/file-role.js';
@@ -29,6 +29,10 @@ import { Pipeline } from './pipeline.js';
 import { startWorker } from '../engine/start-worker.js';
 import marksWorker from '../views/marks.worker.ts?worker&url';
 import { recall, recallText, remember } from './remember.js';
+
+addEventListener('vite:preloadError', ({ payload }) => {
+  markUnfetched(payload);
+});
 
 /** Whether this is the page for frames of others. */
 const framed = document.documentElement.dataset['page'] === 'frame';

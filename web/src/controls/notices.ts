@@ -231,6 +231,20 @@ export class Notices extends StudioElement {
               </div>`
             : nothing
         }
+        ${
+          problem.code === 'PartMissing'
+            ? html`<div class="actions">
+                <button
+                  type="button"
+                  @click=${() => {
+                    location.reload();
+                  }}
+                >
+                  ${t('verb.reload')}
+                </button>
+              </div>`
+            : nothing
+        }
       </div>
       ${this.#close(close)}
     </div>`;

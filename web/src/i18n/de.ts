@@ -761,6 +761,8 @@ export const de: Translation = {
   'export.view.help': 'Eine kleine Datei, die <sillon-view> in wanderndem Licht zeigt.',
   'export.project.help': 'Öffnet sich hier und mit der Befehlszeile.',
   'export.link.help': 'Öffnet diese Seite mit denselben Einstellungen.',
+  'export.untried':
+    'Noch keine Datei von Sillon haben wir auf einem Drucker ausprobiert: bitte dabeibleiben. Als erster Druck hilft das Prüfstück am meisten.',
   'export.done': '{name} liegt in den Downloads.',
   'summary.time': 'Druckdauer',
   'summary.filament': 'Filament',
@@ -811,6 +813,8 @@ export const de: Translation = {
   'problem.Internal': 'In der Seite ist etwas schiefgegangen.',
   'hint.Internal':
     'Die letzte Änderung rückgängig machen und noch einmal versuchen. Tritt es wieder auf, bitte mit der Projektdatei melden.',
+  'problem.PartMissing': 'Ein Teil der Seite konnte nicht geladen werden.',
+  'hint.PartMissing': 'Vielleicht gibt es eine neue Fassung oder keine Verbindung. Die Seite neu laden.',
   'problem.UnknownFile': 'Diese Seite kann Dateien wie {name} nicht öffnen.',
   'hint.UnknownFile': 'SVG, PNG, JPEG oder ein hier gespeichertes Projekt öffnen.',
   'problem.BrowserPicture': 'Dieser Browser kann {name} nicht lesen.',
@@ -1014,6 +1018,11 @@ export const de: Translation = {
   'link.untold.modes': 'die Moduskarte',
   'link.untold.strokes': 'die eigenen Striche',
   'link.untold.blocks': 'Start- und End-G-Code des Druckers',
+  'about.documentation': 'Dokumentation',
+  'about.source': 'Quelltext',
+  'about.report': 'Problem melden',
+  'about.licences': 'Lizenzen',
+  'about.version': 'Version {version}',
   'help.intro':
     'Sillon füllt eine Form mit einer einzigen durchgehenden Bahn, deren Richtung frei wählbar ist. Glänzendes Filament wirft Licht quer zur Bahn zurück; so werden Richtungen als Schimmer sichtbar.',
   'help.step1': 'Ein Bild oder eine Zeichnung ablegen oder ein Beispiel wählen.',

@@ -767,6 +767,8 @@ export const fr: Translation = {
   'export.view.help': 'Un petit fichier que <sillon-view> montre sous une lumière qui bouge.',
   'export.project.help': 'Se rouvre ici, et avec la ligne de commande.',
   'export.link.help': 'Ouvre cette page avec les mêmes réglages.',
+  'export.untried':
+    'Nous n’avons encore essayé aucun fichier de Sillon sur une imprimante : restez près de la vôtre. La première impression la plus utile est l’éprouvette.',
   'export.done': '{name} est dans vos téléchargements.',
   'summary.time': 'Durée d’impression',
   'summary.filament': 'Filament',
@@ -818,6 +820,8 @@ export const fr: Translation = {
   'problem.Internal': 'Quelque chose a mal tourné dans la page.',
   'hint.Internal':
     'Défaites le dernier changement et réessayez. Si cela se reproduit, merci de le signaler avec le fichier de votre projet.',
+  'problem.PartMissing': 'Une partie de la page n’a pas pu être chargée.',
+  'hint.PartMissing': 'Il y a peut-être une version plus récente, ou pas de connexion. Rechargez la page.',
   'problem.UnknownFile': '{name} est d’un type que cette page ne connaît pas.',
   'hint.UnknownFile': 'Ouvrez des fichiers SVG, PNG ou JPEG, ou un projet enregistré ici.',
   'problem.BrowserPicture': 'Ce navigateur ne sait pas lire {name}.',
@@ -1028,6 +1032,11 @@ export const fr: Translation = {
   'link.untold.modes': 'la carte de modes',
   'link.untold.strokes': 'vos traits',
   'link.untold.blocks': 'les G-codes de début et de fin de votre imprimante',
+  'about.documentation': 'Documentation',
+  'about.source': 'Code source',
+  'about.report': 'Signaler un problème',
+  'about.licences': 'Licences',
+  'about.version': 'Version {version}',
   'help.intro':
     'Sillon remplit une forme d’un seul cordon continu dont vous choisissez la direction. Un filament brillant renvoie la lumière en travers du cordon : les directions se voient comme un chatoiement.',
   'help.step1': 'Déposez une image ou un dessin, ou choisissez un exemple.',

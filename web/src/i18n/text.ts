@@ -1,5 +1,6 @@
 // The page's words. What a language lacks would be a type error.
 import { en } from './en.js';
+import type { words as about } from './en/about.js';
 import type { words as blocks } from './en/blocks.js';
 import type { words as calibrate } from './en/calibrate.js';
 import type { words as colours } from './en/colours.js';
@@ -28,6 +29,7 @@ export type TextId = keyof typeof en;
 export type Dictionary = Readonly<Record<TextId, Text>>;
 
 type Late =
+  | typeof about
   | typeof blocks
   | typeof calibrate
   | typeof colours

@@ -35,7 +35,9 @@ export type ProblemCode =
   | 'NoVideo'
   /** No frame is drawn where nobody looks: none can be recorded. */
   | 'OutOfSight'
-  | 'StorageFull';
+  | 'StorageFull'
+  /** A part of the page that could not be fetched: a newer version has taken its place, or there is no network. */
+  | 'PartMissing';
 
 export interface Problem {
   code: ProblemCode;
@@ -62,6 +64,11 @@ export class StudioError extends Error implements Problem {
   }
 }
 
+const unfetched = new WeakSet();
+
+/** From now on the error is known to be that of a part of the page which could not be fetched. */
+export const markUnfetched = (error: Error): void => void unfetched.add(error);
+
 /** Any error as a problem. An abort is none: ask `isAbort` first. */
 export function problemOf(error: unknown): Problem {
   if (error instanceof StudioError) return { code: error.code, values: error.values, detail: error.detail };
@@ -69,7 +76,8 @@ export function problemOf(error: unknown): Problem {
     const { code, reason, values, message } = error as Error & Pick<SillonError, 'code' | 'reason' | 'values'>;
     return { code, values: reason === '' ? {} : { ...values, reason }, detail: message };
   }
-  return { code: 'Internal', values: {}, detail: error instanceof Error ? error.message : String(error) };
+  const code = error instanceof Error && unfetched.has(error) ? 'PartMissing' : 'Internal';
+  return { code, values: {}, detail: error instanceof Error ? error.message : String(error) };
 }
 
 export const isAbort = (error: unknown): boolean => error instanceof Error && error.name === 'AbortError';

@@ -388,6 +388,9 @@ export class Studio {
       this.deliver(blob, name);
       if (product === 'body') this.#offerRest(name);
       else this.notify(t('export.done', { name }));
+      if (product === 'gcode' && this.store.state.host === '') {
+        (await import('../print/untried-print.js')).tellUntried(this);
+      }
     });
   }
 

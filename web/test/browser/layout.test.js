@@ -187,6 +187,7 @@ test('a long name has room where there is some, and is told whole', { skip }, as
 test('on a phone all rows of the menu begin alike', { skip }, async () => {
   const visit = await bench.open({ small: true, ...smallPhone });
   await visit.page.locator('[popovertarget=menu]').click();
+  await visit.page.locator('#menu .item').first().waitFor();
   const rows = await visit.page
     .locator('#menu .item:visible span')
     .evaluateAll((all) => all.map((one) => Math.round(one.getBoundingClientRect().left)));

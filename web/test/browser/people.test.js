@@ -164,6 +164,7 @@ for (const colorScheme of ['light', 'dark']) {
     await page.keyboard.press('Escape');
     await visit.until((state) => state.dialog === undefined);
     await page.locator('[popovertarget=menu]').click();
+    await page.locator('#menu .about').waitFor();
     assert.deepEqual(await violations(page, rules), [], 'menu');
   });
 }

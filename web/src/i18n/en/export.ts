@@ -9,4 +9,6 @@ export const words = {
   'export.view.help': 'A small file that <sillon-view> shows under moving light.',
   'export.project.help': 'Opens here and with the command line.',
   'export.link.help': 'Opens this page with the same settings.',
+  'export.untried':
+    'We have not tried any file of Sillon on a printer yet: stay beside yours. The first print that helps most is the coupon.',
 } as const;

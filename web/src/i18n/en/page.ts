@@ -479,6 +479,8 @@ export const words = {
   'hint.Disposed': 'Reload the page.',
   'problem.Internal': 'Something went wrong inside the page.',
   'hint.Internal': 'Undo the last change and try again. If it happens again, please report it with your project file.',
+  'problem.PartMissing': 'A part of the page could not be loaded.',
+  'hint.PartMissing': 'There may be a newer version, or no connection. Reload the page.',
   'problem.UnknownFile': 'This page cannot open files like {name}.',
   'hint.UnknownFile': 'Open SVG, PNG or JPEG files, or a project saved here.',
   'problem.BrowserPicture': 'This browser cannot read {name}.',

@@ -1,0 +1,139 @@
+// Prints the licences of all that becomes part of a product, with their texts, from where the packages put them:
+//   node tools/licences.mjs native|npm|studio|site
+// A part without a text ends it with an error, and with it the build.
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const root = fileURLToPath(new URL('..', import.meta.url));
+const at = (path) => join(root, path);
+const read = (path) => readFileSync(path, 'utf8').trim();
+
+/** Debian's files name the longest texts by where Debian keeps them, which others do not have: they follow. */
+function withCommon(text) {
+  const named = [...new Set([...text.matchAll(/\/usr\/share\/common-licenses\/([\w.-]*\w)/g)].map(([path]) => path))];
+  return [text, ...named.filter((path) => existsSync(path)).map((path) => `---- ${path}\n\n${read(path)}`)].join(
+    '\n\n',
+  );
+}
+
+/** The first of these that is there. A star stands for the end of one folder's name. */
+const first = (paths) =>
+  paths
+    .flatMap((path) => {
+      const [folder, rest] = path.split('*');
+      if (rest === undefined) return [path];
+      const [parent, begin] = [folder.slice(0, folder.lastIndexOf('/')), folder.slice(folder.lastIndexOf('/') + 1)];
+      const names = existsSync(parent) ? readdirSync(parent).sort() : [];
+      return names.filter((name) => name.startsWith(begin)).map((name) => `${parent}/${name}${rest}`);
+    })
+    .find((path) => existsSync(path));
+
+function part(name, licence, text) {
+  if (text === undefined || text.trim() === '')
+    throw new Error(`no text of the licence of ${name} was found; it must go with what is built`);
+  return { name, licence, text };
+}
+
+/** MIT, as our own licence words it. */
+const mit = (holder) => read(at('LICENSE')).replace(/^Copyright .*$/m, holder);
+
+// --- Libraries of the core and of the command line -------------------------------------------------------------------------
+
+/** Debian packages by vcpkg port, from the list that ./dev installs. */
+function debianPackages() {
+  const [, list] = /^needs="\n([^"]*)"/m.exec(read(at('dev')));
+  return new Map(
+    list
+      .trim()
+      .split('\n')
+      .map((row) => row.split(/\s+/))
+      .map(([debian, , port]) => [port, debian]),
+  );
+}
+
+/** By library, as our own list has it. */
+const licenceOf = (name) => new RegExp(`^\\| ${name} \\| ([^|]+) \\|`, 'm').exec(read(at('THIRD-PARTY.md')))?.[1] ?? '';
+
+function libraries({ program }) {
+  const { dependencies, features } = JSON.parse(read(at('vcpkg.json')));
+  const debian = debianPackages();
+  return [...(program ? features.cli.dependencies : []), ...dependencies].map((port) => {
+    const file = first([
+      at(`build/release/vcpkg_installed/*/share/${port}/copyright`),
+      `/usr/share/doc/${debian.get(port)}/copyright`,
+    ]);
+    return part(port, licenceOf(port), file && withCommon(read(file)));
+  });
+}
+
+// --- What the compiler for WebAssembly puts in -----------------------------------------------------------------------------
+
+function emscripten() {
+  const cache = existsSync(at('build/wasm/CMakeCache.txt')) ? read(at('build/wasm/CMakeCache.txt')) : '';
+  const folder = /^CMAKE_TOOLCHAIN_FILE:\w+=(.*)\/cmake\/Modules\/Platform\/Emscripten\.cmake$/m.exec(cache)?.[1];
+  if (folder === undefined)
+    throw new Error('build/wasm does not tell which Emscripten it is built by; ./dev build wasm makes it');
+  const own = first([`${folder}/LICENSE`]);
+  const llvm = first([`${folder}/system/lib/libcxx/LICENSE.TXT`]);
+  return [
+    part('Emscripten', 'MIT', own ? read(own) : mit('Copyright (c) 2010-2022 The Emscripten Authors')),
+    part('musl', 'MIT', read(`${folder}/system/lib/libc/musl/COPYRIGHT`)),
+    part('libc++, libc++abi, compiler-rt', 'Apache-2.0 WITH LLVM-exception', llvm ? read(llvm) : debianLlvm()),
+  ];
+}
+
+/** The paragraph of Debian's file that has the exceptions; the rest is about other parts of LLVM. */
+function debianLlvm() {
+  const file = first(['/usr/share/doc/libllvm*/copyright']);
+  const paragraph =
+    file &&
+    read(file)
+      .split(/\n\s*\n/)
+      .find((text) => text.includes('LLVM Exceptions to the Apache 2.0 License'));
+  return paragraph && withCommon(paragraph.slice(paragraph.indexOf('License:')));
+}
+
+// --- npm packages ----------------------------------------------------------------------------------------------------------
+
+/** Packages that hold no text, but say under which licence they are: its text from a package of the same authors, or from ours
+ * with their copyright. */
+const elsewhere = {
+  '@lit-labs/ssr-dom-shim': () => read(at('node_modules/lit/LICENSE')),
+  'qrcode-generator': () =>
+    mit(/Copyright \(c\) .*/.exec(read(at('node_modules/qrcode-generator/dist/qrcode.mjs')))[0]),
+};
+
+function npmPackages(more = []) {
+  const { packages } = JSON.parse(read(at('package-lock.json')));
+  return Object.entries(packages)
+    .filter(([path, { dev, link }]) => /^node_modules/.test(path) && !link && (!dev || more.includes(path.slice(13))))
+    .map(([path, { version, license }]) => {
+      const name = path.slice('node_modules/'.length);
+      const file = readdirSync(at(path)).find((entry) => /^licen[cs]e/i.test(entry));
+      return part(`${name} ${version}`, license, file ? read(at(join(path, file))) : elsewhere[name]?.());
+    });
+}
+
+// --- Products --------------------------------------------------------------------------------------------------------------
+
+const studio = () => [...libraries({ program: false }), ...emscripten(), ...npmPackages()];
+const products = {
+  native: () => libraries({ program: true }),
+  npm: () => [...libraries({ program: true }), ...emscripten()],
+  studio,
+  site: () => [...studio(), ...npmPackages(['minisearch']).filter(({ name }) => name.startsWith('minisearch '))],
+};
+
+/** @returns one text */
+export function licences(product) {
+  const parts = products[product]();
+  const own = `Sillon: MIT\n\n${read(at('LICENSE'))}\n\nIt holds parts of:\n${parts.map(({ name, licence }) => `  ${name} (${licence})`).join('\n')}\n`;
+  return [own, ...parts.map(({ name, licence, text }) => `==== ${name} (${licence})\n\n${text}\n`)].join('\n');
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const [product] = process.argv.slice(2);
+  if (!(product in products)) throw new Error(`usage: node tools/licences.mjs ${Object.keys(products).join('|')}`);
+  process.stdout.write(licences(product));
+}

@@ -1,0 +1,145 @@
+// The page's menu: what is done rarely, language and theme, and the ways to the project's other places.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { customElement } from 'lit/decorators.js';
+import { words } from '../i18n/en/about.js';
+import { languages } from '../i18n/languages.js';
+import { say, t } from '../i18n/text.js';
+import type { Theme } from '../model/state.js';
+import { StudioElement } from '../controls/element.js';
+import { icon, type IconName } from '../controls/icons.js';
+import { menuStyle } from '../controls/menu-style.js';
+
+/** Put in by the build out of addresses.json and of the version. An empty address has no link. */
+declare const publicLinks: Readonly<Record<'documentation' | 'source' | 'report', string>>;
+declare const publicVersion: string;
+
+const themes: readonly Theme[] = ['auto', 'light', 'dark'];
+
+@customElement('sillon-menu')
+export class Menu extends StudioElement {
+  static override reads = ['plate', 'theme', 'host'] as const;
+
+  static override styles = [
+    ...StudioElement.styles,
+    menuStyle,
+    css`
+      :host {
+        display: block;
+      }
+      .field {
+        padding: 8px 10px;
+        gap: 6px;
+      }
+      .about {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 4px 16px;
+        margin: 0;
+        padding: 8px 10px;
+        list-style: none;
+      }
+      .about a {
+        display: inline-block;
+        padding: 4px 0;
+        color: var(--accent);
+      }
+      @media (width > 980px) {
+        .narrow {
+          display: none;
+        }
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    const { theme, language, host } = this.state;
+    return html`${this.#item('plus', t('verb.new'), () => {
+        this.studio.services.newPlate();
+      })}
+      ${
+        host === ''
+          ? this.#item('gallery', t('verb.plates'), () => {
+              this.studio.show('plates');
+            })
+          : nothing
+      }
+      ${this.#item(
+        'share',
+        t('verb.share'),
+        () => {
+          this.studio.show('share');
+        },
+        'narrow',
+      )}
+      ${this.#item('print', t('verb.first'), () => {
+        this.studio.show('first');
+      })}
+      ${this.#item('tune', t('verb.calibrate'), () => {
+        this.studio.show('calibrate');
+      })}
+      ${this.#item('help', t('help.title'), () => {
+        this.studio.show('help');
+      })}
+      <hr />
+      <div class="field">
+        <label for="language">${t('language.title')}</label>
+        <select
+          id="language"
+          @change=${(event: Event) => {
+            void this.studio.setLanguage((event.currentTarget as HTMLSelectElement).value);
+          }}
+        >
+          ${Object.entries(languages).map(
+            ([key, { name }]) => html`<option value=${key} lang=${key} ?selected=${key === language}>${name}</option>`,
+          )}
+        </select>
+        <label for="theme">${t('theme.title')}</label>
+        <select
+          id="theme"
+          @change=${(event: Event) => {
+            this.studio.setTheme((event.currentTarget as HTMLSelectElement).value as Theme);
+          }}
+        >
+          ${themes.map((key) => html`<option value=${key} ?selected=${key === theme}>${t(`theme.${key}`)}</option>`)}
+        </select>
+      </div>
+      <hr />
+      ${
+        host === ''
+          ? html`<p class="note field">${t('app.local')}</p>`
+          : html`<p class="note field">${t('app.host', { host })}</p>
+              ${this.#item('open', t('app.open'), () => {
+                void this.studio.attempt(async () => {
+                  const { url } = await this.studio.services.link(this.state.plate);
+                  open(url, '_blank', 'noopener');
+                });
+              })}`
+      }
+      <hr />
+      <ul class="about">
+        ${this.#link(publicLinks.documentation, say(words, 'about.documentation'))}
+        ${this.#link(publicLinks.source, say(words, 'about.source'))}
+        ${this.#link(publicLinks.report, say(words, 'about.report'))}
+        ${this.#link('licences.txt', say(words, 'about.licences'))}
+        <li class="note">${say(words, 'about.version', { version: publicVersion })}</li>
+      </ul>`;
+  }
+
+  #link(address: string, label: string): TemplateResult | typeof nothing {
+    if (address === '') return nothing;
+    return html`<li><a href=${address} target="_blank" rel="noopener">${label}</a></li>`;
+  }
+
+  #item(name: IconName, label: string, run: () => void, where = ''): TemplateResult {
+    return html`<button
+      type="button"
+      class="item ${where}"
+      @click=${() => {
+        this.dispatchEvent(new Event('done'));
+        run();
+      }}
+    >
+      ${icon(name, 20)}<span>${label}</span>
+    </button>`;
+  }
+}
