@@ -20,23 +20,23 @@ using sillon::Result;
 /// \param up  how many folders above may hold it, where the scene's own does not.
 std::string fromFolder(const fs::path& folder, const std::string& name, int up) {
   if (name.empty()) return name;
-  const fs::path beside = folder / name;
+  const fs::path beside = folder / pathOf(name);
   std::error_code error;
   fs::path above = folder;
   for (int k = 0; k < up && !fs::exists(beside, error); ++k) {
     above /= "..";
-    const fs::path there = (above / name).lexically_normal();
-    if (fs::is_regular_file(there, error)) return there.string();
+    const fs::path there = (above / pathOf(name)).lexically_normal();
+    if (fs::is_regular_file(there, error)) return nameOf(there);
   }
-  return beside.string();
+  return nameOf(beside);
 }
 
 /// A name on the command line, seen from a folder.
 std::string seenFrom(const fs::path& folder, const std::string& name) {
   if (name.empty()) return name;
   std::error_code error;
-  const fs::path relative = fs::proximate(name, folder, error);
-  return error ? name : relative.generic_string();
+  const fs::path relative = fs::proximate(pathOf(name), folder, error);
+  return error ? name : nameOf(relative);
 }
 
 /// Tells what a file is that was given in place of a project, and how it is meant to be given.
@@ -45,7 +45,7 @@ std::optional<std::string> otherThanJson(std::string_view text) {
   const std::size_t first = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
   if (first != std::string_view::npos && start[first] == '<')
     return " is a drawing and not a project; give it as --shape";
-  if (std::any_of(start.begin(), start.end(), [](char c) { return c >= 0 && c < 9; })) {
+  if (std::any_of(start.begin(), start.end(), [](char c) { return static_cast<unsigned char>(c) < 9; })) {
     return " is neither a project nor a picture that can be read; PNG, JPEG, BMP and TGA can";
   }
   return std::nullopt;
@@ -60,7 +60,7 @@ Result<Project> loadProject(const std::string& path) {
   if (!project)
     return Error{project.error().code,
                  "scene \"" + path + "\"" + otherThanJson(text.value()).value_or(": " + project.error().message)};
-  const fs::path folder = fs::path(path).parent_path();
+  const fs::path folder = pathOf(path).parent_path();
   Project& read = project.value();
   // The repository of the paper keeps its scenes in folders, and names their files from its root. Only their keys set
   // both.
@@ -93,7 +93,7 @@ std::vector<std::string> inputFiles(const Project& project) {
 
 std::string projectFor(const Project& project, const std::string& path) {
   std::error_code error;
-  const fs::path folder = fs::absolute(path, error).parent_path();
+  const fs::path folder = fs::absolute(pathOf(path), error).parent_path();
   Project written = project;
   written.shapeFile = seenFrom(folder, project.shapeFile);
   written.directionFile = seenFrom(folder, project.directionFile);

@@ -129,6 +129,7 @@ int runCommandLine(int argc, const char* const* argv) {
   app.set_help_all_flag("--help-all");
   app.set_version_flag("--version", std::string("sillon ") + sillon::kVersion);
   app.require_subcommand(1);
+  app.allow_windows_style_options(false);  // "/x/part.gcode" is a file
   std::vector<Added> all;
   all.reserve(commands().size());
   for (const Command* command : commands()) all.push_back(addCommand(app, *command));

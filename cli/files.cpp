@@ -12,6 +12,10 @@
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
+#elif defined(_WIN32)
+#include <fcntl.h>
+#include <io.h>
+#include <sys/stat.h>
 #endif
 
 namespace cli {
@@ -30,9 +34,28 @@ Error invalid(std::string message) { return {ErrorCode::InvalidFile, std::move(m
 
 std::string reason(int error) { return error == 0 ? "unknown reason" : std::strerror(error); }
 
+std::FILE* openToRead(const std::string& name) {
+#if defined(_WIN32)
+  return ::_wfopen(pathOf(name).c_str(), L"rb");
+#else
+  return std::fopen(name.c_str(), "rb");
+#endif
+}
+
+/// Never into a file that is there. Windows' oldest C library does not know the mode "x".
+std::FILE* openNew(const fs::path& path) {
+#if defined(_WIN32)
+  const int file = ::_wopen(path.c_str(), _O_CREAT | _O_EXCL | _O_BINARY | _O_WRONLY, _S_IREAD | _S_IWRITE);
+  return file < 0 ? nullptr : ::_fdopen(file, "wb");
+#else
+  return std::fopen(path.c_str(), "wbx");
+#endif
+}
+
 /// Where a name leads once links are followed, so that a link stays a link.
-fs::path target(const std::string& path) {
+fs::path target(const std::string& name) {
   std::error_code error;
+  const fs::path path = pathOf(name);
   // Absolute first: a relative name that is not there yet would stay as it was written, "a" and "./a" two names.
   fs::path resolved = fs::weakly_canonical(fs::absolute(path, error), error);
   if (error) return path;
@@ -64,7 +87,7 @@ bool namesOtherPicture(const std::string& path) {
 
 /// \param path  where it is written before it takes the place of `wanted`, and the permissions of what lies there.
 std::optional<Error> writeNew(const fs::path& path, const std::string& bytes, const std::string& wanted) {
-  File file(std::fopen(path.string().c_str(), "wbx"));  // x: never into a file that is there
+  File file(openNew(path));
   if (file == nullptr) return invalid("\"" + wanted + "\" cannot be written: " + reason(errno));
   std::error_code error;
   const fs::file_status before = fs::status(target(wanted), error);
@@ -104,12 +127,10 @@ class TemporaryFiles {
       Names& file = files_[kept_];
       std::error_code error;
       file.isNew = !fs::exists(file.to, error);
+      error.clear();
       // Of several files one may be refused after others are in place: another person's in a folder of all.
-      if (files_.size() > 1) {
-        fs::create_hard_link(file.to, file.old, error);
-        file.saved = !error;
-      }
-      fs::rename(file.from, file.to, error);
+      if (files_.size() > 1 && !file.isNew) error = save(file);
+      if (!error) fs::rename(file.from, file.to, error);
       if (!error) continue;
       giveBack();
       return invalid("\"" + file.wanted + "\" cannot be written: " + error.message());
@@ -124,15 +145,30 @@ class TemporaryFiles {
     fs::path old;  ///< for what was there before
     fs::path to;
     bool isNew = false;  ///< nothing was there
-    bool saved = false;  ///< it has the name `old` too; not on disks without hard links
+    bool saved = false;  ///< it has the name `old`, too or instead; not on disks without hard links
   };
+
+  /// \returns why nothing can take its place
+  static std::error_code save(Names& file) {
+    std::error_code error;
+#if defined(_WIN32)
+    // A second name of what another program holds could not be removed again: it moves aside, or is refused as it is.
+    fs::rename(file.to, file.old, error);
+    file.saved = !error;
+    return error;
+#else
+    fs::create_hard_link(file.to, file.old, error);
+    file.saved = !error;
+    return {};
+#endif
+  }
 
   // Everything as it was.
   void giveBack() {
     std::error_code ignored;
-    for (std::size_t k = 0; k < kept_; ++k) {
+    for (std::size_t k = 0; k <= kept_; ++k) {
       const Names& file = files_[k];
-      if (file.isNew) fs::remove(file.to, ignored);
+      if (file.isNew && k < kept_) fs::remove(file.to, ignored);
       if (file.saved) fs::rename(file.old, file.to, ignored);
     }
   }
@@ -143,6 +179,23 @@ class TemporaryFiles {
 
 }  // namespace
 
+fs::path pathOf(const std::string& name) {
+#if defined(_WIN32)
+  return {std::u8string(name.begin(), name.end())};
+#else
+  return name;
+#endif
+}
+
+std::string nameOf(const fs::path& path) {
+#if defined(_WIN32)
+  const std::u8string name = path.generic_u8string();
+  return {name.begin(), name.end()};
+#else
+  return path.string();
+#endif
+}
+
 bool endsWith(std::string name, std::string_view end) {
   std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
   return name.ends_with(end);
@@ -151,20 +204,20 @@ bool endsWith(std::string name, std::string_view end) {
 sillon::Result<std::string> readFile(const std::string& path, const std::string& what, std::size_t maxBytes) {
   const std::string name = "the " + what + " \"" + path + "\"";
   std::error_code error;
-  if (fs::is_directory(path, error)) return invalid(name + " is a folder; it must be a file");
+  if (fs::is_directory(pathOf(path), error)) return invalid(name + " is a folder; it must be a file");
   const auto unreadable = [&](int reasonNumber) {
     // A signal while it waited for the other end of a pipe.
     if (reasonNumber == EINTR) return Error{ErrorCode::Cancelled, "cancelled; nothing was written"};
     return invalid(name + " cannot be read: " + reason(reasonNumber));
   };
-  File file(std::fopen(path.c_str(), "rb"));
+  File file(openToRead(path));
   if (file == nullptr) return unreadable(errno);
 
   const Error tooLarge{ErrorCode::TooLarge,
                        name + " is larger than " + std::to_string(maxBytes >> 20) + " MiB; it must be at most that"};
   std::string bytes;
   // Grown step by step, a large file would be held twice; what is no file on a disk tells no size.
-  const std::uintmax_t size = fs::file_size(path, error);
+  const std::uintmax_t size = fs::file_size(pathOf(path), error);
   if (!error && size > maxBytes) return tooLarge;
   if (!error) bytes.reserve(static_cast<std::size_t>(size) + 1);
   std::array<char, 65536> buffer;
@@ -194,7 +247,7 @@ std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const
     std::error_code error;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, error)) {
-      return invalid(name + " cannot be written: \"" + folder.string() + "\" is not a folder");
+      return invalid(name + " cannot be written: \"" + nameOf(folder) + "\" is not a folder");
     }
     const fs::file_status status = fs::status(path, error);
     if (!fs::status_known(status))

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,10 @@ inline constexpr std::size_t kMaxSpoolsBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kMaxInputBytes = std::size_t{256} << 20;
 inline constexpr std::size_t kMaxGcodeBytes = std::size_t{1}
                                               << 30;  ///< `generate` writes hundreds of MB for tall plates
+
+/// Names are UTF-8 in projects, on the command line and in messages, on every system. Windows' own paths are not.
+std::filesystem::path pathOf(const std::string& name);
+std::string nameOf(const std::filesystem::path& path);
 
 /// Whether a file's name ends so, in letters of any case. \param end  in small letters
 bool endsWith(std::string name, std::string_view end);

@@ -6,6 +6,13 @@
 #include <exception>
 #include <new>
 
+#if defined(_WIN32)
+#define NOMINMAX
+#include <fcntl.h>
+#include <io.h>
+#include <windows.h>
+#endif
+
 #include "command_line.hpp"
 #include "memory.hpp"
 #include "run.hpp"
@@ -23,11 +30,25 @@ namespace {
   std::abort();
 }
 
+#if defined(_WIN32)
+UINT pageBefore = 0;
+
+/// Names in messages are UTF-8, and what is redirected has the same bytes as elsewhere. The console is left as it was.
+void prepareConsole() {
+  pageBefore = ::GetConsoleOutputCP();
+  if (pageBefore != 0 && ::SetConsoleOutputCP(CP_UTF8) != 0) std::atexit([] { ::SetConsoleOutputCP(pageBefore); });
+  ::_setmode(::_fileno(stdout), _O_BINARY);
+}
+#endif
+
 }  // namespace
 
 int main(int argc, char** argv) {
   cli::keepFreedMemory();
   std::set_terminate(onTerminate);
+#if defined(_WIN32)
+  prepareConsole();
+#endif
 #ifdef SIGPIPE
   std::signal(SIGPIPE, SIG_IGN);  // whoever reads what is said may go away: what is written stays
 #endif

@@ -8,6 +8,9 @@
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
 #include <unistd.h>
+#elif defined(_WIN32)
+#define NOMINMAX
+#include <windows.h>
 #endif
 
 namespace cli {
@@ -15,6 +18,7 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
+#if defined(__unix__) || defined(__APPLE__)
 /// The number after a word in one of the kernel's tables, or the only one where the word is empty; negative: none.
 double numberIn(const char* path, const std::string& word) {
   std::ifstream file(path);
@@ -28,6 +32,7 @@ double freeInGroup(const char* limit, const char* used) {
   const double most = numberIn(limit, "");
   return most < 0 ? kUnlimited : most - std::max(0.0, numberIn(used, ""));
 }
+#endif
 
 }  // namespace
 
@@ -45,6 +50,10 @@ double freeMemory() {
     const double taken = static_cast<double>(::sysconf(_SC_PAGESIZE)) * std::max(0.0, numberIn("/proc/self/statm", ""));
     least = std::min(least, static_cast<double>(space.rlim_cur) - taken);
   }
+#elif defined(_WIN32)
+  MEMORYSTATUSEX status{};
+  status.dwLength = sizeof status;
+  if (::GlobalMemoryStatusEx(&status) != 0) least = static_cast<double>(status.ullAvailPhys);
 #endif
   return std::max(0.0, least);
 }

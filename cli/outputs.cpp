@@ -25,6 +25,11 @@
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
+#elif defined(_WIN32)
+#define NOMINMAX
+#include <windows.h>
+// After what it needs.
+#include <psapi.h>
 #endif
 
 namespace cli {
@@ -58,6 +63,12 @@ std::int64_t peakBytes() {
 #else
   return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
 #endif
+#elif defined(_WIN32)
+  PROCESS_MEMORY_COUNTERS counters{};
+  // By the name that kernel32 has it by: no library more is linked.
+  return ::K32GetProcessMemoryInfo(::GetCurrentProcess(), &counters, sizeof counters) == 0
+             ? 0
+             : static_cast<std::int64_t>(counters.PeakWorkingSetSize);
 #else
   return 0;
 #endif

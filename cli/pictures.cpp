@@ -169,9 +169,9 @@ bool looksLikePicture(const std::string& path) {
     return true;
   }
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return false;  // what a pipe has told is gone
+  if (!std::filesystem::is_regular_file(pathOf(path), error)) return false;  // what a pipe has told is gone
   std::array<char, 32> head{};
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in(pathOf(path), std::ios::binary);
   in.read(head.data(), head.size());
   return sillon::beginsLikePicture(
       {reinterpret_cast<const std::uint8_t*>(head.data()), static_cast<std::size_t>(in.gcount())});

@@ -25,14 +25,17 @@ void ProgressBar::show(std::string_view stage, double fraction) {
   const int full = std::clamp(static_cast<int>(fraction * kCells), 0, kCells);
   const std::string bar =
       std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(kCells - full), '.');
-  std::fprintf(stderr, "\r[%s] %3d %% %.*s\x1b[K", bar.c_str(), static_cast<int>(fraction * 100),
-               static_cast<int>(stage.size()), stage.data());
+  // Blanks over what was longer before: old consoles of Windows show escape codes as they are.
+  const int blanks = static_cast<int>(std::max(length_, stage.size()) - stage.size());
+  length_ = stage.size();
+  std::fprintf(stderr, "\r[%s] %3d %% %.*s%*s", bar.c_str(), static_cast<int>(fraction * 100),
+               static_cast<int>(stage.size()), stage.data(), blanks, "");
   std::fflush(stderr);
 }
 
 void ProgressBar::clear() {
   if (!drawn_) return;
-  std::fputs("\r\x1b[K", stderr);
+  std::fprintf(stderr, "\r%*s\r", kCells + 9 + static_cast<int>(length_), "");
   std::fflush(stderr);
   drawn_ = false;
 }

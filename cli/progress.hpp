@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string_view>
 
 namespace cli {
@@ -20,6 +21,7 @@ class ProgressBar {
  private:
   bool enabled_;
   bool drawn_ = false;
+  std::size_t length_ = 0;  ///< of the stage's name that is shown
   std::chrono::steady_clock::time_point last_{};
 };
 

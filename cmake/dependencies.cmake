@@ -5,12 +5,12 @@ endif()
 
 # Header-only packages become SYSTEM interface targets, so that our warnings stay ours.
 function(sillon_header_library target header)
-  # Cross-compiling for the web looks nowhere by itself; headers are the same for every machine.
+  # Cross-compiling looks nowhere by itself; headers are the same for every machine.
   find_path(${target}_include NAMES ${header} PATH_SUFFIXES ${ARGN} REQUIRED NO_CMAKE_FIND_ROOT_PATH
             PATHS /usr/include /usr/local/include /opt/homebrew/include)
   set(folder ${${target}_include})
-  if(EMSCRIPTEN)
-    # The host's whole include folder would shadow Emscripten's own headers: only what is wanted is linked into ours.
+  if(CMAKE_CROSSCOMPILING)
+    # The host's whole include folder would shadow the headers of the other system: only what is wanted is linked into ours.
     string(REGEX REPLACE "[./].*" "" name ${header})
     file(GLOB wanted ${folder}/${name}*)
     file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)

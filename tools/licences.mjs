@@ -1,5 +1,6 @@
 // Prints the licences of all that becomes part of a product, with their texts, from where the packages put them:
 //   node tools/licences.mjs native|npm|studio|site
+//   node tools/licences.mjs native|npm|studio|site --sbom   the same parts as a list for machines, CycloneDX, without their texts
 // A part without a text ends it with an error, and with it the build.
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -132,8 +133,24 @@ export function licences(product) {
   return [own, ...parts.map(({ name, licence, text }) => `==== ${name} (${licence})\n\n${text}\n`)].join('\n');
 }
 
+/** @returns what software that compares parts with known weaknesses reads */
+export function sbom(product) {
+  const { version } = JSON.parse(read(at('wasm/package.json')));
+  const components = products[product]().map(({ name, licence }) => {
+    const [, plain, number] = /^(\S.*?)(?: (\d[\w.-]*))?$/.exec(name);
+    return {
+      type: 'library',
+      name: plain,
+      ...(number === undefined ? {} : { version: number, purl: `pkg:npm/${plain.replace('@', '%40')}@${number}` }),
+      licenses: [{ license: { name: licence } }],
+    };
+  });
+  const main = { type: 'application', name: 'sillon', version, licenses: [{ license: { id: 'MIT' } }] };
+  return `${JSON.stringify({ bomFormat: 'CycloneDX', specVersion: '1.5', version: 1, metadata: { component: main }, components }, null, 2)}\n`;
+}
+
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const [product] = process.argv.slice(2);
+  const [product, mode] = process.argv.slice(2);
   if (!(product in products)) throw new Error(`usage: node tools/licences.mjs ${Object.keys(products).join('|')}`);
-  process.stdout.write(licences(product));
+  process.stdout.write(mode === '--sbom' ? sbom(product) : licences(product));
 }

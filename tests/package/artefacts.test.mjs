@@ -23,7 +23,7 @@ const named = (pattern) => {
 const unpack = (archive) => run('cmake', '-E', 'tar', 'xf', archive);
 const hashOf = (file) => `sha384-${createHash('sha384').update(readFileSync(file)).digest('base64')}`;
 
-test('the archive of the program holds a program that runs, and all licences', () => {
+test('the archive of the program holds a program that runs, an example, links that lead somewhere, and all licences', () => {
   const archive = named(/^sillon-[\d.]+-(linux|macos|windows)-\w+\.(tar\.gz|zip)$/);
   unpack(archive);
   const inside = archive.replace(/^.*[\\/]/, '').replace(/\.(tar\.gz|zip)$/, '');
@@ -31,6 +31,13 @@ test('the archive of the program holds a program that runs, and all licences', (
   assert.equal(run(program, '--version').trim(), `sillon ${version}`);
   run(program, 'generate', '--shape', 'disc', '--size', '15', '--angle', '30', '--gcode', 'disc.gcode', '--quiet');
   assert.match(run(program, 'check', 'disc.gcode'), /no fault|0 errors|no errors/i);
+  run(program, 'generate', join(inside, 'examples/logo.json'), '--spacing', '1', '--gcode', 'logo.gcode', '--quiet');
+  for (const name of readdirSync(join(folder, inside)).filter((name) => name.endsWith('.md'))) {
+    const text = readFileSync(join(folder, inside, name), 'utf8');
+    assert.deepEqual(text.match(/\]\((?!https?:|#)[^)]*\)/g) ?? [], [], name);
+  }
+  const { components } = JSON.parse(readFileSync(join(folder, inside, 'sbom.cdx.json'), 'utf8'));
+  assert.ok(components.some(({ name }) => name === 'eigen3'));
   const licences = readFileSync(join(folder, inside, 'THIRD-PARTY-LICENCES'), 'utf8');
   for (const name of ['cli11', 'eigen3', 'fast-float', 'nlohmann-json', 'rapidxml', 'stb']) {
     assert.ok(licences.includes(`==== ${name} `), name);
@@ -54,7 +61,7 @@ test('the package installs without network, makes a plate and has the hashes tha
   assert.deepEqual(Object.keys(hashes), ['dist/elements/sillon-studio.js', 'dist/elements/sillon-view.js']);
   for (const [name, hash] of Object.entries(hashes)) assert.equal(hashOf(join(folder, 'node_modules/sillon', name)), hash);
   const licences = readFileSync(join(folder, 'node_modules/sillon/THIRD-PARTY-LICENCES'), 'utf8');
-  assert.ok(licences.includes('==== eigen3 '));
+  for (const name of ['eigen3', 'cli11', 'musl']) assert.ok(licences.includes(`==== ${name} `), name);
 });
 
 test('the zip of the studio is served by its own server, with the headers for threads', async () => {
@@ -62,7 +69,7 @@ test('the zip of the studio is served by its own server, with the headers for th
   const inside = join(folder, `sillon-studio-${version}`);
   for (const name of ['Dockerfile', 'LICENSE', 'README.txt']) assert.ok(existsSync(join(inside, name)), name);
   const licences = readFileSync(join(inside, 'THIRD-PARTY-LICENCES'), 'utf8');
-  for (const name of ['==== eigen3 ', 'lit-html ', 'fflate ']) assert.ok(licences.includes(name), name);
+  for (const name of ['==== eigen3 ', '==== musl ', 'lit-html ', 'fflate ']) assert.ok(licences.includes(name), name);
   const hashes = JSON.parse(readFileSync(join(inside, 'integrity.json'), 'utf8'));
   for (const [name, hash] of Object.entries(hashes)) assert.equal(hashOf(join(inside, 'dist', name)), hash);
 

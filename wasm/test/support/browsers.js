@@ -171,6 +171,7 @@ async function launchFirefox({ graphics = true }) {
   writeFileSync(join(profile, 'user.js'), `${quietFirefox}user_pref("webgl.disabled", ${!graphics});\n`);
   const firefox = spawn(programs.Firefox, ['--headless', '--no-remote', '--profile', profile, relay], {
     stdio: 'ignore',
+    env: { ...process.env, HOME: profile }, // it refuses to run as root in a home of somebody else, such as a container's
     detached: true, // its processes are a group, to be ended together
   });
   const ended = new Promise((resolve) => {
