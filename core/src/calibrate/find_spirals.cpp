@@ -1,3 +1,4 @@
+#include "base/exact_math.hpp"
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
@@ -76,8 +77,8 @@ SeenSpiral lookFor(const CouponSpiral& spiral, const FoundCoupon& found, const T
     for (int i = -radius; i <= radius; ++i) {
       const double r = std::sqrt(static_cast<double>(i * i + j * j));
       if (r > radius || r < kStepsPerPitch) continue;
-      const double phase = 2 * std::numbers::pi * r / kStepsPerPitch - std::atan2(j, i);
-      wave.push_back({i, j, static_cast<float>(std::cos(phase)), static_cast<float>(std::sin(phase))});
+      const double phase = 2 * std::numbers::pi * r / kStepsPerPitch - exact::atan2(j, i);
+      wave.push_back({i, j, static_cast<float>(exact::cos(phase)), static_cast<float>(exact::sin(phase))});
     }
   }
   // Row by row of shifts: neighbours are summed side by side.

@@ -1,3 +1,4 @@
+#include "base/exact_math.hpp"
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
@@ -242,7 +243,7 @@ class Fitter {
     return normal;
   }
 
-  static Globals usualOnes() { return {0, 0, std::log(0.01), std::log(0.08), 0, 1, 1, 0, 1, kUsualCurve, 0, 0, 0}; }
+  static Globals usualOnes() { return {0, 0, exact::log(0.01), exact::log(0.08), 0, 1, 1, 0, 1, kUsualCurve, 0, 0, 0}; }
 
  private:
   static constexpr std::size_t kRows = SpiralModel::kRows;
@@ -268,7 +269,7 @@ class Fitter {
   /// The lamp's elevation from what is known of it, by that error.
   [[nodiscard]] double offElevation(const Globals& g) const {
     const Vec3 lamp = lampOf({g[0], g[1]}, unit(camera_.place));
-    const double degrees = std::asin(std::clamp(lamp.z, -1.0, 1.0)) * 180 / std::numbers::pi;
+    const double degrees = exact::asin(std::clamp(lamp.z, -1.0, 1.0)) * 180 / std::numbers::pi;
     return (degrees - elevation_.value) / elevation_.error;
   }
 
@@ -341,11 +342,11 @@ class Fitter {
       const double far = length(off);
       if (far > kFarthest) off = (kFarthest / far) * off;
     }
-    const double size = std::hypot(g[0], g[1]);
+    const double size = exact::hypot(g[0], g[1]);
     if (size > 1.5) g[0] *= 1.5 / size, g[1] *= 1.5 / size;
-    g[2] = std::clamp(g[2], std::log(1e-5), std::log(2.0));
-    g[3] = std::clamp(g[3], std::log(1e-4), std::log(4.0));
-    g[4] = std::clamp(g[4], std::log(0.2), std::log(8.0));
+    g[2] = std::clamp(g[2], exact::log(1e-5), exact::log(2.0));
+    g[3] = std::clamp(g[3], exact::log(1e-4), exact::log(4.0));
+    g[4] = std::clamp(g[4], exact::log(0.2), exact::log(8.0));
     g[5] = std::clamp(g[5], 0.6, 1.5);
     g[6] = std::clamp(g[6], 0.5, 1.8);
     g[7] = std::clamp(g[7], -1.5, 1.5);
@@ -381,12 +382,12 @@ double azimuthOf(const std::vector<LitSpiral>& spirals, double& contrast) {
   double x = 0, y = 0;
   for (int k = 0; k < kAngles / 2; ++k) {
     const double twice = 4 * std::numbers::pi * (k + 0.5) / kAngles;
-    x += light[k] * std::cos(twice);
-    y += light[k] * std::sin(twice);
+    x += light[k] * exact::cos(twice);
+    y += light[k] * exact::sin(twice);
   }
   const auto [least, most] = std::minmax_element(light.begin(), light.end());
   contrast = *most / std::max(1e-9, *least);
-  return 0.5 * std::atan2(y, x);
+  return 0.5 * exact::atan2(y, x);
 }
 
 }  // namespace
@@ -410,8 +411,8 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
     for (const double side : {0.0, std::numbers::pi}) {
       for (const double size : {0.2, 0.5}) {
         Globals g = Fitter::usualOnes();
-        g[0] = size * std::cos(azimuth + side), g[1] = size * std::sin(azimuth + side);
-        g[2] = 2 * std::log(kUsualLobe * size);
+        g[0] = size * exact::cos(azimuth + side), g[1] = size * exact::sin(azimuth + side);
+        g[2] = 2 * exact::log(kUsualLobe * size);
         State state = fitter.begin(g);
         const double cost = fitter.descend(state, kFirstRounds, run);
         if (cost < least) least = cost, best = std::move(state);
@@ -429,9 +430,9 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
   fit.globals = found;
   for (const Vec2 off : best.offsets) fit.offsets.push_back(off + Vec2{found[11], found[12]});
   fit.tilt = {found[0], found[1]};
-  fit.alongVariance = std::exp(found[2]);
-  fit.acrossVariance = std::exp(found[3]);
-  fit.blur = std::exp(found[4]);
+  fit.alongVariance = exact::exp(found[2]);
+  fit.acrossVariance = exact::exp(found[3]);
+  fit.blur = exact::exp(found[4]);
   fit.closing = found[5];
   fit.lone = found[6];
   NormalEquations normal = fitter.assemble(best);

@@ -1,3 +1,4 @@
+#include "base/exact_math.hpp"
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, co
   Bounds box;
   for (int k = 0; k < 16; ++k) {
     const double a = 2 * std::numbers::pi * k / 16;
-    box.add(found.pixelOf(spiral.centre + 1.05 * spiral.radius * Vec2{std::cos(a), std::sin(a)}));
+    box.add(found.pixelOf(spiral.centre + 1.05 * spiral.radius * Vec2{exact::cos(a), exact::sin(a)}));
   }
   const int x0 = std::max(0, static_cast<int>(box.min.x)), x1 = std::min(tones.width - 1, static_cast<int>(box.max.x));
   const int y0 = std::max(0, static_cast<int>(box.min.y)), y1 = std::min(tones.height - 1, static_cast<int>(box.max.y));
@@ -33,7 +34,7 @@ FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, co
       const Vec2 p = mapped(back, {x + 0.5, y + 0.5}) - spiral.centre;
       const double r = length(p);
       if (r < inner || r > outer) continue;
-      double turn = std::atan2(p.y, p.x) / (2 * std::numbers::pi);
+      double turn = exact::atan2(p.y, p.x) / (2 * std::numbers::pi);
       turn -= std::floor(turn);
       double phase = r / spiral.pitch - turn;
       phase -= std::floor(phase);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "calibrate/photo.hpp"
 #include "sillon/calibrate/read_photo.hpp"
@@ -28,7 +29,7 @@ double middleOf(std::vector<double> values) {
 
 /// What all photographs are off by together: it does not get less. \param lamp  error of its variance.
 double commonErrorOf(double degrees, double lamp) {
-  return std::hypot(slopeErrorOf(degrees, lamp), kModelShare * degrees);
+  return exact::hypot(slopeErrorOf(degrees, lamp), kModelShare * degrees);
 }
 
 /// Weighted by their bars; the bar grows if they lie farther apart than theirs say.
@@ -40,7 +41,7 @@ Figure meanOf(const std::vector<Figure>& figures) {
     sum += weight * f.value;
   }
   const double mean = sum / weights;
-  for (const Figure& f : figures) off += std::pow((f.value - mean) / f.error, 2);
+  for (const Figure& f : figures) off += exact::square((f.value - mean) / f.error);
   const double apart = figures.size() < 2 ? 1 : off / static_cast<double>(figures.size() - 1);
   return {mean, std::sqrt(std::max(1.0, apart) / weights)};
 }
@@ -100,21 +101,21 @@ Result<CouponReading> joinReadings(const std::vector<CouponReading>& readings, c
       const Measured& m = r.*slope;
       const double known = commonErrorOf(m.value, lamp);
       const double own = std::sqrt(std::max(0.0, m.error * m.error - known * known));
-      logs.push_back({std::log(m.value), std::max(kLeastShare, own / m.value)});
+      logs.push_back({exact::log(m.value), std::max(kLeastShare, own / m.value)});
       values.push_back(logs.back().value);
     }
     const Figure mean = joined(logs, lamps);
-    const double value = std::exp(mean.value), common = commonErrorOf(value, lamp), middle = middleOf(values);
+    const double value = exact::exp(mean.value), common = commonErrorOf(value, lamp), middle = middleOf(values);
     for (std::size_t k = 0; k < logs.size(); ++k) {
       const double off = std::abs(logs[k].value - middle);
-      if (off < kMostApart || off < kMostBars * std::hypot(logs[k].error, common / value)) continue;
+      if (off < kMostApart || off < kMostBars * exact::hypot(logs[k].error, common / value)) continue;
       return Error{ErrorCode::InvalidFile, "photograph " + std::to_string(k + 1) + " has slopes of " +
                                                fixed((readings[k].*slope).value, 1) + " degrees " +
                                                (slope == &CouponReading::along ? "along" : "across") +
-                                               " the beads, and their middle is " + fixed(std::exp(middle), 1) +
+                                               " the beads, and their middle is " + fixed(exact::exp(middle), 1) +
                                                "; they are not of one coupon, or one is lit too poorly"};
     }
-    out.*slope = {value, std::hypot(value * mean.error, common)};
+    out.*slope = {value, exact::hypot(value * mean.error, common)};
   }
   std::vector<Figure> widths, flows;
   std::vector<std::size_t> lampsOfFlows;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/exact_math.hpp"
 #include "calibrate/prints.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
@@ -243,7 +244,7 @@ inline LampPart lampPartOf(const std::optional<double>& slope) {
 
 /// Error of a slope, out of that of its variance [degrees].
 inline double slopeErrorOf(double degrees, double varianceError) {
-  const double slope = std::tan(degrees * std::numbers::pi / 180);
+  const double slope = exact::tan(degrees * std::numbers::pi / 180);
   return varianceError / (2 * slope) / (1 + slope * slope) * 180 / std::numbers::pi;
 }
 

@@ -1,3 +1,4 @@
+#include "base/exact_math.hpp"
 #include "calibrate/photo.hpp"
 
 #include <cmath>
@@ -38,7 +39,7 @@ Mat3 mapThrough(const std::vector<PointPair>& pairs, double side) {
 
 double leftOf(const PointPair& pair, const Mat3& map) {
   const Vec2 off = mapped(map, pair.plate) - pair.pixel;
-  return std::hypot(dot(pair.first, off), dot(pair.second, off));
+  return exact::hypot(dot(pair.first, off), dot(pair.second, off));
 }
 
 double fitMap(Mat3& map, const std::vector<PointPair>& pairs, double side, double scale) {
@@ -49,7 +50,7 @@ double fitMap(Mat3& map, const std::vector<PointPair>& pairs, double side, doubl
     double sum = 0, weights = 0;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const double off = leftOf(pairs[k], map) / scale;
-      weighted[k].weight = pairs[k].weight / (1 + std::pow(off / kUsualOff, 2));
+      weighted[k].weight = pairs[k].weight / (1 + exact::square(off / kUsualOff));
       sum += weighted[k].weight * off * off, weights += weighted[k].weight;
     }
     residual = std::sqrt(sum / weights);

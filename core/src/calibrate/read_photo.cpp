@@ -1,4 +1,5 @@
 #include "sillon/calibrate/read_photo.hpp"
+#include "base/exact_math.hpp"
 
 #include <algorithm>
 #include <array>
@@ -90,31 +91,31 @@ SeenFrom cameraOf(const FoundCoupon& found, int width, int height) {
     const auto seen = [&](Vec3 v) { return Vec3{v.x / focal, v.y / focal, v.z}; };
     const Vec3 a = seen(h.a), b = seen(h.b);
     const double skew = 2 * dot(a, b), stretch = dot(a, a) - dot(b, b);
-    const double off = std::hypot(skew, stretch) / (kMapError * (dot(a, a) + dot(b, b)));
-    const double unusual = std::log(focal / (kUsualFocal * side)) / kFocalSpread;
+    const double off = exact::hypot(skew, stretch) / (kMapError * (dot(a, a) + dot(b, b)));
+    const double unusual = exact::log(focal / (kUsualFocal * side)) / kFocalSpread;
     return off * off + unusual * unusual;
   };
   std::array<double, kSteps> costs{}, logs{};
   for (std::size_t k = 0; k < kSteps; ++k) {
-    logs[k] = std::log(kLeastFocal) + std::log(kMostFocal / kLeastFocal) * static_cast<double>(k) / (kSteps - 1);
-    costs[k] = costOf(side * std::exp(logs[k]));
+    logs[k] = exact::log(kLeastFocal) + exact::log(kMostFocal / kLeastFocal) * static_cast<double>(k) / (kSteps - 1);
+    costs[k] = costOf(side * exact::exp(logs[k]));
   }
   const double least = *std::min_element(costs.begin(), costs.end());
   double weights = 0, mean = 0, square = 0;
   for (std::size_t k = 0; k < kSteps; ++k) {
-    const double weight = std::exp(-0.5 * (costs[k] - least));
+    const double weight = exact::exp(-0.5 * (costs[k] - least));
     weights += weight, mean += weight * logs[k], square += weight * logs[k] * logs[k];
   }
   mean /= weights;
   SeenFrom camera;
-  camera.place = placeOf(h, side * std::exp(mean));
+  camera.place = placeOf(h, side * exact::exp(mean));
   camera.strange = std::sqrt(least);
   camera.distanceError = std::max(kLeastDistanceError, std::sqrt(std::max(0.0, square / weights - mean * mean)));
   const auto directionAt = [&](double sign) {
-    return unit(placeOf(h, side * std::exp(mean + sign * camera.distanceError)));
+    return unit(placeOf(h, side * exact::exp(mean + sign * camera.distanceError)));
   };
-  camera.directionError = std::hypot(0.5 * length(directionAt(1) - directionAt(-1)),
-                                     kStrangeTurn * std::max(0.0, camera.strange - kUsuallyStrange));
+  camera.directionError = exact::hypot(0.5 * length(directionAt(1) - directionAt(-1)),
+                                       kStrangeTurn * std::max(0.0, camera.strange - kUsuallyStrange));
   return camera;
 }
 
@@ -122,9 +123,9 @@ double errorOf(double variance) { return std::sqrt(std::max(0.0, variance)); }
 
 /// Degrees of a surface whose slopes and the lamp's together have this variance.
 Measured slopeOf(double variance, double relativeError, const LampPart& lamp) {
-  const double degrees = std::atan(std::sqrt(std::max(1e-6, variance - lamp.variance))) * kDegrees;
-  return {degrees,
-          std::hypot(slopeErrorOf(degrees, std::hypot(variance * relativeError, lamp.error)), kModelShare * degrees)};
+  const double degrees = exact::atan(std::sqrt(std::max(1e-6, variance - lamp.variance))) * kDegrees;
+  return {degrees, exact::hypot(slopeErrorOf(degrees, exact::hypot(variance * relativeError, lamp.error)),
+                                kModelShare * degrees)};
 }
 
 // What is wrong with a photograph before anything is looked for in it.
@@ -182,20 +183,20 @@ std::optional<Error> doubtful(const SpiralFit& fit, double blur, double nozzle) 
 // Where the lamp stands, by the slope that mirrors it into the camera.
 void tellLamp(const SpiralFit& fit, const SeenFrom& camera, CouponReading& out) {
   const Vec3 to = unit(lampOf(fit.tilt, unit(camera.place)));
-  const double flat = std::max(0.02, std::hypot(to.x, to.y));
-  double azimuth = std::atan2(to.y, to.x) * kDegrees;
+  const double flat = std::max(0.02, exact::hypot(to.x, to.y));
+  double azimuth = exact::atan2(to.y, to.x) * kDegrees;
   if (azimuth < 0) azimuth += 360;
   const double tiltError = std::sqrt(0.5 * (fit.variances[0] + fit.variances[1]));
   const double turn = tiltError * (1 + to.z);
-  out.azimuth = {azimuth, std::min(180.0, std::hypot(turn, camera.directionError) / flat * kDegrees)};
-  out.elevation = {std::asin(std::clamp(to.z, -1.0, 1.0)) * kDegrees,
-                   std::hypot(kBentTilt * turn, camera.directionError) * kDegrees};
+  out.azimuth = {azimuth, std::min(180.0, exact::hypot(turn, camera.directionError) / flat * kDegrees)};
+  out.elevation = {exact::asin(std::clamp(to.z, -1.0, 1.0)) * kDegrees,
+                   exact::hypot(kBentTilt * turn, camera.directionError) * kDegrees};
 }
 
 // What was measured of the lamp is what the photograph shows, or it is another's.
 std::optional<Error> otherLamp(double measured, const Measured& shown) {
   const double off = std::abs(measured - shown.value);
-  if (off <= std::max(kMostLampOff, kMostBars * std::hypot(shown.error, kElevationError))) return std::nullopt;
+  if (off <= std::max(kMostLampOff, kMostBars * exact::hypot(shown.error, kElevationError))) return std::nullopt;
   return Error{ErrorCode::InvalidArgument, "lamp elevation is " + decimal(measured, 1) +
                                                " degrees, and the photograph shows the lamp at " +
                                                fixed(shown.value, 0) + " +- " + fixed(shown.error, 0) +
@@ -301,7 +302,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   CouponReading out;
   out.pixelsPerMm = coupon.scaleAt(kMiddle);
   out.blur = fit.blur / out.pixelsPerMm;
-  out.tilt = std::acos(std::clamp(unit(camera.place).z, -1.0, 1.0)) * kDegrees;
+  out.tilt = exact::acos(std::clamp(unit(camera.place).z, -1.0, 1.0)) * kDegrees;
   if (camera.strange > kMostStrange) {
     return unreadable(
         "no camera sees a square like that; the photograph is stretched, or cut out of one side of a larger one: give "

@@ -1,3 +1,4 @@
+#include "base/exact_math.hpp"
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ constexpr double kBetter = 0.6;  // what must be left at most once one is put el
 double leftBy(const std::vector<PointPair>& pairs) {
   const Mat3 map = mapThrough(pairs, kCouponSide);
   double sum = 0;
-  for (const PointPair& p : pairs) sum += std::pow(leftOf(p, map), 2);
+  for (const PointPair& p : pairs) sum += exact::square(leftOf(p, map));
   return std::sqrt(sum / static_cast<double>(pairs.size()));
 }
 

@@ -1,3 +1,4 @@
+#include "base/exact_math.hpp"
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ using Pattern = SpiralModel::Pattern;
 constexpr std::size_t kHarmonics = SpiralModel::kHarmonics;
 constexpr std::size_t kPoints = std::size_t{2} * kAngles;
 
-Wave waveOf(double size, double angle) { return {size * std::cos(angle), size * std::sin(angle)}; }
+Wave waveOf(double size, double angle) { return {size * exact::cos(angle), size * exact::sin(angle)}; }
 
 Wave product(Wave a, Wave b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
 
@@ -45,18 +46,18 @@ const Waves& waves() {
       const auto turns = 2 * std::numbers::pi * static_cast<double>(h);
       for (int k = 0; k < kFine; ++k) w.fine[k][h] = waveOf(1.0 / kFine, -turns * placeOf(k));
       const double x = turns / (2 * kPhases);
-      const double mean = h == 0 ? 1 : 2 * std::sin(x) / x;
+      const double mean = h == 0 ? 1 : 2 * exact::sin(x) / x;
       for (int k = 0; k < kPhases; ++k) {
         w.phase[k][h] = waveOf(mean, turns * (k + 0.5) / kPhases);
       }
     }
     for (std::size_t k = 0; k < kPhases; ++k) {
-      w.turn[k] = std::cos(2 * std::numbers::pi * static_cast<double>(k) / kPhases);
+      w.turn[k] = exact::cos(2 * std::numbers::pi * static_cast<double>(k) / kPhases);
     }
     for (std::size_t k = 0; k < kPoints; ++k) {
       const double in = k % 2 == 0 ? 0.5 - kGauss : 0.5 + kGauss;
       const double angle = 2 * std::numbers::pi * (static_cast<double>(k / 2) + in) / kAngles;
-      w.outward[k] = {std::cos(angle), std::sin(angle)};
+      w.outward[k] = {exact::cos(angle), exact::sin(angle)};
     }
     return w;
   }();
@@ -153,13 +154,13 @@ SpiralModel::Sharpened SpiralModel::sharpened(std::size_t which, const Rows& lig
   Sharpened out;
   for (std::size_t k = 0; k < kAngles; ++k) {
     const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / kAngles;
-    const Vec2 n{std::cos(angle), std::sin(angle)};
+    const Vec2 n{exact::cos(angle), exact::sin(angle)};
     const double x = dot(n, s.blurX), y = dot(n, s.blurY);
     const double rate = 0.5 * w * w * kSharp * kSharp * (x * x + y * y);
     std::array<double, kPhases> kernel{};  // by the phases between
     for (int h = 0; h < kPhases; ++h) {
       const int turns = std::min(h, kPhases - h);
-      const double factor = 1 + amount * (1 - std::exp(-rate * turns * turns));
+      const double factor = 1 + amount * (1 - exact::exp(-rate * turns * turns));
       for (std::size_t d = 0; d < kPhases; ++d)
         kernel[d] += factor * waves().turn[(static_cast<std::size_t>(h) * d) % kPhases] / kPhases;
     }
@@ -183,9 +184,9 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
   const bool loose = s.kind == SpiralKind::Loose;
   const double pitch = s.spiral.pitch;
   const Vec3 middle{s.spiral.centre.x - kCouponSide / 2, s.spiral.centre.y - kCouponSide / 2, 0};
-  const Vec3 from = std::exp(g[7]) * camera_.place;
+  const Vec3 from = exact::exp(g[7]) * camera_.place;
   const Vec3 lamp = lampOf({g[0], g[1]}, unit(camera_.place));
-  const double va = std::exp(g[2]), vc = std::exp(g[3]);
+  const double va = exact::exp(g[2]), vc = exact::exp(g[3]);
   const double half = 0.5 * s.flow * (loose ? g[6] : g[5]) * s.width / pitch;  // [pitch]
   const double lead = pitch / (2 * std::numbers::pi) * s.seen.meanInverseRadius;
   // How far a bead hides the gap outward of it from the lamp and from the camera [pitch].
@@ -216,17 +217,17 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
     const double a = dot(m, t), c = cross(t, m);
     // Directions within a bin differ: a spiral's turns are made of straight pieces, and lead outward less the larger.
     const double wide = va + spread * c * c;
-    const double along = std::sqrt(va / wide) * std::exp(-a * a / (2 * wide));
+    const double along = std::sqrt(va / wide) * exact::exp(-a * a / (2 * wide));
     // The top falls outward: to the left is inward. exp(-(c + slope)²/2vc) at even steps is a product of products,
     // from its largest place on, as it vanishes elsewhere.
     const double rate = profile_ / half;
     const int top = std::clamp(static_cast<int>(std::lround((0.5 - c / rate) * kFine - 0.5)), first, last);
     const double across = c + rate * placeOf(top), step = rate / kFine;
-    const double bend = std::exp(-step * step / vc);
+    const double bend = exact::exp(-step * step / vc);
     std::array<double, kFine> lit{};
     for (const int way : {1, -1}) {
-      double value = along * std::exp(-across * across / (2 * vc));
-      double ratio = std::exp(-(2 * way * across * step + step * step) / (2 * vc));
+      double value = along * exact::exp(-across * across / (2 * vc));
+      double ratio = exact::exp(-(2 * way * across * step + step * step) / (2 * vc));
       for (int i = top; i >= first && i <= last; i += way) {
         lit[i] = share[i] * value;
         value *= ratio;
@@ -249,7 +250,7 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
 
 SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, const Globals& g, Vec2 off) const {
   const LitSpiral& s = spirals_[which];
-  const double pitch = s.spiral.pitch, blur = std::exp(g[4]);
+  const double pitch = s.spiral.pitch, blur = exact::exp(g[4]);
   const Vec2 shifted = off + Vec2{g[11], g[12]};
   const auto add = [](Wave& sum, Wave by) { sum.re += by.re, sum.im += by.im; };
   const Waves& waving = waves();
@@ -261,7 +262,7 @@ SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, c
       const double x = dot(n, s.blurX), y = dot(n, s.blurY);
       const double w = 2 * std::numbers::pi / pitch;
       // A Gaussian blur leaves b^(h²) of harmonic h: from one to the next, by b, b³, b⁵ ...
-      const double least = std::exp(-0.5 * w * w * blur * blur * (x * x + y * y));
+      const double least = exact::exp(-0.5 * w * w * blur * blur * (x * x + y * y));
       const Wave turn = waveOf(1, -w * dot(shifted, n));
       Wave move{0.5, 0};
       double by = least;

@@ -1,0 +1,119 @@
+// Our own elementary functions of doubles: equal bytes on every platform, because only IEEE +, -, *, / and sqrt are
+// used, and these in one order. The C library's differ in their last bits from system to system, and from processor to
+// processor.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+namespace sillon::exact {
+
+/// ln 2 and pi/2 in parts: a small whole number times the first ones is exact.
+inline constexpr double kLn2[2] = {0x1.62e42feep-1, 0x1.a39ef35793c76p-33};
+inline constexpr double kHalfPi[3] = {0x1.921fb544p+0, 0x1.0b4611a4p-34, 0x1.3198a2e037073p-69};
+
+/// 2^k of -1022 <= k <= 1023.
+inline double powerOfTwo(int k) { return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52); }
+
+/// The nearest whole number of |x| < 2^51.
+inline double nearest(double x) { return (x + 0x1.8p+52) - 0x1.8p+52; }
+
+inline double square(double x) { return x * x; }
+
+/// Off by less than 2 units in the last place.
+inline double exp(double x) {
+  if (std::isnan(x)) return x;
+  if (x > 709.7) return std::numeric_limits<double>::infinity();
+  if (x < -708) return 0;
+  const double k = nearest(x * (1 / std::numbers::ln2));
+  const double r = (x - k * kLn2[0]) - k * kLn2[1];
+  // Taylor's series: |r| <= 0.35.
+  double sum = 1;
+  for (int n = 13; n > 0; --n) sum = 1 + sum * r / n;
+  const int whole = static_cast<int>(k);
+  return whole > 1023 ? sum * 2 * powerOfTwo(whole - 1) : sum * powerOfTwo(whole);
+}
+
+/// Off by less than 2 units in the last place, near 1 by 1e-16. \returns minus infinity for 0, NaN below
+inline double log(double x) {
+  if (!(x > 0)) return x == 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
+  if (std::isinf(x)) return x;
+  int exponent = 0;
+  double m = std::frexp(x, &exponent);
+  if (m < std::numbers::sqrt2 / 2) {
+    m *= 2;
+    --exponent;
+  }
+  // log m = 2 artanh s, |s| <= 0.172.
+  const double s = (m - 1) / (m + 1), s2 = s * s;
+  double sum = 0;
+  for (int n = 23; n > 1; n -= 2) sum = (sum + 1.0 / n) * s2;
+  return exponent * kLn2[0] + (2 * (s + s * sum) + exponent * kLn2[1]);
+}
+
+struct SinCos {
+  double sin;
+  double cos;
+};
+
+/// Of |x| <= 1e6, off by less than 3e-16.
+inline SinCos sinCos(double x) {
+  const double q = nearest(x * (2 / std::numbers::pi));
+  const double r = ((x - q * kHalfPi[0]) - q * kHalfPi[1]) - q * kHalfPi[2], r2 = r * r;
+  // Taylor's series: |r| <= 0.79.
+  double s = 1, c = 1;
+  for (int n = 18; n > 1; n -= 2) {
+    c = 1 - c * r2 / (n * (n - 1));
+    s = 1 - s * r2 / (n * (n + 1));
+  }
+  s *= r;
+  switch (static_cast<long long>(q) & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
+inline double sin(double x) { return sinCos(x).sin; }
+inline double cos(double x) { return sinCos(x).cos; }
+inline double tan(double x) {
+  const SinCos at = sinCos(x);
+  return at.sin / at.cos;
+}
+
+/// Off by less than 4 units in the last place.
+inline double atan(double x) {
+  const double a = std::abs(x);
+  double y = a > 1 ? 1 / a : a;
+  for (int k = 0; k < 2; ++k) y /= 1 + std::sqrt(1 + y * y);  // half the angle
+  const double y2 = y * y;
+  double sum = 0;
+  for (int n = 23; n > 1; n -= 2) sum = (1.0 / n - sum) * y2;
+  const double angle = 4 * (y - y * sum);
+  return std::copysign(a > 1 ? std::numbers::pi / 2 - angle : angle, x);
+}
+
+/// In (-pi, pi]; 0 for the zero vector.
+inline double atan2(double y, double x) {
+  if (x == 0 && y == 0) return 0;
+  const bool steep = std::abs(y) > std::abs(x);
+  const double angle = steep ? std::copysign(std::numbers::pi / 2, y) - atan(x / y) : atan(y / x);
+  return steep || x > 0 ? angle : y < 0 ? angle - std::numbers::pi : angle + std::numbers::pi;
+}
+
+/// Of |x| <= 1.
+inline double asin(double x) { return atan2(x, std::sqrt((1 - x) * (1 + x))); }
+inline double acos(double x) { return atan2(std::sqrt((1 - x) * (1 + x)), x); }
+
+/// Of what squares neither over- nor underflow.
+inline double hypot(double x, double y) { return std::sqrt(x * x + y * y); }
+
+}  // namespace sillon::exact
