@@ -80,10 +80,9 @@ test('range and filament are those that were asked for', async () => {
   assert.notEqual(await blue.blob.text(), await made.blob.text()); // its pictures are of another colour
 });
 
-/** The native program prints so many digits. Sines differ in their last one, and a fit may stop a step earlier: that moves
- * figures by less than a fiftieth of their bar. */
+/** The native program prints so many digits of the same figures. */
 function assertPrinted({ value, error }, told, digits) {
-  const allowed = 0.5 * 10 ** -digits + 0.02 * error;
+  const allowed = 0.5 * 10 ** -digits + 1e-12;
   assert.ok(Math.abs(value - told.value) <= allowed, `${value}, ${told.value} natively`);
   assert.ok(Math.abs(error - told.error) <= allowed, `±${error}, ±${told.error} natively`);
 }

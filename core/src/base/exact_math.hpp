@@ -3,8 +3,10 @@
 // processor.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numbers>
@@ -14,6 +16,14 @@ namespace sillon::exact {
 /// ln 2 and pi/2 in parts: a small whole number times the first ones is exact.
 inline constexpr double kLn2[2] = {0x1.62e42feep-1, 0x1.a39ef35793c76p-33};
 inline constexpr double kHalfPi[3] = {0x1.921fb544p+0, 0x1.0b4611a4p-34, 0x1.3198a2e037073p-69};
+
+/// 1/n! of Taylor's series.
+inline constexpr std::array<double, 20> kOverFactorial = [] {
+  std::array<double, 20> all{1};
+  double product = 1;  // exact: 19! has few odd factors
+  for (std::size_t n = 1; n < all.size(); ++n) all[n] = 1 / (product *= static_cast<double>(n));
+  return all;
+}();
 
 /// 2^k of -1022 <= k <= 1023.
 inline double powerOfTwo(int k) { return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52); }
@@ -31,8 +41,8 @@ inline double exp(double x) {
   const double k = nearest(x * (1 / std::numbers::ln2));
   const double r = (x - k * kLn2[0]) - k * kLn2[1];
   // Taylor's series: |r| <= 0.35.
-  double sum = 1;
-  for (int n = 13; n > 0; --n) sum = 1 + sum * r / n;
+  double sum = kOverFactorial[13];
+  for (std::size_t n = 13; n-- > 0;) sum = sum * r + kOverFactorial[n];
   const int whole = static_cast<int>(k);
   return whole > 1023 ? sum * 2 * powerOfTwo(whole - 1) : sum * powerOfTwo(whole);
 }
@@ -64,10 +74,10 @@ inline SinCos sinCos(double x) {
   const double q = nearest(x * (2 / std::numbers::pi));
   const double r = ((x - q * kHalfPi[0]) - q * kHalfPi[1]) - q * kHalfPi[2], r2 = r * r;
   // Taylor's series: |r| <= 0.79.
-  double s = 1, c = 1;
-  for (int n = 18; n > 1; n -= 2) {
-    c = 1 - c * r2 / (n * (n - 1));
-    s = 1 - s * r2 / (n * (n + 1));
+  double s = kOverFactorial[19], c = kOverFactorial[18];
+  for (std::size_t n = 18; n > 0; n -= 2) {
+    s = kOverFactorial[n - 1] - s * r2;
+    c = kOverFactorial[n - 2] - c * r2;
   }
   s *= r;
   switch (static_cast<long long>(q) & 3) {
