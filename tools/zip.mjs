@@ -9,7 +9,11 @@ process.env.TZ = 'UTC';
 const [folder, to] = process.argv.slice(2);
 const names = readdirSync(folder, { recursive: true, withFileTypes: true })
   .filter((entry) => entry.isFile())
-  .map((entry) => join(entry.parentPath ?? entry.path, entry.name).slice(folder.length + 1).replaceAll('\\', '/'))
+  .map((entry) =>
+    join(entry.parentPath ?? entry.path, entry.name)
+      .slice(folder.length + 1)
+      .replaceAll('\\', '/'),
+  )
   .sort();
 const mtime = new Date('1985-10-26T08:15:00Z'); // as npm's packages
 const files = names.map((name) => [`${basename(folder)}/${name}`, readFileSync(join(folder, name))]);
