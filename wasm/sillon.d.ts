@@ -531,6 +531,8 @@ export interface ToolpathParams {
   borderWeight: number;
   /** Cost of misaligned length where two curves are joined. 0..10, default 1.1. */
   stitchAlignment: number;
+  /** Lays neighbouring beads soon after one another, for an even shine, or joins curves wherever that costs least. Default "even". */
+  order: 'even' | 'plain';
   /** Rounds of relaxation, which evens out the gaps between beads: fewer kinks, slightly less exact directions. 0..100, default 2. */
   relaxationRounds: number;
   /** How far a bead moves towards its wider gap per round, as a fraction of the difference between its gaps. 0..0.5, default 0.08. */

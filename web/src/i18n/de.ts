@@ -323,6 +323,11 @@ export const de: Translation = {
   'help.toolpath.seed': '0 ist regelmäßig. Jede andere Zahl ergibt eine andere Platte von gleicher Güte.',
   'setting.toolpath.jitter': 'Stärke des Startwerts',
   'help.toolpath.jitter': 'Wie weit ein Startwert die Stellen verschiebt, an denen die Richtungen gelesen werden.',
+  'setting.toolpath.order': 'Reihenfolge der Bahnen',
+  'help.toolpath.order':
+    'Legt benachbarte Bahnen bald nacheinander, damit sie gleichmäßig glänzen, oder verbindet Kurven dort, wo es am wenigsten kostet.',
+  'choice.toolpath.order.even': 'Nachbarn bald nacheinander',
+  'choice.toolpath.order.plain': 'Günstigste Verbindungen',
   'setting.toolpath.phaseTransport': 'Phasentransport',
   'help.toolpath.phaseTransport':
     'Ob die Welle eines Nachbarn nach dem Mittel beider Richtungen übertragen wird oder nach seiner allein, wie 2023 veröffentlicht.',

@@ -322,6 +322,11 @@ export const fr: Translation = {
   'help.toolpath.seed': '0 est régulier. Tout autre nombre donne une autre plaque, d’égale qualité.',
   'setting.toolpath.jitter': 'Amplitude de la graine',
   'help.toolpath.jitter': 'De combien une graine déplace les points où les directions sont lues.',
+  'setting.toolpath.order': 'Ordre des cordons',
+  'help.toolpath.order':
+    'Pose les cordons voisins peu de temps l’un après l’autre, pour un éclat régulier, ou relie les courbes là où cela coûte le moins.',
+  'choice.toolpath.order.even': 'Voisins l’un après l’autre',
+  'choice.toolpath.order.plain': 'Liaisons les moins coûteuses',
   'setting.toolpath.phaseTransport': 'Transport de phase',
   'help.toolpath.phaseTransport':
     'Les ondes voisines s’accordent à mi-chemin, ou selon la seule ligne du voisin, comme publié en 2023.',

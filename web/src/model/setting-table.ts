@@ -24,6 +24,7 @@ export const table = {
     kernelRadius: { type: 'number', level: 'expert', default: 1, unit: 'spacing', low: 0.45, high: 1.5 },
     borderWeight: { type: 'number', level: 'expert', default: 1, low: 0, high: 100 },
     stitchAlignment: { type: 'number', level: 'expert', default: 1.1, low: 0, high: 10 },
+    order: { type: 'choice', level: 'advanced', default: 'even', choices: ['even','plain'] },
     relaxationRounds: { type: 'integer', level: 'expert', default: 2, low: 0, high: 100 },
     relaxationStrength: { type: 'number', level: 'expert', default: 0.08, low: 0, high: 0.5 },
     relaxationSmoothing: { type: 'number', level: 'expert', default: 0.65, low: 0, high: 1 },

@@ -20,7 +20,8 @@ export function delaysOf({ cycles, ...rest }: Toolpath, speed: number): Delayed 
   const { spacing } = rest;
   const pieces = cycles.map((cycle) => inPieces(cycle, spacing));
   const cells = new Map<number, number[]>(); // x, y and time of points, by cells one reach wide
-  const cellAt = (x: number, y: number): number => Math.floor(y / (farthest * spacing)) * 1e6 + Math.floor(x / (farthest * spacing));
+  const cellAt = (x: number, y: number): number =>
+    Math.floor(y / (farthest * spacing)) * 1e6 + Math.floor(x / (farthest * spacing));
   let time = 0;
   const times = pieces.map(({ points, widths }) =>
     widths.map((_, k) => {
@@ -39,7 +40,10 @@ export function delaysOf({ cycles, ...rest }: Toolpath, speed: number): Delayed 
     widths.map((_, k) => {
       const [x, y] = [points[2 * k] ?? 0, points[2 * k + 1] ?? 0];
       const [before, after] = [(k + widths.length - 1) % widths.length, (k + 1) % widths.length];
-      const along = [(points[2 * after] ?? 0) - (points[2 * before] ?? 0), (points[2 * after + 1] ?? 0) - (points[2 * before + 1] ?? 0)];
+      const along = [
+        (points[2 * after] ?? 0) - (points[2 * before] ?? 0),
+        (points[2 * after + 1] ?? 0) - (points[2 * before + 1] ?? 0),
+      ];
       const length = Math.hypot(along[0] ?? 0, along[1] ?? 0) || 1;
       const [alongX, alongY] = [(along[0] ?? 0) / length, (along[1] ?? 0) / length];
       const now = times[cycle]?.[k] ?? 0;

@@ -161,7 +161,9 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
       uploaded.delete(toolpath);
     }
     return wanted.map((toolpath) => {
-      const beads = uploaded.get(toolpath) ?? upload(gl, toolpath, tolerance, late?.toolpath === toolpath ? late.delays : undefined);
+      const beads =
+        uploaded.get(toolpath) ??
+        upload(gl, toolpath, tolerance, late?.toolpath === toolpath ? late.delays : undefined);
       uploaded.set(toolpath, beads);
       return beads;
     });

@@ -286,6 +286,8 @@ export const words = {
   'choice.toolpath.perimeterMode.none': 'Beads end there',
   'choice.toolpath.perimeterMode.soft': 'Follow it where directions allow',
   'choice.toolpath.perimeterMode.count': 'Always follow it',
+  'choice.toolpath.order.even': 'Neighbours soon after one another',
+  'choice.toolpath.order.plain': 'Cheapest joints',
   'choice.toolpath.phaseTransport.midpoint': 'Mean of both',
   'choice.toolpath.phaseTransport.neighbour': 'Neighbour’s',
   'null.toolpath.bridge': 'One spacing',

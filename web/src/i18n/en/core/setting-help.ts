@@ -14,6 +14,7 @@ export const words = {
   'help.toolpath.kernelRadius': "Radius over which the cells’ waves are averaged: three standard deviations of a Gaussian; 0.5 in 2023.",
   'help.toolpath.borderWeight': "How strongly beads follow the border where the border mode leaves the choice to them, relative to a neighbour.",
   'help.toolpath.stitchAlignment': "Cost of misaligned length where two curves are joined.",
+  'help.toolpath.order': "Lays neighbouring beads soon after one another, for an even shine, or joins curves wherever that costs least.",
   'help.toolpath.relaxationRounds': "Rounds of relaxation, which evens out the gaps between beads: fewer kinks, slightly less exact directions.",
   'help.toolpath.relaxationStrength': "How far a bead moves towards its wider gap per round, as a fraction of the difference between its gaps.",
   'help.toolpath.relaxationSmoothing': "How much each round of relaxation straightens a bead.",

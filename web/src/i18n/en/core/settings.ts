@@ -14,6 +14,7 @@ export const words = {
   'setting.toolpath.kernelRadius': "Kernel radius",
   'setting.toolpath.borderWeight': "Border weight",
   'setting.toolpath.stitchAlignment': "Joint alignment",
+  'setting.toolpath.order': "Bead order",
   'setting.toolpath.relaxationRounds': "Relaxation rounds",
   'setting.toolpath.relaxationStrength': "Relaxation strength",
   'setting.toolpath.relaxationSmoothing': "Relaxation smoothing",
