@@ -130,6 +130,7 @@ TEST_CASE("the delay of a file is what a comparison of all pieces with all other
     project.builtinSize = {16, 0};
     project.angle = angle;
     project.toolpath.spacing = 0.4;
+    project.toolpath.order = BeadOrder::Plain;  // so that there are long delays
     project.toolpath.spacingVariation = 0;
     project.printer.showSpeed = 4;  // slow, so that a small plate has long delays
     const RunContext run(1);

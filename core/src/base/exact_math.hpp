@@ -4,10 +4,10 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <numbers>
 
@@ -26,7 +26,12 @@ inline constexpr std::array<double, 20> kOverFactorial = [] {
 }();
 
 /// 2^k of -1022 <= k <= 1023.
-inline double powerOfTwo(int k) { return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52); }
+inline double powerOfTwo(int k) {
+  const std::uint64_t bits = static_cast<std::uint64_t>(k + 1023) << 52;
+  double power = 0;
+  std::memcpy(&power, &bits, sizeof power);  // Emscripten 3.1.6 has no std::bit_cast
+  return power;
+}
 
 /// The nearest whole number of |x| < 2^51.
 inline double nearest(double x) { return (x + 0x1.8p+52) - 0x1.8p+52; }
