@@ -291,7 +291,7 @@ export const de: Translation = {
   'colour.width': 'Bahnbreite',
   'colour.speed': 'Tempo',
   'colour.order': 'Reihenfolge',
-  'colour.delay': 'Warten auf die Nachbarbahn',
+  'colour.delay': 'Wartezeit',
   'light.title': 'Licht',
   'light.azimuth': 'Lichtrichtung',
   'light.elevation': 'Höhe des Lichts',

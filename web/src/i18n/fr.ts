@@ -290,7 +290,7 @@ export const fr: Translation = {
   'colour.width': 'La largeur du cordon',
   'colour.speed': 'La vitesse',
   'colour.order': 'L’ordre',
-  'colour.delay': 'L’attente du cordon voisin',
+  'colour.delay': 'L’attente',
   'light.title': 'Lumière',
   'light.azimuth': 'Lumière venant de',
   'light.elevation': 'Hauteur de la lumière',
@@ -773,7 +773,7 @@ export const fr: Translation = {
   'export.project.help': 'Se rouvre ici, et avec la ligne de commande.',
   'export.link.help': 'Ouvre cette page avec les mêmes réglages.',
   'export.untried':
-    'Nous n’avons encore essayé aucun fichier de Sillon sur une imprimante : restez près de la vôtre. La première impression la plus utile est l’éprouvette.',
+    'Nous n’avons encore essayé aucun fichier de Sillon sur une imprimante : restez près de la vôtre. La première impression la plus utile est l’éprouvette.',
   'export.done': '{name} est dans vos téléchargements.',
   'summary.time': 'Durée d’impression',
   'summary.filament': 'Filament',

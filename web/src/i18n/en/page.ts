@@ -267,7 +267,7 @@ export const words = {
   'colour.width': 'Bead width',
   'colour.speed': 'Speed',
   'colour.order': 'Order',
-  'colour.delay': 'Wait for the neighbour',
+  'colour.delay': 'Wait',
   'light.title': 'Light',
   'light.azimuth': 'Light direction',
   'light.elevation': 'Light elevation',
