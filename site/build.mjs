@@ -58,7 +58,13 @@ function writeDocs(folder) {
       const anchor = href.includes('#') ? `#${href.split('#')[1]}` : '';
       return relative(address, addressOf(target)) + anchor;
     });
-    write(folder, address, pageOf(address, title, html, { description: descriptionOf(text) }));
+    write(
+      folder,
+      address,
+      pageOf(address, title, html, {
+        description: isFolder ? `${path}, a folder of Sillon's source.` : descriptionOf(text),
+      }),
+    );
   }
 }
 

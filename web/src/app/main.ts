@@ -28,7 +28,7 @@ import { Studio } from '../studio/studio.js';
 import { Pipeline } from './pipeline.js';
 import { startWorker } from '../engine/start-worker.js';
 import marksWorker from '../views/marks.worker.ts?worker&url';
-import { recall, recallText, remember } from './remember.js';
+import { recall, recallText, remember } from '../files/remember.js';
 
 addEventListener('vite:preloadError', ({ payload }) => {
   markUnfetched(payload);

@@ -5,7 +5,7 @@ import { words } from '../i18n/en/plates.js';
 import { say, t } from '../i18n/text.js';
 import type { NoticeAction } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
-import { forget, recallText, remember } from './remember.js';
+import { forget, recallText, remember } from '../files/remember.js';
 
 const shownAfter = 1000; // [ms] from its path, in which it is drawn
 const longest = 60_000; // [ms]; some plates cannot be made

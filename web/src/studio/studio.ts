@@ -389,7 +389,7 @@ export class Studio {
       if (product === 'body') this.#offerRest(name);
       else this.notify(t('export.done', { name }));
       if (product === 'gcode' && this.store.state.host === '') {
-        (await import('../print/untried-print.js')).tellUntried(this);
+        (await import('./untried-print.js')).tellUntried(this);
       }
     });
   }

@@ -1,8 +1,8 @@
-// What who takes a file to a printer must know, once on a device.
-import { recallText, remember } from '../app/remember.js';
+// A note for people who take a file to a printer, once on a device.
+import { recallText, remember } from '../files/remember.js';
 import { words } from '../i18n/en/export.js';
 import { say, t } from '../i18n/text.js';
-import type { Studio } from '../studio/studio.js';
+import type { Studio } from './studio.js';
 
 const told = 'untried';
 
