@@ -253,11 +253,10 @@ TEST_CASE("where beads of both filaments are possible, the file is refused and a
   const auto refused = importPrinter(open);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().code == ErrorCode::InvalidFile);
-  CHECK(
-      refused.error().message ==
-      "the file gives no filament diameter, and its beads may be 0.25 mm wide from filament of 1.75 mm or "
-      "0.66 mm wide from filament of 2.85 mm; add a line \"; filament_diameter = 1.75\" or \"; filament_diameter = "
-      "2.85\" at its end");
+  CHECK(refused.error().message ==
+        "the file gives no filament diameter, and its beads may be 0.25 mm wide from filament of 1.75 mm or "
+        "0.66 mm wide from filament of 2.85 mm; add a line \"; filament_diameter = 1.75\" or \"; filament_diameter = "
+        "2.85\" at its end");
   CHECK(imported(open + "; filament_diameter = 1.75\n").printer.filamentDiameter == 1.75);
   CHECK(imported(open + "; filament_diameter = 2.85\n").printer.filamentDiameter == 2.85);
   // Beads of 1 mm that touch, or beads of 0.38 mm that do not.

@@ -392,7 +392,8 @@ constexpr Row kRows[] = {
       .field = at<&ToolpathParams::order>,
       .choices = "even plain"},
      {.label = "Bead order",
-      .help = "Lays neighbouring beads soon after one another, for an even shine, or joins curves wherever that costs least",
+      .help = "Lays neighbouring beads soon after one another, for an even shine, or joins curves wherever that costs "
+              "least",
       .option = "--order"}},
     {{.section = Toolpath,
       .key = "relaxationRounds",
