@@ -84,7 +84,7 @@ export async function buildSite(folder, examples) {
   writeSearch(folder);
 }
 
-/** What hosts show at addresses where nothing is. */
+/** The page that hosts show at addresses where nothing is. */
 function notFound() {
   const body = `<h1>There is nothing at this address</h1>
 <p>The page may have moved. The menu above leads to the studio, the documentation and the gallery, and its search finds every page.</p>`;

@@ -83,7 +83,7 @@ export const relative = (from, to) =>
 
 const addresses = readAddresses();
 
-/** What other places show of a page that is linked there: its first sentence, its picture, its one address. The last two are told
+/** Preview of a page in places that link to it: its first sentence, its picture, its one address. The last two are told
  * once the page's own address is known. */
 function preview(address, title, description, { page }) {
   const tag = (key, name, content) => `<meta ${key}="${name}" content="${escaped(content)}" />`;

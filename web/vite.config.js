@@ -96,7 +96,7 @@ const { version } = JSON.parse(readFileSync(at('package.json'), 'utf8'));
 /** SILLON_DOCS: where the documentation lies beside this build, if it does; else it is that of the published page. */
 const links = { ...linksOf(addresses), ...(process.env.SILLON_DOCS ? { documentation: process.env.SILLON_DOCS } : {}) };
 
-/** What both pages have in their heads; and where the page is published, its one address and its picture for those that link to it. */
+/** Tags that both pages have in their heads; and where the page is published, its one address and its picture for those that link to it. */
 const head = {
   name: 'studio-head',
   transformIndexHtml: {
@@ -126,7 +126,7 @@ const licenceFile = {
   },
 };
 
-/** Those that no visit without a network needs. */
+/** Files that no visit without a network needs. */
 const notKept = new Set(['sw.js', 'embed.html', 'licences.txt', 'preview.jpg']);
 
 /** For hosts that send no headers. Not while developing, where Vite puts styles into the page. */

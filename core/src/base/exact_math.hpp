@@ -25,7 +25,7 @@ inline constexpr std::array<double, 20> kOverFactorial = [] {
   return all;
 }();
 
-/// 2^k of -1022 <= k <= 1023.
+/// 2^k for -1022 <= k <= 1023.
 inline double powerOfTwo(int k) {
   const std::uint64_t bits = static_cast<std::uint64_t>(k + 1023) << 52;
   double power = 0;
@@ -74,7 +74,7 @@ struct SinCos {
   double cos;
 };
 
-/// Of |x| <= 1e6, off by less than 3e-16.
+/// Both are off by less than 3e-16 for |x| <= 1e6.
 inline SinCos sinCos(double x) {
   const double q = nearest(x * (2 / std::numbers::pi));
   const double r = ((x - q * kHalfPi[0]) - q * kHalfPi[1]) - q * kHalfPi[2], r2 = r * r;
@@ -124,11 +124,11 @@ inline double atan2(double y, double x) {
   return steep || x > 0 ? angle : y < 0 ? angle - std::numbers::pi : angle + std::numbers::pi;
 }
 
-/// Of |x| <= 1.
+/// Both take |x| <= 1.
 inline double asin(double x) { return atan2(x, std::sqrt((1 - x) * (1 + x))); }
 inline double acos(double x) { return atan2(std::sqrt((1 - x) * (1 + x)), x); }
 
-/// Of what squares neither over- nor underflow.
+/// The squares must neither overflow nor underflow.
 inline double hypot(double x, double y) { return std::sqrt(x * x + y * y); }
 
 }  // namespace sillon::exact

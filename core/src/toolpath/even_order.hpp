@@ -37,6 +37,9 @@ struct Link {
 
 /// Finds the nearest point on either side of every twelfth one. In order of the first point.
 std::vector<Link> linksBeside(const Beads& beads, const Joining& joining, const RunContext& run);
+/// Price of misalignment that the costs below were chosen for.
+inline constexpr double kUsualPrice = ToolpathParams{}.stitchAlignment;
+
 inline constexpr int kPointsPerLink = 12;
 
 /// A joint, made or possible.
@@ -75,7 +78,7 @@ class Tour {
 
   /// Work of a Split: elements, and pairs of them side by side.
   [[nodiscard]] std::int64_t work() const { return static_cast<std::int64_t>(bonds_.size() + order_.size()); }
-  /// How late all neighbours are, in links: one half each for 30 s and for 120 s, and a tenth for 1000 s.
+  /// Lateness of all neighbours, in links: one half each for 30 s and for 120 s, and a tenth for 1000 s.
   [[nodiscard]] double lateness() const;
   /// Tells how much an exchange lessens the lateness.
   [[nodiscard]] double gain(const Cuts& cuts) const;

@@ -10,7 +10,6 @@ namespace {
 
 constexpr int kLongestElement = 640;        ///< points
 constexpr double kSpeed = 20;               ///< speed at which beads are laid, in the search [mm/s]
-constexpr double kUsualPrice = 1.1;         ///< `stitchAlignment` by default
 constexpr double kTurnPrice = 4.5;          ///< one U-turn, in mm that are laid late
 constexpr double kMissPrice = 15;           ///< one unit of a joint's cost, in mm that are laid late
 constexpr double kLeastGain = 1;            ///< least gain of a move [mm]
@@ -52,7 +51,7 @@ struct Toll {
   double miss = 0;
 };
 
-// Two switches that are toggled at once; what was done of it.
+// Two switches that are toggled at once, and what that adds.
 struct Move {
   double gain = 0;  ///< [mm]
   int first = -1;
@@ -89,7 +88,7 @@ class Search {
     std::fill(again_.begin(), again_.end(), 1);
     const std::size_t done = done_.size();
     takeGains();
-    if (!withinLimits()) undoFrom(done);
+    if (done_.size() > done && !withinLimits()) undoFrom(done);
     for (const double strength : {0.3, 0.9}) {
       for (const double side : {1.0, -1.0}) sweep(along, side * strength);
     }
@@ -104,7 +103,7 @@ class Search {
     return {std::min(a, b), std::max(a, b)};
   }
 
-  // The cuts of both in order; whether each lies between those of the other.
+  // Puts the cuts of both in order, and tells whether each lies between those of the other.
   [[nodiscard]] bool cutsOf(const Move& move, Cuts& cuts) const {
     auto [a, c] = cutsOf(move.first);
     auto [b, d] = cutsOf(move.second);

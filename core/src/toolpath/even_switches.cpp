@@ -7,14 +7,12 @@
 namespace sillon {
 namespace {
 
-constexpr int kSpan = 4;           ///< segments taken out of each strand, as in stitching
 constexpr int kStride = 2;         ///< points from one that looks for a joint to the next
 constexpr int kApart = 20;         ///< points from one joint to the next between two strands
 constexpr int kLeastLoop = 40;     ///< points that a joint within a curve splits off
 constexpr float kStraight = 0.9f;  ///< cosine over four spacings
 constexpr float kTurnCost = 0.3f;  ///< price of an added U-turn, to choose between neighbours [mm]
 constexpr float kDearest = 1.5f;   ///< joint by the usual price of misalignment [mm]
-constexpr double kUsualPrice = 1.1;
 constexpr int kMostTurns = 1;
 
 // The point `steps` after one of the same curve, or before it.

@@ -23,6 +23,9 @@ struct Candidate {
   int span;  ///< segments taken out of each
 };
 
+/// Segments taken out of each curve: one spacing, so that two beads fit side by side.
+inline constexpr int kSpan = 4;
+
 /// A joint that can be made and undone, between two curves or within one, which it splits in two then.
 struct Joint {
   int i;          ///< middle of one piece
@@ -66,7 +69,7 @@ class Joining {
   bool toggle(Joint& joint);
   /// Tells whether a joint that is off would touch a used point.
   [[nodiscard]] bool blocked(const Joint& joint) const;
-  /// Where the two pieces of a joint begin. Both points stay on the path when it is made or undone.
+  /// First points of the two pieces of a joint. Both stay on the path when it is made or undone.
   [[nodiscard]] std::pair<int, int> beginsOf(const Joint& joint) const;
   /// Part of a segment's length that runs across the wanted lines: its length times sin² of the angle [mm].
   [[nodiscard]] float misalignment(Vec2f a, Vec2f b) const;

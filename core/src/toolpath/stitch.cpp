@@ -16,7 +16,6 @@
 namespace sillon {
 namespace {
 
-constexpr int kSpan = 4;         ///< segments taken out of each curve: one spacing, so two beads fit side by side
 constexpr int kFirstStride = 4;  ///< in the first round every fourth point looks for partners: enough for most curves
 constexpr float kFarthestOutside = 8;  ///< of an edge between points that face each other [spacings]
 constexpr float kOutsideCost = 4;      ///< of a mm outside the shape, against 0.65 of a mm of added length

@@ -272,7 +272,7 @@ export class Header extends StudioElement {
       this.renderRoot.querySelector<HTMLElement>(`[popovertarget=${popover.id}]`)?.focus();
   };
 
-  /** What is in it comes when it is first opened. */
+  /** Its contents are loaded when it is first opened. */
   #exports(): TemplateResult {
     return html`<div
       id="export"

@@ -1,4 +1,4 @@
-// How long beads wait for their neighbours, to colour them by it.
+// Waits of beads for their neighbours, as a colour.
 import type { Toolpath } from 'sillon';
 
 /** A toolpath in short pieces, with the delay at each of its points [s]. */
@@ -8,7 +8,7 @@ export interface Delayed {
   delays: Float32Array[];
 }
 
-/** From a point, neighbours' middles lie between these distances to a side [spacings], as core's measure has it. */
+/** Neighbours’ middles lie between these distances to a side [spacings]: a little wider than in core’s measure, as points lie apart. */
 const nearest = 0.5;
 const farthest = 1.45;
 

@@ -26,7 +26,7 @@ interface Run {
 interface Beads {
   tolerance: number;
   points: WebGLTexture;
-  /** How late neighbours are laid, for the same points; one texel where nobody asked. */
+  /** Delays of the neighbours of the same points; one texel where nobody asked. */
   delays: WebGLTexture;
   runs: Run[];
   spacing: number;

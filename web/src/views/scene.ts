@@ -7,7 +7,7 @@ import type { Look } from './look.js';
 /** What limits the speed of a bead [mm/s, mm³/s, mm]; corners are left out. */
 export interface Feed {
   speed: number;
-  /** Of oriented beads [mm/s]. */
+  /** Speed of oriented beads [mm/s]. */
   shown: number;
   maxFlow: number;
   layerHeight: number;

@@ -215,7 +215,7 @@ test('the bottom is re-brushed as by the native program, alone or with the tops'
 /** A window in which a print that is drawn in software is drawn soon. */
 const littleWindow = { width: 740, height: 400 };
 
-/** Where the largest face is seen [CSS pixels of the print]. */
+/** Place at which the largest face is seen [CSS pixels of the print]. */
 async function placeOfFirst(print) {
   const place = await print.evaluate((element) => {
     const { width, height } = element.getBoundingClientRect();

@@ -1,4 +1,4 @@
-// What test/browser/sweep and layout look at in a few windows, in all of them from a phone's to a wall's.
+// The checks of test/browser/sweep and layout, which look at a few windows, in all of them from a phone's to a wall's.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 

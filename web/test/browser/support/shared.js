@@ -20,7 +20,7 @@ export function sharedBench(skip, start) {
         opened.push(visit);
         return visit;
       },
-      /** What another test has opened is this test's now. */
+      /** Pages that another test has opened are this test’s now. */
       take(visit) {
         opened.push(visit);
         return visit;

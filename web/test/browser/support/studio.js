@@ -57,7 +57,7 @@ async function beginAgain(language) {
 
 const desk = { width: 1000, height: 600 };
 
-/** Whether a visit is about what happens in a page, whatever has happened there before, so that it need not load it. */
+/** Tells whether a visit is about what happens in a page, whatever has happened there before, so that it need not load it. */
 const isPlain = ({ small, path, ...options }) =>
   (path === undefined ? small === true : path.startsWith('/#plate=')) &&
   Object.keys(options).every((name) =>
