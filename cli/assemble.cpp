@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "files.hpp"
+#include "sillon/settings/table.hpp"
 
 namespace cli {
 namespace {
@@ -51,6 +52,16 @@ std::optional<std::string> otherThanJson(std::string_view text) {
   return std::nullopt;
 }
 
+/// The files that a layer names.
+std::vector<std::string*> filesOf(sillon::Layer& layer) {
+  std::vector<std::string*> files;
+  for (std::string* name : {&layer.file, &layer.maskFile, &layer.font}) {
+    const bool named = name == &layer.font ? sillon::isFontFile(*name) : !name->empty();
+    if (named) files.push_back(name);
+  }
+  return files;
+}
+
 }  // namespace
 
 Result<Project> loadProject(const std::string& path) {
@@ -69,6 +80,9 @@ Result<Project> loadProject(const std::string& path) {
   read.directionFile = fromFolder(folder, read.directionFile, up);
   read.modeFile = fromFolder(folder, read.modeFile, up);
   for (sillon::LampPicture& picture : read.pictures.files) picture.file = fromFolder(folder, picture.file, up);
+  for (sillon::Layer& layer : read.layers) {
+    for (std::string* name : filesOf(layer)) *name = fromFolder(folder, *name, up);
+  }
   return project;
 }
 
@@ -88,6 +102,9 @@ std::vector<std::string> inputFiles(const Project& project) {
     if (!name->empty()) files.push_back(*name);
   }
   for (const sillon::LampPicture& picture : project.pictures.files) files.push_back(picture.file);
+  for (sillon::Layer layer : project.layers) {
+    for (const std::string* name : filesOf(layer)) files.push_back(*name);
+  }
   return files;
 }
 
@@ -99,6 +116,9 @@ std::string projectFor(const Project& project, const std::string& path) {
   written.directionFile = seenFrom(folder, project.directionFile);
   written.modeFile = seenFrom(folder, project.modeFile);
   for (sillon::LampPicture& picture : written.pictures.files) picture.file = seenFrom(folder, picture.file);
+  for (sillon::Layer& layer : written.layers) {
+    for (std::string* name : filesOf(layer)) *name = seenFrom(folder, *name);
+  }
   return sillon::writeProject(written);
 }
 

@@ -109,6 +109,7 @@ function typeRow(setting) {
 
 const interfaces = {
   PictureParams: 'pictures',
+  Layer: 'layers',
   ToolpathParams: 'toolpath',
   PrinterValues: 'printer',
   PrintParams: 'print',
@@ -160,7 +161,7 @@ ${['pictures', ...sectionsOfStudio].map(studioSection).join('\n')}
 // --- web/src/i18n/en/core, wasm/src/hints.ts ---------------------------------------------------------------------------------
 
 const words = JSON.parse(execFileSync(program, ['words', '--json'], { encoding: 'utf8' }));
-const sectionsOfStudio = ['toolpath', 'print', 'printer'];
+const sectionsOfStudio = ['layers', 'toolpath', 'print', 'printer'];
 const settingsOfStudio = settings.filter((setting) => sectionsOfStudio.includes(setting.section) && isValue(setting));
 const labels = new Map(settings.map(({ section, key, label }) => [`${section}.${key}`, typeset(label)]));
 

@@ -416,6 +416,8 @@ export interface PlateInput {
   modes?: ModeInput;
   /** Pictures to be seen under lamps, instead of `directions`. */
   pictures?: PictureInput;
+  /** Texts, drawings, pictures, codes and patterns over the directions, the last on top. */
+  layers?: readonly LayerInput[];
   /** Whose nozzle lays the beads: it gives pictures the spool's slopes. As for writeGcode; default: 0.4 mm. */
   printer?: Partial<Printer>;
   /** Whose `showSide` is the side that pictures are seen on. As for writeGcode. */
@@ -426,6 +428,14 @@ export interface PlateInput {
  * from the nozzle of `printer` unless `slopes` says others. */
 export type PictureInput = Partial<Omit<PictureParams, 'files'>> & {
   files: readonly { file: InputFile; lamp?: readonly [number, number] | null }[];
+};
+
+/** One layer: its kind, and whatever differs from the defaults. A `font` is a built-in one, or a file's bytes. */
+export type LayerInput = Partial<Omit<Layer, 'file' | 'maskFile' | 'font'>> & {
+  kind: Layer['kind'];
+  file?: InputFile;
+  maskFile?: InputFile;
+  font?: string | Bytes;
 };
 
 export type ShapeInput =
@@ -479,6 +489,10 @@ export interface LampPicture {
   file: string;
   /** Azimuth counter-clockwise from +x, -360..360, and elevation, 1..90 [degrees]; null: chosen for the picture. */
   lamp: [number, number] | null;
+}
+
+/** One of the `layers` of docs/reference/project.md. */
+export interface Layer {
 }
 
 /** Section `pictures` of docs/reference/project.md. */
@@ -751,6 +765,7 @@ export interface Project {
   directions: { file: string; encoding: DirectionEncoding; angle: number };
   modes: { file: string; mode: DirectionMode };
   pictures: PictureParams;
+  layers?: (Partial<Layer> & Pick<Layer, 'kind'>)[];
   toolpath: ToolpathParams;
   print: Omit<PrintParams, 'date'>;
   printer: Printer;

@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 64;
 constexpr const char* kStudio = "studio";
-constexpr std::array kSections{Section::Shape,    Section::Directions, Section::Modes,  Section::Pictures,
-                               Section::Toolpath, Section::Print,      Section::Printer};
+constexpr std::array kSections{Section::Shape,  Section::Directions, Section::Modes, Section::Pictures,
+                               Section::Layers, Section::Toolpath,   Section::Print, Section::Printer};
 
 /// Looks a JSON text over without building it: syntax, nesting, repeated keys.
 class Inspector : public nlohmann::json_sax<Json> {
@@ -100,7 +100,9 @@ std::string readRoot(const Json& root, Project& project) {
   for (const Section section : kSections) {
     const auto found = root.find(sectionName(section));
     if (found == root.end()) continue;
-    if (std::string wrong = readSection(*found, section, viewOf(project)); !wrong.empty()) return wrong;
+    std::string wrong = section == Section::Layers ? readLayers(*found, project)
+                                                   : readSection(*found, section, viewOf(project));
+    if (!wrong.empty()) return wrong;
   }
   const auto studio = root.find(kStudio);
   if (studio == root.end()) return "";

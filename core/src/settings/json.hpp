@@ -1,6 +1,7 @@
 // Settings from and to JSON.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -23,6 +24,9 @@ std::string pairText(Vec2 value);
 
 /// "\"none\", \"soft\" or \"count\""
 std::string choicesText(const Setting& setting);
+
+/// A message about a setting of a layer, which then tells the number of the layer: "layers[2].angle is ...".
+std::string inLayer(std::string message, std::size_t number);
 
 /// A project file with the sections of which a view has any part.
 std::string projectText(const SettingsView& view);
@@ -57,6 +61,9 @@ const char* typeName(const nlohmann::json& value);
 /// preset or profile that is named come first. Types only: ranges are the validator's.
 /// \return what is wrong, an unknown key too; empty: nothing.
 std::string readSection(const nlohmann::json& value, Section section, const SettingsView& view);
+
+/// Reads the list of a project's layers. \return as readSection.
+std::string readLayers(const nlohmann::json& value, Project& project);
 
 /// Refuses keys that are not known. \param prefix  of the names in messages, such as "print.".
 std::string unknownKey(const nlohmann::json& object, const std::string& prefix, const std::vector<std::string>& known);

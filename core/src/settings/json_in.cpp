@@ -174,6 +174,22 @@ std::string unknownKey(const Json& object, const std::string& prefix, const std:
   return "";
 }
 
+std::string readLayers(const Json& value, Project& project) {
+  if (!value.is_array()) return wrongType("layers", "a list of layers", value);
+  if (value.size() > kMostLayers) {
+    return "layers has " + std::to_string(value.size()) + " entries; it may have up to " + std::to_string(kMostLayers);
+  }
+  project.layers.clear();
+  for (const Json& one : value) {
+    SettingsView view;
+    view.layer = &project.layers.emplace_back();
+    const std::size_t number = project.layers.size() - 1;
+    if (!one.is_object()) return wrongType("layers[" + std::to_string(number) + "]", "an object", one);
+    if (std::string wrong = readSection(one, Section::Layers, view); !wrong.empty()) return inLayer(wrong, number);
+  }
+  return "";
+}
+
 std::string readSection(const Json& value, Section section, const SettingsView& view) {
   const std::string sectionText = sectionName(section);
   if (!value.is_object()) return wrongType(sectionText, "an object", value);

@@ -147,14 +147,53 @@ std::string settingText(const Setting& setting, const Project& project) {
   return setting.type == SettingType::Choice ? json.substr(1, json.size() - 2) : json;
 }
 
+std::string inLayer(std::string message, std::size_t number) {
+  const std::string_view section = "layers.";
+  const std::size_t at = message.find(section);
+  if (at != std::string::npos) message.insert(at + section.size() - 1, "[" + std::to_string(number) + "]");
+  return message;
+}
+
+namespace {
+
+/// One line, with the kind and all that differs from the defaults.
+std::string layerText(const Layer& layer) {
+  Layer usual;
+  SettingsView view, defaults;
+  view.layer = const_cast<Layer*>(&layer);
+  defaults.layer = &usual;
+  std::string out;
+  for (const Setting& setting : settings()) {
+    if (setting.section != Section::Layers) continue;
+    const Field field = setting.field(view), other = setting.field(defaults);
+    const std::string json = std::visit(ValueJson{setting, field, ""}, field);
+    const bool told = out.empty() || json != std::visit(ValueJson{setting, other, ""}, other);
+    if (told) add(out, setting.key, json);
+  }
+  return "{" + out + "}";
+}
+
+std::string layersText(const std::vector<Layer>& layers) {
+  std::string out;
+  for (const Layer& layer : layers) out += (out.empty() ? "\n    " : ",\n    ") + layerText(layer);
+  return out.empty() ? "[]" : "[" + out + "\n  ]";
+}
+
+}  // namespace
+
 std::string projectText(const SettingsView& view) {
   std::string out = "{\n  \"sillon\": 1";
   const char* open = "";
+  bool layers = view.project == nullptr || view.project->layers.empty();  // written
   for (const Setting& setting : settings()) {
     const Field field = setting.field(view);
     if (std::holds_alternative<std::monostate>(field)) continue;
     const char* section = sectionName(setting.section);
-    if (std::string_view(section) == open) {
+    if (!layers && setting.section > Section::Layers) {
+      out += "\n  },\n  \"layers\": " + layersText(view.project->layers) + ",\n  \"" + section + "\": {\n";
+      open = section;
+      layers = true;
+    } else if (std::string_view(section) == open) {
       out += ",\n";
     } else {
       out += std::string(*open == '\0' ? "" : "\n  }") + ",\n  \"" + section + "\": {\n";
@@ -169,7 +208,9 @@ std::string projectText(const SettingsView& view) {
 
 std::string settingsJson() {
   Project defaults;
-  const SettingsView view = viewOf(defaults);
+  Layer layer;
+  SettingsView view = viewOf(defaults);
+  view.layer = &layer;
   std::string out;
   for (const Setting& setting : settings()) {
     out += (out.empty() ? "" : ",\n") + settingJson(setting, setting.field(view));

@@ -17,6 +17,7 @@ PictureParams* part(const SettingsView& view, const PictureParams* /*of this typ
   return view.project == nullptr ? nullptr : &view.project->pictures;
 }
 Printer* part(const SettingsView& view, const Printer* /*of this type*/) { return view.printer; }
+Layer* part(const SettingsView& view, const Layer* /*of this type*/) { return view.layer; }
 
 template <class Enum>
 ChoiceField choiceField(Enum& at) {
@@ -54,6 +55,7 @@ constexpr double kMaxSide = 10'000;      // [mm], pages
 constexpr double kMaxBed = 5'000;        // [mm]; beds may have their origin anywhere
 constexpr double kLine = 1024;           // [bytes]
 constexpr double kBlock = 65'536;        // [bytes]
+constexpr double kText = 4096;           // [bytes], of a layer
 constexpr double kMaxLayerHeight = 1.6;  // [mm], 0.8 of the widest nozzle
 constexpr double kSeeds = 18446744073709551615.0;
 
@@ -242,6 +244,59 @@ constexpr Row kRows[] = {
       .help = "Number of times the pictures are solved again to correct what the previous plate did not show; each "
               "takes as long as a plate",
       .option = "--corrections"}},
+
+    {{.section = Layers, .key = "kind", .type = Choice, .field = at<&Layer::kind>, .level = Basic, .choices = "direction map picture text qr pattern drawing border"},
+     {.label = "Kind", .help = "What the layer draws: one direction, a direction picture, a picture under its lamp, a text, a QR code, a pattern, a drawing, or a band along the border"}},
+    {{.section = Layers, .key = "visible", .type = Flag, .field = at<&Layer::visible>, .level = Basic},
+     {.label = "Visible", .help = "A layer that is not visible draws nothing"}},
+    {{.section = Layers, .key = "at", .type = Pair, .field = at<&Layer::at>, .unit = "mm", .low = -10000, .high = 10000, .level = Basic},
+     {.label = "Place", .help = "Middle of the layer, from the lower left corner of the page; null: the middle of the page"}},
+    {{.section = Layers, .key = "size", .type = Pair, .field = at<&Layer::size>, .unit = "mm", .low = 0, .high = kMaxSide, .level = Basic},
+     {.label = "Size", .help = "Width and height before it turns; a side of 0 follows the content"}},
+    {{.section = Layers, .key = "rotation", .type = Number, .field = at<&Layer::rotation>, .unit = "degrees", .low = -360, .high = 360, .level = Basic},
+     {.label = "Rotation", .help = "Turns the layer counter-clockwise about its middle"}},
+    {{.section = Layers, .key = "mirror", .type = Flag, .field = at<&Layer::mirror>, .level = Basic},
+     {.label = "Mirror", .help = "Mirrors the layer left to right before it turns"}},
+    {{.section = Layers, .key = "mask", .type = Choice, .field = at<&Layer::mask>, .level = Basic, .choices = "own page inside outside"},
+     {.label = "Mask", .help = "Where it shows: on its own letters, drawing or box, on the whole page, or inside or outside the mask file"}},
+    {{.section = Layers, .key = "maskFile", .type = Text, .field = at<&Layer::maskFile>, .high = kLine, .level = Basic},
+     {.label = "Mask file", .help = "Drawing or mask picture that bounds the layer, stretched over its box"}},
+    {{.section = Layers, .key = "soft", .type = Number, .field = at<&Layer::soft>, .unit = "mm", .low = 0, .high = 100, .level = Basic},
+     {.label = "Soft edge", .help = "Width over which its directions turn into those below, about its edge"}},
+    {{.section = Layers, .key = "angle", .type = Number, .field = at<&Layer::angle>, .unit = "degrees", .low = -360, .high = 360, .level = Basic},
+     {.label = "Angle", .help = "Direction of its beads on the page, counter-clockwise from the right"}},
+    {{.section = Layers, .key = "ground", .type = Number, .field = at<&Layer::ground>, .unit = "degrees", .low = -360, .high = 360, .level = Basic},
+     {.label = "Ground", .help = "Direction in the box around letters or a drawing; null: what lies below shows, and the light modules of a QR code lie across the dark ones"}},
+    {{.section = Layers, .key = "fill", .type = Choice, .field = at<&Layer::fill>, .level = Basic, .choices = "angle along"},
+     {.label = "Fill", .help = "Beads fill letters and drawings in one direction, or along their outline"}},
+    {{.section = Layers, .key = "file", .type = Text, .field = at<&Layer::file>, .high = kLine, .level = Basic},
+     {.label = "File", .help = "File of a map, a picture, a drawing or an echo"}},
+    {{.section = Layers, .key = "cropMin", .type = Pair, .field = at<&Layer::cropMin>, .low = 0, .high = 1, .level = Basic},
+     {.label = "Crop from", .help = "Lower left corner of the part of a picture that is used, in shares of the picture"}},
+    {{.section = Layers, .key = "cropMax", .type = Pair, .field = at<&Layer::cropMax>, .low = 0, .high = 1, .level = Basic},
+     {.label = "Crop to", .help = "Upper right corner of that part"}},
+    {{.section = Layers, .key = "lamp", .type = Pair, .field = at<&Layer::lamp>, .unit = "degrees", .low = -360, .high = 360, .level = Basic},
+     {.label = "Lamp", .help = "Azimuth and elevation of the lamp that shows a picture; null: the lamp of the first picture, or 60 and 45"}},
+    {{.section = Layers, .key = "text", .type = Block, .field = at<&Layer::text>, .high = kText, .level = Basic},
+     {.label = "Text", .help = "Letters, in one or several lines, or what a QR code says"}},
+    {{.section = Layers, .key = "font", .type = Text, .field = at<&Layer::font>, .high = kLine, .level = Basic},
+     {.label = "Font", .help = "Built-in font (see sillon fonts), or a TTF or OTF file"}},
+    {{.section = Layers, .key = "textSize", .type = Number, .field = at<&Layer::textSize>, .unit = "mm", .low = 1, .high = 1000, .level = Basic},
+     {.label = "Letter height", .help = "Height of capitals, where the size is 0"}},
+    {{.section = Layers, .key = "circle", .type = Number, .field = at<&Layer::circle>, .unit = "mm", .low = -5000, .high = 5000, .level = Basic},
+     {.label = "Circle", .help = "Radius of the circle that letters stand on; 0: straight; below 0: along the lower side, to be read from inside"}},
+    {{.section = Layers, .key = "align", .type = Choice, .field = at<&Layer::align>, .level = Basic, .choices = "left middle right"},
+     {.label = "Alignment", .help = "Where shorter lines stand"}},
+    {{.section = Layers, .key = "correction", .type = Choice, .field = at<&Layer::correction>, .level = Basic, .choices = "low medium quartile high"},
+     {.label = "Correction", .help = "How much of a QR code may be damaged: 7, 15, 25 or 30 percent"}},
+    {{.section = Layers, .key = "pattern", .type = Choice, .field = at<&Layer::pattern>, .level = Basic, .choices = "radial waves echo"},
+     {.label = "Pattern", .help = "Rays from the middle turned by the angle (90: rings), waves, or contours around a drawing"}},
+    {{.section = Layers, .key = "waveLength", .type = Number, .field = at<&Layer::waveLength>, .unit = "mm", .low = 1, .high = 1000, .level = Basic},
+     {.label = "Wavelength", .help = "Length of one wave"}},
+    {{.section = Layers, .key = "amplitude", .type = Number, .field = at<&Layer::amplitude>, .unit = "degrees", .low = 0, .high = 90, .level = Basic},
+     {.label = "Amplitude", .help = "How far waves turn the directions to either side"}},
+    {{.section = Layers, .key = "width", .type = Number, .field = at<&Layer::width>, .unit = "mm", .low = 0.1, .high = 1000, .level = Basic},
+     {.label = "Width", .help = "Width of a band along the border"}},
 
     {{.section = Toolpath, .key = "preset", .type = Name, .field = nowhere, .level = Basic},
      {.label = "Preset",
@@ -1081,6 +1136,11 @@ constexpr auto kWords = [] {
 
 }  // namespace
 
+bool isFontFile(std::string_view font) {
+  const std::string_view end = font.substr(font.size() - std::min<std::size_t>(4, font.size()));
+  return end == ".ttf" || end == ".otf" || end == ".TTF" || end == ".OTF";
+}
+
 SettingsView viewOf(Project& project) { return {&project, &project.toolpath, &project.print, &project.printer}; }
 
 std::span<const Setting> settings() { return kSettings; }
@@ -1097,7 +1157,7 @@ const Setting* findSetting(Section section, std::string_view key) {
 }
 
 const char* sectionName(Section section) {
-  constexpr std::array kNames{"shape", "directions", "modes", "pictures", "toolpath", "print", "printer"};
+  constexpr std::array kNames{"shape", "directions", "modes", "pictures", "layers", "toolpath", "print", "printer"};
   return kNames[static_cast<std::size_t>(section)];
 }
 

@@ -168,6 +168,45 @@ Wrong wrongPrinter(const Printer& printer) {
   return std::nullopt;
 }
 
+Wrong wrongLayer(const Layer& layer) {
+  const LayerKind kind = layer.kind;
+  const bool echo = kind == LayerKind::Pattern && layer.pattern == LayerPattern::Echo;
+  const bool needsFile =
+      kind == LayerKind::Map || kind == LayerKind::Picture || kind == LayerKind::Drawing || echo;
+  if (needsFile && layer.file.empty()) return wrong("layers.file is empty; it must name a picture or a drawing");
+  if ((kind == LayerKind::Text || kind == LayerKind::Qr) && layer.text.empty()) {
+    return wrong("layers.text is empty; it must have letters");
+  }
+  const bool masked = layer.mask == LayerMask::Inside || layer.mask == LayerMask::Outside;
+  if (masked && layer.maskFile.empty()) return wrong("layers.maskFile is empty; it must name a drawing");
+  if (!(layer.cropMin.x < layer.cropMax.x && layer.cropMin.y < layer.cropMax.y)) {
+    return wrong("layers.cropMax is " + pairText(layer.cropMax) + "; it must be right of and above cropMin " +
+                 pairText(layer.cropMin));
+  }
+  if (layer.lamp && !(layer.lamp->y >= 1 && layer.lamp->y <= 90)) {
+    return wrong("layers.lamp.y is " + numberText(layer.lamp->y) + " degrees; it must be 1 to 90");
+  }
+  return std::nullopt;
+}
+
+Wrong wrongIn(const SettingsView& view);
+
+Wrong wrongLayers(const Project& project) {
+  if (project.layers.size() > kMostLayers) {
+    return wrong("the project has " + std::to_string(project.layers.size()) + " layers; it may have up to " +
+                 std::to_string(kMostLayers));
+  }
+  for (std::size_t k = 0; k < project.layers.size(); ++k) {
+    SettingsView view;
+    view.layer = const_cast<Layer*>(&project.layers[k]);
+    Wrong found = wrongIn(view);
+    if (!found) continue;
+    found->message = inLayer(found->message, k);
+    return found;
+  }
+  return std::nullopt;
+}
+
 Wrong wrongIn(const SettingsView& view) {
   for (const Setting& setting : settings()) {
     const Field field = setting.field(view);
@@ -176,6 +215,8 @@ Wrong wrongIn(const SettingsView& view) {
   Wrong found;
   if (view.project != nullptr) found = wrongShape(*view.project);
   if (!found && view.project != nullptr) found = wrongDirections(*view.project);
+  if (!found && view.project != nullptr) found = wrongLayers(*view.project);
+  if (!found && view.layer != nullptr) found = wrongLayer(*view.layer);
   if (!found && view.print != nullptr) found = wrongPrint(*view.print);
   if (!found && view.printer != nullptr) found = wrongPrinter(*view.printer);
   return found;

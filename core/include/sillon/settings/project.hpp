@@ -9,6 +9,7 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
+#include "sillon/settings/layers.hpp"
 
 namespace sillon {
 
@@ -310,6 +311,7 @@ struct Project {
   DirectionMode mode = DirectionMode::Constrained;
   /// If there are any, directions are solved for and directionFile must be empty
   PictureParams pictures;
+  std::vector<Layer> layers;  ///< over the directions, the last on top; 0..32
   ToolpathParams toolpath;
   PrintParams print;
   std::string printerProfile;   ///< whose values `printer` began with; empty: none

@@ -18,7 +18,7 @@
 namespace sillon {
 
 /// The parts of a project file, in its order.
-enum class Section { Shape, Directions, Modes, Pictures, Toolpath, Print, Printer };
+enum class Section { Shape, Directions, Modes, Pictures, Layers, Toolpath, Print, Printer };
 
 /// Who looks for a setting.
 enum class Level {
@@ -47,6 +47,7 @@ struct SettingsView {
   ToolpathParams* toolpath = nullptr;
   PrintParams* print = nullptr;
   Printer* printer = nullptr;
+  Layer* layer = nullptr;  ///< one of the project's
 };
 
 SettingsView viewOf(Project& project);
@@ -87,13 +88,19 @@ struct SettingWords {
 /// All of them, by section, in the order of the files that are written.
 std::span<const Setting> settings();
 
+/// The most layers that a project may have.
+inline constexpr std::size_t kMostLayers = 32;
+
+/// Tells whether a layer's font is a file, and no built-in one.
+bool isFontFile(std::string_view font);
+
 /// \param setting  one of `settings()`, no copy
 SettingWords wordsOf(const Setting& setting);
 
 /// \return null if there is none.
 const Setting* findSetting(Section section, std::string_view key);
 
-/// "shape", "directions", "modes", "pictures", "toolpath", "print", "printer"
+/// "shape", "directions", "modes", "pictures", "layers", "toolpath", "print", "printer"
 const char* sectionName(Section section);
 
 /// "printer.nozzle"
