@@ -1,13 +1,23 @@
 #include "assemble.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "files.hpp"
 #include "sillon/settings/table.hpp"
+
+#ifdef __EMSCRIPTEN__
+#include <emscripten.h>
+
+/// \returns text that the caller frees. wasm/src/cli-texts.ts has what it calls.
+EM_JS(char*, sillonMadeElsewhere, (const char* name),
+      { return stringToNewUTF8(globalThis.sillonMadeElsewhere(UTF8ToString(name))); });
+#endif
 
 namespace cli {
 namespace {
@@ -62,6 +72,26 @@ std::vector<std::string*> filesOf(sillon::Layer& layer) {
   return files;
 }
 
+/// Letters and codes that core leaves to others (core/src/text): the command line for Node has them from JavaScript.
+Result<sillon::InputFile> madeElsewhere(const std::string& name, const std::string& what) {
+#ifdef __EMSCRIPTEN__
+  const std::unique_ptr<char, decltype(&std::free)> made(sillonMadeElsewhere(name.c_str()), &std::free);
+  if (what == "shaped line") return sillon::InputFile(std::string(made.get()));
+  // A code comes as its side and a letter for each module.
+  const std::string_view text(made.get());
+  const std::size_t space = text.find(' ');
+  if (space == std::string_view::npos) return sillon::InputFile(std::string());
+  const int side = std::atoi(made.get());
+  sillon::Image image{side, side, 1, {}};
+  for (const char module : text.substr(space + 1)) image.samples.push_back(module == '#' ? 0 : 65535);
+  return sillon::InputFile(std::move(image));
+#else
+  static_cast<void>(name);
+  return sillon::Error{sillon::ErrorCode::InvalidArgument,
+                       "this program was built without HarfBuzz and libqrcodegen, so it makes no " + what};
+#endif
+}
+
 }  // namespace
 
 Result<Project> loadProject(const std::string& path) {
@@ -91,6 +121,7 @@ Result<sillon::PlateInput> assemblePlate(const Project& project, const sillon::R
 }
 
 Result<sillon::InputFile> readInputFile(const std::string& name, const std::string& what) {
+  if (what == "shaped line" || what == "QR code") return madeElsewhere(name, what);
   Result<std::string> bytes = readFile(name, what, kMaxInputBytes);
   if (!bytes) return bytes.error();
   return sillon::InputFile(std::move(bytes).value());

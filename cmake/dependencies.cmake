@@ -3,6 +3,10 @@ if(NOT EMSCRIPTEN)
   find_package(Threads REQUIRED)
 endif()
 
+if(SILLON_TEXT)
+  include(cmake/sillonText.cmake)
+endif()
+
 # Header-only packages become SYSTEM interface targets, so that our warnings stay ours.
 function(sillon_header_library target header)
   # Cross-compiling looks nowhere by itself; headers are the same for every machine.

@@ -15,9 +15,14 @@ configure_package_config_file(cmake/sillonConfig.cmake.in ${PROJECT_BINARY_DIR}/
 # Below 1.0 names may change between minor versions.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/sillonConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/sillonConfig.cmake ${PROJECT_BINARY_DIR}/sillonConfigVersion.cmake
+  cmake/sillonText.cmake
   DESTINATION ${package_folder})
 
 file(RELATIVE_PATH SILLON_PC_TO_PREFIX /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+set(SILLON_PC_PRIVATE "")
+if(SILLON_TEXT)
+  set(SILLON_PC_PRIVATE "-lharfbuzz -lqrcodegencpp")
+endif()
 configure_file(cmake/sillon.pc.in ${PROJECT_BINARY_DIR}/sillon.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/sillon.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 

@@ -19,13 +19,15 @@ quality: settings geometry input field toolpath look pipeline
 printer: settings
 gcode_reader: settings printer
 report: settings geometry look pipeline quality gcode_reader
+text: settings geometry input
 project: settings geometry input
 pictures: geometry input look pipeline quality project
 rebrush: settings geometry input look pipeline quality gcode_reader
 gcode: settings geometry toolpath quality printer gcode_reader report
 calibrate: settings geometry look pipeline gcode
 export: settings geometry input toolpath look gcode_reader gcode
-job: settings geometry input look pipeline quality gcode_reader report project pictures gcode
+compose: settings geometry input look text project pictures
+job: settings geometry input look pipeline quality gcode_reader report project pictures gcode compose
 printer_import: settings look gcode_reader project gcode export
 "
 

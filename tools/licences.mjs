@@ -59,7 +59,9 @@ const licenceOf = (name) => new RegExp(`^\\| ${name} \\| ([^|]+) \\|`, 'm').exec
 function libraries({ program }) {
   const { dependencies, features } = JSON.parse(read(at('vcpkg.json')));
   const debian = debianPackages();
-  return [...(program ? features.cli.dependencies : []), ...dependencies].map((port) => {
+  const ports = [...(program ? features.cli.dependencies : []), ...dependencies];
+  return ports.map((asked) => {
+    const port = asked.name ?? asked;
     const file = first([
       at(`build/release/vcpkg_installed/*/share/${port}/copyright`),
       `/usr/share/doc/${debian.get(port)}/copyright`,
@@ -116,14 +118,29 @@ function npmPackages(more = []) {
     });
 }
 
+/** They stand beside the fonts. */
+const fonts = () =>
+  readdirSync(at('core/data/fonts'))
+    .filter((name) => name.endsWith('-LICENSE.txt'))
+    .sort()
+    .map((name) => {
+      const text = read(at(`core/data/fonts/${name}`));
+      const licence = text.includes('Open Font License') ? 'OFL-1.1' : 'Apache-2.0';
+      return part(`font ${name.replace('-LICENSE.txt', '')}`, licence, text);
+    });
+
+/** In dist/engine/text.js, which holds them though they are no dependencies of the package. */
+const textPackages = ['harfbuzzjs', 'nayuki-qr-code-generator'];
+const onlyNamed = (names) => npmPackages(names).filter(({ name }) => names.includes(name.replace(/ [^ ]*$/, '')));
+
 // --- Products --------------------------------------------------------------------------------------------------------------
 
-const studio = () => [...libraries({ program: false }), ...emscripten(), ...npmPackages()];
+const studio = () => [...libraries({ program: false }), ...emscripten(), ...npmPackages(textPackages), ...fonts()];
 const products = {
-  native: () => libraries({ program: true }),
-  npm: () => [...libraries({ program: true }), ...emscripten()],
+  native: () => [...libraries({ program: true }), ...fonts()],
+  npm: () => [...libraries({ program: true }), ...emscripten(), ...onlyNamed(textPackages), ...fonts()],
   studio,
-  site: () => [...studio(), ...npmPackages(['minisearch']).filter(({ name }) => name.startsWith('minisearch '))],
+  site: () => [...studio(), ...onlyNamed(['minisearch'])],
 };
 
 /** @returns one text */

@@ -23,6 +23,7 @@ val keptNumbers();
 val generateToolpath(const std::string& projectJson, const val& files, bool measure, bool across, int number,
                      const val& onProgress);
 val readShape(const std::string& projectJson, const val& files);
+val placeLayers(const std::string& projectJson, const val& files);
 val decodePicture(const val& file, const std::string& name);
 val readProject(const std::string& json);
 /// \param projectJson  made of arguments: what is wrong in it is no file's fault.

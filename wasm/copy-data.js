@@ -1,7 +1,9 @@
-// Puts the core's tables into the package, where its exports name them.
+// Puts the core's tables and fonts into the package, where its exports and the engine's addresses name them.
 import { cpSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 for (const name of ['presets', 'printers', 'filaments'])
   cpSync(at(`../core/data/${name}.json`), at(`dist/data/${name}.json`));
+for (const name of ['nunito', 'bebas-neue', 'roboto-slab', 'fredoka', 'caveat'])
+  cpSync(at(`../core/data/fonts/${name}.ttf`), at(`dist/engine/${name}.ttf`));

@@ -79,6 +79,27 @@ val readShape(const std::string& projectJson, const val& files) {
   });
 }
 
+val placeLayers(const std::string& projectJson, const val& files) {
+  return guarded([&](sillon::RunContext& run) {
+    const auto project = call::projectOf(projectJson);
+    if (!project) return failure(project.error());
+    const sillon::ReadInput read = convert::reader(files);
+    const auto input = sillon::readPlateInput(project.value(), read, run);
+    if (!input) return failure(input.error());
+    const auto placed = sillon::placeLayers(project.value(), input.value().shape, read);
+    if (!placed) return failure(placed.error());
+    val out = val::array();
+    for (const sillon::PlacedLayer& layer : placed.value()) {
+      val one = val::object();
+      one.set("at", convert::toJs(layer.at));
+      one.set("size", convert::toJs(layer.size));
+      one.set("thin", layer.thin);
+      out.call<void>("push", one);
+    }
+    return success(out);
+  });
+}
+
 val decodePicture(const val& file, const std::string& name) {
   return guarded([&](sillon::RunContext&) {
     const auto image = sillon::decodeImage(convert::numbers<std::uint8_t>(file), name);

@@ -117,6 +117,9 @@ export interface Engine {
   /** The polygons of a shape, as generateToolpath would fill them. `directions` lends its proportions to a built-in
    * shape without height. */
   readShape(shape: ShapeInput, directions?: DirectionInput, options?: RunOptions): Promise<Shape>;
+  /** Where the layers of a plate lie: their boxes, before they turn, and how thin their letters are. For handles: no picture
+   * is solved for. */
+  placeLayers(input: PlateInput, options?: RunOptions): Promise<PlacedLayer[]>;
   /** PNG, JPEG, BMP or TGA to the stored values, without colour management; EXIF orientation applied.
    * Other formats: draw them to a canvas and hand over its pixels as a Picture. */
   decodePicture(file: Bytes, options?: RunOptions): Promise<Picture>;
@@ -430,6 +433,16 @@ export type PictureInput = Partial<Omit<PictureParams, 'files'>> & {
   files: readonly { file: InputFile; lamp?: readonly [number, number] | null }[];
 };
 
+/** The box of a layer on the page. */
+export interface PlacedLayer {
+  /** Its middle, from the page's lower left corner [mm]. */
+  at: [number, number];
+  /** Before it turns [mm]. */
+  size: [number, number];
+  /** Share of letters or of a drawing that is narrower than two beads, 0..1. */
+  thin: number;
+}
+
 /** One layer: its kind, and whatever differs from the defaults. A `font` is a built-in one, or a file's bytes. */
 export type LayerInput = Partial<Omit<Layer, 'file' | 'maskFile' | 'font'>> & {
   kind: Layer['kind'];
@@ -493,7 +506,60 @@ export interface LampPicture {
 
 /** One of the `layers` of docs/reference/project.md. */
 export interface Layer {
-}
+  /** What the layer draws: one direction, a direction picture, a picture under its lamp, a text, a QR code, a pattern, a drawing, or a band along the border. Default "direction". */
+  kind: 'direction' | 'map' | 'picture' | 'text' | 'qr' | 'pattern' | 'drawing' | 'border';
+  /** A layer that is not visible draws nothing. Default true. */
+  visible: boolean;
+  /** Middle of the layer, from the lower left corner of the page; null: the middle of the page. -10000..10000 mm, default null. */
+  at: [number, number] | null;
+  /** Width and height before it turns; a side of 0 follows the content. 0..10000 mm, default [0,0]. */
+  size: [number, number];
+  /** Turns the layer counter-clockwise about its middle. -360..360 °, default 0. */
+  rotation: number;
+  /** Mirrors the layer left to right before it turns. Default false. */
+  mirror: boolean;
+  /** Where it shows: on its own letters, drawing or box, on the whole page, or inside or outside the mask file. Default "own". */
+  mask: 'own' | 'page' | 'inside' | 'outside';
+  /** Drawing or mask picture that bounds the layer, stretched over its box. Default "". */
+  maskFile: string;
+  /** Width over which its directions turn into those below, about its edge. 0..100 mm, default 0. */
+  soft: number;
+  /** Direction of its beads on the page, counter-clockwise from the right. -360..360 °, default 0. */
+  angle: number;
+  /** Direction in the box around letters or a drawing; null: what lies below shows, and the light modules of a QR code lie across the dark ones. -360..360 °, default null. */
+  ground: number | null;
+  /** Beads fill letters and drawings in one direction, or along their outline. Default "angle". */
+  fill: 'angle' | 'along';
+  /** File of a map, a picture, a drawing or an echo. Default "". */
+  file: string;
+  /** How the picture of a map gives directions: grey is −90 to 90°; grey is 0 to 180°; red and green are x and y. Default "angle". */
+  encoding: 'angle' | 'rotation' | 'tangent';
+  /** Lower left corner of the part of a picture that is used, in shares of the picture. 0..1, default [0,0]. */
+  cropMin: [number, number];
+  /** Upper right corner of that part. 0..1, default [1,1]. */
+  cropMax: [number, number];
+  /** Azimuth and elevation of the lamp that shows a picture; null: the lamp of the first picture, or 60 and 45. -360..360 °, default null. */
+  lamp: [number, number] | null;
+  /** Letters, in one or several lines, or what a QR code says. Default "". */
+  text: string;
+  /** Built-in font (see sillon fonts), or a TTF or OTF file. Default "Nunito". */
+  font: string;
+  /** Height of capitals, where the size is 0. 1..1000 mm, default 10. */
+  textSize: number;
+  /** Radius of the circle that letters stand on; 0: straight; below 0: along the lower side, to be read from inside. -5000..5000 mm, default 0. */
+  circle: number;
+  /** Where shorter lines stand. Default "middle". */
+  align: 'left' | 'middle' | 'right';
+  /** How much of a QR code may be damaged: 7, 15, 25 or 30 percent. Default "medium". */
+  correction: 'low' | 'medium' | 'quartile' | 'high';
+  /** Rays from the middle turned by the angle (90 makes rings), waves, or contours around a drawing. Default "radial". */
+  pattern: 'radial' | 'waves' | 'echo';
+  /** Length of one wave. 1..1000 mm, default 20. */
+  waveLength: number;
+  /** How far waves turn the directions to either side. 0..90 °, default 20. */
+  amplitude: number;
+  /** Width of a band along the border. 0.1..1000 mm, default 3. */
+  width: number;
 
 /** Section `pictures` of docs/reference/project.md. */
 export interface PictureParams {

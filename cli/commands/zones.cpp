@@ -67,6 +67,9 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
   if (!input) return input.error();
   const auto pictures = sillon::solvePictures(project, readInputFile, input.value(), run);
   if (!pictures) return pictures.error();
+  const auto layers = sillon::makeLayers(project, input.value().shape, readInputFile, run);
+  if (!layers) return layers.error();
+  sillon::layOver(layers.value(), input.value());
   if (arguments.body.empty()) {
     seen = input.value().shape;
     Result<sillon::Mesh> prism = sillon::prismOf(seen, arguments.height);

@@ -6,6 +6,7 @@ import type { Platform } from './platform.js';
 import { beads, gcodes, memoryOf, newNumber } from './known.js';
 import type { Call } from './protocol.js';
 import { Queue, type Threads } from './queue.js';
+import { Texts } from './texts.js';
 
 const mostAutoThreads = 8;
 
@@ -31,6 +32,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
   // A worker of its own for all that needs no plate, so that none of it waits for one. Started by its first call.
   const few = { ...threads, threads: Math.min(mostThreadsAside, threads.threads) };
   const aside = new Queue(platform, assets, idleTimeout, memory, few, plates);
+  const texts = new Texts(platform, assets);
 
   // Asynchronous functions turn what `input` throws into rejections. They run up to their first await when they are
   // called, so that calls enter the queue in order.
@@ -54,6 +56,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
     async generateToolpath(plateInput, params, options) {
       const { measure = true, across = false, ...others } = input.callOptions(options, ['measure', 'across']);
       const { sections, files } = input.plate(plateInput);
+      if ('layers' in sections) await texts.addTo(files, sections);
       const project = input.projectText({
         ...sections,
         toolpath: input.section(params, 'params'),
@@ -130,6 +133,14 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       const checked = input.callOptions(options);
       const { sections, files } = input.plate({ shape, directions });
       return (await run({ name: 'readShape', project: input.projectText(sections), files }, checked)) as api.Shape;
+    },
+
+    async placeLayers(plateInput, options) {
+      const checked = input.callOptions(options);
+      const { sections, files } = input.plate(plateInput);
+      await texts.addTo(files, sections);
+      const call: Call = { name: 'placeLayers', project: input.projectText(sections), files };
+      return (await runAside(call, checked)) as api.PlacedLayer[];
     },
 
     async decodePicture(file, options) {

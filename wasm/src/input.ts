@@ -155,11 +155,14 @@ function bytes(value: unknown, path: string): Uint8Array<ArrayBuffer> | Blob | u
   return kind === 'Blob' || kind === 'File' ? (value as Blob) : undefined;
 }
 
+/** Fields that take a drawing as text. */
+const drawings = /^(shape\.file|layers\[\d+\]\.(file|maskFile))$/;
+
 function file(value: unknown, path: string): Files[string] {
   if (typeof value === 'string') {
-    if (path === 'shape.file' && /^\uFEFF?\s*(<|$)/.test(value))
+    if (drawings.test(path) && /^\uFEFF?\s*(<|$)/.test(value))
       return { number: 0, value: new TextEncoder().encode(value) };
-    const what = path === 'shape.file' ? fileKinds : fileKinds.replace('SVG text, ', '');
+    const what = drawings.test(path) ? fileKinds : fileKinds.replace('SVG text, ', '');
     throw mustBe(path, value, what, 'Names of files are not opened here: hand over their content.');
   }
   const content = bytes(value, path);
@@ -272,10 +275,22 @@ export const blockText = (value: unknown): string => text(value, 'block');
 
 export const projectJson = (value: unknown): string => text(value, 'json');
 
+/** A layer that names its files as their fields are called. */
+function layer(value: unknown, path: string, files: Files): Fields {
+  const named = { ...fieldsOf(value, path) };
+  for (const key of ['file', 'maskFile', 'font']) {
+    const content = named[key];
+    if (content === undefined || content === '' || (key === 'font' && typeof content === 'string')) continue;
+    files[`${path}.${key}`] = file(content, `${path}.${key}`);
+    named[key] = `${path}.${key}`;
+  }
+  return named;
+}
+
 /** Sections that name the files as their fields are called. */
 export function plate(value: unknown): { sections: Fields; files: Files } {
   const given = fieldsOf(value, 'input');
-  refuseUnknown(given, '', ['shape', 'directions', 'modes', 'pictures', 'printer', 'print']);
+  refuseUnknown(given, '', ['shape', 'directions', 'modes', 'pictures', 'layers', 'printer', 'print']);
   const sections: Fields = {};
   const files: Files = {};
   for (const [name, part] of Object.entries(given)) {
@@ -292,6 +307,10 @@ export function plate(value: unknown): { sections: Fields; files: Files } {
         return { ...lamp, file: `${path}.file` };
       });
       sections[name] = { ...rest, files: named };
+      continue;
+    }
+    if (name === 'layers') {
+      sections[name] = listOf(part, name, (one, path) => layer(one, path, files));
       continue;
     }
     const { file: content, ...rest } = fieldsOf(part, name);

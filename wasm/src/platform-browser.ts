@@ -45,6 +45,17 @@ function ownFiles(): EngineFiles {
         wasm: new URL('./engine/sillon-mt.wasm', import.meta.url).href,
         threadScript: new URL('./engine/sillon-mt.worker.js', import.meta.url).href,
       },
+      text: {
+        script: new URL('./engine/text.js', import.meta.url).href,
+        wasm: new URL('./engine/harfbuzz.wasm', import.meta.url).href,
+      },
+      fonts: {
+        nunito: new URL('./engine/nunito.ttf', import.meta.url).href,
+        bebasNeue: new URL('./engine/bebas-neue.ttf', import.meta.url).href,
+        robotoSlab: new URL('./engine/roboto-slab.ttf', import.meta.url).href,
+        fredoka: new URL('./engine/fredoka.ttf', import.meta.url).href,
+        caveat: new URL('./engine/caveat.ttf', import.meta.url).href,
+      },
     };
   } catch {
     // Bundles that are plain scripts have no import.meta.url, or an empty one.
@@ -56,7 +67,7 @@ function ownFiles(): EngineFiles {
   return addressed(beside);
 }
 
-async function fetchScript(url: string): Promise<Uint8Array<ArrayBuffer>> {
+async function fetchFile(url: string): Promise<Uint8Array<ArrayBuffer>> {
   if (url.startsWith('data:')) return decodeData(url); // which policies may forbid to fetch
   let response: Response;
   try {
@@ -66,7 +77,7 @@ async function fetchScript(url: string): Promise<Uint8Array<ArrayBuffer>> {
   }
   if (!response.ok) throw new SillonError('LoadFailed', `${url} could not be fetched: status ${response.status}`);
   const type = response.headers.get('content-type') ?? 'of unknown type';
-  if (/html/i.test(type)) throw new SillonError('LoadFailed', `${url} is not a script: it came as ${type}`);
+  if (/html/i.test(type)) throw new SillonError('LoadFailed', `${url} is no file of the engine: it came as ${type}`);
   return new Uint8Array(await response.arrayBuffer());
 }
 
@@ -88,7 +99,7 @@ const blobOf = (script: string): string => URL.createObjectURL(new Blob([script]
  * blobs in frames of opaque origin. */
 async function startable(url: string): Promise<string> {
   if (isOwn(url)) return url;
-  const text = new TextDecoder().decode(await fetchScript(url));
+  const text = new TextDecoder().decode(await fetchFile(url));
   return blobOf(text.replace(/\bexport\s*\{\s*\};?/, '')); // the compiler's mark of a module
 }
 
@@ -96,7 +107,7 @@ async function startable(url: string): Promise<string> {
  * in Chromium's frames of opaque origin none can start, and one thread works. */
 async function startableThreads({ script, threadScript }: EngineFiles['mt']): Promise<ThreadScripts> {
   if (isOwn(threadScript)) return { threadScript, mainScript: script };
-  const text = new TextDecoder().decode(await fetchScript(threadScript));
+  const text = new TextDecoder().decode(await fetchFile(threadScript));
   const startsMain = text === '' && !isOwn(script);
   const mainScript = startsMain ? blobOf(`export { default } from ${JSON.stringify(script)};`) : script;
   return { threadScript: blobOf(text), mainScript };
@@ -106,7 +117,7 @@ async function startableThreads({ script, threadScript }: EngineFiles['mt']): Pr
 async function whyNot(url: string, message: string | undefined): Promise<string> {
   if (message) return `the worker ${url} failed: ${message}`;
   try {
-    await fetchScript(url);
+    await fetchFile(url);
     return `${url} could not be started as a worker`;
   } catch (problem) {
     return messageOf(problem);
@@ -115,6 +126,8 @@ async function whyNot(url: string, message: string | undefined): Promise<string>
 
 export const browser: Platform = {
   files: (assetBase) => (assetBase === undefined ? ownFiles() : filesAt(assetBase)),
+
+  read: fetchFile,
 
   cores: () => navigator.hardwareConcurrency,
 

@@ -48,6 +48,14 @@ export const node: Platform = {
     return filesIn((name) => new URL(name, folder).href);
   },
 
+  async read(url) {
+    try {
+      return await readFile(new URL(url));
+    } catch (problem) {
+      throw new SillonError('LoadFailed', `${url} could not be read: ${messageOf(problem)}`);
+    }
+  },
+
   cores: availableParallelism,
 
   obstacleToThreads: () => '',

@@ -7,6 +7,8 @@ export interface Platform {
   cores(): number;
   /** Why memory cannot be shared between threads; empty if it can. */
   obstacleToThreads(): string;
+  /** A file of the engine's. @throws SillonError LoadFailed */
+  read(url: string): Promise<Uint8Array>;
   /** The module, where the worker cannot fetch it by itself. @throws SillonError LoadFailed */
   compile?(wasm: string): Promise<WebAssembly.Module>;
   /** A file as it can be posted to a worker. @throws SillonError InvalidFile */
@@ -21,6 +23,14 @@ export const filesIn = (at: (name: string) => string): EngineFiles => ({
   worker: at('worker.js'),
   st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
   mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
+  text: { script: at('text.js'), wasm: at('harfbuzz.wasm') },
+  fonts: {
+    nunito: at('nunito.ttf'),
+    bebasNeue: at('bebas-neue.ttf'),
+    robotoSlab: at('roboto-slab.ttf'),
+    fredoka: at('fredoka.ttf'),
+    caveat: at('caveat.ttf'),
+  },
 });
 
 export interface WorkerEvents {

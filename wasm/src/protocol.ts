@@ -8,6 +8,8 @@ export interface EngineFiles {
   worker: string;
   st: ModuleFiles;
   mt: ModuleFiles & { threadScript: string };
+  text: ModuleFiles;
+  fonts: Record<'nunito' | 'bebasNeue' | 'robotoSlab' | 'fredoka' | 'caveat', string>;
 }
 export interface ModuleFiles {
   script: string;
@@ -36,6 +38,7 @@ export type Call =
   /** `number`: under which the beads are kept. */
   | { name: 'generateToolpath'; project: string; files: Files; measure: boolean; across: boolean; number: number }
   | { name: 'readShape'; project: string; files: Files }
+  | { name: 'placeLayers'; project: string; files: Files }
   | { name: 'decodePicture'; file: KnownFile }
   | { name: 'readProject'; project: string }
   | { name: 'writeProject'; project: string }

@@ -12,15 +12,20 @@
 
 // Everything a person may choose, and project files.
 #include "sillon/project/project.hpp"
+#include "sillon/settings/layers.hpp"
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/project.hpp"
 #include "sillon/settings/table.hpp"
 
 // Shapes and maps, from bytes (Sec. 4).
+#include "sillon/compose/compose.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/input/plate_input.hpp"
+#include "sillon/input/read_input.hpp"
+#include "sillon/text/qr_code.hpp"
+#include "sillon/text/text.hpp"
 
 // From a project to a plate, or only to its toolpath (Alg. 1), and how good the result is.
 #include "sillon/field/dislocations.hpp"

@@ -1,6 +1,7 @@
 #include "sillon/input/plate_input.hpp"
 
 #include "input/map_defect.hpp"
+#include "input/stored_angle.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -9,12 +10,6 @@
 
 namespace sillon {
 namespace {
-
-/// Angle [half turns] as stored; any angle is turned into -1/2..1/2 first.
-std::uint16_t stored(double halfTurns) {
-  const double turned = halfTurns - std::floor(halfTurns + 0.5);
-  return static_cast<std::uint16_t>(std::lround((turned + 0.5) * 65535));
-}
 
 /// Grey of a texel. Rec. 709 weights in 1/65536, summing to one so that equal channels give exactly that grey.
 std::uint16_t greyAt(const Image& image, int x, int y) {
@@ -33,8 +28,8 @@ std::uint16_t fromTangent(std::uint16_t red, std::uint16_t green) {
   constexpr int kNeutral = 257;  // 8-bit pictures can say 127 or 128, not one half
   const int x = 2 * red - 65535;
   const int y = 2 * green - 65535;
-  if (std::abs(x) <= kNeutral && std::abs(y) <= kNeutral) return stored(0);
-  return stored(std::atan2(y, x) / std::numbers::pi);
+  if (std::abs(x) <= kNeutral && std::abs(y) <= kNeutral) return storedAngle(0);
+  return storedAngle(std::atan2(y, x) / std::numbers::pi);
 }
 
 template <class Body>
@@ -76,7 +71,7 @@ Result<DirectionMap> uniformDirection(double degrees) {
     const std::string value = std::isnan(degrees) ? "not a number" : "infinite";
     return Error{ErrorCode::InvalidArgument, "angle is " + value + "; it must be a finite number of degrees"};
   }
-  return DirectionMap{1, 1, {stored(std::fmod(degrees, 180.0) / 180)}};
+  return DirectionMap{1, 1, {storedAngle(std::fmod(degrees, 180.0) / 180)}};
 }
 
 Result<ModeMap> modeMap(const Image& image) {

@@ -1,8 +1,11 @@
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
 #include "input/plate_size.hpp"
 #include "job/place_on_bed.hpp"
+#include "sillon/compose/compose.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/job/plate.hpp"
 #include "sillon/settings/table.hpp"
@@ -13,6 +16,9 @@ namespace {
 // Times of the parts of a job, in times of one toolpath (wave, one thread, in a browser).
 constexpr double kTrials = 0.7;  // three plates of a hundred beads, which choose a lamp
 constexpr double kMeasures = 1.5;
+
+/// Share of letters or of a drawing that is narrower than two beads from which that is told; serifs alone take less.
+constexpr double kMuchThin = 0.2;
 
 /// The progress of a job whose parts are known by their weights.
 class Parts {
@@ -45,7 +51,8 @@ class Maker {
       : plate_(plate), read_(read), options_(options), run_(run), parts_(run, weight()) {}
 
   std::optional<Error> make() {
-    for (auto step : {&Maker::readInput, &Maker::solve, &Maker::makeSeen, &Maker::makeBelow, &Maker::measure}) {
+    for (auto step :
+         {&Maker::readInput, &Maker::solve, &Maker::makeSeen, &Maker::compose, &Maker::makeBelow, &Maker::measure}) {
       if (auto error = (this->*step)()) return error;
     }
     return std::nullopt;
@@ -79,6 +86,10 @@ class Maker {
       if (trial == 0) parts_.add(kTrials);
       parts_.begin(kTrials / trials);
     };
+    auto layers = makeLayers(plate_.project, plate_.input.shape, read_, run_);
+    if (!layers) return layers.error();
+    layers_ = std::move(layers).value();
+    plate_.layers = std::move(layers_.placed);
     auto pictures = solvePictures(plate_.project, read_, plate_.input, run_, options_.keptPictures, onTrial);
     if (!pictures) return pictures.error();
     plate_.pictures = std::move(pictures).value();
@@ -90,12 +101,20 @@ class Maker {
     const bool count = measures() && options_.countDislocations;
     const auto make = [&](const PlateInput& input, int /*round*/, int /*rounds*/) {
       parts_.begin(1);
-      return options_.session != nullptr ? options_.session->generateToolpath(input, params(), run_, count)
-                                         : generateToolpath(input, params(), run_, count);
+      PlateInput composed = input;
+      layOver(layers_, composed);
+      return options_.session != nullptr ? options_.session->generateToolpath(composed, params(), run_, count)
+                                         : generateToolpath(composed, params(), run_, count);
     };
     auto made = makeShownPlate(plate_.project, plate_.pictures, plate_.input, make, run_);
     if (!made) return made.error();
     plate_.result = std::move(made).value();
+    return std::nullopt;
+  }
+
+  /// From here on nothing is solved for.
+  std::optional<Error> compose() {
+    layOver(layers_, plate_.input);
     return std::nullopt;
   }
 
@@ -133,6 +152,7 @@ class Maker {
   const PlateOptions& options_;
   const RunContext& run_;
   Parts parts_;
+  LayerStack layers_;
 };
 
 }  // namespace
@@ -151,6 +171,11 @@ std::vector<InputNote> Plate::notes() const { return inputNotes(project, input.s
 std::vector<Warning> Plate::warnings() const {
   std::vector<Warning> all = plateWarnings(input.shape.drawing, result.apart, pictureFacts(pictures, shown), measures,
                                            input.shape.page, result.toolpath.spacing);
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    if (!project.layers[k].visible || layers[k].thin < kMuchThin) continue;
+    all.push_back({WarningCode::ThinLetters,
+                   {{"percent", std::round(100 * layers[k].thin)}, {"layer", static_cast<double>(k + 1)}}});
+  }
   if (gcode) all.insert(all.end(), gcode->warnings.begin(), gcode->warnings.end());
   return all;
 }

@@ -1,7 +1,6 @@
 #include "pictures/parts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "sillon/geometry/outline.hpp"
@@ -11,17 +10,7 @@ namespace sillon {
 
 InsideCells insideOf(const Shape& shape) {
   return [&shape](int width, int height) {
-    const double stepX = shape.page.x / width, stepY = shape.page.y / height;
-    std::vector<char> inside(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-    const auto rows = insideIntervals(shape, 0.5 * stepY, stepY, height);
-    for (int y = 0; y < height; ++y) {
-      char* const row = &inside[static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width)];
-      for (const Interval& span : rows[y]) {
-        const int first = std::max(0, static_cast<int>(std::ceil(span.begin / stepX - 0.5)));
-        const int end = std::min(width, static_cast<int>(std::ceil(span.end / stepX - 0.5)));
-        std::fill(row + first, row + std::max(first, end), char{1});
-      }
-    }
+    std::vector<char> inside = insideCells(shape, width, height);
     const bool none = std::find(inside.begin(), inside.end(), 1) == inside.end();
     const bool all = std::find(inside.begin(), inside.end(), 0) == inside.end();
     return none || all ? std::vector<char>() : inside;

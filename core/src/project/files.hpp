@@ -7,6 +7,7 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/settings/project.hpp"
 
@@ -16,6 +17,10 @@ namespace sillon {
 
 /// \param what  it is, for messages.
 Result<Image> readPicture(const ReadInput& read, const std::string& name, const std::string& what);
+
+/// A drawing as it is painted, in its own size, or the bright part of a mask picture, 80 mm wide.
+/// \return the errors of readSvg, decodeImage and shapeFromMask.
+Result<Shape> readDrawing(const ReadInput& read, const std::string& name, const std::string& what);
 
 // The keys of the scene files published with the paper, which stand at the top level; a project may use them too.
 

@@ -36,20 +36,29 @@ Result<Image> picture(InputFile file, const std::string& name) {
   return decodeImage(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), name);
 }
 
-Result<Shape> shapeFromFile(const Project& project, const ReadInput& read) {
-  Result<InputFile> file = read(project.shapeFile, "shape");
+struct DrawingOptions {
+  SvgOptions svg;
+  double maskWidth = kDefaultWidth;  // [mm]
+};
+
+Result<Shape> drawingFrom(const ReadInput& read, const std::string& name, const std::string& what,
+                          const DrawingOptions& options) {
+  Result<InputFile> file = read(name, what);
   if (!file) return file.error();
   const auto* text = std::get_if<std::string>(&file.value());
-  if (text != nullptr && looksLikeSvg(*text, project.shapeFile)) {
-    SvgOptions options;
-    options.unitlessIsMm = project.unitlessIsMm;
-    options.ignorePaint = project.ignorePaint;
-    options.width = project.pageWidth;
-    return readSvg(*text, options);
-  }
-  const Result<Image> mask = picture(std::move(file).value(), project.shapeFile);
+  if (text != nullptr && looksLikeSvg(*text, name)) return readSvg(*text, options.svg);
+  const Result<Image> mask = picture(std::move(file).value(), name);
   if (!mask) return mask.error();
-  return shapeFromMask(mask.value(), project.pageWidth == 0 ? kDefaultWidth : project.pageWidth);
+  return shapeFromMask(mask.value(), options.maskWidth);
+}
+
+Result<Shape> shapeFromFile(const Project& project, const ReadInput& read) {
+  DrawingOptions options;
+  options.svg.unitlessIsMm = project.unitlessIsMm;
+  options.svg.ignorePaint = project.ignorePaint;
+  options.svg.width = project.pageWidth;
+  if (project.pageWidth != 0) options.maskWidth = project.pageWidth;
+  return drawingFrom(read, project.shapeFile, "shape", options);
 }
 
 // The stages know no files; whoever has many needs to know which one is meant.
@@ -85,6 +94,11 @@ Result<Image> readPicture(const ReadInput& read, const std::string& name, const 
   Result<InputFile> file = read(name, what);
   if (!file) return file.error();
   return picture(std::move(file).value(), name);
+}
+
+Result<Shape> readDrawing(const ReadInput& read, const std::string& name, const std::string& what) {
+  Result<Shape> shape = drawingFrom(read, name, what, {});
+  return shape ? std::move(shape) : Result<Shape>(named(what.c_str(), name, shape.error()));
 }
 
 namespace {

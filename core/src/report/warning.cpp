@@ -75,6 +75,10 @@ constexpr Sentence kSentences[] = {
      "the start G-code sets the speed to {percent} % (M220); it is put back to 100 % before the first bead"},
     {"StartTemperature", "the start G-code leaves the nozzle at {hot} degrees; the first layer is meant for {meant}"},
     {"ThinLayers", "print.layerHeight is {value} mm; layers thinner than 0.2 nozzle diameters tear"},
+    {"ThinLetters",
+     "{percent} % of what layer {layer} draws is narrower than two beads and hard to read; a larger size, a bolder "
+     "font or "
+     "a smaller spacing helps"},
     {"UnusualFilament", "printer.filamentDiameter is {value} mm; filament is sold with 1.75 and 2.85"},
     {"UnusualFlow", "{field} is {value}; 0.8 to 1.1 is usual"},
     {"WidthHeld",

@@ -50,6 +50,7 @@ interface SillonModule {
     onProgress: OnProgress,
   ): Outcome<CopiedBytes>;
   readShape(project: string, files: Inputs): Outcome<api.Shape>;
+  placeLayers(project: string, files: Inputs): Outcome<api.PlacedLayer[]>;
   decodePicture(file: Uint8Array, name: string): Outcome<api.Picture>;
   room(size: number): Outcome<Uint8Array>;
   keptNumbers(): Outcome<number[]>;
@@ -497,6 +498,8 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
     }
     case 'readShape':
       return valueOf(module.readShape(call.project, await inputsOf(call.files, module)));
+    case 'placeLayers':
+      return valueOf(module.placeLayers(call.project, await inputsOf(call.files, module)));
     case 'decodePicture': {
       const file = brought(call.file);
       const bytes = file instanceof Blob ? await bytesOf(file, 'file') : file;

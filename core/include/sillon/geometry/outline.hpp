@@ -61,4 +61,7 @@ struct Interval {
 std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double firstY, double step,
                                                    int rows);
 
+/// Tells of each cell of a raster of the page whether its middle lies inside, row 0 on top.
+std::vector<char> insideCells(const Shape& shape, int width, int height);
+
 }  // namespace sillon

@@ -11,6 +11,7 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
+#include "sillon/compose/compose.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/input/plate_input.hpp"
@@ -56,6 +57,7 @@ struct PlateOptions {
 struct Plate {
   Project project;  ///< as it was made: placing may have turned it, or made it smaller
   PlateInput input;
+  std::vector<PlacedLayer> layers;     ///< as they lie on the page
   PlatePictures pictures;              ///< empty: the project names none
   ToolpathResult result;               ///< of the path below, where only that was asked for
   std::optional<Toolpath> below;       ///< path of the layer below, where both were asked for

@@ -2,15 +2,14 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/input/plate_input.hpp"
+#include "sillon/input/read_input.hpp"
 #include "sillon/settings/project.hpp"
 
 namespace sillon {
@@ -34,14 +33,6 @@ Result<Project> readProject(std::string_view json);
 std::string writeProject(const Project& project);
 
 // From a project and the files it names to what the pipeline eats.
-
-/// An input as it comes: a file's bytes, or a picture decoded elsewhere.
-using InputFile = std::variant<std::string, Image>;
-
-/// Hands over the file that a project names.
-/// \param what  "shape", "direction picture", "mode picture": for messages.
-using ReadInput =
-    std::function<Result<InputFile>(const std::string& name, const std::string& what)>;
 
 /// Directions and modes of a project, for shapes that come from elsewhere.
 struct PlateField {

@@ -52,6 +52,7 @@ enum class WarningCode {
   StartScales,
   StartTemperature,
   ThinLayers,
+  ThinLetters,
   UnusualFilament,
   UnusualFlow,
   WidthHeld,

@@ -101,16 +101,6 @@ inline constexpr double kDefaultWidth =
 
 enum class BuiltinShape { None, Rectangle, RoundedRectangle, Disc };
 
-/// Encodings of directions in a picture. Colour pictures are read by their luma (Rec. 709) except
-/// for tangents; alpha is ignored.
-enum class DirectionEncoding {
-  Angle,     ///< grey 0..1 is -90..90 degrees, as in the paper
-  Rotation,  ///< grey 0..1 is 0..180 degrees, the rotation map of texture tools
-  /// red, green in 0..1 are x, y in -1..1, y up, as in glTF's KHR_materials_anisotropy; neutral is
-  /// 0 degrees
-  Tangent,
-};
-
 /// Demands of a place on its beads.
 enum class DirectionMode : std::uint8_t {
   Parallel,     ///< to the nearest border, smoothly

@@ -1,0 +1,13 @@
+# Writes the built-in fonts as a source file: cmake -DFONTS="a.ttf;b.ttf" -DOUT=fonts.cpp -P embed_fonts.cmake
+set(arrays "")
+set(rows "")
+foreach(font ${FONTS})
+  get_filename_component(name ${font} NAME_WE)
+  string(REPLACE "-" "_" name ${name})
+  file(READ ${font} hex HEX)
+  string(REGEX REPLACE "(................................)" "\\1\n" hex "${hex}")
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," hex "${hex}")
+  string(APPEND arrays "constexpr unsigned char ${name}[] = {\n${hex}};\n")
+  string(APPEND rows "    {${name}, sizeof ${name}},\n")
+endforeach()
+file(WRITE ${OUT} "// Made by core/embed_fonts.cmake.\n#include \"text/font_data.hpp\"\n\nnamespace sillon {\nnamespace {\n${arrays}}  // namespace\n\nconst FontData kFontData[] = {\n${rows}};\n}  // namespace sillon\n")

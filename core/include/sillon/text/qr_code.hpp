@@ -1,0 +1,19 @@
+// QR codes.
+#pragma once
+
+#include <string>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/input/read_input.hpp"
+#include "sillon/settings/layers.hpp"
+
+namespace sillon {
+
+/// The modules of the smallest QR code for a text, one grey texel each: 0 dark, 65535 light; row 0
+/// on top, without the quiet zone. The correction is raised where that takes no larger code
+/// (ISO/IEC 18004). \param read  asked for it by engines in browsers alone, which take it from
+/// JavaScript. \return TooLarge for a text that no code holds.
+Result<Image> qrModules(const std::string& text, QrCorrection correction, const ReadInput& read);
+
+}  // namespace sillon

@@ -1,0 +1,170 @@
+#include "sillon/compose/compose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "base/exact_math.hpp"
+#include "compose/content.hpp"
+#include "compose/ink.hpp"
+#include "compose/placement.hpp"
+#include "input/stored_angle.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kTexelsPerBead = 4;
+constexpr int kMostTexels = 4096;  // on a side
+
+Error ofLayer(std::size_t number, const Error& error) {
+  if (error.code == ErrorCode::Cancelled) return error;
+  Error told = error;
+  told.message = "layers[" + std::to_string(number) + "]: " + error.message;
+  return told;
+}
+
+/// Content and place of each layer that is read; the others keep their size.
+struct ReadLayer {
+  LayerContent content;
+  Placement place;
+};
+
+Result<ReadLayer> readLayer(const Layer& layer, const Shape& shape, const ReadInput& read) {
+  Result<LayerContent> content = readContent(layer, shape.page, read);
+  if (!content) return content.error();
+  const Placement place(layer, layer.at.value_or(shape.page * 0.5), content.value().size);
+  return ReadLayer{std::move(content).value(), place};
+}
+
+PlacedLayer placedLayer(const ReadLayer& layer, double spacing) {
+  PlacedLayer placed{layer.place.middle(), layer.place.size()};
+  if (layer.content.shape) {
+    Shape shape = *layer.content.shape;
+    const Vec2 scale{placed.size.x / shape.page.x, placed.size.y / shape.page.y};
+    for (FilledPath& path : shape.paths) {
+      for (Ring& ring : path.rings) {
+        for (Vec2& point : ring) point = {point.x * scale.x, point.y * scale.y};
+      }
+    }
+    shape.page = placed.size;
+    placed.thin = thinShare(shape, spacing);
+  }
+  return placed;
+}
+
+int texelsOn(double side, double spacing) {
+  return std::clamp(static_cast<int>(std::ceil(side / spacing * kTexelsPerBead)), 1, kMostTexels);
+}
+
+/// Mean line of the texels of a map that lie under a texel of another raster, or its nearest texel where they are
+/// larger.
+class Background {
+ public:
+  Background(const DirectionMap& map, int width, int height)
+      : map_(map), stepX_(static_cast<double>(map.width) / width), stepY_(static_cast<double>(map.height) / height) {}
+
+  [[nodiscard]] std::uint16_t angleAt(int x, int y) const {
+    const int left = first(x, stepX_, map_.width), right = last(x, stepX_, map_.width);
+    const int top = first(y, stepY_, map_.height), bottom = last(y, stepY_, map_.height);
+    if (right <= left + 1 && bottom <= top + 1)
+      return at(nearest(x, stepX_, map_.width), nearest(y, stepY_, map_.height));
+    Vec2 sum;
+    for (int row = top; row < bottom; ++row) {
+      for (int column = left; column < right; ++column) {
+        const exact::SinCos turn = exact::sinCos(2 * angleOf(at(column, row)));
+        sum = sum + Vec2{turn.cos, turn.sin};
+      }
+    }
+    return storedAngle(exact::atan2(sum.y, sum.x) / (2 * std::numbers::pi));
+  }
+
+ private:
+  static int nearest(int k, double step, int count) { return std::min(static_cast<int>((k + 0.5) * step), count - 1); }
+  static int first(int k, double step, int count) {
+    return std::min(static_cast<int>(std::lround(k * step)), count - 1);
+  }
+  static int last(int k, double step, int count) {
+    return std::clamp(static_cast<int>(std::lround((k + 1) * step)), first(k, step, count) + 1, count);
+  }
+  [[nodiscard]] std::uint16_t at(int x, int y) const {
+    return map_.angle[static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.width) + static_cast<std::size_t>(x)];
+  }
+
+  const DirectionMap& map_;
+  double stepX_;
+  double stepY_;
+};
+
+}  // namespace
+
+Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const ReadInput& read,
+                              const RunContext& run) {
+  LayerStack stack;
+  const double spacing = project.toolpath.spacing;
+  for (std::size_t k = 0; k < project.layers.size(); ++k) {
+    const Layer& layer = project.layers[k];
+    const Result<ReadLayer> known = readLayer(layer, shape, read);
+    if (!known) return ofLayer(k, known.error());
+    stack.placed.push_back(placedLayer(known.value(), spacing));
+    if (!layer.visible) continue;
+    if (stack.width == 0) {
+      stack.width = texelsOn(shape.page.x, spacing);
+      stack.height = texelsOn(shape.page.y, spacing);
+      stack.texels.resize(static_cast<std::size_t>(stack.width) * static_cast<std::size_t>(stack.height));
+    }
+    stack.showsPictures = stack.showsPictures || layer.kind == LayerKind::Picture;
+    const auto& [content, place] = known.value();
+    if (auto error = drawLayer(layer, content, place, {project, shape, stack.width, stack.height}, stack, run)) {
+      return ofLayer(k, *error);
+    }
+  }
+  return stack;
+}
+
+Result<std::vector<PlacedLayer>> placeLayers(const Project& project, const Shape& shape, const ReadInput& read) {
+  std::vector<PlacedLayer> placed;
+  for (std::size_t k = 0; k < project.layers.size(); ++k) {
+    const Result<ReadLayer> known = readLayer(project.layers[k], shape, read);
+    if (!known) return ofLayer(k, known.error());
+    placed.push_back(placedLayer(known.value(), project.toolpath.spacing));
+  }
+  return placed;
+}
+
+void layOver(const LayerStack& stack, PlateInput& input) {
+  if (stack.width == 0) return;
+  const Background background(input.directions, stack.width, stack.height);
+  const auto texels = stack.texels.size();
+  DirectionMap directions{stack.width, stack.height, std::vector<std::uint16_t>(texels)};
+  ModeMap modes{stack.width, stack.height, std::vector<DirectionMode>(texels)};
+  const auto below = [](int k, int from, int to) { return static_cast<int>((k + 0.5) * to / from); };
+  for (int y = 0; y < stack.height; ++y) {
+    for (int x = 0; x < stack.width; ++x) {
+      const auto k = static_cast<std::size_t>(y) * static_cast<std::size_t>(stack.width) + static_cast<std::size_t>(x);
+      const LayerStack::Texel& texel = stack.texels[k];
+      const auto column = static_cast<std::size_t>(below(x, stack.width, input.modes.width));
+      const auto row = static_cast<std::size_t>(below(y, stack.height, input.modes.height));
+      modes.mode[k] = texel.cover >= 0.5F
+                          ? DirectionMode::Constrained
+                          : input.modes.mode[row * static_cast<std::size_t>(input.modes.width) + column];
+      if (texel.cover == 0) {
+        directions.angle[k] = background.angleAt(x, y);
+        continue;
+      }
+      Vec2 line = wide(texel.line);
+      if (texel.through != 0) {
+        const exact::SinCos turn = exact::sinCos(2 * angleOf(background.angleAt(x, y)));
+        line = line + Vec2{turn.cos, turn.sin} * static_cast<double>(texel.through);
+      }
+      directions.angle[k] = storedAngle(exact::atan2(line.y, line.x) / (2 * std::numbers::pi));
+    }
+  }
+  input.showsPictures = input.showsPictures || stack.showsPictures;
+  input.directions = std::move(directions);
+  input.modes = std::move(modes);
+}
+
+}  // namespace sillon

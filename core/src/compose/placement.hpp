@@ -1,0 +1,37 @@
+// From a layer's own millimetres to those of the page, and back.
+#pragma once
+
+#include "base/exact_math.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/geometry/shape.hpp"
+#include "sillon/settings/layers.hpp"
+
+namespace sillon {
+
+/// Places are told from the middle of the layer's box.
+class Placement {
+ public:
+  Placement(const Layer& layer, Vec2 middle, Vec2 size);
+
+  [[nodiscard]] Vec2 toPage(Vec2 own) const;
+  [[nodiscard]] Vec2 toOwn(Vec2 page) const;
+  [[nodiscard]] Vec2 middle() const { return middle_; }
+  [[nodiscard]] Vec2 size() const { return size_; }
+  [[nodiscard]] bool mirror() const { return mirror_; }
+  /// Radians, counter-clockwise.
+  [[nodiscard]] double rotation() const { return rotation_; }
+
+  /// The layer's box on a page.
+  [[nodiscard]] Shape box(Vec2 page) const;
+  /// A shape whose page is stretched over the box. \param page  of what is returned
+  [[nodiscard]] Shape stretched(const Shape& shape, Vec2 page) const;
+
+ private:
+  Vec2 middle_;
+  Vec2 size_;
+  double rotation_;
+  exact::SinCos turn_;
+  bool mirror_;
+};
+
+}  // namespace sillon

@@ -1,0 +1,19 @@
+// Directions as maps hold them: 16 bits over half a turn.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace sillon {
+
+/// \param halfTurns  any angle; it is turned into -1/2..1/2 first.
+inline std::uint16_t storedAngle(double halfTurns) {
+  const double turned = halfTurns - std::floor(halfTurns + 0.5);
+  return static_cast<std::uint16_t>(std::lround((turned + 0.5) * 65535));
+}
+
+/// [rad]
+inline double angleOf(std::uint16_t stored) { return (stored / 65535.0 - 0.5) * std::numbers::pi; }
+
+}  // namespace sillon

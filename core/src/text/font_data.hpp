@@ -1,0 +1,16 @@
+// The files of the built-in fonts, which core/embed_fonts.cmake makes part of the library.
+#pragma once
+
+#include <cstddef>
+
+namespace sillon {
+
+struct FontData {
+  const unsigned char* bytes;
+  std::size_t size;
+};
+
+/// In the order of kBuiltinFonts.
+extern const FontData kFontData[];
+
+}  // namespace sillon

@@ -1,0 +1,17 @@
+#include <algorithm>
+#include <cstddef>
+
+#include "sillon/text/text.hpp"
+#include "text/font_data.hpp"
+#include "text/fonts.hpp"
+
+namespace sillon {
+
+std::optional<std::string_view> builtinFont(std::string_view name) {
+  const auto* const found = std::find(kBuiltinFonts.begin(), kBuiltinFonts.end(), name);
+  if (found == kBuiltinFonts.end()) return std::nullopt;
+  const FontData& data = kFontData[found - kBuiltinFonts.begin()];
+  return std::string_view(reinterpret_cast<const char*>(data.bytes), data.size);
+}
+
+}  // namespace sillon

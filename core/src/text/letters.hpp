@@ -1,0 +1,27 @@
+// Letters of a text, and what may be wrong with a font.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "sillon/base/result.hpp"
+
+namespace sillon {
+
+/// Share of the em that capitals take in fonts without H.
+inline constexpr double kUsualCapHeight = 0.7;
+/// The most path data of one line's outlines [bytes]; a hostile font could make any letter a million curves.
+inline constexpr std::size_t kMostPathBytes = std::size_t{4} << 20;
+
+/// \param font  neither built in nor a file that was handed over.
+Error unknownFont(const std::string& font);
+Error noFont(const std::string& font);
+Error tooDetailed(const std::string& font);
+/// \param byte  in the line, where the letter begins that the font lacks.
+Error missingLetter(const std::string& font, std::string_view line, std::size_t byte);
+
+/// Tells whether a line has letters of both senses, which one run of a shaper cannot order.
+bool mixesSenses(std::string_view line);
+
+}  // namespace sillon

@@ -1,0 +1,32 @@
+// Takes lines that JavaScript has shaped (wasm/src/shape-text.ts), by the same library: engines in browsers would be a
+// fifth larger with HarfBuzz in them, and most plates have no text.
+#include <cstddef>
+#include <utility>
+
+#include "base/json.hpp"
+#include "sillon/base/words.hpp"
+#include "sillon/text/text.hpp"
+#include "text/letters.hpp"
+
+namespace sillon {
+
+Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, const std::string& line) {
+  const Result<InputFile> given = read("line:" + font + "\n" + line, "shaped line");
+  if (!given) return given.error();
+  const auto* text = std::get_if<std::string>(&given.value());
+  const Json json = text != nullptr ? parseJson(*text) : Json();
+  if (!json.is_object() || json.contains("noFont")) return noFont(font);
+  if (json.contains("unknownFont")) return unknownFont(font);
+  if (json.contains("tooDetailed")) return tooDetailed(font);
+  if (json.contains("missing")) return missingLetter(font, line, json["missing"].get<std::size_t>());
+  ShapedLine shaped;
+  shaped.capHeight = json["capHeight"].get<double>();
+  for (const Json& letter : json["letters"]) {
+    shaped.letters.push_back(
+        {letter[0].get<std::size_t>(), {letter[1].get<double>(), letter[2].get<double>()}, letter[3].get<double>()});
+  }
+  for (const Json& outline : json["outlines"]) shaped.outlines.push_back(outline.get<std::string>());
+  return shaped;
+}
+
+}  // namespace sillon

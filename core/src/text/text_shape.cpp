@@ -1,0 +1,151 @@
+// Lays shaped lines out, straight or on a circle, and reads the whole as one drawing: the SVG reader flattens curves,
+// and guards against what a hostile font may hold.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/exact_math.hpp"
+#include "base/json.hpp"
+#include "base/lines.hpp"
+#include "input/svg.hpp"
+#include "sillon/base/words.hpp"
+#include "sillon/text/text.hpp"
+#include "text/letters.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kLineStep = 1.7;    // from line to line [heights of capitals]
+constexpr double kRoom = 4;          // of ink around a line [heights of capitals]; accents and swashes lie within
+constexpr double kAlmostFull = 1.0;  // share of a circle that a line may take
+
+double widthOf(const ShapedLine& line) {
+  double width = 0;
+  for (const ShapedLine::Letter& letter : line.letters) width += letter.advance;
+  return width;
+}
+
+/// A letter's outline, from font units to the page: scaled, turned, moved.
+std::string placed(const std::string& outline, double scale, exact::SinCos turn, Vec2 at) {
+  std::string out = "<path d=\"" + outline + "\" transform=\"matrix(";
+  for (const double number : {scale * turn.cos, scale * turn.sin, -scale * turn.sin, scale * turn.cos, at.x}) {
+    (out += jsonNumber(number)) += ' ';
+  }
+  return out += jsonNumber(at.y) + ")\"/>";
+}
+
+/// A drawing of letters, y up about the origin.
+struct Drawing {
+  std::string paths;
+  double reach = 0;  ///< no ink lies further from the origin [mm]
+};
+
+Drawing straight(const std::vector<ShapedLine>& lines, const Lettering& lettering) {
+  Drawing drawing;
+  double widest = 0;
+  for (const ShapedLine& line : lines) {
+    if (line.capHeight > 0) widest = std::max(widest, widthOf(line) / line.capHeight * lettering.capHeight);
+  }
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const ShapedLine& line = lines[k];
+    const double scale = lettering.capHeight / line.capHeight;
+    const double free = widest - widthOf(line) * scale;
+    const double share = lettering.align == TextAlign::Left ? 0 : lettering.align == TextAlign::Middle ? 0.5 : 1;
+    Vec2 pen{share * free - widest / 2, -kLineStep * lettering.capHeight * static_cast<double>(k)};
+    for (const ShapedLine::Letter& letter : line.letters) {
+      drawing.paths += placed(line.outlines[letter.outline], scale, {0, 1}, pen + letter.offset * scale);
+      pen.x += letter.advance * scale;
+    }
+  }
+  drawing.reach = widest / 2 + lettering.capHeight * (kRoom + kLineStep * static_cast<double>(lines.size()));
+  return drawing;
+}
+
+Result<Drawing> onCircle(const std::vector<ShapedLine>& lines, const Lettering& lettering) {
+  Drawing drawing;
+  const bool below = lettering.circle < 0;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const ShapedLine& line = lines[k];
+    const double scale = lettering.capHeight / line.capHeight;
+    const double step = kLineStep * lettering.capHeight * static_cast<double>(k);
+    const double radius = std::abs(lettering.circle) + (below ? step : -step);
+    const double width = widthOf(line) * scale;
+    if (!(width <= kAlmostFull * 2 * std::numbers::pi * radius)) {
+      return Error{ErrorCode::InvalidArgument,
+                   "the line is " + std::to_string(std::lround(width)) + " mm long and its circle " +
+                       std::to_string(std::lround(std::max(0.0, 2 * std::numbers::pi * radius))) +
+                       " mm; take a larger circle, smaller letters or fewer of them"};
+    }
+    // Letters stand upright on their own middles; along the lower side they run counter-clockwise.
+    double pen = -width / 2;
+    for (const ShapedLine::Letter& letter : line.letters) {
+      const double half = letter.advance * scale / 2;
+      const double angle = (pen + half) / radius;
+      const exact::SinCos turn = exact::sinCos(below ? angle : -angle);
+      const double height = below ? -radius : radius;
+      const Vec2 corner = Vec2{-half, height} + letter.offset * scale;
+      const Vec2 at{turn.cos * corner.x - turn.sin * corner.y, turn.sin * corner.x + turn.cos * corner.y};
+      drawing.paths += placed(line.outlines[letter.outline], scale, turn, at);
+      pen += 2 * half;
+    }
+    drawing.reach = std::max(drawing.reach, radius + kRoom * lettering.capHeight);
+  }
+  return drawing;
+}
+
+Result<Shape> shapeOf(const Drawing& drawing) {
+  const std::string reach = jsonNumber(drawing.reach), side = jsonNumber(2 * drawing.reach);
+  const Result<Shape> read =
+      readSvg("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + side + "mm\" height=\"" + side +
+              "mm\" viewBox=\"0 0 " + side + " " + side + "\"><g transform=\"matrix(1 0 0 -1 " + reach + " " + reach +
+              ")\">" + drawing.paths + "</g></svg>");
+  if (!read && read.error().code == ErrorCode::EmptyShape) {
+    return Error{ErrorCode::EmptyShape, "the text has no ink; it must have letters that can be seen"};
+  }
+  return read;
+}
+
+/// Moves all points; what lies at `corner` comes to the page's lower left corner.
+Shape moved(Shape shape, Vec2 corner, Vec2 page) {
+  for (FilledPath& path : shape.paths) {
+    for (Ring& ring : path.rings) {
+      for (Vec2& point : ring) point = point - corner;
+    }
+  }
+  shape.page = page;
+  return shape;
+}
+
+}  // namespace
+
+Result<Shape> textShape(const Lettering& lettering, const ReadInput& read) {
+  std::vector<ShapedLine> lines;
+  std::string_view rest = lettering.text;
+  while (!rest.empty()) {
+    const std::string line(nextLine(rest));
+    if (mixesSenses(line)) {
+      return Error{ErrorCode::InvalidArgument, "the line " + inQuotes(line) +
+                                                   " mixes scripts that run to the left and to the right; give each a "
+                                                   "line, or a layer, of its own"};
+    }
+    Result<ShapedLine> shaped = shapeLine(read, lettering.font, line);
+    if (!shaped) return shaped.error();
+    lines.push_back(std::move(shaped).value());
+  }
+  if (lettering.circle == 0) {
+    Result<Shape> shape = shapeOf(straight(lines, lettering));
+    if (!shape) return shape.error();
+    const Bounds ink = bounds(shape.value());
+    return moved(std::move(shape).value(), ink.min, ink.size());
+  }
+  const Result<Drawing> drawing = onCircle(lines, lettering);
+  if (!drawing) return drawing.error();
+  return shapeOf(drawing.value());
+}
+
+}  // namespace sillon

@@ -1,0 +1,226 @@
+// Letters against another reader of fonts, closed forms of where they stand, and fonts that are broken or hostile.
+#include "sillon/text/text.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "sillon/geometry/outline.hpp"
+#include "sillon/text/qr_code.hpp"
+
+#define STB_TRUETYPE_IMPLEMENTATION
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wpedantic"
+#endif
+#include <stb_truetype.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+using namespace sillon;
+
+namespace {
+
+const ReadInput kNoFiles = [](const std::string& name, const std::string& /*what*/) -> Result<InputFile> {
+  return Error{ErrorCode::InvalidFile, "no " + name};
+};
+
+std::string fontFile(const std::string& name) {
+  std::ifstream in(SILLON_SOURCE_DIR "/core/data/fonts/" + name + ".ttf", std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+double areaOf(const Shape& shape) { return resolveOutline(shape).value().area; }
+
+/// Area of a text in font units, and the height of H, as stb_truetype reads them: Green's formula on each curve.
+struct Expected {
+  double area = 0;
+  double capHeight = 0;
+};
+
+Expected expectedOf(const std::string& bytes, const std::u32string& text) {
+  stbtt_fontinfo font;
+  REQUIRE(stbtt_InitFont(&font, reinterpret_cast<const unsigned char*>(bytes.data()), 0) != 0);
+  Expected expected;
+  int left = 0, bottom = 0, right = 0, top = 0;
+  stbtt_GetCodepointBox(&font, 'H', &left, &bottom, &right, &top);
+  expected.capHeight = top - bottom;
+  for (const char32_t letter : text) {
+    stbtt_vertex* vertices = nullptr;
+    const int count = stbtt_GetCodepointShape(&font, static_cast<int>(letter), &vertices);
+    double area = 0;
+    Vec2 at;
+    for (int k = 0; k < count; ++k) {
+      const stbtt_vertex& v = vertices[k];
+      const Vec2 to{static_cast<double>(v.x), static_cast<double>(v.y)};
+      const Vec2 control{static_cast<double>(v.cx), static_cast<double>(v.cy)};
+      if (v.type == STBTT_vline) area += cross(at, to) / 2;
+      if (v.type == STBTT_vcurve) {
+        // The integral of x dy - y dx over a quadratic curve.
+        area += (2 * cross(at, control) + 2 * cross(control, to) + cross(at, to)) / 6;
+      }
+      at = to;
+    }
+    expected.area += std::abs(area);
+    stbtt_FreeShape(&font, vertices);
+  }
+  return expected;
+}
+
+}  // namespace
+
+TEST_CASE("letters have the area that another reader finds in the font") {
+  const std::vector<std::pair<std::string, std::string>> fonts{{"Nunito", "nunito"},
+                                                               {"Bebas Neue", "bebas-neue"},
+                                                               {"Roboto Slab", "roboto-slab"},
+                                                               {"Fredoka", "fredoka"},
+                                                               {"Caveat", "caveat"}};
+  for (const auto& [name, file] : fonts) {
+    CAPTURE(name);
+    const bool overlaps = name == "Caveat" || name == "Fredoka";  // of strokes within a letter: counted twice there
+    const Expected expected = expectedOf(fontFile(file), U"Hamburgé 0123");
+    Lettering lettering{"Hamburg\u00e9 0123", name, 20};
+    const auto shape = textShape(lettering, kNoFiles);
+    REQUIRE(shape.ok());
+    const double scale = 20 / shapeLine(kNoFiles, name, "H").value().capHeight;
+    CHECK(areaOf(shape.value()) == doctest::Approx(expected.area * scale * scale).epsilon(overlaps ? 0.03 : 0.005));
+  }
+}
+
+TEST_CASE("capitals have the height that is asked for, and the page is the ink") {
+  for (const char* font : kBuiltinFonts) {
+    CAPTURE(std::string(font));
+    const auto shape = textShape({"H", font, 12.5}, kNoFiles);
+    REQUIRE(shape.ok());
+    const Bounds ink = bounds(shape.value());
+    CHECK(ink.min == Vec2{0, 0});
+    CHECK(ink.max == shape.value().page);
+    CHECK(ink.size().y == doctest::Approx(12.5).epsilon(0.005));
+  }
+}
+
+TEST_CASE("pairs are kerned, and lines stand as they are aligned") {
+  const auto width = [](const char* text) { return textShape({text, "Nunito", 10}, kNoFiles).value().page.x; };
+  CHECK(width("AVAVAV") < 0.97 * (width("AAA") + width("VVV")));
+  const auto lines = [](TextAlign align) { return textShape({"HHHH\nH", "Nunito", 10, 0, align}, kNoFiles).value(); };
+  const auto below = [&](TextAlign align) {
+    Bounds low;
+    const Shape shape = lines(align);
+    for (const FilledPath& path : shape.paths) {
+      for (const Ring& ring : path.rings) {
+        for (const Vec2 point : ring) {
+          if (point.y < 10.5) low.add(point);
+        }
+      }
+    }
+    return 0.5 * (low.min.x + low.max.x) / shape.page.x;
+  };
+  CHECK(lines(TextAlign::Left).page.y == doctest::Approx(10 + 17).epsilon(0.02));
+  CHECK(below(TextAlign::Left) < 0.2);
+  CHECK(below(TextAlign::Middle) == doctest::Approx(0.5).epsilon(0.01));
+  CHECK(below(TextAlign::Right) > 0.8);
+}
+
+TEST_CASE("letters on a circle stand on it, above or below") {
+  for (const double circle : {30.0, -30.0}) {
+    CAPTURE(circle);
+    const auto shape = textShape({"HHH", "Nunito", 6, circle}, kNoFiles);
+    REQUIRE(shape.ok());
+    const Vec2 middle = shape.value().page * 0.5;
+    double nearest = 1e9, furthest = 0, left = 0, right = 0;
+    for (const FilledPath& path : shape.value().paths) {
+      for (const Ring& ring : path.rings) {
+        for (const Vec2 point : ring) {
+          const Vec2 from = point - middle;
+          nearest = std::min(nearest, length(from));
+          furthest = std::max(furthest, length(from));
+          left = std::min(left, from.x);
+          right = std::max(right, from.x);
+          CHECK((from.y > 0) == (circle > 0));
+        }
+      }
+    }
+    // The feet of a letter lie on a chord, its head a little beyond the circle.
+    CHECK((circle > 0 ? nearest : furthest) == doctest::Approx(30).epsilon(0.02));
+    CHECK((circle > 0 ? furthest : nearest) == doctest::Approx(circle > 0 ? 36 : 24).epsilon(0.04));
+    CHECK(left == doctest::Approx(-right).epsilon(0.01));
+  }
+}
+
+TEST_CASE("what cannot be lettered is refused in words") {
+  const auto messageOf = [](const Lettering& lettering, const ReadInput& read = kNoFiles) {
+    const auto shape = textShape(lettering, read);
+    REQUIRE(!shape.ok());
+    return shape.error().message;
+  };
+  CHECK(messageOf({"A\u5b57", "Nunito", 10}).find("(U+5B57)") != std::string::npos);
+  CHECK(messageOf({"  ", "Nunito", 10}).find("no ink") != std::string::npos);
+  CHECK(messageOf({std::string(60, 'M'), "Nunito", 10, 20}).find("126 mm") != std::string::npos);
+  CHECK(messageOf({"MMMMMMM\nM", "Nunito", 10, 10}).find("longer") == std::string::npos);
+  CHECK(messageOf({"abc \u05d0\u05d1", "Nunito", 10}).find("a layer, of its own") != std::string::npos);
+  CHECK(messageOf({"A", "mine.ttf", 10}) == "no mine.ttf");
+  const ReadInput text = [](const std::string&, const std::string&) {
+    return Result<InputFile>(InputFile(std::string("no font")));
+  };
+  CHECK(messageOf({"A", "mine.ttf", 10}, text).find("is no font") != std::string::npos);
+}
+
+TEST_CASE("a font of one's own is read, and a damaged one does no harm") {
+  const std::string whole = fontFile("fredoka");
+  std::string given = whole;
+  const ReadInput read = [&](const std::string&, const std::string& what) {
+    CHECK(what == "font");
+    return Result<InputFile>(InputFile(given));
+  };
+  const auto own = textShape({"Sillon", "own.ttf", 10}, read);
+  const auto builtin = textShape({"Sillon", "Fredoka", 10}, kNoFiles);
+  REQUIRE(own.ok());
+  CHECK(own.value() == builtin.value());
+
+  std::mt19937 random(5);
+  int read_ = 0;
+  for (int k = 0; k < 150; ++k) {
+    given = whole;
+    if (k % 3 == 0) given.resize(random() % whole.size());
+    for (int n = 0; n < 1 + k % 40 && !given.empty(); ++n) given[random() % given.size()] = static_cast<char>(random());
+    const auto shape = textShape({"Sillon", "own.ttf", 10}, read);
+    if (!shape.ok()) continue;
+    ++read_;
+    CHECK(std::isfinite(shape.value().page.x));
+  }
+  CHECK(read_ > 10);
+}
+
+TEST_CASE("QR codes have their three finders and grow with the text") {
+  const auto code = [](const std::string& text, QrCorrection correction) {
+    return qrModules(text, correction, kNoFiles);
+  };
+  const Image small = code("SILLON", QrCorrection::Low).value();
+  CHECK(small.width == 21);
+  const auto dark = [&](int x, int y) { return small.at(x, y, 0) == 0; };
+  for (const auto& [left, top] : {std::pair(0, 0), std::pair(14, 0), std::pair(0, 14)}) {
+    for (int k = 0; k < 7; ++k) {
+      CHECK(dark(left + k, top));
+      CHECK(dark(left + k, top + 6));
+      CHECK(dark(left, top + k));
+    }
+    CHECK(!dark(left + 1, top + 1));
+    CHECK(dark(left + 3, top + 3));
+  }
+  CHECK(code(std::string(100, 'x'), QrCorrection::High).value().width >
+        code(std::string(100, 'x'), QrCorrection::Low).value().width);
+  const auto tooLong = code(std::string(3000, 'x'), QrCorrection::Medium);
+  REQUIRE(!tooLong.ok());
+  CHECK(tooLong.error().code == ErrorCode::TooLarge);
+  CHECK(tooLong.error().message.find("3000 bytes") != std::string::npos);
+}

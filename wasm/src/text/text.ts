@@ -1,0 +1,95 @@
+// Shapes letters and makes QR codes by the libraries that the native program has. Built into one file of its own
+// (dist/engine/text.js), which only plates with texts or codes load.
+import * as hb from 'harfbuzzjs';
+import qrcodegen from 'nayuki-qr-code-generator';
+
+/** As core/src/text/letters.hpp. */
+const usualCapHeight = 0.7;
+const mostPathBytes = 4 * 2 ** 20;
+
+/** @param wasm  harfbuzz.wasm */
+export async function start(wasm: Uint8Array): Promise<void> {
+  // Added by vite.text.config.js, instead of a start by the import.
+  await (hb as unknown as { start(wasm: Uint8Array): Promise<void> }).start(wasm);
+}
+
+function pathWriter(): hb.DrawFuncs {
+  const funcs = new hb.DrawFuncs();
+  const writer =
+    (command: string) =>
+    (...values: unknown[]): void => {
+      const path = values.at(-2) as string[];
+      const numbers = values.slice(0, -2) as number[];
+      path.push(command + numbers.map((number) => `${number} `).join(''));
+    };
+  funcs.setMoveToFunc(writer('M'));
+  funcs.setLineToFunc(writer('L'));
+  funcs.setQuadraticToFunc(writer('Q'));
+  funcs.setCubicToFunc(writer('C'));
+  funcs.setClosePathFunc(writer('Z'));
+  return funcs;
+}
+let writer: hb.DrawFuncs | undefined;
+
+/** Height of H. */
+function capHeightOf(font: hb.Font, em: number): number {
+  const glyph = font.nominalGlyph(0x48);
+  const height = glyph === undefined || glyph === 0 ? 0 : -(font.glyphExtents(glyph)?.height ?? 0);
+  return height > 0 ? height : usualCapHeight * em;
+}
+
+/** What core/src/text/shape_line_elsewhere.cpp reads. */
+export function shapeLine(file: Uint8Array, line: string): object {
+  const face = new hb.Face(new hb.Blob(file));
+  // No font has no glyphs; HarfBuzz makes an empty face of anything.
+  if (face.referenceTable('maxp') === undefined || face.referenceTable('cmap') === undefined) return { noFont: true };
+  const font = new hb.Font(face);
+  const buffer = new hb.Buffer();
+  buffer.addText(line);
+  buffer.guessSegmentProperties();
+  hb.shape(font, buffer);
+  const places = buffer.getGlyphPositions();
+  const known = new Map<number, number>();
+  const letters: number[][] = [];
+  const outlines: string[] = [];
+  let length = 0;
+  for (const [k, { codepoint: glyph, cluster }] of buffer.getGlyphInfos().entries()) {
+    if (glyph === 0) return { missing: new TextEncoder().encode(line.slice(0, cluster)).length };
+    let outline = known.get(glyph);
+    if (outline === undefined) {
+      outline = outlines.length;
+      known.set(glyph, outline);
+      const path: string[] = [];
+      writer ??= pathWriter();
+      font.drawGlyph(glyph, writer, path);
+      outlines.push(path.join(''));
+      length += outlines[outline]?.length ?? 0;
+      if (length > mostPathBytes) return { tooDetailed: true };
+    }
+    const place = places[k];
+    letters.push([outline, place?.xOffset ?? 0, place?.yOffset ?? 0, place?.xAdvance ?? 0]);
+  }
+  return { capHeight: capHeightOf(font, face.upem), letters, outlines };
+}
+
+const levels = {
+  low: qrcodegen.QrCode.Ecc.LOW,
+  medium: qrcodegen.QrCode.Ecc.MEDIUM,
+  quartile: qrcodegen.QrCode.Ecc.QUARTILE,
+  high: qrcodegen.QrCode.Ecc.HIGH,
+};
+
+/** The modules, one grey texel each; undefined: no code holds the text. */
+export function qrModules(text: string, correction: keyof typeof levels) {
+  let code;
+  try {
+    code = qrcodegen.QrCode.encodeText(text, levels[correction]);
+  } catch {
+    return undefined;
+  }
+  const side = code.size;
+  const samples = Uint8Array.from({ length: side * side }, (_, k) =>
+    code.getModule(k % side, Math.floor(k / side)) ? 0 : 255,
+  );
+  return { width: side, height: side, channels: 1 as const, samples };
+}

@@ -1,0 +1,70 @@
+// Layers of plates: what the package hands to the engine, and what it says where that cannot be.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { createEngine } from 'sillon';
+
+import { root } from './support/projects.js';
+
+let engine;
+before(async () => {
+  engine = await createEngine({ threads: 'off' });
+});
+after(() => engine.dispose());
+
+const shape = { builtin: 'rectangle', size: [60, 30] };
+const make = (...layers) => engine.generateToolpath({ shape, layers }, { spacing: 0.8 }, { measure: false });
+const place = (...layers) => engine.placeLayers({ shape, layers });
+const digest = async (...layers) => (await make(...layers)).report.digest;
+
+test('boxes of layers are told without a plate', async () => {
+  const [letters, code, box] = await place(
+    { kind: 'text', text: 'HH', textSize: 10 },
+    { kind: 'qr', text: 'SILLON', at: [10, 10] },
+    { kind: 'direction', angle: 20, size: [8, 4], visible: false },
+  );
+  assert.deepEqual(letters.at, [30, 15]);
+  assert.ok(Math.abs(letters.size[1] - 10) < 0.01 && letters.size[0] > 12 && letters.size[0] < 20);
+  assert.deepEqual(code, { at: [10, 10], size: [18, 18], thin: 0 });
+  assert.deepEqual(box.size, [8, 4]);
+  const [small] = await place({ kind: 'text', text: 'HH', textSize: 1.5 });
+  assert.ok(small.thin > 0.5);
+});
+
+test('a font as bytes makes the letters of the built-in one', async () => {
+  const font = readFileSync(join(root, 'core/data/fonts/fredoka.ttf'));
+  const text = { kind: 'text', text: 'Sil\nlon', angle: 90 };
+  const builtin = await digest({ ...text, font: 'Fredoka' });
+  assert.equal(await digest({ ...text, font }), builtin);
+  assert.equal(await digest({ ...text, font: new Blob([font]) }), builtin);
+  assert.notEqual(await digest({ ...text, font: 'Caveat' }), builtin);
+});
+
+test('drawings come as text or as bytes', async () => {
+  const svg =
+    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9" width="9mm"><circle cx="4" cy="4" r="4"/></svg>';
+  const layer = { kind: 'drawing', fill: 'across' };
+  assert.equal(await digest({ ...layer, file: svg }), await digest({ ...layer, file: new TextEncoder().encode(svg) }));
+});
+
+test('what cannot be drawn is refused with the number of its layer', async () => {
+  const text = { kind: 'text', text: 'A' };
+  const cases = [
+    [[{ ...text, text: '字' }], /^layers\[0\]: the font "Nunito" has no letter for "字" \(U\+5B57\)/],
+    [[text, { ...text, text: '' }], /^layers\[1\]\.text is empty/],
+    [[{ ...text, font: new Uint8Array([1, 2, 3]) }], /is no font; it must be a TrueType or OpenType file/],
+    [[{ ...text, font: 'Comic' }], /the font is "Comic"; it must be a file that is handed over, or one of Nunito, Bebas Neue/],
+    [[{ kind: 'qr', text: 'x'.repeat(3000) }], /the text has 3000 bytes; no QR code/],
+    [[{ kind: 'drawing' }], /^layers\[0\]\.file is empty/],
+    [[{ kind: 'cloud' }], /^layers\[0\]\.kind is "cloud"/],
+    [[{ ...text, size: [-1, 0] }], /^layers\[0\]\.size\.x is -1 mm/],
+    [[{ ...text, colour: 'red' }], /unknown key "layers\[0\]\.colour"/],
+    ['letters', /^layers is "letters"; it must be a list/],
+    [Array.from({ length: 33 }, () => text), /layers has 33 entries; it may have up to 32/],
+  ];
+  for (const [layers, message] of cases) {
+    await assert.rejects(engine.generateToolpath({ shape, layers }), { name: 'SillonError', message });
+  }
+});
