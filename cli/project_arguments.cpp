@@ -1,7 +1,9 @@
 #include "project_arguments.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -20,34 +22,73 @@ using sillon::PerimeterMode;
 using sillon::ProfileKind;
 using sillon::Project;
 using sillon::Result;
+using sillon::RoundHole;
 using sillon::Section;
 using sillon::Setting;
 using sillon::Vec2;
 
+/// Names stand in the order of the enumerators; the first is none.
+std::vector<std::string> builtinNames() {
+  return sillon::splitWords(sillon::findSetting(Section::Shape, "builtin")->choices);
+}
+
 std::string setShape(Project& project, const std::string& text) {
-  constexpr std::array<std::pair<const char*, BuiltinShape>, 4> kBuiltins{{{"rect", BuiltinShape::Rectangle},
-                                                                           {"rectangle", BuiltinShape::Rectangle},
-                                                                           {"rounded", BuiltinShape::RoundedRectangle},
-                                                                           {"disc", BuiltinShape::Disc}}};
   project.shapeFile = text;
   project.builtin = BuiltinShape::None;
   project.builtinSize = {};
   project.pageWidth = 0;
   project.unitlessIsMm = false;
   project.ignorePaint = false;
-  for (const auto& [name, builtin] : kBuiltins) {
-    if (text != name) continue;
-    project.shapeFile.clear();
-    project.builtin = builtin;
-  }
+  project.holes.clear();
+  const std::vector<std::string> names = builtinNames();
+  const auto found = std::find(names.begin() + 1, names.end(), text == "rect" ? "rectangle" : text);
+  if (found == names.end()) return "";
+  project.shapeFile.clear();
+  project.builtin = static_cast<BuiltinShape>(found - names.begin());
   return "";
+}
+
+/// Names as help shows them, three to a row.
+std::vector<ValueHelp> shapeValues() {
+  std::vector<ValueHelp> values{{"F", "SVG file, or mask picture: bright is inside"}};
+  const std::vector<std::string> names = builtinNames();
+  for (std::size_t k = 1; k < names.size(); k += 3) {
+    std::string row = k == 1 ? "rect" : names[k];
+    for (std::size_t next = k + 1; next < std::min(k + 3, names.size()); ++next) row += ", " + names[next];
+    values.push_back({row, k == 1 ? "built-in shapes" : "more of them"});
+  }
+  return values;
+}
+
+RoundHole holeOf(const std::string& text) {
+  const std::size_t last = text.rfind(',');
+  const std::optional<Vec2> centre = parsePair(text.substr(0, last), ',');
+  const std::optional<double> diameter = last == std::string::npos ? std::nullopt : parseNumber(text.substr(last + 1));
+  if (!centre || !diameter) refuse("--hole", text, "X,Y,DIAMETER, three numbers in mm");
+  return {*centre, *diameter};
+}
+
+void addHoles(Options& options, std::vector<Change>& changes) {
+  const auto holes = std::make_shared<std::vector<RoundHole>>();
+  options.list("--hole", "X,Y,D", "round hole: its middle from the page's lower left corner, and its diameter, in mm",
+               [holes, &changes](const std::string& text) {
+                 holes->push_back(holeOf(text));
+                 if (holes->size() > 1) return;
+                 changes.emplace_back([holes](Project& project) {
+                   project.holes = *holes;
+                   return std::string();
+                 });
+               });
 }
 
 /// \param size  y is 0 where only a width was given.
 std::string setSize(Project& project, Vec2 size, const std::string& text) {
-  const bool square = project.builtin == BuiltinShape::Disc && size.y == size.x;
-  if (size.y != 0 && !square && (!project.shapeFile.empty() || project.builtin == BuiltinShape::Disc)) {
-    const std::string what = project.shapeFile.empty() ? "a disc" : "a shape from a file";
+  const bool round = sillon::isRound(project.builtin);
+  const bool square = round && size.y == size.x;
+  if (size.y != 0 && !square && (!project.shapeFile.empty() || round)) {
+    const std::string what = !project.shapeFile.empty()              ? "a shape from a file"
+                             : project.builtin == BuiltinShape::Disc ? "a disc"
+                                                                     : "a ring";
     return "--size is \"" + text + "\" for " + what + "; it must be one number there, the width in mm";
   }
   if (project.shapeFile.empty()) {
@@ -86,10 +127,11 @@ Result<Project> readProject(ProjectArguments& arguments) {
 
 void addShape(Options& options, std::vector<Change>& changes) {
   options.group("Shape and directions");
-  options.change("--shape", "SHAPE", "what the plate is cut to", changes,
-                 [](const std::string& text) { return [text](Project& project) { return setShape(project, text); }; },
-                 {{"F", "SVG file, or mask picture: bright is inside"}, {"rect, rounded, disc", "built-in shapes"}});
-  options.change("--size", "MM|WxH", "page width, or width and height of rect and rounded [as drawn, else 80]", changes,
+  options.change(
+      "--shape", "SHAPE", "what the plate is cut to", changes,
+      [](const std::string& text) { return [text](Project& project) { return setShape(project, text); }; },
+      shapeValues());
+  options.change("--size", "MM|WxH", "page width, or width and height of a built-in shape [as drawn, else 80]", changes,
                  [](const std::string& text) {
                    const std::optional<double> width = parseNumber(text);
                    const std::optional<Vec2> both = parsePair(text, 'x');
@@ -99,6 +141,7 @@ void addShape(Options& options, std::vector<Change>& changes) {
                    }
                    return [size, text](Project& project) { return setSize(project, size, text); };
                  });
+  addHoles(options, changes);
   options.change("--directions", "F", "picture of the bead directions; alone it makes a rectangle of its proportions",
                  changes, [](const std::string& text) {
                    return [text](Project& project) {

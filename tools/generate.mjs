@@ -38,11 +38,11 @@ const unitOf = ({ unit = '' }) => units[unit] ?? unit;
 
 // --- docs/reference/project.md --------------------------------------------------------------------------------------------------
 
-function rangeText({ type, choices, low, high, maxBytes }) {
+function rangeText({ type, choices, low, high, maxBytes, most }) {
   if (choices !== undefined) return choices.map((choice) => `\`${choice}\``).join(' ');
   if (type === 'flag') return '`false` `true`';
   if (maxBytes !== undefined) return type === 'block' ? `${maxBytes / 1024} KiB` : '';
-  if (type === 'pictures') return 'up to 4';
+  if (most !== undefined) return `up to ${most}`;
   if (low === undefined) return '';
   return `${low} to ${high > Number.MAX_SAFE_INTEGER ? '2^64 − 1' : high}`.replaceAll('-', '−');
 }
@@ -137,6 +137,7 @@ function studioRow(setting) {
   if (low !== undefined) Object.assign(facts, { low, high: mostOf(setting) });
   if (nullable) facts.nullable = nullable;
   if (setting.maxBytes !== undefined) facts.maxBytes = setting.maxBytes;
+  if (setting.most !== undefined) facts.most = setting.most;
   const text = Object.entries(facts).map(([name, value]) => `${name}: ${JSON.stringify(value).replaceAll('"', "'")}`);
   return `${key}: { ${text.join(', ')} },`;
 }
@@ -155,6 +156,11 @@ const studioSection = (section) => `  ${section}: {\n${studioRows(section, '    
 const settingTable = () => `// Made by tools/generate.mjs from the core's table of settings: ./dev generate.
 export const table = {
 ${['pictures', ...sectionsOfStudio].map(studioSection).join('\n')}
+} as const;
+
+/** The rows of a shape, but for the name of its file. */
+export const shapeTable = {
+${studioRows('shape', '  ')}
 } as const;
 `;
 

@@ -451,19 +451,42 @@ export type LayerInput = Partial<Omit<Layer, 'file' | 'maskFile' | 'font'>> & {
   font?: string | Bytes;
 };
 
-export type ShapeInput =
-  | {
-      builtin: 'rectangle' | 'rounded' | 'disc';
-      size?: readonly [number, number];
-      radius?: number;
-      keepThin?: boolean;
-    }
-  /** SVG, or a mask picture whose bright, opaque pixels are inside. `pageWidth` 0: as drawn, 80 mm for a mask.
-   * `paint`: a drawing is what it shows (default), or all its outlines, whatever their paint.
-   * `keepThin`: places of half a bead to one are widened to one. */
-  | { file: InputFile; pageWidth?: number; unitless?: 'px' | 'mm'; paint?: 'shown' | 'ignore'; keepThin?: boolean }
-  /** A rectangle of the direction picture's proportions. */
-  | { size?: readonly [number, number] };
+/** A round hole: its middle in mm from the page's lower left corner, to the right and upwards, and its diameter in mm. */
+export interface RoundHole {
+  x: number;
+  y: number;
+  diameter: number;
+}
+
+/** The shapes that need no file. */
+export type BuiltinShape = 'rectangle' | 'rounded' | 'disc' | 'hexagon' | 'heart' | 'shield' | 'star' | 'ring' | 'tag';
+
+/** Changes of any shape. `offset`: its outline is moved outwards by so many mm, -20..50, and its page grows with it; below 0
+ * inwards, on the same page. `holes`: up to 16, cut out last. `keepThin`: places of half a bead to one are widened to one. */
+export interface ShapeChanges {
+  offset?: number;
+  holes?: readonly RoundHole[];
+  keepThin?: boolean;
+}
+
+export type ShapeInput = ShapeChanges &
+  /** `size`: width and height in mm; a height of 0 is the shape's own. `radius`: of corners in mm, default 3. `points`: of a star, 3..24,
+   * default 5. `inner`: diameter of the hole of a ring or a tag in mm; default 0: half of the ring, 5 mm of a tag. */
+  (
+    | {
+        builtin: BuiltinShape;
+        size?: readonly [number, number];
+        radius?: number;
+        corners?: 'round' | 'chamfer';
+        points?: number;
+        inner?: number;
+      }
+    /** SVG, or a mask picture whose bright, opaque pixels are inside. `pageWidth` 0: as drawn, 80 mm for a mask.
+     * `paint`: a drawing is what it shows (default), or all its outlines, whatever their paint. */
+    | { file: InputFile; pageWidth?: number; unitless?: 'px' | 'mm'; paint?: 'shown' | 'ignore' }
+    /** A rectangle of the direction picture's proportions. */
+    | { size?: readonly [number, number] }
+  );
 
 export type DirectionInput = { angle: number } | { file: InputFile; encoding?: DirectionEncoding };
 
@@ -820,12 +843,17 @@ export interface Project {
   sillon: 1;
   shape: {
     file: string;
-    builtin: 'none' | 'rectangle' | 'rounded' | 'disc';
+    builtin: 'none' | BuiltinShape;
     size: [number, number];
     radius: number;
+    corners: 'round' | 'chamfer';
+    points: number;
+    inner: number;
     pageWidth: number;
     unitless: 'px' | 'mm';
     paint: 'shown' | 'ignore';
+    offset: number;
+    holes: RoundHole[];
     keepThin: boolean;
   };
   directions: { file: string; encoding: DirectionEncoding; angle: number };
@@ -1180,6 +1208,10 @@ export type ErrorReason =
   | 'CopiesTooHigh'
   /** No bead fits anywhere: `spacing` [mm]. */
   | 'NoBeadFits'
+  /** A hole that cuts nothing: `n`, counted from 1; `x`, `y` and `diameter`; `left`, `bottom`, `right` and `top` of the shape [mm]. */
+  | 'HoleOutside'
+  /** An offset inwards that leaves nothing: `offset`, and `depth` of the shape's deepest place [mm]. */
+  | 'OffsetTooDeep'
   /** More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at which it would do,
    * each where there is one. */
   | 'PlateTooLarge'

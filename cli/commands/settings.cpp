@@ -21,7 +21,9 @@ std::string rangeText(const sillon::Setting& row) {
   }
   if (row.type == SettingType::Flag) return "true|false";
   if (row.type == SettingType::Text || row.type == SettingType::Block || row.type == SettingType::Name) return "text";
-  if (row.type == SettingType::PictureList) return "up to 4 files";
+  const std::string most = std::to_string(static_cast<int>(row.high));
+  if (row.type == SettingType::PictureList) return "up to " + most + " files";
+  if (row.type == SettingType::HoleList) return "up to " + most + " holes";
   char range[96];
   std::snprintf(range, sizeof range, "%.6g to %.6g %s", row.low, row.high, row.unit);
   return range;

@@ -1649,3 +1649,43 @@ TEST_CASE("the first Ctrl-C ends with code 3 and leaves nothing behind, also whi
     CHECK(err == "sillon: cancelled; nothing was written\n");
   }
 }
+
+TEST_CASE("shapes for things: built-in ones, corners, offsets and holes") {
+  const Folder folder;
+  const Run made = folder.run(
+      "generate --shape hexagon --size 24x20 --radius 2 --corners chamfer --offset 1 --hole 13,11,4.5 --hole=3,11,1 "
+      "--spacing 0.8 --quiet --project p.json --gcode a.gcode");
+  CHECK(made.code == 0);
+  CHECK(made.err == "");
+  const Json project = Json::parse(readAll(folder.at("p.json")));
+  CHECK(project["shape"]["builtin"] == "hexagon");
+  CHECK(project["shape"]["corners"] == "chamfer");
+  CHECK(project["shape"]["offset"] == 1);
+  CHECK(project["shape"]["holes"] ==
+        Json::array({{{"x", 13}, {"y", 11}, {"diameter", 4.5}}, {{"x", 3}, {"y", 11}, {"diameter", 1}}}));
+  CHECK(folder.run("check a.gcode").code == 0);
+  // A hole on the line takes the place of the project's; another shape has none of them.
+  CHECK(folder.run("generate p.json --hole 12,12,3 --quiet --project q.json").code == 0);
+  CHECK(Json::parse(readAll(folder.at("q.json")))["shape"]["holes"].size() == 1);
+  CHECK(folder.run("generate p.json --shape star --points 6 --size 20 --quiet --project s.json").code == 0);
+  const Json star = Json::parse(readAll(folder.at("s.json")));
+  CHECK(star["shape"]["points"] == 6);
+  CHECK(star["shape"]["holes"].empty());
+  for (const char* shape : {"heart", "shield", "ring --inner 8", "tag --inner 4"}) {
+    CAPTURE(shape);
+    CHECK(folder.run(std::string("generate --quiet --spacing 0.8 --size 20 --svg a.svg --shape ") + shape).code == 0);
+  }
+  const auto refused = [&](const std::string& options, const char* part) {
+    const Run run = folder.run("generate --shape disc --size 20 --spacing 0.8 --svg b.svg " + options);
+    CAPTURE(run.err);
+    CHECK(run.code != 0);
+    CHECK(has(run.err, part));
+  };
+  refused("--hole 1,1", "--hole is \"1,1\"; it must be X,Y,DIAMETER");
+  refused("--hole 50,10,4", "hole 1 at 50, 10 mm");
+  refused("--hole 10,10,0.1", "shape.holes[0].diameter is 0.1 mm; it must be 0.5 to 10000");
+  refused("--offset 60", "shape.offset is 60 mm; it must be -20 to 50");
+  refused("--offset -15", "an offset of -15 mm leaves nothing of the shape");
+  refused("--shape ring --size 20 --inner 25", "inner diameter of the ring is 25 mm");
+  refused("--shape ring --size 20x10", "for a ring; it must be one number there");
+}

@@ -182,6 +182,24 @@ TEST_CASE("a plate that is too large for the bed is turned, or made smaller, onl
   CHECK_FALSE(gcodeOf(fitted).empty());
 }
 
+TEST_CASE("a plate with an offset and holes fits the bed with them") {
+  Project project = disc();
+  project.builtinSize = {60, 0};
+  project.outlineOffset = 2;
+  project.holes = {{{32, 32}, 5}};
+  project.printer.bedMax = {40, 45};
+  PlateOptions options;
+  options.measure = false;
+  options.placing = Placing::Fit;
+  Plate fitted = made(project, options);
+  CHECK(fitted.project.outlineOffset == 2);
+  CHECK(fitted.project.holes[0].diameter == 5);
+  CHECK(fitted.project.holes[0].centre.x == doctest::Approx(fitted.input.shape.page.x / 2).epsilon(0.01));
+  CHECK(fitted.input.shape.page.x <= 40);
+  CHECK(fitted.input.shape.page.x > 37);
+  CHECK_FALSE(gcodeOf(fitted).empty());
+}
+
 TEST_CASE("what is kept from plate to plate changes nothing") {
   Session session;
   std::optional<KeptPictures> kept;

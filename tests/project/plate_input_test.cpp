@@ -3,9 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <map>
 
 #include "geometry/parts.hpp"
+#include "sillon/geometry/outline.hpp"
 #include "sillon/input/image_io.hpp"
 
 using namespace sillon;
@@ -101,6 +103,52 @@ TEST_CASE("a direction picture lends its proportions to a plate without shape") 
   CHECK(readPlateInput(project, files.reader()).value().shape.page == Vec2{30, 60});
   project.builtin = BuiltinShape::Disc;
   CHECK(readPlateInput(project, files.reader()).value().shape.page == Vec2{30, 30});
+}
+
+TEST_CASE("all built-in shapes are made, in heights of their own or the direction picture's") {
+  Files files;
+  files.byName = {{"lines", grey(4, 3, 65535)}};
+  const auto pageOf = [&](BuiltinShape builtin, const std::string& lines) {
+    Project project;
+    project.builtin = builtin;
+    project.builtinSize = {40, 0};
+    project.directionFile = lines;
+    const auto input = readPlateInput(project, files.reader());
+    REQUIRE_MESSAGE(input.ok(), input.error().message);
+    return input.value().shape.page;
+  };
+  CHECK(pageOf(BuiltinShape::Hexagon, "").y == doctest::Approx(20 * std::sqrt(3.0)));
+  CHECK(pageOf(BuiltinShape::Tag, "").y == 16);
+  CHECK(pageOf(BuiltinShape::RoundedRectangle, "").y == 40);
+  CHECK(pageOf(BuiltinShape::Ring, "lines").y == 40);
+  for (const BuiltinShape builtin :
+       {BuiltinShape::Hexagon, BuiltinShape::Heart, BuiltinShape::Shield, BuiltinShape::Star, BuiltinShape::Tag}) {
+    CHECK(pageOf(builtin, "lines").y == 30);
+  }
+}
+
+TEST_CASE("a project's offset comes before its holes, which are where the page says") {
+  Files files;
+  Project project;
+  project.builtin = BuiltinShape::Rectangle;
+  project.builtinSize = {30, 20};
+  project.outlineOffset = 5;
+  project.holes = {{{3, 15}, 4}};
+  const auto areaOf = [&] {
+    const auto input = readPlateInput(project, files.reader());
+    REQUIRE_MESSAGE(input.ok(), input.error().message);
+    CHECK(input.value().shape.page.x == doctest::Approx(40));
+    CHECK(input.value().shape.page.y == doctest::Approx(30));
+    return resolveOutline(input.value().shape).value().area;
+  };
+  const double grown = 600 + 100 * 5 + 3.14159265 * 25;
+  CHECK(areaOf() == doctest::Approx(grown - 3.14159265 * 4).epsilon(1e-3));
+  project.keepThin = true;
+  CHECK(areaOf() == doctest::Approx(grown - 3.14159265 * 4).epsilon(1e-3));
+  project.holes.push_back({{39.5, 29.5}, 0.5});
+  const auto outside = readPlateInput(project, files.reader());
+  REQUIRE(!outside.ok());
+  CHECK(outside.error().message.find("hole 2 at 39.5, 29.5 mm") == 0);
 }
 
 TEST_CASE("an angle, a mode and a mode picture") {

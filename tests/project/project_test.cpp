@@ -36,6 +36,11 @@ Project unusualProject() {
   p.shapeFile = "shapes/leaf \xC3\xA9.svg";
   p.builtinSize = {120.25, 80.5};
   p.builtinRadius = 1.0 / 3.0;
+  p.corners = CornerStyle::Chamfer;
+  p.starPoints = 7;
+  p.builtinInner = 12.5;
+  p.outlineOffset = -1.75;
+  p.holes = {{{10.5, -3}, 4.5}, {{0.1 + 0.2, 80}, 8.2}};
   p.pageWidth = 0.1 + 0.2;
   p.unitlessIsMm = true;
   p.ignorePaint = true;
@@ -185,6 +190,8 @@ TEST_CASE("every field survives writing and reading bit for bit") {
   CHECK(p.unitlessIsMm);
   CHECK(p.ignorePaint);
   CHECK(p.keepThin);
+  CHECK(p.holes == q.holes);
+  CHECK(p.outlineOffset == q.outlineOffset);
   CHECK(p.encoding == q.encoding);
   CHECK(p.mode == q.mode);
   CHECK(p.toolpath.seed == q.toolpath.seed);

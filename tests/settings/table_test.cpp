@@ -105,6 +105,7 @@ TEST_CASE("defaults are allowed, and each row has a key, a label and a sentence 
 TEST_CASE("the words of choices stand in the order of their enumerators") {
   Project p;
   p.builtin = BuiltinShape::Disc;
+  p.corners = CornerStyle::Chamfer;
   p.unitlessIsMm = true;
   p.ignorePaint = true;
   p.encoding = DirectionEncoding::Tangent;
@@ -116,6 +117,9 @@ TEST_CASE("the words of choices stand in the order of their enumerators") {
   p.print.showSide = ShowSide::Both;
   const auto text = [&](Section section, const char* key) { return settingText(*findSetting(section, key), p); };
   CHECK(text(Section::Shape, "builtin") == "disc");
+  CHECK(text(Section::Shape, "corners") == "chamfer");
+  p.builtin = BuiltinShape::Tag;
+  CHECK(text(Section::Shape, "builtin") == "tag");
   CHECK(text(Section::Shape, "unitless") == "mm");
   CHECK(text(Section::Directions, "encoding") == "tangent");
   CHECK(text(Section::Modes, "mode") == "smoothest");
@@ -164,6 +168,29 @@ TEST_CASE("pictures with their lamps are written as they were read") {
   REQUIRE(again);
   CHECK(again.value().pictures.files == pictures.files);
   CHECK(writeProject(again.value()) == text);
+}
+
+TEST_CASE("holes are written as they were read, and told what is wrong with them") {
+  const auto with = [](const Json& holes) { return Json{{"sillon", 1}, {"shape", {{"holes", holes}}}}; };
+  const Json one = {{"x", 10.5}, {"y", -3}, {"diameter", 4.5}};
+  const Result<Project> read = readProject(with(Json::array({one})).dump());
+  REQUIRE(read);
+  CHECK(read.value().holes == std::vector<RoundHole>{{{10.5, -3}, 4.5}});
+  CHECK(Json::parse(writeProject(read.value()))["shape"]["holes"] == Json::array({one}));
+  const auto wrong = [&](const char* key, const Json& value) {
+    Json hole = one;
+    hole[key] = value;
+    return problem(with(Json::array({one, hole})));
+  };
+  CHECK(wrong("diameter", 0.25) == "shape.holes[1].diameter is 0.25 mm; it must be 0.5 to 10000");
+  CHECK(wrong("x", 20000) == "shape.holes[1].x is 20000 mm; it must be -10000 to 10000");
+  CHECK(wrong("y", "top") == "shape.holes[1].y is text; it must be a number");
+  CHECK(has(wrong("radius", 2), "unknown key \"shape.holes[1].radius\""));
+  CHECK(has(problem(with(Json::array({{{"x", 1}, {"y", 2}}}))), "shape.holes[0] has no diameter"));
+  CHECK(has(problem(with(3)), "shape.holes is a number; it must be a list of holes"));
+  CHECK(has(problem(with(Json::array({3}))), "shape.holes[0] is a number; it must be an object"));
+  CHECK(problem(with(Json(17, one))) == "shape.holes has 17 holes; it may have up to 16");
+  CHECK(problem(with(Json(16, one))) == "");
 }
 
 TEST_CASE("what temperatures are allowed depends on anyTemperature") {

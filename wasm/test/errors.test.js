@@ -400,6 +400,11 @@ test('what a page would say in another language has a reason with values', async
     reason: 'NoBeadFits',
     values: { spacing: 9 },
   });
+  const holed = { builtin: 'disc', size: [20, 20], holes: [{ x: 30, y: 10, diameter: 4 }] };
+  assert.deepEqual(await told(generate({ shape: holed }, {})), {
+    reason: 'HoleOutside',
+    values: { n: 1, x: 30, y: 10, diameter: 4, left: 0, bottom: 0, right: 20, top: 20 },
+  });
   const { reason, values } = await told(gcode({}, { place: [-2, 20] }));
   assert.equal(reason, 'OverBedEdge');
   assert.deepEqual(Object.keys(values), ['left']);

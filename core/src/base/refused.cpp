@@ -16,6 +16,12 @@ constexpr Sentence kReasons[] = {
      "the print head would touch them"},
     {reason::kNoBeadFits,
      "no bead fits into this shape at a spacing of {spacing} mm; use a smaller spacing or a larger shape"},
+    {reason::kHoleOutside,
+     "hole {n} at {x}, {y} mm, {diameter} mm wide, lies outside the shape, which reaches from {left}, {bottom} to "
+     "{right}, {top} mm; move it onto the shape, or leave it out"},
+    {reason::kOffsetTooDeep,
+     "an offset of {offset} mm leaves nothing of the shape, whose deepest place is {depth} mm from the outline; use an "
+     "offset that is nearer to 0"},
 };
 
 constexpr Sentence kHints[] = {

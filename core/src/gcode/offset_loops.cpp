@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/signed_distance.hpp"
+#include "geometry/straightened.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "toolpath/path.hpp"
@@ -14,33 +15,6 @@ namespace {
 constexpr double kMostNodes = 4e6;
 constexpr double kTolerance = 0.005;  // [mm], of points left out
 constexpr double kLongest = 2;        // [mm], so that speeds can follow
-constexpr std::size_t kWindow = 40;   // points left out in one go
-
-double distanceToLine(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double size = length(d);
-  return size > 0 ? std::abs(cross(d, p - a)) / size : length(p - a);
-}
-
-// Leaves out what lies on the straight line between its neighbours.
-Polyline thinned(const Polyline& line) {
-  Polyline out;
-  std::size_t from = 0;
-  while (from < line.size()) {
-    out.push_back(line[from]);
-    std::size_t to = from + 1;
-    while (to + 1 < line.size() && to - from < kWindow && length(line[to + 1] - line[from]) <= kLongest) {
-      bool straight = true;
-      for (std::size_t k = from + 1; k <= to && straight; ++k) {
-        straight = distanceToLine(line[k], line[from], line[to + 1]) <= kTolerance;
-      }
-      if (!straight) break;
-      ++to;
-    }
-    from = to;
-  }
-  return out;
-}
 
 }  // namespace
 
@@ -89,7 +63,7 @@ Result<std::vector<Polyline>> offsetLoops(const Shape& shape, double first, doub
           const Vec2f p = curves.value().points[from + static_cast<std::size_t>(i)];
           line.push_back(wide(p));
         }
-        line = thinned(line);
+        line = straightened(line, kTolerance, kLongest);
         if (line.size() >= 3) loops->push_back(std::move(line));
       }
     }

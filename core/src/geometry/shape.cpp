@@ -1,71 +1,20 @@
-// Built-in shapes, outlines of pictures (marching squares) and scaling.
+// Outlines of pictures (marching squares) and scaling.
 #include "sillon/geometry/shape.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "geometry/shape_points.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr double kMaxSize = 10'000;       // of a page side [mm]
-constexpr double kDiscTolerance = 0.001;  // between a circle and its polygon [mm]
 constexpr std::int64_t kMaxMaskPoints = 4'000'000;
-
-// Every platform reads the same bytes: what libm's last digit may change is far below 1 nm. The + 0 turns -0 into 0.
-double snapped(double mm) { return std::round(mm * 1e6) / 1e6 + 0.0; }
-Vec2 snapped(Vec2 p) { return {snapped(p.x), snapped(p.y)}; }
-
-bool validSize(double mm) { return snapped(mm) > 0 && mm <= kMaxSize; }  // false for NaN
-
-Error sizeError(const std::string& what, double mm) {
-  return {ErrorCode::InvalidArgument,
-          what + " is " + shownNumber(mm) + " mm; it must be more than 0 and at most " + shownNumber(kMaxSize) + " mm"};
-}
-
-Shape oneRing(Ring ring, Vec2 page) {
-  Shape shape;
-  shape.page = snapped(page);
-  shape.paths.push_back({{std::move(ring)}, FillRule::NonZero});
-  return shape;
-}
-
-// Quarter of a circle from center + u to center + v, both ends included and exact.
-void addQuarter(Ring& ring, Vec2 center, Vec2 u, Vec2 v) {
-  const double radius = length(u);
-  // The sagitta of a chord over the angle s is below radius s²/8.
-  const int pieces =
-      std::max(2, static_cast<int>(std::ceil(std::numbers::pi / 2 * std::sqrt(radius / (8 * kDiscTolerance)))));
-  ring.push_back(snapped(center + u));
-  for (int i = 1; i < pieces; ++i) {
-    const double angle = std::numbers::pi / 2 * i / pieces;
-    ring.push_back(snapped(center + std::cos(angle) * u + std::sin(angle) * v));
-  }
-  ring.push_back(snapped(center + v));
-}
-
-void dropRepeatedPoints(Ring& ring) {
-  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-  while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
-}
-
-// Counter-clockwise, from the right end of the lower side.
-Ring roundedRing(Vec2 size, double radius) {
-  const double r = radius;
-  Ring ring;
-  addQuarter(ring, {size.x - r, r}, {0, -r}, {r, 0});
-  addQuarter(ring, {size.x - r, size.y - r}, {r, 0}, {0, r});
-  addQuarter(ring, {r, size.y - r}, {0, r}, {-r, 0});
-  addQuarter(ring, {r, r}, {-r, 0}, {0, -r});
-  dropRepeatedPoints(ring);
-  return ring;
-}
 
 // What the mask's level set is made of: brightness or opacity of pixels over 50 %, negative outside.
 class MaskField {
@@ -235,29 +184,6 @@ class MaskTracer {
 };
 
 }  // namespace
-
-Result<Shape> makeRectangle(Vec2 size) {
-  if (!validSize(size.x)) return sizeError("The width of the rectangle", size.x);
-  if (!validSize(size.y)) return sizeError("The height of the rectangle", size.y);
-  return oneRing({snapped(Vec2{0, 0}), snapped(Vec2{size.x, 0}), snapped(size), snapped(Vec2{0, size.y})}, size);
-}
-
-Result<Shape> makeRoundedRectangle(Vec2 size, double radius) {
-  if (!(radius >= 0)) {
-    return Error{ErrorCode::InvalidArgument,
-                 "The corner radius is " + shownNumber(radius) + " mm; it must be 0 or more"};
-  }
-  Result<Shape> rectangle = makeRectangle(size);
-  if (!rectangle || radius == 0) return rectangle;
-  Ring ring = roundedRing(size, std::min(radius, std::min(size.x, size.y) / 2));
-  if (ring.size() < 3) return rectangle;  // a few nm: the corners are below the grid of points
-  return oneRing(std::move(ring), size);
-}
-
-Result<Shape> makeDisc(double diameter) {
-  if (!validSize(diameter)) return sizeError("The diameter of the disc", diameter);
-  return makeRoundedRectangle({diameter, diameter}, diameter / 2);
-}
 
 Result<Shape> shapeFromMask(const Image& mask, double width) {
   if (mask.width <= 0 || mask.height <= 0 || mask.channels < 1 || mask.channels > 4 ||

@@ -1,5 +1,7 @@
 #include "job/place_on_bed.hpp"
 
+#include <algorithm>
+
 #include "gcode/layout.hpp"
 
 namespace sillon {
@@ -13,14 +15,23 @@ bool placeOnBed(Project& project, const Shape& shape, Placing placing) {
     return false;
   }
   if (placing != Placing::Fit || fit.percent < 1) return false;
-  const double scale = fit.percent / 100.0;
+  const double percent = fit.percent / 100.0;
+  // An offset stays as it is: the shape within it becomes smaller by more.
+  const double offset = 2 * project.outlineOffset;
+  const Vec2 box = bounds(shape).size();
+  const double side = std::min(box.x, box.y);
+  const double scale = offset == 0 ? percent : (percent * side - offset) / (side - offset);
+  if (!(scale > 0)) return false;
+  const double grown = std::max(0.0, offset);
+  const Vec2 page{scale * (shape.page.x - grown), scale * (shape.page.y - grown)};
   if (project.shapeFile.empty()) {
-    const bool disc = project.builtin == BuiltinShape::Disc;
-    project.builtinSize = {scale * shape.page.x, disc ? 0 : scale * shape.page.y};
+    project.builtinSize = {page.x, isRound(project.builtin) ? 0 : page.y};
     project.builtinRadius *= scale;
+    if (project.builtin == BuiltinShape::Ring) project.builtinInner *= scale;
   } else {
-    project.pageWidth = scale * shape.page.x;
+    project.pageWidth = page.x;
   }
+  for (RoundHole& hole : project.holes) hole.centre = percent * hole.centre;
   return true;
 }
 

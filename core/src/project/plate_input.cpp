@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -11,7 +12,9 @@
 #include "input/svg.hpp"
 #include "project/files.hpp"
 #include "sillon/base/words.hpp"
+#include "sillon/geometry/outline.hpp"
 #include "sillon/input/image_io.hpp"
+#include "sillon/settings/table.hpp"
 
 namespace sillon {
 namespace {
@@ -64,28 +67,47 @@ Result<Shape> shapeFromFile(const Project& project, const ReadInput& read) {
 // The stages know no files; whoever has many needs to know which one is meant.
 Error named(const char* what, const std::string& file, const Error& error) {
   const bool known = file.empty() || error.message.find(file) != std::string::npos;
-  return known ? error : Error{error.code, what + (" \"" + file + "\": ") + error.message};
+  Error out = error;
+  if (!known) out.message = what + (" \"" + file + "\": ") + error.message;
+  return out;
 }
 
 /// \param lines  picture of the directions, if there is one: it lends its proportions where no height is given.
 Result<Shape> builtinShape(const Project& project, const std::optional<Image>& lines) {
   Vec2 size = project.builtinSize;
   if (size.x == 0) size.x = kDefaultWidth;
-  if (size.y == 0) size.y = lines ? size.x * lines->height / lines->width : size.x;
+  if (size.y == 0 && lines) size.y = size.x * lines->height / lines->width;
+  const Vec2 square{size.x, size.y == 0 ? size.x : size.y};
+  const Corners corners{project.builtinRadius, project.corners == CornerStyle::Chamfer};
   switch (project.builtin) {
     case BuiltinShape::Disc:
       return makeDisc(size.x);
+    case BuiltinShape::Ring:
+      return makeRing(size.x, project.builtinInner);
     case BuiltinShape::RoundedRectangle:
-      return makeRoundedRectangle(size, project.builtinRadius);
+      return makeRoundedRectangle(square, corners.radius, corners.chamfered);
     case BuiltinShape::Rectangle:
-      return makeRectangle(size);
+      return makeRectangle(square);
+    case BuiltinShape::Hexagon:
+      return makeHexagon(size, corners);
+    case BuiltinShape::Star:
+      return makeStar(project.starPoints, size, corners);
+    case BuiltinShape::Heart:
+      return makeHeart(size);
+    case BuiltinShape::Shield:
+      return makeShield(size, corners);
+    case BuiltinShape::Tag:
+      return makeTag(size, project.builtinInner, corners);
     case BuiltinShape::None:
       break;
   }
-  if (lines) return makeRectangle(size);
-  return Error{
-      ErrorCode::InvalidArgument,
-      "there is no shape; give a shape file, a built-in shape (rectangle, rounded, disc) or a direction picture"};
+  if (lines) return makeRectangle(square);
+  std::string names;
+  for (const std::string& name : splitWords(findSetting(Section::Shape, "builtin")->choices)) {
+    if (name != "none") names += (names.empty() ? "" : ", ") + name;
+  }
+  return Error{ErrorCode::InvalidArgument,
+               "there is no shape; give a shape file, a built-in shape (" + names + ") or a direction picture"};
 }
 
 }  // namespace
@@ -130,6 +152,14 @@ Result<Shape> withThinPlaces(Shape shape, double spacing, const RunContext& run)
   return keepThinPlaces(std::move(shape), spacing, run);
 }
 
+/// Does to any shape what the project asks for. Holes come last, so that nothing else changes them.
+Result<Shape> finished(Result<Shape> shape, const Project& project, const RunContext& run) {
+  if (shape && project.outlineOffset != 0) shape = offsetShape(std::move(shape).value(), project.outlineOffset, run);
+  if (shape && project.keepThin) shape = withThinPlaces(std::move(shape).value(), project.toolpath.spacing, run);
+  if (shape && !project.holes.empty()) shape = withHoles(std::move(shape).value(), project.holes);
+  return shape;
+}
+
 }  // namespace
 
 Result<PlateField> readPlateField(const Project& project, const ReadInput& read) {
@@ -149,7 +179,7 @@ Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read,
     lines = std::move(decoded).value();
   }
   Result<Shape> shape = project.shapeFile.empty() ? builtinShape(project, lines) : shapeFromFile(project, read);
-  if (shape && project.keepThin) shape = withThinPlaces(std::move(shape).value(), project.toolpath.spacing, run);
+  shape = finished(std::move(shape), project, run);
   if (!shape) return named("shape", project.shapeFile, shape.error());
   return PlateInput{std::move(shape).value(), std::move(field.value().directions), std::move(field.value().modes)};
 }

@@ -99,6 +99,23 @@ struct ReadValue {
     *out = std::move(read);
     return "";
   }
+  std::string operator()(std::vector<RoundHole>* out) const {
+    if (!value.is_array()) return wrongType(name, "a list of holes", value);
+    std::vector<RoundHole> read;
+    for (const Json& one : value) {
+      const std::string path = name + "[" + std::to_string(read.size()) + "]";
+      if (!one.is_object()) return wrongType(path, "an object with x, y and diameter", one);
+      RoundHole& hole = read.emplace_back();
+      if (std::string wrong = unknownKey(one, path + ".", {"x", "y", "diameter"}); !wrong.empty()) return wrong;
+      for (const auto& [key, number] :
+           {std::pair{"x", &hole.centre.x}, {"y", &hole.centre.y}, {"diameter", &hole.diameter}}) {
+        if (!one.contains(key)) return path + " has no " + key + "; it must have x, y and diameter in mm";
+        if (std::string wrong = readNumber(one[key], path + "." + key, *number); !wrong.empty()) return wrong;
+      }
+    }
+    *out = std::move(read);
+    return "";
+  }
   std::string operator()(const ChoiceField& /*out*/) const { return choice(); }
 
   std::string choice() const {

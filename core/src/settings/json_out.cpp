@@ -40,6 +40,14 @@ struct ValueJson {
     }
     return out.empty() ? "[]" : "[" + out + "\n" + pad + "]";
   }
+  std::string operator()(const std::vector<RoundHole>* value) const {
+    std::string out;
+    for (const RoundHole& hole : *value) {
+      out += (out.empty() ? "\n" : ",\n") + pad + "  {\"x\": " + numberText(hole.centre.x) +
+             ", \"y\": " + numberText(hole.centre.y) + ", \"diameter\": " + numberText(hole.diameter) + "}";
+    }
+    return out.empty() ? "[]" : "[" + out + "\n" + pad + "]";
+  }
   std::string operator()(const ChoiceField& /*value*/) const { return choice(); }
 
   std::string choice() const { return "\"" + splitWords(setting.choices).at(chosen(field)) + "\""; }
@@ -65,6 +73,8 @@ const char* typeName(SettingType type) {
       return "block";
     case SettingType::PictureList:
       return "pictures";
+    case SettingType::HoleList:
+      return "holes";
     case SettingType::Name:
       break;
   }
@@ -105,6 +115,8 @@ std::string settingJson(const Setting& setting, const Field& field) {
   const bool seed = std::holds_alternative<std::uint64_t*>(field);  // its end is no double
   if (number) add(out, "low", numberText(setting.low));
   if (number) add(out, "high", seed ? std::to_string(UINT64_MAX) : numberText(setting.high));
+  const bool list = type == SettingType::PictureList || type == SettingType::HoleList;
+  if (list) add(out, "most", numberText(setting.high));
   const bool text = type == SettingType::Text || type == SettingType::Block;
   if (text && setting.high > 0) add(out, "maxBytes", numberText(setting.high));
   if (*setting.choices != '\0') add(out, "choices", listJson(setting.choices));

@@ -15,7 +15,8 @@
 namespace sillon {
 namespace {
 
-constexpr double kLine = 1024;  // [bytes], of a file's name
+constexpr double kLine = 1024;        // [bytes], of a file's name
+constexpr double kFurthest = 10'000;  // [mm], of holes, as sides of pages
 
 struct Range {
   double low;
@@ -100,6 +101,24 @@ Wrong wrongPictures(const Setting& setting, const std::vector<LampPicture>& pict
   return std::nullopt;
 }
 
+Wrong wrongHoles(const Setting& setting, const std::vector<RoundHole>& holes) {
+  if (holes.size() > static_cast<std::size_t>(setting.high)) {
+    return wrong(fullName(setting) + " has " + std::to_string(holes.size()) + " holes; it may have up to " +
+                 numberText(setting.high));
+  }
+  Setting part = setting;
+  part.type = SettingType::Number;
+  part.unit = "mm";
+  for (std::size_t k = 0; k < holes.size(); ++k) {
+    const std::string key = setting.key + ("[" + std::to_string(k) + "]");
+    part.key = key.c_str();
+    if (Wrong found = wrongNumber(part, ".x", holes[k].centre.x, {-kFurthest, kFurthest})) return found;
+    if (Wrong found = wrongNumber(part, ".y", holes[k].centre.y, {-kFurthest, kFurthest})) return found;
+    if (Wrong found = wrongNumber(part, ".diameter", holes[k].diameter, {0.5, kFurthest})) return found;
+  }
+  return std::nullopt;
+}
+
 Wrong wrongChoice(const Setting& setting, const Field& field) {
   if (chosen(field) < splitWords(setting.choices).size()) return std::nullopt;
   return wrong(fullName(setting) + " is number " + std::to_string(chosen(field)) + " of its choices; it must be " +
@@ -126,6 +145,7 @@ struct WrongValue {
     return *value ? wrongPair(setting, **value, range) : std::nullopt;
   }
   Wrong operator()(const std::vector<LampPicture>* value) const { return wrongPictures(setting, *value); }
+  Wrong operator()(const std::vector<RoundHole>* value) const { return wrongHoles(setting, *value); }
   Wrong operator()(const ChoiceField& /*value*/) const { return wrongChoice(setting, field); }
 };
 

@@ -99,6 +99,11 @@ inline constexpr char kTooHigh[] = "TooHigh";
 inline constexpr char kCopiesTooHigh[] = "CopiesTooHigh";
 /// No bead fits anywhere: `spacing` [mm].
 inline constexpr char kNoBeadFits[] = "NoBeadFits";
+/// A hole that cuts nothing: `n`, counted from 1; `x`, `y` and `diameter` [mm]; `left`, `bottom`,
+/// `right` and `top` of the shape [mm].
+inline constexpr char kHoleOutside[] = "HoleOutside";
+/// An offset inwards that leaves nothing: `offset`, and `depth` of the shape's deepest place [mm].
+inline constexpr char kOffsetTooDeep[] = "OffsetTooDeep";
 /// More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at
 /// which it would do, each where there is one.
 inline constexpr char kPlateTooLarge[] = "PlateTooLarge";

@@ -54,6 +54,14 @@ struct Bounds {
   [[nodiscard]] Vec2 size() const { return empty() ? Vec2{} : max - min; }
 };
 
+/// A round hole in a shape.
+struct RoundHole {
+  Vec2 centre;          ///< on the page [mm]
+  double diameter = 0;  ///< [mm], above 0
+
+  friend bool operator==(const RoundHole&, const RoundHole&) = default;
+};
+
 /// A decoded picture, row 0 on top, channels interleaved. 8-bit sources are widened by 257, so that
 /// sample / 65535 equals the 8-bit value / 255 exactly.
 struct Image {

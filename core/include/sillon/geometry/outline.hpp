@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
 #include "sillon/geometry/shape.hpp"
 
 namespace sillon {
@@ -48,6 +49,15 @@ Result<FilledPath> combined(const std::vector<FilledPath>& paths, const InsideRu
 /// overlap, share an edge or lie less than the grid apart are one body. As outlineOnGrid, with its
 /// errors.
 Result<Shape> unitedOnGrid(const Shape& shape);
+
+/// The shape with its outline moved outwards, or inwards by an offset below 0. Corners that move
+/// outwards become round, holes become smaller, and what meets is one. The page grows with the
+/// outline, and stays where it becomes smaller.
+/// \param offset  [mm], -20..50. The new outline is exact to 0.005 mm, and to a
+///   tenth of a mm in corners that move inwards.
+/// \return InvalidArgument for another offset; EmptyShape if nothing is left; as resolveOutline,
+///   and TooLarge, OutOfMemory or Cancelled.
+Result<Shape> offsetShape(Shape shape, double offset, const RunContext& run);
 
 /// A stretch of a horizontal line: x from begin to end [mm], begin < end.
 struct Interval {

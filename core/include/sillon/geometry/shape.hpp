@@ -61,14 +61,52 @@ struct Shape {
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
+/// Corners of polygons.
+struct Corners {
+  /// Of the arc that rounds a corner [mm], >= 0; the arc begins and ends at most half a side away
+  double radius = 0;
+  bool chamfered = false;  ///< cut off straight between the ends of that arc
+};
+
+// Built-in shapes. Each fills its page, but for what is taken off its corners; a height of 0 is the
+// one that the shape has of its own. Curves are within 0.001 mm. All return InvalidArgument for
+// what is out of range.
+
 /// Axis-parallel rectangle that fills its page.
 /// \param size  width and height [mm], each > 0.
 Result<Shape> makeRectangle(Vec2 size);
 /// \param radius  corner radius [mm], >= 0, clamped to half the shorter side.
-Result<Shape> makeRoundedRectangle(Vec2 size, double radius);
+/// \param chamfered  cuts the corners off instead of rounding them.
+Result<Shape> makeRoundedRectangle(Vec2 size, double radius, bool chamfered = false);
 /// Disc that fills its page.
 /// \param diameter  [mm], > 0.
 Result<Shape> makeDisc(double diameter);
+/// Disc with a round hole in its middle.
+/// \param diameter  [mm], > 0. \param inner  of the hole [mm], below the diameter; 0: half of it.
+Result<Shape> makeRing(double diameter, double inner);
+/// Hexagon with corners at the left and at the right; regular in its own height.
+/// \param size  of the page [mm], width > 0, height >= 0.
+Result<Shape> makeHexagon(Vec2 size, Corners corners = {});
+/// Star with a tip on top.
+/// \param points  3..24. \param size  of the page [mm], width > 0, height >= 0.
+Result<Shape> makeStar(int points, Vec2 size, Corners corners = {});
+/// Heart on its tip.
+/// \param size  of the page [mm], width > 0, height >= 0.
+Result<Shape> makeHeart(Vec2 size);
+/// Shield with a level top and a tip below; `corners` are those on top.
+/// \param size  of the page [mm], width > 0, height >= 0.
+Result<Shape> makeShield(Vec2 size, Corners corners = {});
+/// Tag with a hole near its round end, which is on the left, or on top of a tag that is taller than
+/// wide; `corners` are those of the other end.
+/// \param size  of the page [mm], width > 0, height >= 0.
+/// \param inner  diameter of the hole [mm], below the shorter side; 0: 5 mm.
+Result<Shape> makeTag(Vec2 size, double inner, Corners corners = {});
+
+/// The shape with round holes cut out of it, as one path on the same page.
+/// \param holes  each on a part of the shape.
+/// \return InvalidArgument for a hole that lies wholly outside or a diameter that is not above 0;
+///   EmptyShape if nothing is left; as resolveOutline.
+Result<Shape> withHoles(Shape shape, const std::vector<RoundHole>& holes);
 
 /// Outline of the bright (>= 50 %), opaque pixels of an image, stretched to the given width. An
 /// image with transparent pixels is read by its alpha alone.

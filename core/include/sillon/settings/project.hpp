@@ -99,7 +99,26 @@ Result<std::vector<ThumbnailSize>> readThumbnailSizes(std::string_view text);
 inline constexpr double kDefaultWidth =
     80;  ///< page width [mm] of built-in shapes and masks that name none
 
-enum class BuiltinShape { None, Rectangle, RoundedRectangle, Disc };
+enum class BuiltinShape {
+  None,
+  Rectangle,
+  RoundedRectangle,
+  Disc,
+  Hexagon,
+  Heart,
+  Shield,
+  Star,
+  Ring,
+  Tag
+};
+
+/// Tells whether a shape has a diameter and no height.
+inline bool isRound(BuiltinShape shape) {
+  return shape == BuiltinShape::Disc || shape == BuiltinShape::Ring;
+}
+
+/// Ways to treat the corners of built-in shapes.
+enum class CornerStyle { Round, Chamfer };
 
 /// Demands of a place on its beads.
 enum class DirectionMode : std::uint8_t {
@@ -288,11 +307,20 @@ struct Project {
   std::string shapeFile;  ///< SVG, or a mask picture; empty: builtin
   /// None without a shape file: a rectangle like the direction picture
   BuiltinShape builtin = BuiltinShape::None;
-  Vec2 builtinSize;  ///< [mm]; zero width: kDefaultWidth; zero height follows the direction picture
-  double builtinRadius = 3;   ///< of rounded corners [mm]
+  /// [mm]; zero width: kDefaultWidth; zero height follows the direction picture, or is the shape's
+  /// own
+  Vec2 builtinSize;
+  double builtinRadius = 3;  ///< of the corners that are no rectangle's [mm]
+  CornerStyle corners = CornerStyle::Round;
+  int starPoints = 5;         ///< 3..24
+  double builtinInner = 0;    ///< diameter of the hole of a ring or a tag [mm]; 0: its usual one
   double pageWidth = 0;       ///< scales the shape to this page width [mm]; 0: as drawn
   bool unitlessIsMm = false;  ///< scene files: SVG lengths without unit mean mm
   bool ignorePaint = false;   ///< scene files: outlines count whatever their paint, see SvgOptions
+  /// The outline lies so much further out, or further in where below 0 [mm], -20..50; see
+  /// offsetShape
+  double outlineOffset = 0;
+  std::vector<RoundHole> holes;  ///< 0..16, cut out of the shape
   bool keepThin = false;  ///< places of half a bead to one are widened to one, see keepThinPlaces
   std::string directionFile;  ///< empty: `angle`
   DirectionEncoding encoding = DirectionEncoding::Angle;

@@ -37,6 +37,7 @@ enum class SettingType {
   Text,         ///< one line; `high` is the most bytes it may have
   Block,        ///< several lines, likewise
   PictureList,  ///< files, each with its lamp; `high` is the most there may be
+  HoleList,     ///< round holes, likewise
   Name,         ///< of a preset or profile, whose values lie under the section's others
 };
 
@@ -62,7 +63,7 @@ struct ChoiceField {
 /// The field of a setting in a view. monostate: not there.
 using Field = std::variant<std::monostate, double*, int*, std::uint64_t*, bool*, std::string*,
                            Vec2*, std::optional<double>*, std::optional<Vec2>*,
-                           std::vector<LampPicture>*, ChoiceField>;
+                           std::vector<LampPicture>*, std::vector<RoundHole>*, ChoiceField>;
 
 struct Setting {
   Section section;

@@ -1,0 +1,36 @@
+// Points and sizes of shapes that Sillon makes.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/numbers.hpp"
+#include "sillon/base/result.hpp"
+#include "sillon/geometry/shape.hpp"
+
+namespace sillon {
+
+inline constexpr double kMaxSize = 10'000;  ///< of a page side [mm]
+
+// Every platform reads the same bytes: what libm's last digit may change is far below 1 nm. The + 0 turns -0 into 0.
+inline double snapped(double mm) { return std::round(mm * 1e6) / 1e6 + 0.0; }
+inline Vec2 snapped(Vec2 p) { return {snapped(p.x), snapped(p.y)}; }
+
+inline bool validSize(double mm) { return snapped(mm) > 0 && mm <= kMaxSize; }  // false for NaN
+
+inline Error sizeError(const std::string& what, double mm) {
+  return {ErrorCode::InvalidArgument,
+          what + " is " + shownNumber(mm) + " mm; it must be more than 0 and at most " + shownNumber(kMaxSize) + " mm"};
+}
+
+inline void dropRepeatedPoints(Ring& ring) {
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+}
+
+/// A circle, counter-clockwise, within 0.001 mm.
+Ring circleRing(Vec2 centre, double diameter);
+
+}  // namespace sillon
