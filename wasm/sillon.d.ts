@@ -775,6 +775,10 @@ export interface PrintParams {
   skirt: number;
   /** Filament extruded beside the plate before printing, in addition to what the last print retracted. 0..100 mm, default 10. */
   purgeLength: number;
+  /** Number of layers of a raised border on top of the oriented layers, along the outline and its holes. 0..50, default 0. */
+  rim: number;
+  /** Width of the raised border, in whole lines as wide as the nozzle and at least one. 0.1..100 mm, default 2. */
+  rimWidth: number;
   /** Loops attached to the plate’s first layer, for adhesion. 0..50, default 0. */
   brim: number;
   /** Inset of the first base layer, to compensate for its being squeezed wider. 0..0.5 mm, default 0.1. */
@@ -1212,6 +1216,8 @@ export type ErrorReason =
   | 'HoleOutside'
   /** An offset inwards that leaves nothing: `offset`, and `depth` of the shape's deepest place [mm]. */
   | 'OffsetTooDeep'
+  /** Oriented layers lie on the bed, where no rim can stand: `rim` [layers]. */
+  | 'RimBelow'
   /** More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at which it would do,
    * each where there is one. */
   | 'PlateTooLarge'

@@ -1650,11 +1650,11 @@ TEST_CASE("the first Ctrl-C ends with code 3 and leaves nothing behind, also whi
   }
 }
 
-TEST_CASE("shapes for things: built-in ones, corners, offsets and holes") {
+TEST_CASE("shapes for things: built-in ones, corners, offsets, holes and a rim") {
   const Folder folder;
   const Run made = folder.run(
       "generate --shape hexagon --size 24x20 --radius 2 --corners chamfer --offset 1 --hole 13,11,4.5 --hole=3,11,1 "
-      "--spacing 0.8 --quiet --project p.json --gcode a.gcode");
+      "--rim 2 --rim-width 0.8 --spacing 0.8 --quiet --project p.json --gcode a.gcode");
   CHECK(made.code == 0);
   CHECK(made.err == "");
   const Json project = Json::parse(readAll(folder.at("p.json")));
@@ -1663,6 +1663,8 @@ TEST_CASE("shapes for things: built-in ones, corners, offsets and holes") {
   CHECK(project["shape"]["offset"] == 1);
   CHECK(project["shape"]["holes"] ==
         Json::array({{{"x", 13}, {"y", 11}, {"diameter", 4.5}}, {{"x", 3}, {"y", 11}, {"diameter", 1}}}));
+  CHECK(project["print"]["rim"] == 2);
+  CHECK(has(readAll(folder.at("a.gcode")), ";TYPE:Perimeter"));
   CHECK(folder.run("check a.gcode").code == 0);
   // A hole on the line takes the place of the project's; another shape has none of them.
   CHECK(folder.run("generate p.json --hole 12,12,3 --quiet --project q.json").code == 0);
@@ -1688,4 +1690,5 @@ TEST_CASE("shapes for things: built-in ones, corners, offsets and holes") {
   refused("--offset -15", "an offset of -15 mm leaves nothing of the shape");
   refused("--shape ring --size 20 --inner 25", "inner diameter of the ring is 25 mm");
   refused("--shape ring --size 20x10", "for a ring; it must be one number there");
+  refused("--rim 2 --show bed --gcode b.gcode", "print.rim is 2, but oriented layers lie on the bed");
 }

@@ -92,6 +92,8 @@ Project unusualProject() {
   p.printer.showFan = 70;
   p.printer.minLayerTime = 6;
   p.print.base = 3;
+  p.print.rim = 4;
+  p.print.rimWidth = 1.6;
   p.print.skirt = 4;
   p.print.basePattern = BasePattern::Concentric;
   p.print.showSide = ShowSide::Bed;

@@ -139,7 +139,7 @@ inline ReadFile checkFile(const Job& job, const Written& written) {
   CHECK(file.maxX <= job.printer.bedMax.x);
   CHECK(file.maxY <= job.printer.bedMax.y);
   CHECK(file.maxZ <= job.printer.maxZ);
-  CHECK(file.layers == job.params.base + job.params.layers);
+  CHECK(file.layers == job.params.base + job.params.layers + job.params.rim);
   CHECK(file.moves == summary.moves);
   CHECK(static_cast<std::int64_t>(written.text.size()) == summary.bytes);
   CHECK(file.filament == doctest::Approx(summary.filamentMm).epsilon(1e-9));

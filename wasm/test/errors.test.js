@@ -405,6 +405,7 @@ test('what a page would say in another language has a reason with values', async
     reason: 'HoleOutside',
     values: { n: 1, x: 30, y: 10, diameter: 4, left: 0, bottom: 0, right: 20, top: 20 },
   });
+  assert.equal((await told(gcode({}, { rim: 2, showSide: 'bed' }))).reason, 'RimBelow');
   const { reason, values } = await told(gcode({}, { place: [-2, 20] }));
   assert.equal(reason, 'OverBedEdge');
   assert.deepEqual(Object.keys(values), ['left']);

@@ -22,6 +22,8 @@ constexpr Sentence kReasons[] = {
     {reason::kOffsetTooDeep,
      "an offset of {offset} mm leaves nothing of the shape, whose deepest place is {depth} mm from the outline; use an "
      "offset that is nearer to 0"},
+    {reason::kRimBelow,
+     "print.rim is {rim}, but oriented layers lie on the bed; print.showSide must be up for a rim, or print.rim 0"},
 };
 
 constexpr Sentence kHints[] = {

@@ -1,4 +1,4 @@
-// Layers that fill an area: base, skirt, brim.
+// Layers that fill an area: base, skirt, brim, rim.
 #pragma once
 
 #include <cstdint>
@@ -68,6 +68,11 @@ void addPurge(GcodeJob& job, const Bounds& box, const Printer& printer, const Pr
 /// Loops around the outside of the plate, the outermost first; holes stay free.
 std::optional<Error> addBrim(GcodeJob& job, const Shape& shape, PointUm offset, const Printer& printer,
                              const PrintParams& params);
+
+/// Loops along the border and its holes, from there inwards, which stand on the oriented layers. \return
+/// InvalidArgument if no line fits into the shape, EmptyShape, TooLarge.
+std::optional<Error> addRim(GcodeJob& job, const Shape& body, PointUm offset, const Printer& printer,
+                            const PrintParams& params);
 
 // The plain layers below the toolpath.
 

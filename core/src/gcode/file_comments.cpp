@@ -90,6 +90,7 @@ void writeHeader(ChunkedOutput& out, const GcodeJob& job, const Printer& printer
   } else {
     out << "; plate = " << size << ", spacing = " << fixed(job.spacing, 2)
         << ", oriented layers = " << std::to_string(params.layers) << ", base layers = " << std::to_string(params.base)
+        << (params.rim > 0 ? ", rim layers = " + std::to_string(params.rim) : std::string())
         << ", flow = " << fixed(params.flow, 2) << ", fill ratio = " << fixed(job.fillRatio, 3)
         << ", copies = " << std::to_string(job.copies.size()) << "\n";
   }

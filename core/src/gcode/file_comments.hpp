@@ -29,6 +29,7 @@ inline constexpr Role kSkirtRole{"Skirt/Brim", "Skirt"};
 inline constexpr Role kBrimRole{"Skirt/Brim", "Brim"};
 inline constexpr Role kBaseRole{"Solid infill", "Internal solid infill"};
 inline constexpr Role kOrientedRole{"Top solid infill", "Top surface"};
+inline constexpr Role kRimRole{"Perimeter", "Inner wall"};
 inline constexpr Role kCustomRole{"Custom", "Custom"};
 void writeRole(ChunkedOutput& out, const Role& role);
 

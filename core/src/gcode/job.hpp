@@ -52,6 +52,7 @@ struct GcodeJob {
   std::vector<BeadPath> across;                ///< of the base layer next to the cycles; empty where it is as others
   std::vector<BeadPath> bedAcross;             ///< next to the bed's cycles, likewise; ShowSide::Both
   std::vector<BeadPath> cycles;                ///< of oriented layers, widths within 0.6..1.6 nozzle
+  std::vector<BeadPath> rim;                   ///< of each layer above the oriented ones
   std::vector<BeadPath> bedCycles;             ///< of oriented layers below the base, mirrored; ShowSide::Both
   std::vector<PointUm> copies{{}};             ///< where each plate stands, from the first
   std::vector<PlacedPatch> patches;            ///< instead of cycles, on the layers above the base
@@ -89,10 +90,13 @@ inline double firstLayerHeight(const PrintParams& params) {
   return params.firstLayerHeight > 0 && beginsOnBed(params) ? params.firstLayerHeight : params.layerHeight;
 }
 
-/// Of one plate.
-inline int layerCount(const PrintParams& params) {
+/// Layers of one plate that lie below its rim.
+inline int layersBelowRim(const PrintParams& params) {
   return params.base + params.layers * (params.showSide == ShowSide::Both ? 2 : 1);
 }
+
+/// Of one plate.
+inline int layerCount(const PrintParams& params) { return layersBelowRim(params) + params.rim; }
 
 /// Of all plates in the file.
 inline int fileLayers(const GcodeJob& job, const PrintParams& params) {
@@ -103,7 +107,7 @@ inline int fileLayers(const GcodeJob& job, const PrintParams& params) {
 inline bool isOriented(const PrintParams& params, int layer) {
   const bool onBed = params.showSide != ShowSide::Up && layer < params.layers;
   const int below = params.showSide == ShowSide::Up ? params.base : params.layers + params.base;
-  return onBed || layer >= below;
+  return onBed || (layer >= below && layer < layersBelowRim(params));
 }
 
 /// What a base layer lies next to.

@@ -33,7 +33,9 @@ void LayerWriter::write(const FileLayer& layer) {
     beginObject(nozzle_.out(), job_, printer_.flavor, layer.copy);
     paths(job_.brim, kBrimRole, params_.baseFlow, layer);
   }
-  if (layer.oriented && !job_.patches.empty()) {
+  if (layer.rim) {
+    paths(job_.rim, kRimRole, params_.baseFlow, layer);
+  } else if (layer.oriented && !job_.patches.empty()) {
     patches(layer);
   } else if (layer.oriented) {
     paths(layer.onBed ? job_.bedCycles : job_.cycles, kOrientedRole,
@@ -101,7 +103,7 @@ void LayerWriter::paths(const std::vector<BeadPath>& paths, const Role& role, do
       // Toolpaths begin where their sweep does, so that neighbouring beads are laid in time: the layer that is seen
       // begins there, and others elsewhere.
       const bool kept = oriented && path.beginsUnseen;
-      const bool seen = layer.onBed || layer.index == layerCount(params_) - 1;
+      const bool seen = layer.onBed || layer.index == layersBelowRim(params_) - 1;
       const auto step = static_cast<std::size_t>(kSeamStep * static_cast<double>(count));
       const std::size_t chosen = static_cast<std::size_t>(layer.turn + (kept ? 1 : 0)) * step % count;
       start = kept && seen ? 0 : path.seams.empty() ? chosen : path.seams[chosen];

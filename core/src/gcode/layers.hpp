@@ -24,6 +24,7 @@ struct FileLayer {
   bool first = false;  // upon the bed itself: slower, hotter, without fan
   bool oriented = false;
   bool onBed = false;            // oriented, below the base
+  bool rim = false;              // on top of the oriented layers, along the border
   int turn = 0;                  // among its kind
   NextTo across = NextTo::Base;  // a base layer that runs across the beads next to it
 };
@@ -31,8 +32,8 @@ struct FileLayer {
 FileLayer layerAt(const PrintParams& params, int copy, int index);
 
 /// Layers that take the same time: the first of the first copy, those of others, base layers both ways, oriented layers
-/// above and below the base, base layers across these.
-inline constexpr std::size_t kLayerKinds = 8;
+/// above and below the base, base layers across these, and those of the rim.
+inline constexpr std::size_t kLayerKinds = 9;
 /// \return 0..kLayerKinds - 1
 std::size_t kindOf(const FileLayer& layer);
 

@@ -36,7 +36,8 @@ std::optional<Error> checkFlow(const GcodeJob& job, const Printer& printer, cons
       for (const double width : path.widths) area = std::max(area, patch.how.flow * height * width);
     }
   }
-  if (params.base > 0 || params.skirt > 0) area = std::max(area, params.baseFlow * height * printer.nozzle);
+  if (params.base > 0 || params.skirt > 0 || params.rim > 0)
+    area = std::max(area, params.baseFlow * height * printer.nozzle);
   area *= printer.filamentFlow;
   if (printer.maxFlow >= kMinFlowSpeed * area) return std::nullopt;
   return invalid("maxFlow is " + decimal(printer.maxFlow, 3) + " mm3/s; beads of " + decimal(area, 4) +
@@ -86,7 +87,7 @@ void setShowSpeed(GcodeJob& job, const Printer& printer, double cyclesMm, const 
   const bool unused = !job.patches.empty() && cyclesMm == 0;  // all patches have speeds of their own
   if (job.knowsAdvance || unused || printer.showSpeed > 0 || job.showSpeed <= kEvenSpeed) return;
   job.showSpeed = kEvenSpeed;
-  const double length = cyclesMm * (layerCount(params) - params.base) * static_cast<double>(job.copies.size());
+  const double length = cyclesMm * (layersBelowRim(params) - params.base) * static_cast<double>(job.copies.size());
   const double minutes = length * (1 / kEvenSpeed - 1 / printer.speed) / 60;
   job.warn(WarningCode::NoPressureAdvance,
            {{"speed", kEvenSpeed}, {"minutes", std::ceil(minutes)}, {"asked", printer.speed}});
@@ -148,10 +149,10 @@ Result<Bounds> fittedBox(GcodeJob& job, const Shape& shape, const Bounds& shapeB
   return box;
 }
 
-// The shape as base layers and brims see it: one body where paths touch, as in the oriented layers.
+// The shape as base layers, brims and rims see it: one body where paths touch, as in the oriented layers.
 Result<Shape> bodyOf(const Shape& shape, const PrintParams& params) {
   const bool filled = params.base > 0 && params.basePattern != BasePattern::Same;
-  return filled || params.brim > 0 ? unitedOnGrid(shape) : shape;
+  return filled || params.brim > 0 || params.rim > 0 ? unitedOnGrid(shape) : shape;
 }
 
 // What is laid around the plates, and what comes before and after them.
@@ -247,6 +248,7 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Toolpath* across, 
   markSeams(job.cycles, offset, shape, inside, job.spacing);
   markSeams(job.bedCycles, offset, shape, inside, job.spacing);
   if (auto error = addBaseLayers(job, body.value(), offset, printer, params)) return *error;
+  if (auto error = addRim(job, body.value(), offset, printer, params)) return *error;
   if (auto error = addSurroundings(job, box.value(), printer, params)) return *error;
   setShowSpeed(job, printer, cycles.lengthMm, params);
   addWarnings(job, printer, params);

@@ -87,6 +87,9 @@ std::optional<Error> checkPrint(const Printer& printer, const PrintParams& param
     return invalid("print.startHeight is " + decimal(params.startHeight, 3) +
                    " mm; it must be 0 where showSide is not up, as that side lies on the bed");
   }
+  if (params.rim > 0 && params.showSide != ShowSide::Up) {
+    return refused(ErrorCode::InvalidArgument, reason::kRimBelow, {{"rim", static_cast<double>(params.rim)}});
+  }
   const double top = layerTop(params, layerCount(params) - 1) + printer.lift;
   if (top > highest(printer)) {
     return refused(ErrorCode::DoesNotFit, reason::kTooHigh, {{"height", top}, {"most", highest(printer)}});
@@ -176,11 +179,12 @@ std::optional<Error> checkToolpath(const Toolpath& toolpath, const Printer& prin
 // What patches do without: they are laid as they are, once.
 std::optional<Error> checkPatchPrint(const PrintParams& params) {
   const bool plain = params.showSide == ShowSide::Up && params.rotate == 0 && !params.mirror &&
-                     params.copies == Vec2{1, 1} && beginsOnBed(params) && params.basePattern != BasePattern::Same &&
-                     params.basePattern != BasePattern::Across;
+                     params.copies == Vec2{1, 1} && beginsOnBed(params) && params.rim == 0 &&
+                     params.basePattern != BasePattern::Same && params.basePattern != BasePattern::Across;
   if (plain) return std::nullopt;
   return invalid(
-      "patches are printed as they are; showSide must be up, rotate 0, mirror off, copies 1x1, startHeight 0 and "
+      "patches are printed as they are; showSide must be up, rotate 0, mirror off, copies 1x1, startHeight 0, rim 0 "
+      "and "
       "basePattern hatched or concentric");
 }
 

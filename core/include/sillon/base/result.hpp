@@ -104,6 +104,8 @@ inline constexpr char kNoBeadFits[] = "NoBeadFits";
 inline constexpr char kHoleOutside[] = "HoleOutside";
 /// An offset inwards that leaves nothing: `offset`, and `depth` of the shape's deepest place [mm].
 inline constexpr char kOffsetTooDeep[] = "OffsetTooDeep";
+/// The oriented side lies on the bed: `rim` [layers], which would stand on it.
+inline constexpr char kRimBelow[] = "RimBelow";
 /// More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at
 /// which it would do, each where there is one.
 inline constexpr char kPlateTooLarge[] = "PlateTooLarge";

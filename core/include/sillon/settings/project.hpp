@@ -48,6 +48,8 @@ struct PrintParams {
   ShowSide showSide = ShowSide::Up;
   int skirt = 1;            ///< loops around the plates, 0..20; a purge line is laid in any case
   double purgeLength = 10;  ///< of filament, laid off the plate before the first layer [mm], 0..100
+  int rim = 0;              ///< layers of a raised border on top of the oriented side, 0..50
+  double rimWidth = 2;      ///< of that border, from the shape's inwards [mm], 0.1..100
   int brim = 0;             ///< loops that touch the plate, on the first layer, 0..50
   /// The first layer, if a base layer, stays this far within the border [mm], 0..0.5
   double elephantFoot = 0.1;
