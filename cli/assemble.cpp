@@ -107,6 +107,7 @@ Result<Project> loadProject(const std::string& path) {
   // both.
   const int up = read.unitlessIsMm && read.ignorePaint ? 3 : 0;
   read.shapeFile = fromFolder(folder, read.shapeFile, up);
+  if (sillon::isFontFile(read.shapeFont)) read.shapeFont = fromFolder(folder, read.shapeFont, up);
   read.directionFile = fromFolder(folder, read.directionFile, up);
   read.modeFile = fromFolder(folder, read.modeFile, up);
   for (sillon::LampPicture& picture : read.pictures.files) picture.file = fromFolder(folder, picture.file, up);
@@ -132,6 +133,7 @@ std::vector<std::string> inputFiles(const Project& project) {
   for (const std::string* name : {&project.shapeFile, &project.directionFile, &project.modeFile}) {
     if (!name->empty()) files.push_back(*name);
   }
+  if (sillon::isFontFile(project.shapeFont)) files.push_back(project.shapeFont);
   for (const sillon::LampPicture& picture : project.pictures.files) files.push_back(picture.file);
   for (sillon::Layer layer : project.layers) {
     for (const std::string* name : filesOf(layer)) files.push_back(*name);
@@ -144,6 +146,7 @@ std::string projectFor(const Project& project, const std::string& path) {
   const fs::path folder = fs::absolute(pathOf(path), error).parent_path();
   Project written = project;
   written.shapeFile = seenFrom(folder, project.shapeFile);
+  if (sillon::isFontFile(written.shapeFont)) written.shapeFont = seenFrom(folder, project.shapeFont);
   written.directionFile = seenFrom(folder, project.directionFile);
   written.modeFile = seenFrom(folder, project.modeFile);
   for (sillon::LampPicture& picture : written.pictures.files) picture.file = seenFrom(folder, picture.file);

@@ -20,7 +20,7 @@ printer: settings
 gcode_reader: settings printer
 report: settings geometry look pipeline quality gcode_reader
 text: settings geometry input
-project: settings geometry input
+project: settings geometry input text
 pictures: geometry input look pipeline quality project
 rebrush: settings geometry input look pipeline quality gcode_reader
 gcode: settings geometry toolpath quality printer gcode_reader report

@@ -459,7 +459,8 @@ export interface RoundHole {
 }
 
 /** The shapes that need no file. */
-export type BuiltinShape = 'rectangle' | 'rounded' | 'disc' | 'hexagon' | 'heart' | 'shield' | 'star' | 'ring' | 'tag';
+export type BuiltinShape =
+  'rectangle' | 'rounded' | 'disc' | 'hexagon' | 'heart' | 'shield' | 'star' | 'ring' | 'tag' | 'text';
 
 /** Changes of any shape. `offset`: its outline is moved outwards by so many mm, -20..50, and its page grows with it; below 0
  * inwards, on the same page. `holes`: up to 16, cut out last. `keepThin`: places of half a bead to one are widened to one. */
@@ -480,6 +481,9 @@ export type ShapeInput = ShapeChanges &
         corners?: 'round' | 'chamfer';
         points?: number;
         inner?: number;
+        /** Letters of the shape `text`, as wide as its size, and their font: a built-in one, or a file's bytes. */
+        text?: string;
+        font?: string | Bytes;
       }
     /** SVG, or a mask picture whose bright, opaque pixels are inside. `pageWidth` 0: as drawn, 80 mm for a mask.
      * `paint`: a drawing is what it shows (default), or all its outlines, whatever their paint. */
@@ -541,8 +545,8 @@ export interface Layer {
   rotation: number;
   /** Mirrors the layer left to right before it turns. Default false. */
   mirror: boolean;
-  /** Where it shows: on its own letters, drawing or box, on the whole page, or inside or outside the mask file. Default "own". */
-  mask: 'own' | 'page' | 'inside' | 'outside';
+  /** Where it shows: on its own letters, drawing or box, on the disc in its box, on the whole page, or inside or outside the mask file. Default "own". */
+  mask: 'own' | 'disc' | 'page' | 'inside' | 'outside';
   /** Drawing or mask picture that bounds the layer, stretched over its box. Default "". */
   maskFile: string;
   /** Width over which its directions turn into those below, about its edge. 0..100 mm, default 0. */
@@ -551,8 +555,8 @@ export interface Layer {
   angle: number;
   /** Direction in the box around letters or a drawing; null: what lies below shows, and the light modules of a QR code lie across the dark ones. -360..360 °, default null. */
   ground: number | null;
-  /** Beads fill letters and drawings in one direction, or along their outline. Default "angle". */
-  fill: 'angle' | 'along';
+  /** Beads fill letters, drawings, boxes and borders in one direction, along the outline, or across what lies below. Default "angle". */
+  fill: 'angle' | 'along' | 'across';
   /** File of a map, a picture, a drawing or an echo. Default "". */
   file: string;
   /** How the picture of a map gives directions: grey is −90 to 90°; grey is 0 to 180°; red and green are x and y. Default "angle". */
@@ -563,9 +567,9 @@ export interface Layer {
   cropMax: [number, number];
   /** Azimuth and elevation of the lamp that shows a picture; null: the lamp of the first picture, or 60 and 45. -360..360 °, default null. */
   lamp: [number, number] | null;
-  /** Letters, in one or several lines, or what a QR code says. Default "". */
+  /** Letters, in one or several lines, what a QR code says, or what an echo without a file follows. Default "". */
   text: string;
-  /** Built-in font (see sillon fonts), or a TTF or OTF file. Default "Nunito". */
+  /** Nunito, Bebas Neue, Roboto Slab, Fredoka, Caveat, or a TTF or OTF file. Default "Nunito". */
   font: string;
   /** Height of capitals, where the size is 0. 1..1000 mm, default 10. */
   textSize: number;
@@ -583,6 +587,7 @@ export interface Layer {
   amplitude: number;
   /** Width of a band along the border. 0.1..1000 mm, default 3. */
   width: number;
+}
 
 /** Section `pictures` of docs/reference/project.md. */
 export interface PictureParams {

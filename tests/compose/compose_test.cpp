@@ -233,6 +233,17 @@ TEST_CASE("an echo runs along a drawing, over the whole plate") {
   }
 }
 
+TEST_CASE("an echo without a drawing follows letters") {
+  Plate plate;
+  Layer& echo = plate.add(LayerKind::Pattern);
+  echo.pattern = LayerPattern::Echo;
+  CHECK(invalidSettings(plate.project)->message.find("layers[0].file is empty; an echo") == 0);
+  plate.project.layers[0].text = "I";
+  plate.project.layers[0].textSize = 30;
+  CHECK(apart(at(plate.composed(), {8, 20}).angle, 90) < 3);   // beside the stroke
+  CHECK(apart(at(plate.composed(), {30, 38}).angle, 0) < 10);  // above it
+}
+
 TEST_CASE("a border is a band within the plate") {
   Plate plate;
   plate.shape = makeDisc(40).value();

@@ -182,6 +182,53 @@ TEST_CASE("a plate that is too large for the bed is turned, or made smaller, onl
   CHECK_FALSE(gcodeOf(fitted).empty());
 }
 
+TEST_CASE("a layer shows a picture as well as the whole plate does, and corrections help it as much") {
+  Project whole = disc();
+  whole.builtin = BuiltinShape::Rectangle;
+  whole.builtinSize = {50, 50};
+  whole.toolpath.perimeterMode = PerimeterMode::None;
+  Project layered = whole;
+  whole.pictures.files = {{"ball.png", Vec2{60, 45}}};
+  Layer& layer = layered.layers.emplace_back();
+  layer.kind = LayerKind::Picture;
+  layer.file = "ball.png";
+  layer.lamp = Vec2{60, 45};
+  const auto shows = [](Project project, int corrections) {
+    project.pictures.corrections = corrections;
+    const Plate plate = made(project);
+    const std::vector<ShownPicture> asked{{"ball.png", {60, 45, 0.1}, tonesOf(ball())}};
+    return measurePictures(plate.toolpath(), plate.input.shape.page, asked, roughnessOf(project), RunContext(1))
+        .value()[0]
+        .r;
+  };
+  const double plain = shows(layered, 0);
+  const double corrected = shows(layered, 3);
+  CHECK(plain == doctest::Approx(shows(whole, 0)).epsilon(0.02));
+  CHECK(corrected == doctest::Approx(shows(whole, 3)).epsilon(0.02));
+  CHECK(corrected > plain);
+
+  // What lies on top of the picture is no fault of its beads.
+  layered.layers.emplace_back().size = {20, 20};
+  CHECK(shows(layered, 1) > 0);
+}
+
+TEST_CASE("layers become smaller with their plate") {
+  Project project = disc();
+  project.builtinSize = {60, 0};
+  project.printer.bedMax = {40, 40};
+  Layer& layer = project.layers.emplace_back();
+  layer.at = Vec2{40, 20};
+  layer.size = {10, 20};
+  PlateOptions options;
+  options.measure = false;
+  options.placing = Placing::Fit;
+  const Plate fitted = made(project, options);
+  const double scale = fitted.input.shape.page.x / 60;
+  CHECK(scale < 0.7);
+  CHECK(fitted.layers.at(0).at.x == doctest::Approx(40 * scale));
+  CHECK(fitted.layers.at(0).size.y == doctest::Approx(20 * scale));
+}
+
 TEST_CASE("a plate with an offset and holes fits the bed with them") {
   Project project = disc();
   project.builtinSize = {60, 0};

@@ -33,6 +33,37 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 /// Every field differs from its default.
 Project unusualProject() {
   Project p;
+  Layer& layer = p.layers.emplace_back();
+  layer = {.kind = LayerKind::Text,
+           .visible = false,
+           .at = Vec2{-3.25, 1.0 / 3.0},
+           .size = {10, 0},
+           .rotation = -30,
+           .mirror = true,
+           .mask = LayerMask::Outside,
+           .maskFile = "mask.svg",
+           .soft = 2,
+           .angle = 12.5,
+           .ground = 100,
+           .fill = LayerFill::Across,
+           .encoding = DirectionEncoding::Tangent,
+           .file = "map.png",
+           .cropMin = {0.1, 0.2},
+           .cropMax = {0.8, 0.9},
+           .lamp = Vec2{10, 20},
+           .text = "two\nlines",
+           .font = "own.ttf",
+           .textSize = 4,
+           .circle = -20,
+           .align = TextAlign::Right,
+           .correction = QrCorrection::High,
+           .pattern = LayerPattern::Waves,
+           .waveLength = 7,
+           .amplitude = 8,
+           .width = 9};
+  p.layers.emplace_back().angle = 5;
+  p.shapeText = "ABC";
+  p.shapeFont = "Caveat";
   p.shapeFile = "shapes/leaf \xC3\xA9.svg";
   p.builtinSize = {120.25, 80.5};
   p.builtinRadius = 1.0 / 3.0;
@@ -193,6 +224,8 @@ TEST_CASE("every field survives writing and reading bit for bit") {
   CHECK(p.ignorePaint);
   CHECK(p.keepThin);
   CHECK(p.holes == q.holes);
+  CHECK(p.layers == q.layers);
+  CHECK(p.shapeText == q.shapeText);
   CHECK(p.outlineOffset == q.outlineOffset);
   CHECK(p.encoding == q.encoding);
   CHECK(p.mode == q.mode);

@@ -6,7 +6,7 @@ import type { Platform } from './platform.js';
 import { beads, gcodes, memoryOf, newNumber } from './known.js';
 import type { Call } from './protocol.js';
 import { Queue, type Threads } from './queue.js';
-import { Texts } from './texts.js';
+import { Texts, needsTexts } from './texts.js';
 
 const mostAutoThreads = 8;
 
@@ -56,7 +56,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
     async generateToolpath(plateInput, params, options) {
       const { measure = true, across = false, ...others } = input.callOptions(options, ['measure', 'across']);
       const { sections, files } = input.plate(plateInput);
-      if ('layers' in sections) await texts.addTo(files, sections);
+      if (needsTexts(sections)) await texts.addTo(files, sections);
       const project = input.projectText({
         ...sections,
         toolpath: input.section(params, 'params'),
@@ -132,6 +132,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
     async readShape(shape, directions, options) {
       const checked = input.callOptions(options);
       const { sections, files } = input.plate({ shape, directions });
+      if (needsTexts(sections)) await texts.addTo(files, sections);
       return (await run({ name: 'readShape', project: input.projectText(sections), files }, checked)) as api.Shape;
     },
 

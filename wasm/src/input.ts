@@ -275,16 +275,16 @@ export const blockText = (value: unknown): string => text(value, 'block');
 
 export const projectJson = (value: unknown): string => text(value, 'json');
 
-/** A layer that names its files as their fields are called. */
-function layer(value: unknown, path: string, files: Files): Fields {
-  const named = { ...fieldsOf(value, path) };
+/** A layer or a shape that names its files as their fields are called. */
+function named(value: unknown, path: string, files: Files): Fields {
+  const fields = { ...fieldsOf(value, path) };
   for (const key of ['file', 'maskFile', 'font']) {
-    const content = named[key];
+    const content = fields[key];
     if (content === undefined || content === '' || (key === 'font' && typeof content === 'string')) continue;
     files[`${path}.${key}`] = file(content, `${path}.${key}`);
-    named[key] = `${path}.${key}`;
+    fields[key] = `${path}.${key}`;
   }
-  return named;
+  return fields;
 }
 
 /** Sections that name the files as their fields are called. */
@@ -310,7 +310,11 @@ export function plate(value: unknown): { sections: Fields; files: Files } {
       continue;
     }
     if (name === 'layers') {
-      sections[name] = listOf(part, name, (one, path) => layer(one, path, files));
+      sections[name] = listOf(part, name, (one, path) => named(one, path, files));
+      continue;
+    }
+    if (name === 'shape') {
+      sections[name] = named(part, name, files);
       continue;
     }
     const { file: content, ...rest } = fieldsOf(part, name);

@@ -22,6 +22,10 @@ export const builtinFonts: Record<string, keyof EngineFiles['fonts']> = {
   Caveat: 'caveat',
 };
 
+/** Others begin at once, so that calls enter the queue in their order. */
+export const needsTexts = ({ layers, shape }: Record<string, unknown>): boolean =>
+  layers !== undefined || (shape as { builtin?: unknown } | undefined)?.builtin === 'text';
+
 /** Makes the letters of one engine; what they need is loaded with the first of them. */
 export class Texts {
   readonly #platform: Platform;
@@ -37,12 +41,14 @@ export class Texts {
   /** Adds to the files what texts and codes of the project need.
    * @throws SillonError LoadFailed, InvalidFile */
   async addTo(files: Files, sections: Record<string, unknown>): Promise<void> {
-    const { layers } = sections;
-    for (const layer of Array.isArray(layers) ? (layers as Lettering[]) : []) {
+    const { layers, shape } = sections;
+    const drawn: Lettering[] = Array.isArray(layers) ? (layers as Lettering[]) : [];
+    const cut = shape as (Lettering & { builtin?: unknown }) | undefined;
+    for (const layer of cut?.builtin === 'text' ? [...drawn, { ...cut, kind: 'text' }] : drawn) {
       const { kind, text, font = 'Nunito', correction = 'medium' } = layer;
       if (typeof text !== 'string' || text === '') continue;
       if (kind === 'qr') await this.#addCode(files, text, correction);
-      if (kind === 'text' && typeof font === 'string') await this.#addLines(files, text, font);
+      if (kind !== 'qr' && typeof font === 'string') await this.#addLines(files, text, font);
     }
   }
 

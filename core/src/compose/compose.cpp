@@ -39,9 +39,9 @@ Result<ReadLayer> readLayer(const Layer& layer, const Shape& shape, const ReadIn
   return ReadLayer{std::move(content).value(), place};
 }
 
-PlacedLayer placedLayer(const ReadLayer& layer, double spacing) {
+PlacedLayer placedLayer(LayerKind kind, const ReadLayer& layer, double spacing) {
   PlacedLayer placed{layer.place.middle(), layer.place.size()};
-  if (layer.content.shape) {
+  if (kind == LayerKind::Text || kind == LayerKind::Drawing) {
     Shape shape = *layer.content.shape;
     const Vec2 scale{placed.size.x / shape.page.x, placed.size.y / shape.page.y};
     for (FilledPath& path : shape.paths) {
@@ -100,24 +100,24 @@ class Background {
 
 }  // namespace
 
-Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const ReadInput& read,
-                              const RunContext& run) {
+Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const ReadInput& read, const RunContext& run,
+                              const LayerStack* before) {
   LayerStack stack;
   const double spacing = project.toolpath.spacing;
   for (std::size_t k = 0; k < project.layers.size(); ++k) {
     const Layer& layer = project.layers[k];
     const Result<ReadLayer> known = readLayer(layer, shape, read);
     if (!known) return ofLayer(k, known.error());
-    stack.placed.push_back(placedLayer(known.value(), spacing));
+    stack.placed.push_back(placedLayer(layer.kind, known.value(), spacing));
     if (!layer.visible) continue;
     if (stack.width == 0) {
       stack.width = texelsOn(shape.page.x, spacing);
       stack.height = texelsOn(shape.page.y, spacing);
       stack.texels.resize(static_cast<std::size_t>(stack.width) * static_cast<std::size_t>(stack.height));
     }
-    stack.showsPictures = stack.showsPictures || layer.kind == LayerKind::Picture;
+    if (before != nullptr && before->pictures.contains(k)) stack.pictures[k] = before->pictures.at(k);
     const auto& [content, place] = known.value();
-    if (auto error = drawLayer(layer, content, place, {project, shape, stack.width, stack.height}, stack, run)) {
+    if (auto error = drawLayer(k, content, place, {project, shape, stack.width, stack.height}, stack, run)) {
       return ofLayer(k, *error);
     }
   }
@@ -129,7 +129,7 @@ Result<std::vector<PlacedLayer>> placeLayers(const Project& project, const Shape
   for (std::size_t k = 0; k < project.layers.size(); ++k) {
     const Result<ReadLayer> known = readLayer(project.layers[k], shape, read);
     if (!known) return ofLayer(k, known.error());
-    placed.push_back(placedLayer(known.value(), project.toolpath.spacing));
+    placed.push_back(placedLayer(project.layers[k].kind, known.value(), project.toolpath.spacing));
   }
   return placed;
 }
@@ -162,7 +162,7 @@ void layOver(const LayerStack& stack, PlateInput& input) {
       directions.angle[k] = storedAngle(exact::atan2(line.y, line.x) / (2 * std::numbers::pi));
     }
   }
-  input.showsPictures = input.showsPictures || stack.showsPictures;
+  input.showsPictures = input.showsPictures || !stack.pictures.empty();
   input.directions = std::move(directions);
   input.modes = std::move(modes);
 }

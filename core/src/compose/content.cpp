@@ -134,8 +134,8 @@ std::optional<Error> readKind(const Layer& layer, Vec2 page, const ReadInput& re
     case LayerKind::Drawing:
       return readDrawingOf(layer, page, read, content);
     case LayerKind::Pattern:
-      if (layer.pattern == LayerPattern::Echo) return readDrawingOf(layer, page, read, content);
-      return std::nullopt;
+      if (layer.pattern != LayerPattern::Echo) return std::nullopt;
+      return layer.file.empty() ? readText(layer, read, content) : readDrawingOf(layer, page, read, content);
     case LayerKind::Direction:
     case LayerKind::Border:
       break;

@@ -73,7 +73,8 @@ class SolvedPicture {
   SolvedPicture(const Layer& layer, const LayerContent& content, const Placement& place, const LayerPlate& plate)
       : layer_(layer), content_(content), place_(place), plate_(plate) {}
 
-  Result<LineAt> solve(const RunContext& run) {
+  /// \param picture  what is known of it; filled.
+  Result<LineAt> solve(LayerPicture& picture, const RunContext& run) {
     const Project& project = plate_.project;
     Bounds box = bounds(place_.box(plate_.shape.page));
     origin_ = {std::max(box.min.x, 0.0), std::max(box.min.y, 0.0)};
@@ -83,11 +84,22 @@ class SolvedPicture {
     const double cell = project.toolpath.spacing / 2;
     const int width = std::clamp(static_cast<int>(std::ceil(size_.x / cell)), 1, kMostTexels);
     const int height = std::clamp(static_cast<int>(std::ceil(size_.y / cell)), 1, kMostTexels);
-    const LitPicture lit{tonesOn(width, height), lamp(), false};
+    const bool again = !picture.solved.value.empty();
+    picture.lamp = lamp();
+    picture.origin = origin_;
+    picture.size = size_;
+    const LitPicture lit{again ? picture.solved : tonesOn(width, height), picture.lamp, false};
     const InsideCells inside = [this](int columns, int rows) { return insideOn(columns, rows); };
-    auto solved = solveDirections({&lit, 1}, roughnessOf(project), {size_, project.toolpath.spacing, inside},
-                                  inversionOf(project.pictures), run);
+    InversionParams inversion = inversionOf(project.pictures);
+    if (again) inversion.level = picture.level;
+    auto solved =
+        solveDirections({&lit, 1}, roughnessOf(project), {size_, project.toolpath.spacing, inside}, inversion, run);
     if (!solved) return solved.error();
+    if (!again) {
+      picture.level = solved.value().level;
+      picture.asked = std::move(solved.value().shown[0]);
+      picture.solved = picture.asked;
+    }
     return LineAt([map = std::move(solved.value().directions), origin = origin_, size = size_](Vec2 at) {
       const auto texel = texelOf(map, at - origin - size * 0.5, size);
       return texel ? lineOf(angleOf(map.angle[*texel])) : Vec2f{1, 0};
@@ -192,13 +204,13 @@ LineAt coded(const Layer& layer, const LayerContent& content, const Placement& p
 
 /// Directions of a layer wherever it shows.
 Result<LineAt> linesOf(const Layer& layer, const LayerContent& content, const Placement& place, const LayerPlate& plate,
-                       const RunContext& run) {
+                       LayerPicture& picture, const RunContext& run) {
   const double spacing = plate.project.toolpath.spacing;
   switch (layer.kind) {
     case LayerKind::Map:
       return mapped(content, place);
     case LayerKind::Picture:
-      return SolvedPicture(layer, content, place, plate).solve(run);
+      return SolvedPicture(layer, content, place, plate).solve(picture, run);
     case LayerKind::Qr:
       return coded(layer, content, place);
     case LayerKind::Pattern:
@@ -330,9 +342,13 @@ bool liesAcross(const Layer& layer) {
 
 }  // namespace
 
-std::optional<Error> drawLayer(const Layer& layer, const LayerContent& content, const Placement& place,
+std::optional<Error> drawLayer(std::size_t number, const LayerContent& content, const Placement& place,
                                const LayerPlate& plate, LayerStack& stack, const RunContext& run) {
-  const Result<LineAt> lines = linesOf(layer, content, place, plate, run);
+  const Layer& layer = plate.project.layers[number];
+  LayerPicture picture;
+  const auto known = stack.pictures.find(number);
+  if (known != stack.pictures.end()) picture = known->second;
+  const Result<LineAt> lines = linesOf(layer, content, place, plate, picture, run);
   if (!lines) return lines.error();
   const Region region = regionOf(layer, content, place, plate);
   const std::vector<float> cover = coverOf(region.shown, plate, layer.soft);
@@ -345,6 +361,7 @@ std::optional<Error> drawLayer(const Layer& layer, const LayerContent& content, 
       const std::size_t k =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(plate.width) + static_cast<std::size_t>(x);
       if (cover[k] == 0) continue;
+      if (cover[k] >= 0.5F) stack.texels[k].top = static_cast<std::uint8_t>(number + 1);
       const bool behind = !codes && layer.ground && !region.content.empty() && region.content[k] == 0;
       const Vec2 at{(x + 0.5) * step.x, (plate.height - y - 0.5) * step.y};
       if (across && !behind) {
@@ -354,6 +371,7 @@ std::optional<Error> drawLayer(const Layer& layer, const LayerContent& content, 
       }
     }
   }
+  if (layer.kind == LayerKind::Picture) stack.pictures[number] = std::move(picture);
   return std::nullopt;
 }
 

@@ -21,9 +21,10 @@ struct LayerPlate {
   int height = 0;
 };
 
-/// Draws a layer over those below it.
+/// Draws a layer over those below it, and fills LayerStack::pictures.
+/// \param number  of the layer.
 /// \return the errors of solveDirections, or Cancelled.
-std::optional<Error> drawLayer(const Layer& layer, const LayerContent& content, const Placement& place,
+std::optional<Error> drawLayer(std::size_t number, const LayerContent& content, const Placement& place,
                                const LayerPlate& plate, LayerStack& stack, const RunContext& run);
 
 /// Share of a shape that is narrower than two beads: what an opening by a disc of one bead's radius takes from it, less

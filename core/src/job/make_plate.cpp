@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -51,23 +52,37 @@ class Maker {
       : plate_(plate), read_(read), options_(options), run_(run), parts_(run, weight()) {}
 
   std::optional<Error> make() {
-    for (auto step :
-         {&Maker::readInput, &Maker::solve, &Maker::makeSeen, &Maker::compose, &Maker::makeBelow, &Maker::measure}) {
+    for (auto step : {&Maker::readInput, &Maker::solve, &Maker::makeSeen, &Maker::correctLayers, &Maker::makeBelow,
+                      &Maker::measure}) {
       if (auto error = (this->*step)()) return error;
     }
     return std::nullopt;
   }
 
  private:
+  Result<ToolpathResult> makeComposed(PlateInput input, const LayerStack& layers) {
+    parts_.begin(1);
+    layOver(layers, input);
+    const bool count = measures() && options_.countDislocations;
+    return options_.session != nullptr ? options_.session->generateToolpath(input, params(), run_, count)
+                                       : generateToolpath(input, params(), run_, count);
+  }
+  /// How many plates are made anew for the pictures of layers.
+  [[nodiscard]] int correctionsOfLayers() const {
+    const bool shown = std::any_of(plate_.project.layers.begin(), plate_.project.layers.end(), [](const Layer& layer) {
+      return layer.visible && layer.kind == LayerKind::Picture;
+    });
+    return shown && plate_.project.pictures.localContrast == 0 ? plate_.project.pictures.corrections : 0;
+  }
   [[nodiscard]] const ToolpathParams& params() const { return plate_.project.toolpath; }
   /// Corrections of pictures turn the directions, also those of the path below.
   [[nodiscard]] bool makesSeen() const {
-    return options_.path != PlatePath::Below || !plate_.project.pictures.files.empty();
+    return options_.path != PlatePath::Below || !plate_.project.pictures.files.empty() || correctionsOfLayers() > 0;
   }
   [[nodiscard]] bool measures() const { return options_.measure && options_.path != PlatePath::Below; }
   [[nodiscard]] double weight() const {
-    return (makesSeen() ? platesFor(plate_.project.pictures) : 0) + (options_.path != PlatePath::Seen ? 1 : 0) +
-           (measures() ? kMeasures : 0);
+    return (makesSeen() ? platesFor(plate_.project.pictures) + correctionsOfLayers() : 0) +
+           (options_.path != PlatePath::Seen ? 1 : 0) + (measures() ? kMeasures : 0);
   }
 
   std::optional<Error> readInput() {
@@ -98,13 +113,8 @@ class Maker {
 
   std::optional<Error> makeSeen() {
     if (!makesSeen()) return std::nullopt;
-    const bool count = measures() && options_.countDislocations;
     const auto make = [&](const PlateInput& input, int /*round*/, int /*rounds*/) {
-      parts_.begin(1);
-      PlateInput composed = input;
-      layOver(layers_, composed);
-      return options_.session != nullptr ? options_.session->generateToolpath(composed, params(), run_, count)
-                                         : generateToolpath(composed, params(), run_, count);
+      return makeComposed(input, layers_);
     };
     auto made = makeShownPlate(plate_.project, plate_.pictures, plate_.input, make, run_);
     if (!made) return made.error();
@@ -112,8 +122,30 @@ class Maker {
     return std::nullopt;
   }
 
-  /// From here on nothing is solved for.
-  std::optional<Error> compose() {
+  /// Pictures of layers are solved for anew, as makeShownPlate does with those of the whole plate. From here on nothing
+  /// is.
+  std::optional<Error> correctLayers() {
+    const int rounds = correctionsOfLayers();
+    LayerStack tried = layers_;
+    ToolpathResult result = plate_.result;
+    double highest = -1e9;
+    for (int round = 0; rounds > 0; ++round) {
+      const LayerStack shown = tried;
+      const auto r = askForMissing(tried, result.toolpath, plate_.input.shape.page, plate_.pictures.roughness, run_);
+      if (!r) return r.error();
+      if (r.value() > highest) {
+        highest = r.value();
+        layers_ = shown;
+        plate_.result = std::move(result);
+      }
+      if (round == rounds) break;
+      auto again = makeLayers(plate_.project, plate_.input.shape, read_, run_, &tried);
+      if (!again) return again.error();
+      tried = std::move(again).value();
+      auto made = makeComposed(plate_.input, tried);
+      if (!made) return made.error();
+      result = std::move(made).value();
+    }
     layOver(layers_, plate_.input);
     return std::nullopt;
   }

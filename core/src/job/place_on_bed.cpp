@@ -32,6 +32,13 @@ bool placeOnBed(Project& project, const Shape& shape, Placing placing) {
     project.pageWidth = page.x;
   }
   for (RoundHole& hole : project.holes) hole.centre = percent * hole.centre;
+  for (Layer& layer : project.layers) {
+    if (layer.at) layer.at = percent * *layer.at;
+    layer.size = percent * layer.size;
+    for (double* length : {&layer.soft, &layer.textSize, &layer.circle, &layer.waveLength, &layer.width}) {
+      *length *= percent;
+    }
+  }
   return true;
 }
 

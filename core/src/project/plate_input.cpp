@@ -15,6 +15,7 @@
 #include "sillon/geometry/outline.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/settings/table.hpp"
+#include "sillon/text/text.hpp"
 
 namespace sillon {
 namespace {
@@ -72,8 +73,18 @@ Error named(const char* what, const std::string& file, const Error& error) {
   return out;
 }
 
+/// Letters as wide as the size, or as fit into it. They are drawn once for their proportions, and again at their size.
+Result<Shape> textOf(const Project& project, const ReadInput& read, Vec2 size) {
+  Lettering lettering{project.shapeText, project.shapeFont};
+  const Result<Shape> first = textShape(lettering, read);
+  if (!first) return first.error();
+  const Vec2 drawn = first.value().page;
+  lettering.capHeight *= size.y == 0 ? size.x / drawn.x : std::min(size.x / drawn.x, size.y / drawn.y);
+  return textShape(lettering, read);
+}
+
 /// \param lines  picture of the directions, if there is one: it lends its proportions where no height is given.
-Result<Shape> builtinShape(const Project& project, const std::optional<Image>& lines) {
+Result<Shape> builtinShape(const Project& project, const ReadInput& read, const std::optional<Image>& lines) {
   Vec2 size = project.builtinSize;
   if (size.x == 0) size.x = kDefaultWidth;
   if (size.y == 0 && lines) size.y = size.x * lines->height / lines->width;
@@ -98,6 +109,8 @@ Result<Shape> builtinShape(const Project& project, const std::optional<Image>& l
       return makeShield(size, corners);
     case BuiltinShape::Tag:
       return makeTag(size, project.builtinInner, corners);
+    case BuiltinShape::Text:
+      return textOf(project, read, size);
     case BuiltinShape::None:
       break;
   }
@@ -178,7 +191,7 @@ Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read,
     if (!decoded) return decoded.error();
     lines = std::move(decoded).value();
   }
-  Result<Shape> shape = project.shapeFile.empty() ? builtinShape(project, lines) : shapeFromFile(project, read);
+  Result<Shape> shape = project.shapeFile.empty() ? builtinShape(project, read, lines) : shapeFromFile(project, read);
   shape = finished(std::move(shape), project, run);
   if (!shape) return named("shape", project.shapeFile, shape.error());
   return PlateInput{std::move(shape).value(), std::move(field.value().directions), std::move(field.value().modes)};

@@ -152,6 +152,9 @@ struct WrongValue {
 // ---- rules between settings of one section
 
 Wrong wrongShape(const Project& project) {
+  if (project.builtin == BuiltinShape::Text && project.shapeText.empty()) {
+    return wrong("shape.text is empty; the shape \"text\" must have letters");
+  }
   if (project.shapeFile.empty() || project.builtin == BuiltinShape::None) return std::nullopt;
   return wrong("shape has both file " + inQuotes(project.shapeFile) + " and a builtin; it must have one of them");
 }
@@ -191,9 +194,11 @@ Wrong wrongPrinter(const Printer& printer) {
 Wrong wrongLayer(const Layer& layer) {
   const LayerKind kind = layer.kind;
   const bool echo = kind == LayerKind::Pattern && layer.pattern == LayerPattern::Echo;
-  const bool needsFile =
-      kind == LayerKind::Map || kind == LayerKind::Picture || kind == LayerKind::Drawing || echo;
+  const bool needsFile = kind == LayerKind::Map || kind == LayerKind::Picture || kind == LayerKind::Drawing;
   if (needsFile && layer.file.empty()) return wrong("layers.file is empty; it must name a picture or a drawing");
+  if (echo && layer.file.empty() && layer.text.empty()) {
+    return wrong("layers.file is empty; an echo must name a drawing, or have letters in layers.text");
+  }
   if ((kind == LayerKind::Text || kind == LayerKind::Qr) && layer.text.empty()) {
     return wrong("layers.text is empty; it must have letters");
   }

@@ -1,7 +1,10 @@
 // Shapes letters and makes QR codes by the libraries that the native program has. Built into one file of its own
 // (dist/engine/text.js), which only plates with texts or codes load.
 import * as hb from 'harfbuzzjs';
-import qrcodegen from 'nayuki-qr-code-generator';
+import generator from 'nayuki-qr-code-generator';
+
+// Its types are those of a CommonJS module, which it is not.
+const { QrCode } = generator as unknown as typeof generator.default;
 
 /** As core/src/text/letters.hpp. */
 const usualCapHeight = 0.7;
@@ -73,17 +76,17 @@ export function shapeLine(file: Uint8Array, line: string): object {
 }
 
 const levels = {
-  low: qrcodegen.QrCode.Ecc.LOW,
-  medium: qrcodegen.QrCode.Ecc.MEDIUM,
-  quartile: qrcodegen.QrCode.Ecc.QUARTILE,
-  high: qrcodegen.QrCode.Ecc.HIGH,
+  low: QrCode.Ecc.LOW,
+  medium: QrCode.Ecc.MEDIUM,
+  quartile: QrCode.Ecc.QUARTILE,
+  high: QrCode.Ecc.HIGH,
 };
 
 /** The modules, one grey texel each; undefined: no code holds the text. */
 export function qrModules(text: string, correction: keyof typeof levels) {
   let code;
   try {
-    code = qrcodegen.QrCode.encodeText(text, levels[correction]);
+    code = QrCode.encodeText(text, levels[correction]);
   } catch {
     return undefined;
   }

@@ -2,7 +2,9 @@
 // put them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/plate_input.hpp"
 #include "sillon/input/read_input.hpp"
+#include "sillon/look/inversion.hpp"
 #include "sillon/settings/project.hpp"
 
 namespace sillon {
@@ -24,19 +27,31 @@ struct PlacedLayer {
   double thin = 0;
 };
 
+/// A picture under its lamp, as it is solved for in a window of the page.
+struct LayerPicture {
+  Lamp lamp;
+  Vec2 origin;       ///< lower left corner of the window [mm]
+  Vec2 size;         ///< [mm]
+  double level = 1;  ///< SolvedDirections::level
+  Tones asked;       ///< what shall be seen
+  Tones solved;      ///< what was solved for: with what plates before left out on top
+};
+
 /// The layers of a project on a raster of the page, blended with one another but not yet with what
 /// lies below.
 struct LayerStack {
   /// A texel's line, e^(2i angle), is `line` + `through` times that of what lies below.
   struct Texel {
     Vec2f line;
-    float through = 1;  ///< 0: nothing shines through; -1: across what lies below
-    float cover = 0;    ///< share that is laid by layers, 0..1
+    float through = 1;     ///< 0: nothing shines through; -1: across what lies below
+    float cover = 0;       ///< share that is laid by layers, 0..1
+    std::uint8_t top = 0;  ///< number of the topmost layer that covers half of it, from 1; 0: none
   };
   int width = 0;  ///< 0: no layer is visible
   int height = 0;
-  std::vector<Texel> texels;        ///< row 0 on top
-  bool showsPictures = false;       ///< one of them is a picture under a lamp
+  std::vector<Texel> texels;  ///< row 0 on top
+  /// By layer; only of visible pictures
+  std::map<std::size_t, LayerPicture> pictures;
   std::vector<PlacedLayer> placed;  ///< one per layer of the project, invisible ones too
 };
 
@@ -44,8 +59,15 @@ struct LayerStack {
 /// most 4096 on a side. \param shape  of the plate: a border lies along it, and pictures are solved
 /// within it. \return the errors of reading, readSvg, decodeImage, textShape, qrModules and
 /// solveDirections, with the layer's number, or Cancelled.
+/// \param before  whose pictures are solved for anew, with their `solved`; none: as they are asked
+/// for.
 Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const ReadInput& read,
-                              const RunContext& run);
+                              const RunContext& run, const LayerStack* before = nullptr);
+
+/// Looks at the pictures of a plate's layers, where they are on top, and adds what its beads leave
+/// out to `solved`. \return the sum of the pictures' r; the errors of seePlate.
+Result<double> askForMissing(LayerStack& stack, const Toolpath& toolpath, Vec2 page,
+                             const Roughness& roughness, const RunContext& run);
 
 /// The boxes alone, for those who show handles: no picture is solved for.
 /// \return as makeLayers.

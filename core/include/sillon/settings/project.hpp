@@ -111,7 +111,8 @@ enum class BuiltinShape {
   Shield,
   Star,
   Ring,
-  Tag
+  Tag,
+  Text
 };
 
 /// Tells whether a shape has a diameter and no height.
@@ -119,7 +120,7 @@ inline bool isRound(BuiltinShape shape) {
   return shape == BuiltinShape::Disc || shape == BuiltinShape::Ring;
 }
 
-/// Ways to treat the corners of built-in shapes.
+/// What becomes of the corners of built-in shapes.
 enum class CornerStyle { Round, Chamfer };
 
 /// Demands of a place on its beads.
@@ -314,11 +315,13 @@ struct Project {
   Vec2 builtinSize;
   double builtinRadius = 3;  ///< of the corners that are no rectangle's [mm]
   CornerStyle corners = CornerStyle::Round;
-  int starPoints = 5;         ///< 3..24
-  double builtinInner = 0;    ///< diameter of the hole of a ring or a tag [mm]; 0: its usual one
-  double pageWidth = 0;       ///< scales the shape to this page width [mm]; 0: as drawn
-  bool unitlessIsMm = false;  ///< scene files: SVG lengths without unit mean mm
-  bool ignorePaint = false;   ///< scene files: outlines count whatever their paint, see SvgOptions
+  int starPoints = 5;       ///< 3..24
+  double builtinInner = 0;  ///< diameter of the hole of a ring or a tag [mm]; 0: its usual one
+  std::string shapeText;    ///< letters of the shape Text; lines between line feeds
+  std::string shapeFont = "Nunito";  ///< as Layer::font
+  double pageWidth = 0;              ///< scales the shape to this page width [mm]; 0: as drawn
+  bool unitlessIsMm = false;         ///< scene files: SVG lengths without unit mean mm
+  bool ignorePaint = false;  ///< scene files: outlines count whatever their paint, see SvgOptions
   /// The outline lies so much further out, or further in where below 0 [mm], -20..50; see
   /// offsetShape
   double outlineOffset = 0;

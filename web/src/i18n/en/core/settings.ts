@@ -57,6 +57,8 @@ export const words = {
   'setting.print.showSide': "Side to show",
   'setting.print.skirt': "Skirt loops",
   'setting.print.purgeLength': "Purge length",
+  'setting.print.rim': "Rim",
+  'setting.print.rimWidth': "Rim width",
   'setting.print.brim': "Brim",
   'setting.print.elephantFoot': "Elephant’s foot",
   'setting.print.constantFlow': "Constant flow",

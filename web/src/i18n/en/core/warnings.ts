@@ -34,6 +34,7 @@ export const words = {
   'warning.StartScales': "The start G-code sets the speed to {percent}% (M220); it is put back to 100% before the first bead.",
   'warning.StartTemperature': "The start G-code leaves the nozzle at {hot} °C; the first layer is meant for {meant}.",
   'warning.ThinLayers': "“Layer height” is {value} mm; layers thinner than 0.2 nozzle diameters tear.",
+  'warning.ThinLetters': "{percent}% of what layer {layer} draws is narrower than two beads and hard to read; a larger size, a bolder font or a smaller spacing helps.",
   'warning.UnusualFilament': "“Filament diameter” is {value} mm; filament is sold with 1.75 and 2.85.",
   'warning.UnusualFlow': "{field} is {value}; 0.8 to 1.1 is usual.",
   'warning.WidthHeld': "{percent}% of the path is printed with a width held at {low} or {high} mm (0.6 and 1.6 nozzle diameters).",
