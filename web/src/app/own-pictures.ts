@@ -9,12 +9,20 @@ import { shapeRoom } from '../generators/shape-room.js';
 import { drawText } from '../generators/text.js';
 import { sizeFor, type Size } from '../generators/texels.js';
 import { bitmapOf } from '../files/drawn.js';
-import { fileKinds, generatorKinds, newColours, newFileDirections, newGenerator, newShape } from '../model/defaults.js';
+import { fileKinds, generatorKinds, newColours, newFileDirections, newGenerator } from '../model/defaults.js';
 import { viewLook } from '../model/filaments.js';
 import { directionsFor, flatColours } from '../model/flat-colours.js';
 import { homeLight } from '../model/lamp.js';
 import { filesFor, filesIn, nothingLeft, type Kind, type Left } from '../model/left.js';
-import { pageOf, type DirectionSource, type Plate, type ShapeSource, type SourceFile } from '../model/plate.js';
+import {
+  isRoundKind,
+  pageOf,
+  type DirectionSource,
+  type Plate,
+  type ShapeSource,
+  type SourceFile,
+} from '../model/plate.js';
+import { builtinShapes, withShape } from '../model/shapes.js';
 import { brightnessOf, plateThumbnail, thumbnailSide } from '../views/plate-thumbnail.js';
 
 type ShapeKind = ShapeSource['kind'];
@@ -68,7 +76,7 @@ function sourceOf(
 
 async function brightOf(source: DirectionSource, plate: Plate, size: Size, own: Picture | undefined) {
   const page = pageOf(plate);
-  const round = plate.shape.kind === 'disc';
+  const round = isRoundKind(plate.shape.kind);
   const picture =
     source.kind === 'text' ? drawText(source, size, round) : source.kind === 'qr' ? await qrPicture(source.text) : own;
   // A map would keep its own texels.
@@ -124,18 +132,10 @@ export async function shapePictures(
   const made = new Map<ShapeKind, Blob>();
   const { colour } = viewLook(plate);
   const given = await own(plate, lamp, nothingLeft, engine);
-  for (const kind of ['disc', 'rectangle', 'rounded', 'file'] as const) {
+  for (const kind of [...builtinShapes, 'file'] as const) {
     if (!wanted()) break;
-    const shape = plate.shape.kind === kind ? plate.shape : kind === 'file' ? undefined : newShape(kind);
-    if (shape === undefined) continue;
-    const [width, height] = pageOf(plate);
-    const side = Math.min(width, height);
-    const changed: Plate = {
-      ...plate,
-      shape,
-      width: kind === 'disc' ? side : width,
-      height: kind === 'disc' ? side : height,
-    };
+    const changed = plate.shape.kind === kind ? plate : kind === 'file' ? undefined : withShape(plate, kind);
+    if (changed === undefined) continue;
     const size = sizeFor(pageOf(changed), thumbnailSide);
     const room: Room = await shapeRoom(changed, engine);
     const lit =

@@ -12,7 +12,7 @@ import {
 } from '../model/defaults.js';
 import { lampFor } from '../model/lamp.js';
 import { filesFor, filesIn, leaving, type Kind } from '../model/left.js';
-import { modeChoices, type DirectionSource, type SourceFile } from '../model/plate.js';
+import { modeChoices, pageOf, type DirectionSource, type SourceFile } from '../model/plate.js';
 import { StudioElement } from '../controls/element.js';
 import { DrawnChoices } from '../controls/drawn-choices.js';
 import { cards, numberField, select, type Option } from '../controls/fields.js';
@@ -151,6 +151,7 @@ export class DirectionsPanel extends StudioElement {
       this.studio.store.set({ brush: { ...this.state.brush, ...change } });
     };
     const drawing = tool !== 'pan';
+    const [wide] = pageOf(plate);
     return html`<section aria-labelledby="edit-title">
       <h3 id="edit-title">${t('section.edit')}</h3>
       <p class="note">${t(`tool.${tool}.help`)}</p>
@@ -172,14 +173,14 @@ export class DirectionsPanel extends StudioElement {
           ? html`${numberField({
               id: 'brush-radius',
               label: t('tool.radius'),
-              value: Math.round(brush.radius * 2 * plate.width * 10) / 10,
+              value: Math.round(brush.radius * 2 * wide * 10) / 10,
               min: 0.1,
-              max: plate.width,
+              max: wide,
               step: 0.1,
-              usual: [0.1, Math.max(1, Math.round(plate.width / 2))],
+              usual: [0.1, Math.max(1, Math.round(wide / 2))],
               unit: 'mm',
               onInput: (across) => {
-                setBrush({ radius: across / 2 / plate.width });
+                setBrush({ radius: across / 2 / wide });
               },
               onSettle: () => undefined,
             })}

@@ -2,7 +2,7 @@
 import type { Engine } from 'sillon';
 import { newFileDirections, newFileShape, newLampDirections, newShape } from '../model/defaults.js';
 import { homeLight, lampFor, mostPictures } from '../model/lamp.js';
-import type { DirectionSource, Plate, SourceFile } from '../model/plate.js';
+import { isRoundKind, type DirectionSource, type Plate, type SourceFile } from '../model/plate.js';
 import { StudioError, problemOf } from '../model/problem.js';
 import type { Opened, OpenedFiles, Role } from '../model/file-role.js';
 import type { Light } from '../model/view.js';
@@ -201,7 +201,7 @@ function framed(plate: Plate, [wide, tall]: Size): Plate {
   const page = proportioned(plate, [wide, tall]);
   if (shape.kind === 'file') return plate;
   const square = Math.abs(Math.log(wide / tall)) < 0.02;
-  if (shape.kind === 'disc') return square ? plate : { ...plate, ...page, shape: newShape('rectangle') };
+  if (isRoundKind(shape.kind)) return square ? plate : { ...plate, ...page, shape: newShape('rectangle') };
   return { ...plate, ...page };
 }
 

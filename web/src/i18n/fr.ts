@@ -131,6 +131,12 @@ export const fr: Translation = {
   'shape.rectangle': 'Rectangle',
   'shape.rounded': 'Rectangle arrondi',
   'shape.disc': 'Disque',
+  'shape.hexagon': 'Hexagone',
+  'shape.heart': 'Cœur',
+  'shape.shield': 'Écusson',
+  'shape.star': 'Étoile',
+  'shape.ring': 'Anneau',
+  'shape.tag': 'Étiquette',
   'shape.file': 'D’après un fichier',
   'shape.radius': 'Rayon des coins',
   'size.width': 'Largeur',
@@ -509,6 +515,11 @@ export const fr: Translation = {
   'setting.print.showSide': 'Face à montrer',
   'help.print.showSide':
     'Le dessus, la face posée sur le plateau (imprimée en miroir), ou les deux si la forme est symétrique.',
+  'setting.print.rim': 'Rebord',
+  'help.print.rim':
+    'Nombre de couches d’un bord relevé sur les couches chatoyantes, le long du contour et de ses trous.',
+  'setting.print.rimWidth': 'Largeur du rebord',
+  'help.print.rimWidth': 'Largeur du bord relevé, en lignes entières de la buse, une au moins.',
   'setting.print.brim': 'Bordure',
   'help.print.brim': 'Boucles qui touchent la plaque sur la première couche, pour qu’elle tienne au plateau.',
   'setting.print.copies': 'Plaques sur le plateau',
@@ -882,6 +893,25 @@ export const fr: Translation = {
   'help.title': 'Aide et raccourcis',
   'keys.gcode': 'Télécharger le G-code',
 
+  'shaping.corners': 'Coins',
+  'shaping.corners.round': 'arrondis',
+  'shaping.corners.chamfer': 'coupés',
+  'shaping.points': 'Branches',
+  'shaping.inner': 'Diamètre intérieur',
+  'shaping.inner.ring.help': '0 donne la moitié du diamètre de l’anneau.',
+  'shaping.inner.tag.help': '0 donne 5 mm, pour un anneau de clés.',
+  'shaping.offset': 'Décalage',
+  'shaping.offset.help':
+    'Éloigne le contour, avec des coins ronds : une plaque autour d’un dessin. Sous 0, il rentre et laisse une marge.',
+  'shaping.holes': 'Trous',
+  'shaping.holes.help': 'Chaque place est celle du centre, depuis le coin inférieur gauche de la page.',
+  'shaping.hole.screw': 'Vis, Ø {d} mm',
+  'shaping.hole.keyring': 'Anneau de clés, Ø {d} mm',
+  'shaping.hole.magnet': 'Aimant, Ø {d} mm',
+  'shaping.hole.x': 'À droite',
+  'shaping.hole.y': 'En haut',
+  'shaping.hole.diameter': 'Ø',
+  'shaping.hole.remove': 'Supprimer le trou {n}',
   'drawing.unitless': 'Les tailles sans unité sont en',
   'drawing.unitless.px': 'pixels (1/96 de pouce)',
   'drawing.unitless.mm': 'millimètres',
@@ -1289,6 +1319,12 @@ export const fr: Translation = {
   'reason.CopiesTooHigh.hint': 'Imprimez moins de couches, ou une plaque à la fois.',
   'reason.NoBeadFits':
     'Aucun cordon n’entre dans cette forme avec un espacement de {spacing} mm ; prenez un espacement plus petit ou une forme plus grande.',
+  'reason.HoleOutside':
+    'Le trou {n} à {x}, {y} mm, de Ø {diameter} mm, est hors de la forme, qui va de {left}, {bottom} à {right}, {top} mm ; placez-le sur la forme ou supprimez-le.',
+  'reason.OffsetTooDeep':
+    'Un décalage de {offset} mm ne laisse rien de la forme, dont le point le plus profond est à {depth} mm du contour ; prenez un décalage plus proche de 0.',
+  'reason.RimBelow':
+    'La plaque a un rebord de {rim} couches, mais des couches chatoyantes sont sur le plateau ; pour un rebord, il les faut au-dessus.',
   'reason.PlateTooLarge': 'La plaque est trop grande pour un espacement de {mm} mm.',
   'reason.leastSpacing': 'Prenez un espacement d’au moins {mm} mm.',
   'reason.percent': 'À {percent} % de sa taille, elle passerait.',

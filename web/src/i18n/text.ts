@@ -21,6 +21,7 @@ import type { words as looks } from './en/looks.js';
 import type { words as plates } from './en/plates.js';
 import type { words as problems } from './en/problems.js';
 import type { words as rebrush } from './en/rebrush.js';
+import type { words as shaping } from './en/shaping.js';
 import { languages, spoken } from './languages.js';
 
 /** A sentence, or its forms by the number `n` it speaks of. `{name}` stands for a value. */
@@ -48,6 +49,7 @@ type Late =
   | typeof reasons
   | typeof rebrush
   | typeof settingHelp
+  | typeof shaping
   | typeof verdicts
   | typeof warnings;
 type IdOf<Words> = Words extends unknown ? keyof Words : never;

@@ -1,5 +1,6 @@
 // What comes from elsewhere - a link, a project, storage - may have been written by anybody: it becomes a plate only as far
 // as a control could have set it.
+import type { RoundHole } from 'sillon';
 import {
   fileKinds,
   generatorKinds,
@@ -24,7 +25,9 @@ import type {
   SourceFile,
   Stroke,
 } from './plate.js';
+import { shapeTable } from './setting-table.js';
 import { accepts, settingsOf, type SectionName } from './settings.js';
+import { builtinShapes } from './shapes.js';
 
 export type Fields = Record<string, unknown>;
 
@@ -137,28 +140,51 @@ export function plateSpoolFrom(value: unknown): { spool?: OwnSpool } {
   return { spool: spoolFrom(key, entry) };
 }
 
+const furthest = 10000; // [mm], as the engine has it
+
+function holesFrom(value: unknown): RoundHole[] {
+  if (!Array.isArray(value) || value.length > shapeTable.holes.most) throw new Unfit('shape.holes', value);
+  return value.map((one: unknown, k) => {
+    const where = `shape.holes[${k}]`;
+    const { x, y, diameter } = fieldsOf(one, where, ['x', 'y', 'diameter']);
+    return {
+      x: numberIn(x, `${where}.x`, -furthest, furthest),
+      y: numberIn(y, `${where}.y`, -furthest, furthest),
+      diameter: numberIn(diameter, `${where}.diameter`, 0.5, furthest),
+    };
+  });
+}
+
 /** Fills what is left out with first values. @param fileFrom  undefined: files are not allowed */
 export function shapeFrom(value: unknown, fileFrom?: FileFrom): ShapeSource {
-  const keys = ['radius', 'unitless', 'paint', 'keepThin'] as const;
+  const keys = ['radius', 'corners', 'points', 'inner', 'offset', 'holes', 'unitless', 'paint', 'keepThin'] as const;
   const fields = fieldsOf(value, 'shape', ['kind', ...(fileFrom === undefined ? [] : ['file']), ...keys]);
-  const builtins = ['rectangle', 'rounded', 'disc'] as const;
   const kind = oneOf(
     fields['kind'],
     'shape.kind',
-    fileFrom === undefined ? builtins : ([...builtins, 'file'] as const),
+    fileFrom === undefined ? builtinShapes : ([...builtinShapes, 'file'] as const),
   );
   if (kind !== 'file' && fields['file'] !== undefined) throw new Unfit('shape.file', fields['file']);
   const usual =
     kind === 'file' && fileFrom !== undefined
       ? newFileShape(fileFrom(fields['file'], 'shape.file'))
       : newShape(kind as 'disc');
-  const { radius = usual.radius, unitless = usual.unitless, paint = usual.paint, keepThin = usual.keepThin } = fields;
+  const given: Fields = { ...usual, ...fields };
+  const number = (key: 'radius' | 'points' | 'inner' | 'offset'): number =>
+    numberIn(given[key], `shape.${key}`, shapeTable[key].low, shapeTable[key].high);
+  const points = number('points');
+  if (!Number.isInteger(points)) throw new Unfit('shape.points', points);
   return {
     ...usual,
-    radius: numberIn(radius, 'shape.radius', 0, 10000),
-    unitless: oneOf(unitless, 'shape.unitless', ['px', 'mm']),
-    paint: oneOf(paint, 'shape.paint', ['shown', 'ignore']),
-    keepThin: flagIn(keepThin, 'shape.keepThin'),
+    radius: number('radius'),
+    corners: oneOf(given['corners'], 'shape.corners', shapeTable.corners.choices),
+    points,
+    inner: number('inner'),
+    offset: number('offset'),
+    holes: holesFrom(given['holes']),
+    unitless: oneOf(given['unitless'], 'shape.unitless', shapeTable.unitless.choices),
+    paint: oneOf(given['paint'], 'shape.paint', shapeTable.paint.choices),
+    keepThin: flagIn(given['keepThin'], 'shape.keepThin'),
   };
 }
 

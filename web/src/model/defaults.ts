@@ -9,7 +9,7 @@ import type {
   ShapeSource,
   SourceFile,
 } from './plate.js';
-import { table } from './setting-table.js';
+import { shapeTable, table } from './setting-table.js';
 
 /** What the core's table of settings says. */
 const defaultsOf = <Section>(rows: Record<string, { default: unknown }>): Readonly<Section> =>
@@ -70,12 +70,31 @@ export const usualPaint = (unitless: Unitless): ShapeSettings['paint'] => (unitl
 
 const shapeSettings = (unitless: Unitless = 'px'): ShapeSettings => ({
   radius: 6,
+  corners: shapeTable.corners.default,
+  points: shapeTable.points.default,
+  inner: shapeTable.inner.default,
+  offset: shapeTable.offset.default,
+  holes: [],
   unitless,
   paint: usualPaint(unitless),
   keepThin: false,
 });
 
-export const newShape = (kind: Exclude<ShapeSource['kind'], 'file'>): ShapeSource => ({ kind, ...shapeSettings() });
+/** The radius of a star is smaller, so that its tips stay tips. */
+export const newShape = (kind: Exclude<ShapeSource['kind'], 'file'>): ShapeSource => ({
+  kind,
+  ...shapeSettings(),
+  ...(kind === 'star' && { radius: 1 }),
+});
+
+/** Heights of shapes, as shares of their widths, that the engine gives them where it is told none. */
+export const ownHeight: Partial<Record<ShapeSource['kind'], number>> = {
+  hexagon: Math.sqrt(3) / 2,
+  heart: 0.914214,
+  shield: 1.199359,
+  star: 0.951057,
+  tag: 0.4,
+};
 
 export const newFileShape = (file: SourceFile, unitless?: Unitless): ShapeSource => ({
   kind: 'file',

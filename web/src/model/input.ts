@@ -2,7 +2,7 @@
 import type { PlateInput, ToolpathParams } from 'sillon';
 import { slopesOf } from './filaments.js';
 import { samePictures } from './lamp.js';
-import { isDrawn, type Plate, type SourceFile } from './plate.js';
+import { isDrawn, pageOf, type Plate, type SourceFile } from './plate.js';
 import type { DirectionRaster } from './raster.js';
 import { without } from './without.js';
 
@@ -102,7 +102,7 @@ export function engineInput(
   const coarse = factor > 1 && plate.directions.kind === 'map';
   if (raster === undefined || !(isDrawn(plate) || coarse)) return { input: { shape, directions, modes }, params };
   // Two texels per bead are enough for a preview, and reading large pictures would take most of its time.
-  const enough = (2 * plate.width) / params.spacing;
+  const enough = (2 * pageOf(plate)[0]) / params.spacing;
   const step = factor > 1 ? Math.max(1, Math.floor(raster.width / enough)) : 1;
   return { input: { shape, ...rasterInput(raster, step) }, params };
 }

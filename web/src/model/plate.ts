@@ -2,6 +2,7 @@
 // project keeps in a section of its own. Plain data, never changed in place: one undo step is one Plate, and two Plates share
 // what did not change.
 import type {
+  BuiltinShape,
   DirectionEncoding,
   DirectionMode,
   PictureParams,
@@ -24,12 +25,18 @@ export const ofExample = 'example/';
 
 export const isExample = ({ id }: SourceFile): boolean => id.startsWith(ofExample);
 
-/** The core's settings for reading a shape, beside its content and size. */
-export type ShapeSettings = Required<Pick<Project['shape'], 'radius' | 'unitless' | 'paint' | 'keepThin'>>;
+type ShapeSection = Project['shape'];
+
+/** The core's settings for a shape, beside its content and size. */
+export type ShapeSettings = Readonly<Omit<ShapeSection, 'file' | 'builtin' | 'size' | 'pageWidth' | 'holes'>> & {
+  readonly holes: ShapeSection['holes'];
+};
+
+/** A shape that has a diameter and no height. */
+export const isRoundKind = (kind: ShapeSource['kind']): boolean => kind === 'disc' || kind === 'ring';
 
 /** The 2D shape on its page. Sizes are mm. A file is an SVG, or a mask picture: bright, opaque pixels are inside. */
-export type ShapeSource = ShapeSettings &
-  ({ kind: 'rectangle' | 'rounded' | 'disc' } | { kind: 'file'; file: SourceFile });
+export type ShapeSource = ShapeSettings & ({ kind: BuiltinShape } | { kind: 'file'; file: SourceFile });
 
 /** A picture to be seen while its lamp shines: azimuth counter-clockwise from the right, and elevation [degrees]; null: the
  * engine chooses. */
@@ -100,7 +107,8 @@ export type Machine = PrinterValues & { profile?: string; filament?: string };
 
 export interface Plate {
   shape: ShapeSource;
-  /** Of the page; a file's proportions are kept by whoever sets them. 0 height: follows the direction picture. */
+  /** Of the page without what an offset adds; a file's proportions are kept by whoever sets them. 0 height: follows the direction
+   * picture. */
   width: number;
   height: number;
   directions: DirectionSource;
@@ -121,11 +129,11 @@ export interface Plate {
   spool?: OwnSpool | undefined;
 }
 
-/** Width and height. */
-export const pageOf = ({ width, height }: Pick<Plate, 'width' | 'height'>): [number, number] => [
-  width,
-  height || width,
-];
+/** Width and height of the page, which grows with an outline that is moved outwards. */
+export function pageOf({ shape, width, height }: Pick<Plate, 'shape' | 'width' | 'height'>): [number, number] {
+  const grown = 2 * Math.max(0, shape.offset);
+  return [width + grown, (height || width) + grown];
+}
 
 /** Tells whether the studio draws directions and modes for the engine; else the project's own sections tell them. */
 export const isDrawn = ({ directions: { kind }, strokes }: Pick<Plate, 'directions' | 'strokes'>): boolean =>

@@ -3,21 +3,27 @@ import { samePictures } from './lamp.js';
 import type { Plate } from './plate.js';
 import type { PlateResult } from './state.js';
 
+const mustStay = ({ directions }: Plate): boolean => directions.kind === 'qr' || directions.kind === 'text';
+
+const isPlain = ({ holes, offset }: Plate['shape']): boolean => holes.length === 0 && offset === 0;
+
 /** Whether codes and letters must stay within the ellipse of the page. */
-export const isRound = ({ shape, directions }: Plate): boolean =>
-  shape.kind === 'disc' && (directions.kind === 'qr' || directions.kind === 'text');
+export const isRound = (plate: Plate): boolean =>
+  plate.shape.kind === 'disc' && isPlain(plate.shape) && mustStay(plate);
 
 /** The shape that codes and letters must stay within, where it is neither its page nor the ellipse of that. */
-export const roomShape = ({ shape, directions }: Plate): Plate['shape'] | undefined =>
-  (shape.kind === 'file' || shape.kind === 'rounded') && (directions.kind === 'qr' || directions.kind === 'text')
-    ? shape
-    : undefined;
+export function roomShape(plate: Plate): Plate['shape'] | undefined {
+  const { shape } = plate;
+  const known = (shape.kind === 'rectangle' || shape.kind === 'disc') && isPlain(shape);
+  return !known && mustStay(plate) ? shape : undefined;
+}
 
 export const sameSource = (a: Plate, b: Plate): boolean =>
   a.directions === b.directions &&
   a.modes === b.modes &&
   a.width === b.width &&
   a.height === b.height &&
+  a.shape.offset === b.shape.offset &&
   isRound(a) === isRound(b) &&
   roomShape(a) === roomShape(b);
 

@@ -117,6 +117,8 @@ const controls: Record<
   'print.base': { step: 1, usual: [0, 10] },
   'print.layerHeight': { step: 0.01, usual: [0.05, 0.6] },
   'print.basePerimeters': { step: 1, usual: [0, 4] },
+  'print.rim': { step: 1, usual: [0, 15] },
+  'print.rimWidth': { step: 0.1, usual: [0.4, 10] },
   'print.brim': { step: 1, usual: [0, 15] },
   'print.rotate': { step: 1, usual: [-180, 180] },
   'print.startHeight': { step: 0.05, usual: [0, 20] },

@@ -4,7 +4,7 @@ import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { settingOf, withValue } from '../model/settings.js';
 import { StudioElement } from '../controls/element.js';
-import { pageOf } from '../model/plate.js';
+import { isRoundKind, pageOf } from '../model/plate.js';
 
 @customElement('sillon-bed')
 export class Bed extends StudioElement {
@@ -47,14 +47,15 @@ export class Bed extends StudioElement {
   #grab: { x: number; y: number; place: [number, number] } | undefined;
 
   override render(): TemplateResult {
-    const { printer, print, width, height, shape } = this.state.plate;
+    const { plate } = this.state;
+    const { printer, print, shape } = plate;
     const { roundBed } = printer;
     const [x0, y0] = printer.bedMin;
     const [x1, y1] = printer.bedMax;
     const box = this.studio.boxOnBed();
     const [px, py] = print.place ?? this.studio.centredPlace();
     const corners = [px, px + box[0]].flatMap((x) => [py, py + box[1]].map((y) => [x, y] as const));
-    const round = shape.kind === 'disc' ? [] : corners; // a disc's corners are empty
+    const round = isRoundKind(shape.kind) ? [] : corners; // a disc's corners are empty
     const outside =
       px < x0 ||
       py < y0 ||
@@ -69,7 +70,7 @@ export class Bed extends StudioElement {
       );
     const middle: [number, number] = [px + box[0] / 2, py + box[1] / 2];
     const turned = `translate(${middle[0]} ${middle[1]}) rotate(${print.rotate})`;
-    const [, tall] = pageOf({ width, height });
+    const [width, tall] = pageOf(plate);
     return html`<svg
       role="img"
       aria-label=${t('setting.print.place')}
@@ -86,7 +87,7 @@ export class Bed extends StudioElement {
           @pointerup=${this.#onUp}
         >
           ${
-            shape.kind === 'disc'
+            isRoundKind(shape.kind)
               ? svg`<circle cx=${middle[0]} cy=${middle[1]} r=${width / 2} />`
               : svg`<rect transform=${turned} x=${-width / 2} y=${-tall / 2} width=${width} height=${tall}
                 rx=${shape.kind === 'rounded' ? shape.radius : 0} />`

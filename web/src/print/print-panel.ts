@@ -112,6 +112,8 @@ export class PrintPanel extends StudioElement {
       </section>
       <section aria-label=${t('section.basics')}>
         ${settingField(this.studio, 'print.layers')} ${settingField(this.studio, 'print.base')}
+        ${settingField(this.studio, 'print.rim')}
+        ${this.state.plate.print.rim > 0 ? settingField(this.studio, 'print.rimWidth') : nothing}
         ${settingField(this.studio, 'print.layerHeight')}
       </section>
       ${advancedSettings(
@@ -137,7 +139,7 @@ export class PrintPanel extends StudioElement {
     const warnings = summary === undefined ? [] : [...(result?.report.warnings ?? []), ...summary.warnings];
     const { print } = plate;
     const { layerHeight, startHeight, firstLayerHeight } = print;
-    const upper = print.layers * (print.showSide === 'both' ? 2 : 1) + print.base - 1;
+    const upper = print.layers * (print.showSide === 'both' ? 2 : 1) + print.base + print.rim - 1;
     const tall = upper * layerHeight + ((startHeight === 0 && firstLayerHeight) || layerHeight);
     const value = (label: string, text: string): TemplateResult =>
       html`<div>

@@ -2,19 +2,20 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { formatNumber, t } from '../i18n/text.js';
-import { newShape } from '../model/defaults.js';
 import { pageOf, type Plate, type ShapeSource } from '../model/plate.js';
 import { settingOf, withValue } from '../model/settings.js';
+import { builtinShapes, withShape } from '../model/shapes.js';
 import { StudioElement } from '../controls/element.js';
 import { DrawnChoices } from '../controls/drawn-choices.js';
-import { cards, numberField } from '../controls/fields.js';
+import { cards } from '../controls/fields.js';
 import { fileChip } from '../controls/file-chip.js';
 import { icon } from '../controls/icons.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { settingField } from '../controls/setting-field.js';
-import { lengthField, sizeFields, sizeStyle } from './size-fields.js';
+import { sizeFields, sizeStyle } from './size-fields.js';
 
 const loadDrawing = (): Promise<unknown> => import('./drawing-fields.js');
+const loadFields = (): Promise<unknown> => import('./shape-fields.js');
 
 @customElement('sillon-shape-panel')
 export class ShapePanel extends StudioElement {
@@ -35,16 +36,9 @@ export class ShapePanel extends StudioElement {
           label: t('section.shape'),
           value: shape.kind,
           options: [
-            { value: 'disc', label: t('shape.disc'), icon: 'disc', picture: this.#pictures.url('disc') },
-            {
-              value: 'rectangle',
-              label: t('shape.rectangle'),
-              icon: 'rectangle',
-              picture: this.#pictures.url('rectangle'),
-            },
-            { value: 'rounded', label: t('shape.rounded'), icon: 'rounded', picture: this.#pictures.url('rounded') },
-            { value: 'file', label: t('shape.file'), icon: 'file', picture: this.#pictures.url('file') },
-          ],
+            ...builtinShapes.map((value) => ({ value, label: t(`shape.${value}`), icon: value })),
+            { value: 'file' as const, label: t('shape.file'), icon: 'file' as const },
+          ].map((option) => ({ ...option, picture: this.#pictures.url(option.value) })),
           onChoose: (kind) => {
             void this.#choose(kind);
           },
@@ -99,41 +93,24 @@ export class ShapePanel extends StudioElement {
       await this.studio.open(await this.studio.pick('.svg,.png,.jpg,.jpeg,image/*'));
       return;
     }
-    this.studio.change((plate) => {
-      const side = kind === 'disc' ? Math.min(...pageOf(plate)) : undefined;
-      return { ...plate, shape: newShape(kind), ...(side === undefined ? {} : { width: side, height: side }) };
-    });
+    this.studio.change((plate) => withShape(plate, kind));
   }
 
   #details(shape: ShapeSource): TemplateResult | typeof nothing {
-    if (shape.kind === 'rounded') {
-      const { plate, units } = this.state;
-      const field = {
-        id: 'radius',
-        label: t('shape.radius'),
-        value: shape.radius,
-        min: 0,
-        max: 500,
-        step: 0.5,
-        usual: [0, Math.max(1, Math.floor(Math.min(plate.width, plate.height) / 2))] as const,
-        onInput: (radius: number) => {
-          this.studio.change((now) => ({ ...now, shape: { ...shape, radius } }), 'radius');
-        },
-        onSettle: () => {
-          this.studio.settle();
-        },
-      };
-      return numberField(lengthField(field, units));
-    }
-    if (shape.kind !== 'file') return nothing;
+    const fields = this.lazy(loadFields)
+      ? html`<sillon-shape-fields .studio=${this.studio}></sillon-shape-fields>`
+      : nothing;
+    if (shape.kind !== 'file') return fields;
     return html`${fileChip(this.studio, shape.file, '.svg,.png,.jpg,.jpeg,image/*')}
-    ${this.lazy(loadDrawing) ? html`<sillon-drawing-fields .studio=${this.studio}></sillon-drawing-fields>` : nothing}`;
+    ${this.lazy(loadDrawing) ? html`<sillon-drawing-fields .studio=${this.studio}></sillon-drawing-fields>` : nothing}
+    ${fields}`;
   }
 
-  #fit({ printer, toolpath, width, height }: Plate): TemplateResult {
+  #fit(plate: Plate): TemplateResult {
+    const { printer, toolpath } = plate;
     const bed = [printer.bedMax[0] - printer.bedMin[0], printer.bedMax[1] - printer.bedMin[1]] as const;
     const box = this.studio.boxOnBed();
-    const beads = Math.floor(Math.min(...pageOf({ width, height })) / toolpath.spacing);
+    const beads = Math.floor(Math.min(...pageOf(plate)) / toolpath.spacing);
     const tooLarge = box[0] > bed[0] || box[1] > bed[1];
     return html`<p class="note figures">
         ${t('size.onBed', {

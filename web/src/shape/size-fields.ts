@@ -2,7 +2,7 @@
 import { css, html, type TemplateResult } from 'lit';
 import { t } from '../i18n/text.js';
 import type { Units } from '../model/guest.js';
-import type { Plate } from '../model/plate.js';
+import { isRoundKind, type Plate } from '../model/plate.js';
 import { numberField, numberInput, type NumberField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import type { Studio } from '../studio/studio.js';
@@ -82,7 +82,7 @@ function sideField(
 export function sizeFields(studio: Studio): TemplateResult {
   const { keepRatio, plate } = studio.store.state;
   const { kind } = plate.shape;
-  if (kind === 'disc')
+  if (isRoundKind(kind))
     return numberField(sideField(studio, 'width', t('size.diameter'), (_, value) => ({ width: value, height: value })));
   const locked = keepRatio || kind === 'file'; // a file's proportions are its own
   const stacked = (side: 'width' | 'height', other: 'width' | 'height'): TemplateResult => {

@@ -176,7 +176,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     if (now.result !== before.result && now.result?.coarse === true) this.#previewCame = performance.now();
     // Undone, cleared, or another tool: what is drawn next must not take the place of an earlier stroke.
     if (this.#points !== undefined && (plate.strokes.at(-1) !== this.#stroke || now.tool !== before.tool)) this.#lift();
-    const resized = plate.width !== before.plate.width || plate.height !== before.plate.height;
+    const resized = String(pageOf(plate)) !== String(pageOf(before.plate));
     const compared = this.#compares(now) !== this.#compares(before);
     if (now.sizing !== before.sizing && now.sizing !== 'free') this.#fitted = true;
     if (now.sizing !== before.sizing) this.#resize();
@@ -213,7 +213,7 @@ export class PlateCanvas extends StudioElement implements Stage {
       pixels,
       page: pageOf(plate),
       cursor: this.state.tool === 'pan' ? undefined : this.#cursor,
-      radius: this.state.brush.radius * plate.width,
+      radius: this.state.brush.radius * pageOf(plate)[0],
       softness: this.state.brush.softness,
       marks: view === 'quality' ? marks : [],
       mark,

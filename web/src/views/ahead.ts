@@ -17,7 +17,7 @@ export function strokesAhead(plate: Plate, made: Plate): Draw | undefined {
   const sides = pageOf(plate);
   const inMm = ahead.map(({ points, radius }) => ({
     points: points.map((value, k) => value * sides[(k % 2) as 0 | 1]),
-    radius: radius * plate.width,
+    radius: radius * sides[0],
   }));
   return (context, styles) => {
     drawStrokes(context, inMm, styles.getPropertyValue('--accent'));

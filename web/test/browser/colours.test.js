@@ -117,7 +117,19 @@ test('kinds of directions and shapes show what they make of this very plate', { 
     'own',
   );
   await visit.section('Shape');
-  await until(() => drawn('sillon-shape-panel', ['Disc', 'Rectangle', 'Rounded rectangle', 'From a file']), 'shapes');
+  const shapes = [
+    'Disc',
+    'Rectangle',
+    'Rounded rectangle',
+    'Hexagon',
+    'Heart',
+    'Shield',
+    'Star',
+    'Ring',
+    'Tag',
+    'From a file',
+  ];
+  await until(() => drawn('sillon-shape-panel', shapes), 'shapes');
   assert.deepEqual(visit.problems, []);
 });
 

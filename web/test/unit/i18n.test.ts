@@ -156,7 +156,7 @@ test('texts that the sources name are there, and all texts are for something', (
     ([, template = '']) => new RegExp(`^${template.replace(/\$\{[^}]*\}/g, '.+')}$`),
   );
   for (const [id] of inEnglish) {
-    if (/^(calibrate|drawing|rebrush)\./.test(id)) continue; // said without their prefix
+    if (/^(calibrate|drawing|rebrush|shaping)\./.test(id)) continue; // said without their prefix
     assert.ok(source.includes(`'${id}'`) || built.some((ids) => ids.test(id)), `nothing shows ${id}`);
   }
 });
@@ -177,6 +177,15 @@ test('the view that re-brushes prints speaks every language, and shows all its w
     assert.doesNotMatch(r('chosen', { n: 1, all: 2, area: '3' }), /[{}]/, tag);
   }
   assert.equal(said.size, spoken.length);
+});
+
+test('the fields of a shape show all their words', async () => {
+  const fields = readFileSync('web/src/shape/shape-fields.ts', 'utf8');
+  const built = [...fields.matchAll(/a\(`([\w.]+)\$\{[^}`]*\}(?:\.help)?`/g)].map(([, start = '']) => start);
+  for (const id of Object.keys(await wordsIn('shaping'))) {
+    const name = id.replace('shaping.', '');
+    assert.ok(fields.includes(`'${name}'`) || built.some((start) => name.startsWith(start)), `nothing shows ${id}`);
+  }
 });
 
 test('the calibration page and the first print speak every language, and show all their words', async () => {
@@ -536,8 +545,11 @@ test('why the engine refuses a plate has words in every language', async () => {
   assert.ok(reasons.length >= 8);
   const values = { setting: 'print.layerHeight', value: 0.5, low: 0.05, high: 0.32, left: 2, back: 5.5, by: 0.25 };
   const more = { height: 4.2, most: 3, spacing: 0.4, leastSpacing: 0.7, percent: 57 };
-  const told = (reason: string) =>
-    exactWords({ code: 'DoesNotFit', values: { ...values, ...more, reason }, detail: '' }) ?? { message: '' };
+  const shape = { n: 2, x: 30, y: 10.5, diameter: 4.5, bottom: 0, top: 20, offset: -4, depth: 3.5, rim: 3 };
+  const told = (reason: string) => {
+    const all = { ...values, ...more, ...shape, ...(reason === 'HoleOutside' && { right: 20 }), reason };
+    return exactWords({ code: 'DoesNotFit', values: all, detail: '' }) ?? { message: '' };
+  };
   const english = new Map(reasons.map((reason) => [reason, told(reason).message]));
   for (const name of spoken) {
     await setLanguage(name);

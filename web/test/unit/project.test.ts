@@ -23,6 +23,7 @@ import {
   newShape,
 } from '../../src/model/defaults.js';
 import type { Plate, SourceFile } from '../../src/model/plate.js';
+import { builtinShapes, withHole } from '../../src/model/shapes.js';
 import { printers, withPrinter } from '../../src/model/printers.js';
 import { StudioError, type ProblemCode } from '../../src/model/problem.js';
 import { chances } from './support/pictures.js';
@@ -104,7 +105,8 @@ test('every kind of plate comes back as it went, with the bytes of its files', a
         { file: modeMap, lamp: null },
       ]),
     },
-    ...(['rectangle', 'rounded', 'disc'] as const).map((kind) => ({ ...newPlate(), shape: newShape(kind) })),
+    ...builtinShapes.map((kind) => ({ ...newPlate(), shape: newShape(kind) })),
+    withHole({ ...newPlate(), shape: { ...newShape('tag'), corners: 'chamfer', inner: 4, offset: 2.5 } }, 'magnet'),
     ...printers.map(({ key }) => withPrinter(newPlate(), key)),
     {
       ...newPlate(),

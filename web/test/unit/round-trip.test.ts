@@ -106,6 +106,18 @@ const projects: Record<string, Sections> = {
     directions: { angle: 33.3 },
     modes: { mode: 'smoothest' },
   },
+  star: {
+    shape: {
+      builtin: 'star',
+      size: [24, 18.5],
+      points: 7,
+      radius: 0.5,
+      corners: 'chamfer',
+      offset: 1.5,
+      holes: [{ x: 13.5, y: 10, diameter: 2 }],
+    },
+  },
+  ring: { shape: { builtin: 'ring', size: [24, 24], inner: 9.5 } },
   pictures: {
     shape: { builtin: 'rectangle', size: [24, 18.5] },
     pictures: {

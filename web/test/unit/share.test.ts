@@ -16,6 +16,7 @@ import type { Plate, SourceFile } from '../../src/model/plate.js';
 import { profileOf, printers, withPrinter } from '../../src/model/printers.js';
 import { StudioError, type ProblemCode } from '../../src/model/problem.js';
 import { settings, withValue, type SettingValue } from '../../src/model/settings.js';
+import { builtinShapes, withHole } from '../../src/model/shapes.js';
 import { readLink, writeLink } from '../../src/model/share.js';
 import { fileOf } from './support/pictures.js';
 
@@ -46,7 +47,8 @@ test('every generator, shape, printer and filament comes back as it went', async
   const plates: Plate[] = [
     newPlate(),
     ...generatorKinds.map((kind) => ({ ...newPlate(), directions: newGenerator(kind) })),
-    ...(['rectangle', 'rounded', 'disc'] as const).map((kind) => ({ ...newPlate(), shape: newShape(kind) })),
+    ...builtinShapes.map((kind) => ({ ...newPlate(), shape: newShape(kind) })),
+    withHole({ ...newPlate(), shape: { ...newShape('tag'), corners: 'chamfer', inner: 4, offset: 2.5 } }, 'magnet'),
     ...printers.map(({ key }) => withPrinter(newPlate(), key)),
     ...filaments.map(({ key }) => withFilament(newPlate(), key)),
     { ...newPlate(), name: 'Épicéa ✨ “quoted” \\ <b>', modes: { mode: 'smoothest' as const }, height: 0 },
@@ -182,6 +184,14 @@ test('every field is checked: kind, range, unknown names', async () => {
     { ...good, shape: { kind: 'file' } },
     { ...good, shape: { kind: 'rounded', radius: -1 } },
     { ...good, shape: { kind: 'disc', radius: 1, extra: 1 } },
+    { ...good, shape: { kind: 'star', points: 2 } },
+    { ...good, shape: { kind: 'star', points: 5.5 } },
+    { ...good, shape: { kind: 'star', corners: 'sharp' } },
+    { ...good, shape: { kind: 'disc', offset: 51 } },
+    { ...good, shape: { kind: 'disc', holes: {} } },
+    { ...good, shape: { kind: 'disc', holes: [{ x: 1, y: 2 }] } },
+    { ...good, shape: { kind: 'disc', holes: [{ x: 1, y: 2, diameter: 0 }] } },
+    { ...good, shape: { kind: 'disc', holes: Array(17).fill({ x: 1, y: 2, diameter: 3 }) } },
     { ...good, directions: null },
     { ...good, directions: [] },
     { ...good, directions: { kind: 'tone', from: 0 } },

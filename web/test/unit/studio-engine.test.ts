@@ -460,9 +460,12 @@ test('a file that nobody wants any more is not written to its end', async () => 
 
 // --- Its parts ------------------------------------------------------------------------------------------------------------
 
+/** Settings of a shape that nobody has done anything to. */
+const unchanged = { radius: 6, corners: 'round', points: 5, inner: 0, offset: 0, holes: [], keepThin: false };
+
 test('a plate becomes what the engine takes: degrees as grey, modes as the four greys', () => {
   const { input, params } = engineInput({ plate: newPlate(), raster });
-  const read = { radius: 6, unitless: 'px', paint: 'shown', keepThin: false };
+  const read = { ...unchanged, unitless: 'px', paint: 'shown' };
   assert.deepEqual(input.shape, { builtin: 'disc', size: [70, 70], ...read });
   assert.deepEqual(input.directions, {
     file: { width: 2, height: 1, channels: 1, samples: new Uint16Array([1, 2]) },
@@ -512,7 +515,7 @@ test('a file is handed over with the width of its page', () => {
     ...newPlate(),
     shape: newFileShape({ id: 'a', name: 'a.svg', bytes }, 'mm'),
   };
-  const read = { radius: 6, unitless: 'mm', paint: 'ignore', keepThin: false };
+  const read = { ...unchanged, unitless: 'mm', paint: 'ignore' };
   assert.deepEqual(engineInput({ plate, raster }).input.shape, { file: bytes, pageWidth: 70, ...read });
 });
 

@@ -1,0 +1,61 @@
+// The built-in shapes, and the holes that things need.
+import type { BuiltinShape, RoundHole } from 'sillon';
+import { newShape, ownHeight } from './defaults.js';
+import { isRoundKind, pageOf, type Plate } from './plate.js';
+
+/** In the order of the panel. */
+export const builtinShapes = [
+  'disc',
+  'rectangle',
+  'rounded',
+  'hexagon',
+  'heart',
+  'shield',
+  'star',
+  'ring',
+  'tag',
+] as const satisfies readonly BuiltinShape[];
+
+const hundredth = (value: number): number => Math.round(value * 100) / 100;
+
+/** The plate in another shape, in its own proportions where it has any. Holes stay behind: they may lie outside now. */
+export function withShape(plate: Plate, kind: BuiltinShape): Plate {
+  const { width, shape: before } = plate;
+  const height = plate.height || width;
+  const shape = { ...newShape(kind), offset: before.offset };
+  const longest = Math.max(width, height);
+  if (isRoundKind(kind)) {
+    const side = ownHeight[before.kind] === undefined ? Math.min(width, height) : longest;
+    return { ...plate, shape, width: side, height: side };
+  }
+  const share = ownHeight[kind];
+  if (share === undefined) return { ...plate, shape };
+  return share > 1
+    ? { ...plate, shape, width: hundredth(longest / share), height: longest }
+    : { ...plate, shape, width: longest, height: hundredth(longest * share) };
+}
+
+/** Diameters of holes [mm]: for a screw M4, the ring of a key, and a magnet of 8 mm. */
+export const usualHoles = { screw: 4.5, keyring: 5, magnet: 8.2 } as const;
+export type HoleName = keyof typeof usualHoles;
+
+const wall = 4; // [mm] between a key ring's hole and the upper edge of the page
+
+/** The place where a new hole is most likely meant: near the upper edge for a key ring, else in the middle. */
+function placeFor(plate: Plate, name: HoleName): Pick<RoundHole, 'x' | 'y'> {
+  const [width, height] = pageOf(plate);
+  const { shape } = plate;
+  const y = name === 'keyring' ? Math.max(height / 2, height - wall - usualHoles.keyring / 2) : height / 2;
+  if (shape.kind !== 'ring') return { x: hundredth(width / 2), y: hundredth(y) };
+  // In the middle of a ring there is nothing to cut.
+  const solid = (plate.width - (shape.inner || plate.width / 2)) / 2;
+  return { x: hundredth(width / 2), y: hundredth(height - Math.max(0, shape.offset) - solid / 2) };
+}
+
+export const withHole = (plate: Plate, name: HoleName): Plate => ({
+  ...plate,
+  shape: {
+    ...plate.shape,
+    holes: [...plate.shape.holes, { ...placeFor(plate, name), diameter: usualHoles[name] }],
+  },
+});
