@@ -82,7 +82,7 @@ async function brightOf(source: DirectionSource, plate: Plate, size: Size, own: 
   // A map would keep its own texels.
   const pictures = picture === undefined ? {} : { source: picture };
   const raster = rasteriseSource(source, { mode: 'constrained' }, page, thumbnailSide, pictures, round);
-  const light = homeLight({ ...plate, directions: source }, undefined);
+  const light = homeLight({ ...plate, directions: source, layers: [] }, undefined);
   return { width: raster.width, height: raster.height, bright: brightnessOf(raster, light) };
 }
 

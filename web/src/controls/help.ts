@@ -94,6 +94,7 @@ export class Help extends DialogElement {
         <li>${say(words, 'help.mouse.pan')}</li>
         <li>${say(words, 'help.mouse.zoom')}</li>
         <li>${say(words, 'help.mouse.light')}</li>
+        <li>${say(words, 'help.mouse.layers')}</li>
       </ul>`;
   }
 }

@@ -18,6 +18,8 @@ export const shortcuts: readonly Shortcut[] = [
   { shown: ['Ctrl Shift Z', 'Ctrl Y'], text: 'keys.redo' },
   { shown: ['1', '2', '3', '4'], text: 'keys.views' },
   { shown: ['← ↑ → ↓'], text: 'keys.move' },
+  { shown: ['← ↑ → ↓', 'Shift', 'Alt'], text: 'keys.layer' },
+  { shown: ['Del'], text: 'keys.layerDelete' },
   { shown: ['+', '-'], text: 'keys.zoom' },
   { shown: ['0'], text: 'keys.fit' },
   { shown: ['V', 'B', 'M', 'E'], text: 'keys.tools' },
@@ -28,7 +30,7 @@ export const shortcuts: readonly Shortcut[] = [
   { shown: ['Esc'], text: 'keys.cancel' },
 ];
 
-const keyNames = { Ctrl: 'key.ctrl', Shift: 'key.shift', Esc: 'key.escape' } as const;
+const keyNames = { Ctrl: 'key.ctrl', Shift: 'key.shift', Esc: 'key.escape', Del: 'key.delete' } as const;
 
 /** "Ctrl Shift Z", as the keyboard says it. */
 export const keysText = (keys: string): string =>

@@ -1,6 +1,6 @@
 // What the address of the page asks for: ?src=plate.svg&mode=view
 import { spoken } from '../i18n/languages.js';
-import type { Unfit } from '../model/check-plate.js';
+import type { Unfit } from '../model/check.js';
 import type { Asked } from './fetching.js';
 import { guestSettings, type GuestSettings } from '../model/guest.js';
 

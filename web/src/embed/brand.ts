@@ -1,6 +1,6 @@
 // The host's colour, corners and letters. Its attributes may have been written by anybody: a colour, a length and names of fonts
 // are taken apart and written anew, so that no style, and no address, comes in with them.
-import { Unfit } from '../model/check-plate.js';
+import { Unfit } from '../model/check.js';
 
 /** Names of custom properties of src/style/tokens.css; '': as they are there. */
 export type Brand = Readonly<Record<string, string>>;

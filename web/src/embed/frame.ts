@@ -2,7 +2,7 @@
 // other. Nothing is done before the handshake, and everything that comes is taken as typed by a stranger.
 import { wholeWords } from '../i18n/say-problem.js';
 import { threadsWords } from '../i18n/say.js';
-import { Unfit } from '../model/check-plate.js';
+import { Unfit } from '../model/check.js';
 import type { Opening } from '../model/file-role.js';
 import { isAbort, problemOf, StudioError, type Failure, type Problem } from '../model/problem.js';
 import { isOf } from '../model/result.js';

@@ -2,7 +2,8 @@
 // be denied, full, of another version, or shared with other tabs: whatever it does, the page goes on and nothing is
 // overwritten.
 import { createStore, delMany, getMany, keys, promisifyRequest } from 'idb-keyval';
-import { fieldsOf, numberIn, plateFrom, textIn, Unfit, type FileFrom } from '../model/check-plate.js';
+import { fieldsOf, numberIn, textIn, Unfit, type FileFrom } from '../model/check.js';
+import { plateFrom } from '../model/check-plate.js';
 import { pageOf, type Plate, type SourceFile } from '../model/plate.js';
 import type { Problem } from '../model/problem.js';
 import type { Steps } from '../model/store.js';

@@ -1,6 +1,9 @@
 // What a file is: its first bytes decide, never its name alone.
 
-export type Kind = 'svg' | 'picture' | 'zip' | 'json' | 'unknown';
+export type Kind = 'svg' | 'picture' | 'font' | 'zip' | 'json' | 'unknown';
+
+/** Of TrueType and OpenType fonts alike. */
+export const fontType = 'font/sfnt';
 
 export interface Known {
   kind: Kind;
@@ -78,6 +81,8 @@ export function kindOf(bytes: Uint8Array, name: string): Known {
   if (startsWith(bytes, 0x50, 0x4b, 3, 4) || startsWith(bytes, 0x50, 0x4b, 5, 6)) {
     return { kind: 'zip', mime: 'application/zip' };
   }
+  if (startsWith(bytes, 0, 1, 0, 0) || startsWith(bytes, 0x4f, 0x54, 0x54, 0x4f))
+    return { kind: 'font', mime: fontType };
   const text = textOf(bytes.subarray(0, enoughToKnow));
   if (isSvg(text)) return { kind: 'svg', mime: 'image/svg+xml' };
   if (/^\s*\{/.test(text)) return { kind: 'json', mime: 'application/json' };

@@ -48,7 +48,8 @@ function checkSize({ name, size }: File): void {
   }
 }
 
-async function read(given: File): Promise<Read> {
+/** A file as a plate keeps it, and what it is. @throws StudioError InvalidFile, UnknownFile, PrinterFileHere, BrowserPicture */
+export async function readFile(given: File): Promise<Read> {
   checkSize(given);
   const file = await readable(given);
   let bytes: Uint8Array<ArrayBuffer>;
@@ -122,7 +123,7 @@ export async function identify(files: readonly File[], plate: Plate, engine: Ope
     if (done.length === 0 && refused[0] !== undefined) throw refused[0];
     return done;
   };
-  const all = await each(files, read);
+  const all = await each(files, readFile);
 
   const projects = all.filter(({ kind }) => kind === 'zip' || kind === 'json');
   const [project] = projects;
@@ -135,6 +136,7 @@ export async function identify(files: readonly File[], plate: Plate, engine: Ope
 
   const guessed = await each(all, async ({ source, kind }) => {
     const { name } = source;
+    if (kind === 'font') throw new StudioError('UnknownFile', { name }); // only layers have letters of their own
     // One drawing alone is read when it is used; among others it must not take them with it.
     if (kind === 'svg' && all.length > 1) await naming(name, engine.readShape({ file: source.bytes, unitless: 'px' }));
     return kind === 'svg'

@@ -1,12 +1,14 @@
 // A plate as data without bytes, for projects and storage; model/check-plate.ts reads it again.
+import { filesOfLayer, layerData } from '../model/layers.js';
 import type { DirectionSource, Plate, SourceFile } from '../model/plate.js';
 
 /** Each once. */
-export function filesOf({ shape, directions, modes }: Plate): SourceFile[] {
+export function filesOf({ shape, directions, modes, layers }: Plate): SourceFile[] {
   const files = [shape, directions, modes].flatMap((part) =>
     'file' in part && part.file !== undefined ? [part.file] : [],
   );
   if (directions.kind === 'lamp') files.push(...directions.pictures.map(({ file }) => file));
+  files.push(...layers.flatMap(filesOfLayer));
   return [...new Map(files.map((file) => [file.id, file])).values()];
 }
 
@@ -25,4 +27,5 @@ export const plateData = (plate: Plate, told: (file: SourceFile) => unknown): un
   shape: partData(plate.shape, told),
   directions: partData(plate.directions, told),
   modes: partData(plate.modes, told),
+  layers: plate.layers.map((layer) => layerData(layer, told)),
 });

@@ -3,7 +3,8 @@
 // needs: where directions came from, strokes, a spool of one's own, the names of files as they came.
 import { strFromU8, strToU8, zipSync, type Zippable } from 'fflate';
 import type { Engine, Project } from 'sillon';
-import { fieldsOf, heightFrom, numberIn, plateFrom, textIn, widthFrom, type Fields } from '../model/check-plate.js';
+import { fieldsOf, numberIn, textIn, type Fields } from '../model/check.js';
+import { heightFrom, plateFrom, widthFrom } from '../model/check-plate.js';
 import { givenSlopes, slopesOf } from '../model/filaments.js';
 import { rasterInput, sectionsOf } from '../model/input.js';
 import { isDrawn, type Plate, type SourceFile } from '../model/plate.js';
@@ -11,7 +12,7 @@ import { isOfFile, StudioError } from '../model/problem.js';
 import type { DirectionRaster } from '../model/raster.js';
 import { without } from '../model/without.js';
 import { plateOf, type Stored } from './autosave.js';
-import { enoughToKnow, kindOf } from './kind.js';
+import { enoughToKnow, fontType, kindOf } from './kind.js';
 import { filesOf, partData, plateData } from './plate-data.js';
 import { encodeGreyPng } from './png16.js';
 import { sourceFile, stemOf } from './source-file.js';
@@ -86,9 +87,9 @@ export async function writeProject(plate: Plate, raster: DirectionRaster): Promi
     }
   }
   for (const { id, bytes } of files) {
-    const isText = bytes.type === 'image/svg+xml';
+    const isLoose = bytes.type === 'image/svg+xml' || bytes.type === fontType;
     const content = new Uint8Array(await bytes.arrayBuffer());
-    packed[paths.get(id) ?? ''] = [content, { level: isText ? 6 : 0 }];
+    packed[paths.get(id) ?? ''] = [content, { level: isLoose ? 6 : 0 }];
   }
   return zipped({ 'project.json': json(projectOf(plate, paths)), ...packed });
 }
@@ -171,6 +172,11 @@ function sketchOf(project: Project, studio: Fields, name: string): Plate {
         ? { kind: 'angle', angle: directions.angle }
         : { kind: 'map', file: directions.file, encoding: directions.encoding };
   const modeFile = drawn ? studio['modes'] : modes.file || undefined;
+  const layers = (project.layers ?? []).map((layer) => ({
+    ...layer,
+    file: layer.file || null,
+    maskFile: layer.maskFile || null,
+  }));
   const data = {
     name: studio['name'] ?? stemOf(name).slice(0, 200),
     shape: { kind, ...without(shape, 'builtin', 'size', 'pageWidth', 'file'), ...(kind === 'file' && { file }) },
@@ -178,6 +184,7 @@ function sketchOf(project: Project, studio: Fields, name: string): Plate {
     height: 1,
     directions: drawn ? studio['directions'] : told,
     modes: { mode: modes.mode, ...(modeFile !== undefined && { file: modeFile }) },
+    layers,
     pictures,
     strokes: drawn || lit.length > 0 ? (studio['strokes'] ?? []) : [],
     toolpath,

@@ -1,6 +1,6 @@
 // What settings do, in the page's language.
-import type { Setting } from '../model/settings.js';
+import type { AnySetting } from '../model/settings.js';
 import { words } from './en/core/setting-help.js';
 import { say } from './text.js';
 
-export const settingHelp = ({ id }: Setting): string => say(words, `help.${id}`);
+export const settingHelp = ({ id }: Pick<AnySetting, 'id'>): string => say(words, `help.${id}`);

@@ -16,6 +16,7 @@ import type { words as drawing } from './en/drawing.js';
 import type { words as exports } from './en/export.js';
 import type { words as files } from './en/files.js';
 import type { words as help } from './en/help.js';
+import type { words as layers } from './en/layers.js';
 import type { words as links } from './en/links.js';
 import type { words as looks } from './en/looks.js';
 import type { words as plates } from './en/plates.js';
@@ -42,6 +43,7 @@ type Late =
   | typeof findings
   | typeof help
   | typeof importNotes
+  | typeof layers
   | typeof links
   | typeof looks
   | typeof plates

@@ -15,81 +15,12 @@ import {
 import { filaments } from './filaments.js';
 import { mostColours } from './flat-colours.js';
 import { mostPictures } from './lamp.js';
-import type {
-  DirectionSource,
-  LampPicture,
-  ModeSource,
-  OwnSpool,
-  Plate,
-  ShapeSource,
-  SourceFile,
-  Stroke,
-} from './plate.js';
+import { fieldsOf, flagIn, numberIn, oneOf, textIn, Unfit, type Fields, type FileFrom } from './check.js';
+import { layersFrom } from './check-layers.js';
+import type { DirectionSource, LampPicture, ModeSource, OwnSpool, Plate, ShapeSource, Stroke } from './plate.js';
 import { shapeTable } from './setting-table.js';
 import { accepts, settingsOf, type SectionName } from './settings.js';
 import { builtinShapes } from './shapes.js';
-
-export type Fields = Record<string, unknown>;
-
-/** The file that a piece of data stands for. @throws Unfit */
-export type FileFrom = (value: unknown, where: string) => SourceFile;
-
-function shortened(value: unknown): string {
-  let text: string | undefined;
-  try {
-    text = JSON.stringify(value);
-  } catch {
-    // nested too deep
-  }
-  return text === undefined ? typeof value : text.length > 40 ? `${text.slice(0, 40)}…` : text;
-}
-
-/** A value that no control could have set. */
-export class Unfit extends Error {
-  /** As JSON, shortened. */
-  readonly value: string;
-
-  constructor(
-    /** Path of keys; empty: the whole. */
-    readonly where: string,
-    value: unknown,
-  ) {
-    const short = shortened(value);
-    super(`${where === '' ? 'the plate' : where} is ${short}, which is not allowed`);
-    this.value = short;
-  }
-}
-
-export function fieldsOf(value: unknown, where: string, known: readonly string[]): Fields {
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) throw new Unfit(where, value);
-  for (const [name, one] of Object.entries(value)) {
-    if (!known.includes(name)) throw new Unfit(where === '' ? name : `${where}.${name}`, one);
-  }
-  return value as Fields;
-}
-
-export function numberIn(value: unknown, where: string, min: number, max: number): number {
-  if (typeof value !== 'number' || !(value >= min && value <= max)) throw new Unfit(where, value);
-  return value;
-}
-
-export function textIn(value: unknown, where: string, longest: number): string {
-  // eslint-disable-next-line no-control-regex
-  if (typeof value !== 'string' || value.length > longest || /[\u0000-\u0008\u000b-\u001f]/.test(value)) {
-    throw new Unfit(where, value);
-  }
-  return value;
-}
-
-export function flagIn(value: unknown, where: string): boolean {
-  if (typeof value !== 'boolean') throw new Unfit(where, value);
-  return value;
-}
-
-export function oneOf<Choice extends string>(value: unknown, where: string, choices: readonly Choice[]): Choice {
-  if (!choices.includes(value as Choice)) throw new Unfit(where, value);
-  return value as Choice;
-}
 
 // --- Parts of a plate --------------------------------------------------------------------------------------------------
 
@@ -334,6 +265,7 @@ export function plateFrom(value: unknown, fileFrom: FileFrom): Plate {
     height: heightFrom(fields['height']),
     directions: directionsFrom(fields['directions'], fileFrom),
     modes: modesFrom(fields['modes'], fileFrom),
+    layers: layersFrom(fields['layers'] ?? [], fileFrom),
     strokes: strokesFrom(fields['strokes']),
     pictures: sectionFrom('pictures', fields['pictures'] ?? {}),
     toolpath: sectionFrom('toolpath', fields['toolpath']),

@@ -12,7 +12,7 @@ import type {
 import { shapeTable, table } from './setting-table.js';
 
 /** What the core's table of settings says. */
-const defaultsOf = <Section>(rows: Record<string, { default: unknown }>): Readonly<Section> =>
+export const defaultsOf = <Section>(rows: Record<string, { default: unknown }>): Readonly<Section> =>
   Object.fromEntries(Object.entries(rows).map(([key, row]) => [key, row.default])) as Readonly<Section>;
 
 export const toolpathDefaults = defaultsOf<ToolpathParams>(table.toolpath);
@@ -110,6 +110,7 @@ export const newPlate = (): Plate => ({
   height: 70,
   directions: newGenerator('waves'),
   modes: { mode: 'constrained' },
+  layers: [],
   pictures: { ...pictureDefaults, spool: 'goldPla' },
   strokes: [],
   toolpath: { ...toolpathDefaults },

@@ -1,6 +1,7 @@
 // Why people may not see on a plate what it is made to show, told before it is printed.
 import type { PictureReport } from 'sillon';
 import { weaknessesOf, type Weakness } from './lamp.js';
+import { drawnLayers } from './layers.js';
 import type { DirectionSource, Plate } from './plate.js';
 
 /** Of a finished plate, as computed under its own light. */
@@ -20,7 +21,9 @@ export type Doubt = Weakness | 'blank' | 'small' | 'letters' | 'fine' | 'faint';
 /** What has a picture in it; of the others nothing is to be recognised. Codes are read by a decoder instead. */
 const shown: readonly DirectionSource['kind'][] = ['tone', 'levels', 'colours', 'text'];
 
-export const hasPicture = ({ directions }: Plate): boolean => shown.includes(directions.kind);
+/** Under layers nobody knows any more what is asked for at which place. */
+export const hasPicture = (plate: Plate): boolean =>
+  shown.includes(plate.directions.kind) && drawnLayers(plate).length === 0;
 
 /** Correlations, by eye from rendered plates: "Hello" 3.6 mm high in beads of 0.4 mm has 0.85 and nobody reads it, 4.8 mm high
  * 0.91 and one guesses it, 6 mm high 0.96 and all do; a fox's head of four colours, 12 mm across, is still a fox at 0.93. */

@@ -1,7 +1,16 @@
 // A plate to begin with, as data.
 import type { DirectionEncoding, DirectionMode } from 'sillon';
 import type { FilamentKey } from './filaments.js';
+import type { LayerKind, LayerValues } from './layers.js';
 import type { DirectionSource, ShapeSource } from './plate.js';
+
+/** What differs from the core's defaults; files by their names. */
+export type ExampleLayer = Partial<Omit<LayerValues, 'file' | 'maskFile' | 'font'>> & {
+  kind: LayerKind;
+  file?: string;
+  maskFile?: string;
+  font?: string;
+};
 
 export interface Example {
   /** The dictionary has `example.ID`. */
@@ -16,6 +25,8 @@ export interface Example {
     | { file: string; encoding: DirectionEncoding }
     | { pictures: readonly { file: string; lamp: readonly [number, number] }[] };
   modes?: { mode?: DirectionMode; file?: string };
+  /** The last on top. */
+  layers?: readonly ExampleLayer[];
   nearest?: boolean;
 }
 

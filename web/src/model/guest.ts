@@ -1,6 +1,6 @@
 // What another page that shows the studio in a frame may ask of it. It comes as text - attributes, an address - and may
 // have been written by anybody.
-import { oneOf, Unfit } from './check-plate.js';
+import { oneOf, Unfit } from './check.js';
 import { printers, type PrinterKey } from './printers.js';
 import { settings, type SettingId } from './settings.js';
 import type { Theme } from './state.js';
@@ -10,7 +10,7 @@ export type Mode = 'edit' | 'customize' | 'view';
 /** Of the plate's size; beads, printers and files are in mm everywhere. */
 export type Units = 'mm' | 'in';
 
-export const sections = ['shape', 'directions', 'toolpath', 'print', 'quality'] as const;
+export const sections = ['shape', 'directions', 'layers', 'toolpath', 'print', 'quality'] as const;
 export type Section = (typeof sections)[number];
 
 const parts = ['name', 'size', 'source', 'filament', 'printer', 'download'] as const;

@@ -2,6 +2,7 @@
 import type { PlateInput, ToolpathParams } from 'sillon';
 import { slopesOf } from './filaments.js';
 import { samePictures } from './lamp.js';
+import { completeLayers, layerInput, sameLayers, showsPictures } from './layers.js';
 import { isDrawn, pageOf, type Plate, type SourceFile } from './plate.js';
 import type { DirectionRaster } from './raster.js';
 import { without } from './without.js';
@@ -17,7 +18,7 @@ export function sameToolpath(a: Input, b: Input): boolean {
   const { plate: p } = a;
   const { plate: q } = b;
   if (p.shape !== q.shape || p.width !== q.width || p.height !== q.height || p.toolpath !== q.toolpath) return false;
-  if (isDrawn(p) !== isDrawn(q) || !samePictures(p, q)) return false;
+  if (isDrawn(p) !== isDrawn(q) || !samePictures(p, q) || !sameLayers(p, q)) return false;
   return isDrawn(p) && a.raster !== undefined
     ? a.raster === b.raster
     : p.directions === q.directions && p.modes === q.modes;
@@ -45,11 +46,13 @@ export function sectionsOf<Content>(
       ? { file: content(directions.file), encoding: directions.encoding }
       : { angle: directions.kind === 'angle' ? directions.angle : 0 };
   const modeFile = modes.file && content(modes.file);
+  const layers = completeLayers(plate).map((layer) => layerInput(layer, content));
   return {
     shape: shapeInput(plate, content),
     directions: drawn === undefined ? told : { file: drawn.directions, encoding: 'angle' as const },
     modes: { mode: modes.mode, ...((drawn?.modes ?? modeFile) !== undefined && { file: drawn?.modes ?? modeFile }) },
     pictures: { ...pictures, files: lit.map(({ file, lamp }) => ({ file: content(file), lamp })) },
+    ...(layers.length > 0 && { layers }),
     toolpath,
     print,
     printer,
@@ -93,16 +96,17 @@ export function engineInput(
   const factor = preview?.factor ?? 1;
   // A preview must not join parts that the plate keeps apart.
   const params = { ...plate.toolpath, spacing: spacing * factor, bridge: factor > 1 ? (bridge ?? spacing) : bridge };
-  const { shape, directions, modes, pictures } = sectionsOf(plate, ({ bytes }) => bytes);
-  if (plate.directions.kind === 'lamp') {
-    // Slopes of the spool ask the engine for no printer, whose other settings need not fit yet.
-    const solved = { ...pictures, slopes: slopesOf(plate), ...(preview && { corrections: 0 }) };
-    return { input: { shape, modes, pictures: solved }, params };
-  }
+  const { shape, directions, modes, pictures, layers } = sectionsOf(plate, ({ bytes }) => bytes);
+  // Slopes of the spool ask the engine for no printer, whose other settings need not fit yet.
+  const solved = { pictures: { ...pictures, slopes: slopesOf(plate), ...(preview && { corrections: 0 }) } };
+  const over = { ...(layers !== undefined && { layers }), ...(showsPictures(plate) && solved) };
+  if (plate.directions.kind === 'lamp') return { input: { shape, modes, ...over, ...solved }, params };
   const coarse = factor > 1 && plate.directions.kind === 'map';
-  if (raster === undefined || !(isDrawn(plate) || coarse)) return { input: { shape, directions, modes }, params };
+  if (raster === undefined || !(isDrawn(plate) || coarse)) {
+    return { input: { shape, directions, modes, ...over }, params };
+  }
   // Two texels per bead are enough for a preview, and reading large pictures would take most of its time.
   const enough = (2 * pageOf(plate)[0]) / params.spacing;
   const step = factor > 1 ? Math.max(1, Math.floor(raster.width / enough)) : 1;
-  return { input: { shape, ...rasterInput(raster, step) }, params };
+  return { input: { shape, ...rasterInput(raster, step), ...over }, params };
 }

@@ -2,6 +2,7 @@
 import type { Look, PictureReport } from 'sillon';
 import { appearance } from './appearance.js';
 import { slopesOf } from './filaments.js';
+import { drawnLayers, showsPictures } from './layers.js';
 import { isExample, type DirectionSource, type LampPicture, type Plate, type SourceFile } from './plate.js';
 import type { Light } from './view.js';
 
@@ -19,9 +20,12 @@ export const lampSizes = {
 const between = 55;
 const usualElevation = 45;
 
+/** The engine solves for the plate's pictures, or for those of its layers. */
+const isSolved = (plate: Plate): boolean => plate.directions.kind === 'lamp' || showsPictures(plate);
+
 /** Whether both plates ask the engine for the same pictures; other directions do not know of spools. */
 export function samePictures(a: Plate, b: Plate): boolean {
-  if (a.directions.kind !== 'lamp' || b.directions.kind !== 'lamp') return true;
+  if (!isSolved(a) || !isSolved(b)) return true;
   const asked = ({ pictures }: Plate): string => JSON.stringify(Object.entries(pictures).sort());
   return asked(a) === asked(b) && a.spool === b.spool && slopesOf(a).join() === slopesOf(b).join();
 }
@@ -70,10 +74,16 @@ export function isOwnPicture(plate: Plate, lamp: number): boolean {
 
 export const usualLight: Readonly<Light> = { azimuth: 60, elevation: 35 };
 
+/** The lamp of a picture among layers that names none, where the plate has no picture of its own. */
+export const layersLamp: readonly [number, number] = [60, 45];
+
 /** Where the plate looks as it is meant to: beads that run across the light are bright. */
-export function homeLight({ directions }: Plate, look: Look | undefined): Light {
+export function homeLight(plate: Plate, look: Look | undefined): Light {
+  const { directions } = plate;
   const [lamp] = lampsOf(directions, look);
   if (lamp !== undefined) return lamp;
+  const picture = drawnLayers(plate).find(({ kind }) => kind === 'picture');
+  if (picture !== undefined) return lightOf(picture.lamp ?? layersLamp);
   const across = (angle: number): Light => ({ ...usualLight, azimuth: (((angle - 90) % 180) + 180) % 180 });
   switch (directions.kind) {
     case 'tone':

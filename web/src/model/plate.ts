@@ -5,6 +5,7 @@ import type {
   BuiltinShape,
   DirectionEncoding,
   DirectionMode,
+  Layer,
   PictureParams,
   PrintParams,
   PrinterValues,
@@ -74,6 +75,16 @@ export type DirectionSource =
   | { kind: 'waves'; angle: number; amplitude: number; length: number }
   | { kind: 'noise'; seed: number; scale: number; amplitude: number; angle: number };
 
+/** One layer as the core has it, with its files as they came. Lengths are mm on the page, angles degrees. */
+export type PlateLayer = Readonly<Omit<Layer, 'file' | 'maskFile' | 'font'>> & {
+  /** A whole number above 0 that no other layer of the plate has; it stays while the layer changes. */
+  readonly id: number;
+  readonly file: SourceFile | null;
+  readonly maskFile: SourceFile | null;
+  /** The name of a built-in font, or a font's file. */
+  readonly font: string | SourceFile;
+};
+
 /** What beads may do at a place, as people choose among it. */
 export const modeChoices = ['constrained', 'parallel', 'orthogonal', 'smoothest'] as const satisfies DirectionMode[];
 
@@ -113,6 +124,8 @@ export interface Plate {
   height: number;
   directions: DirectionSource;
   modes: ModeSource;
+  /** Over the directions, the last on top. */
+  layers: readonly PlateLayer[];
   /** All but the pictures themselves, which `directions` has. The spool is the filament whose colour and gloss the appearance
    * shows, too. */
   pictures: Omit<PictureParams, 'files'>;

@@ -1,5 +1,6 @@
 // What of a plate is the same in another.
 import { samePictures } from './lamp.js';
+import { sameLayers } from './layers.js';
 import type { Plate } from './plate.js';
 import type { PlateResult } from './state.js';
 
@@ -32,4 +33,8 @@ export const sameDirections = (a: Plate, b: Plate): boolean => a.strokes === b.s
 /** Whether it is the plate's path: all but printer, print and looks are the same. Asked for the file of another, the engine
  * would begin it, also where it has just been cancelled. */
 export const isOf = ({ plate: of }: Pick<PlateResult, 'plate'>, plate: Plate): boolean =>
-  sameDirections(of, plate) && of.shape === plate.shape && of.toolpath === plate.toolpath && samePictures(of, plate);
+  sameDirections(of, plate) &&
+  sameLayers(of, plate) &&
+  of.shape === plate.shape &&
+  of.toolpath === plate.toolpath &&
+  samePictures(of, plate);

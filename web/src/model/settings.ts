@@ -1,11 +1,12 @@
 // The engine's settings as rows of data, from which the panels are drawn and links are checked: the core's table, and what
 // a control needs besides.
-import type { PictureParams, PrintParams, PrinterValues, ToolpathParams } from 'sillon';
+import type { Layer, PictureParams, PrintParams, PrinterValues, ToolpathParams } from 'sillon';
 import presetTable from 'sillon/presets.json' with { type: 'json' };
 import { toolpathDefaults } from './defaults.js';
 import type { Plate } from './plate.js';
 import { table } from './setting-table.js';
 import { withAdvance } from './printers.js';
+import { without } from './without.js';
 
 type PrintSettings = Omit<PrintParams, 'date'>;
 
@@ -22,18 +23,21 @@ export type SettingId = {
   [Name in Exclude<SectionName, 'pictures'>]: `${Name}.${keyof Sections[Name] & string}`;
 }[Exclude<SectionName, 'pictures'>];
 
+/** Ids of the values of one layer; a plate has many of each (model/layer-settings.ts). */
+export type LayerSettingId = `layers.${keyof Layer}`;
+
 /** 'spacing': multiples of the spacing. */
 export type Unit = '' | 'mm' | 'mm/s' | 'mm/s²' | 'mm³/s' | 'g/cm³' | '°' | '°C' | 's' | '1/s' | '%' | 'spacing';
 
-interface Row {
-  id: SettingId;
-  section: SectionName;
+interface Row<Id> {
+  id: Id;
+  section: Id extends LayerSettingId ? 'layers' : SectionName;
   key: string;
   /** Folded away at first. */
   advanced: boolean;
 }
 
-export interface NumberSetting extends Row {
+export interface NumberSetting<Id = SettingId> extends Row<Id> {
   kind: 'number' | 'integer';
   unit: Unit;
   min: number;
@@ -47,18 +51,18 @@ export interface NumberSetting extends Row {
   default: number | null;
 }
 
-export interface ChoiceSetting extends Row {
+export interface ChoiceSetting<Id = SettingId> extends Row<Id> {
   kind: 'choice';
   choices: readonly string[];
   default: string;
 }
 
-export interface FlagSetting extends Row {
+export interface FlagSetting<Id = SettingId> extends Row<Id> {
   kind: 'flag';
   default: boolean;
 }
 
-export interface TextSetting extends Row {
+export interface TextSetting<Id = SettingId> extends Row<Id> {
   kind: 'text';
   /** In UTF-8. */
   maxBytes: number;
@@ -67,7 +71,7 @@ export interface TextSetting extends Row {
   default: string;
 }
 
-export interface PairSetting extends Row {
+export interface PairSetting<Id = SettingId> extends Row<Id> {
   kind: 'pair';
   integer: boolean;
   unit: Unit;
@@ -78,7 +82,10 @@ export interface PairSetting extends Row {
   default: [number, number] | null;
 }
 
-export type Setting = NumberSetting | ChoiceSetting | FlagSetting | TextSetting | PairSetting;
+export type Setting<Id = SettingId> =
+  NumberSetting<Id> | ChoiceSetting<Id> | FlagSetting<Id> | TextSetting<Id> | PairSetting<Id>;
+export type LayerSetting = Setting<LayerSettingId>;
+export type AnySetting = Setting | LayerSetting;
 export type SettingValue = Setting['default'];
 
 type Table = typeof table;
@@ -90,10 +97,12 @@ type TypeOf<Id extends SettingId> = Id extends `${infer Section extends SectionN
 type IdOf<Type> = { [Id in SettingId]: TypeOf<Id> extends Type ? Id : never }[SettingId];
 
 /** What the table does not tell of numbers: the step of a control, and what a slider spans. */
-const controls: Record<
-  IdOf<'number' | 'integer' | 'pair' | 'integer pair'>,
-  { step: number; usual?: [number, number] }
-> = {
+export interface Span {
+  step: number;
+  usual?: [number, number];
+}
+
+const controls: Record<IdOf<'number' | 'integer' | 'pair' | 'integer pair'>, Span> = {
   'toolpath.spacing': { step: 0.01, usual: [0.2, 1.2] },
   'toolpath.perimeters': { step: 1, usual: [0, 10] },
   'toolpath.seed': { step: 1, usual: [0, 99] },
@@ -173,7 +182,7 @@ const controls: Record<
   'printer.excludedMax': { step: 1 },
 };
 
-interface TableRow {
+export interface TableRow {
   type: string;
   level: string;
   default: unknown;
@@ -185,8 +194,14 @@ interface TableRow {
   maxBytes?: number;
 }
 
-function settingFrom(section: SectionName, key: string, entry: TableRow): Setting {
-  const id = `${section}.${key}` as SettingId;
+/** A row of the table as a setting. @param control  of a number */
+export function settingFrom<Id extends SettingId | LayerSettingId>(
+  section: Row<Id>['section'],
+  key: string,
+  entry: TableRow,
+  control: Span,
+): Setting<Id> {
+  const id = `${section}.${key}` as Id;
   const { type, unit = '', low: min = 0, high: max = 0, choices = [], nullable = false, maxBytes = 0 } = entry;
   const row = { id, section, key, advanced: entry.level !== 'basic' };
   switch (type) {
@@ -204,7 +219,7 @@ function settingFrom(section: SectionName, key: string, entry: TableRow): Settin
         default: entry.default as string,
       };
   }
-  const { step, usual = [min, max] } = section === 'pictures' ? { step: 0.01 } : controls[id as keyof typeof controls];
+  const { step, usual = [min, max] } = control;
   const span = { ...row, unit, min, max, step, nullable };
   if (type === 'number' || type === 'integer') {
     return { ...span, kind: type, usual, default: entry.default as number | null };
@@ -212,8 +227,13 @@ function settingFrom(section: SectionName, key: string, entry: TableRow): Settin
   return { ...span, kind: 'pair', integer: type === 'integer pair', default: entry.default as [number, number] | null };
 }
 
-const rows = (Object.entries(table) as [SectionName, Record<string, TableRow>][]).flatMap(([section, entries]) =>
-  Object.entries(entries).map(([key, entry]) => ({ level: entry.level, setting: settingFrom(section, key, entry) })),
+const sections = Object.entries(without(table, 'layers')) as [SectionName, Record<string, TableRow>][];
+const controlOf = (id: string): Span => (controls as Record<string, Span>)[id] ?? { step: 0.01 };
+const rows = sections.flatMap(([section, entries]) =>
+  Object.entries(entries).map(([key, entry]) => ({
+    level: entry.level,
+    setting: settingFrom<SettingId>(section, key, entry, controlOf(`${section}.${key}`)),
+  })),
 );
 
 const everySetting: readonly Setting[] = rows.map(({ setting }) => setting);
@@ -258,7 +278,7 @@ const within = (value: unknown, { min, max }: { min: number; max: number }): val
 const controlCharacter = /[\u0000-\u001f\u007f]/;
 
 /** Whether a value is of the setting's kind and in its range. */
-export function accepts(setting: Setting, value: unknown): value is SettingValue {
+export function accepts(setting: AnySetting, value: unknown): value is SettingValue {
   switch (setting.kind) {
     case 'number':
       return (value === null && setting.nullable) || within(value, setting);

@@ -1,22 +1,14 @@
 // A plate in the hash of a link: version, then deflated JSON. Only settings and generators travel; what comes in may have
 // been written by anybody, and is let through only as far as a control could have set it.
-import {
-  directionsFrom,
-  fieldsOf,
-  heightFrom,
-  modeFrom,
-  nameFrom,
-  plateSpoolFrom,
-  shapeFrom,
-  textIn,
-  Unfit,
-  widthFrom,
-  type Fields,
-} from './check-plate.js';
+import { fieldsOf, textIn, Unfit, type Fields } from './check.js';
+import { directionsFrom, heightFrom, modeFrom, nameFrom, plateSpoolFrom, shapeFrom, widthFrom } from './check-plate.js';
 import { fileKinds, newGenerator, newPlate, newShape, pictureDefaults } from './defaults.js';
 import type { DirectionSource, Plate, ShapeSource, SourceFile } from './plate.js';
+import { layersFrom } from './check-layers.js';
 import { mostPictures } from './lamp.js';
+import { mostLayers } from './layers.js';
 import { profileOf } from './printers.js';
+import { toldLayers } from './share-layers.js';
 import { StudioError } from './problem.js';
 import { accepts, settings, settingOf, settingsOf, type Setting, type SettingValue } from './settings.js';
 
@@ -27,7 +19,7 @@ const mostCharacters = 16_000;
 const mostBytes = 200_000;
 
 /** What a link cannot carry. */
-export const untoldParts = ['shape', 'directions', 'detail', 'modes', 'strokes', 'blocks'] as const;
+export const untoldParts = ['shape', 'directions', 'detail', 'modes', 'layers', 'strokes', 'blocks'] as const;
 export type Untold = (typeof untoldParts)[number];
 
 /** Of all pictures of a link together, and of its drawing [bytes]. */
@@ -157,7 +149,12 @@ export async function writeLink(plate: Plate, shrink?: Shrink): Promise<Link> {
   if (drawing.told === undefined) untold.push('shape');
   const toldOf = await toldDirections(directions, shrink, mostPictureBytes - drawing.bytes);
   if (toldOf === undefined) untold.push('directions');
-  else if (directions.kind === 'lamp' || isFileKind(directions.kind)) untold.push('detail');
+  const taken = 'file' in directions || directions.kind === 'lamp';
+  const room = taken ? 0 : mostPictureBytes - drawing.bytes;
+  const layers = await toldLayers(plate, room, shrink, toldFile);
+  const small = toldOf !== undefined && (directions.kind === 'lamp' || isFileKind(directions.kind));
+  if (small || layers.shrunk) untold.push('detail');
+  if (layers.lacks) untold.push('layers');
   if (modes.file !== undefined) untold.push('modes');
   if (plate.strokes.length > 0) untold.push('strokes');
   if (profileOf(plate.printer) === undefined && plate.printer.startGcode + plate.printer.endGcode !== '')
@@ -169,6 +166,7 @@ export async function writeLink(plate: Plate, shrink?: Shrink): Promise<Link> {
     height,
     directions: toldOf,
     mode: modes.mode,
+    ...(layers.told.length > 0 && { layers: layers.told }),
     settings: changed(plate),
     ...(plate.spool !== undefined && { spool: plate.spool }),
     ...(untold.length > 0 ? { untold } : {}),
@@ -198,19 +196,22 @@ function settingsFrom(plate: Plate, value: unknown): Plate {
 /** Of the pictures in a link, which may have been written by anybody. */
 async function filesIn(value: unknown, unpack: Unpack): Promise<Map<unknown, SourceFile>> {
   const files = new Map<unknown, SourceFile>();
-  const read = async (part: unknown, where: string): Promise<void> => {
-    const told = (part as Fields | null | undefined)?.['file'];
-    if (told === undefined) return;
+  const read = async (part: unknown, where: string, key = 'file'): Promise<void> => {
+    const told = (part as Fields | null | undefined)?.[key];
+    if (typeof told !== 'object' || told === null) return;
     const { name, data } = fieldsOf(told, where, ['name', 'data']);
     const bytes = fromBase64Url(textIn(data, where, mostCharacters));
     files.set(told, await unpack(textIn(name, where, 1000), bytes));
   };
-  const { shape, directions } = (value ?? {}) as Fields;
+  const { shape, directions, layers } = (value ?? {}) as Fields;
   await read(shape, 'shape.file');
   await read(directions, 'directions.file');
   const pictures = (directions as Fields | null | undefined)?.['pictures'];
   for (const [k, one] of (Array.isArray(pictures) ? pictures.slice(0, mostPictures) : []).entries()) {
     await read(one, `directions.pictures[${k}].file`);
+  }
+  for (const [k, one] of (Array.isArray(layers) ? layers.slice(0, mostLayers) : []).entries()) {
+    for (const key of ['file', 'maskFile', 'font']) await read(one, `layers[${k}].${key}`, key);
   }
   return files;
 }
@@ -221,7 +222,7 @@ function toldPlate(value: unknown, files: ReadonlyMap<unknown, SourceFile>): Pla
     if (file === undefined) throw new Unfit(where, told);
     return file;
   };
-  const known = ['name', 'shape', 'width', 'height', 'directions', 'mode', 'settings', 'spool', 'untold'];
+  const known = ['name', 'shape', 'width', 'height', 'directions', 'mode', 'layers', 'settings', 'spool', 'untold'];
   const fields = fieldsOf(value, '', known);
   const { shape, directions } = fields; // undefined: it was a file
   const plate: Plate = {
@@ -236,6 +237,7 @@ function toldPlate(value: unknown, files: ReadonlyMap<unknown, SourceFile>): Pla
         ? newGenerator('angle')
         : directionsFrom(directions, files.size > 0 ? fileFrom : undefined),
     modes: { mode: modeFrom(fields['mode'], 'mode') },
+    layers: layersFrom(fields['layers'] ?? [], files.size > 0 ? fileFrom : undefined),
     ...plateSpoolFrom(fields['spool']),
   };
   return settingsFrom(plate, fields['settings']);

@@ -1,5 +1,6 @@
 // Spools that the visitor has measured, as a plain file: the format of docs/reference/spools.md, which the command line reads.
-import { fieldsOf, numberIn, spoolFrom, Unfit } from '../model/check-plate.js';
+import { fieldsOf, numberIn, Unfit } from '../model/check.js';
+import { spoolFrom } from '../model/check-plate.js';
 import { filaments } from '../model/filaments.js';
 import type { OwnSpool } from '../model/plate.js';
 

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { brandFrom, contrast } from '../../src/embed/brand.js';
-import { Unfit } from '../../src/model/check-plate.js';
+import { Unfit } from '../../src/model/check.js';
 
 const brand = (attributes: Record<string, unknown>) => brandFrom((name) => attributes[name]);
 

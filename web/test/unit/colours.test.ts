@@ -4,7 +4,8 @@ import { test } from 'node:test';
 
 import { degreesOf } from '../../src/generators/angle.js';
 import { coloursAngles } from '../../src/generators/colours.js';
-import { directionsFrom, Unfit } from '../../src/model/check-plate.js';
+import { Unfit } from '../../src/model/check.js';
+import { directionsFrom } from '../../src/model/check-plate.js';
 import { newColours } from '../../src/model/defaults.js';
 import { directionsFor, flatColours } from '../../src/model/flat-colours.js';
 import { colourPicture, fileOf } from './support/pictures.js';

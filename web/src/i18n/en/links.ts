@@ -8,6 +8,7 @@ export const words = {
   'link.untold.directions': 'the picture of the directions',
   'link.untold.detail': 'the pictures in full size (small ones travel)',
   'link.untold.modes': 'the mode map',
+  'link.untold.layers': 'layers with large files',
   'link.untold.strokes': 'your strokes',
   'link.untold.blocks': 'your printer’s start and end G-code',
 } as const;

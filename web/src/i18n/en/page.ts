@@ -61,6 +61,7 @@ export const words = {
   'section.shape': 'Shape',
   'section.size': 'Size',
   'section.directions': 'Directions',
+  'section.layers': 'Layers',
   'section.edit': 'Edit',
   'section.modes': 'Modes',
   'section.beads': 'Beads',

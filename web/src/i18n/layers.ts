@@ -1,0 +1,28 @@
+// The words about layers, which no first visit has to fetch in English.
+import { isFontFile } from '../model/layers.js';
+import type { PlateLayer } from '../model/plate.js';
+import { words } from './en/layers.js';
+import { sayer } from './text.js';
+
+export const l = sayer('layers.', words);
+export type LayersTextId = Parameters<typeof l>[0];
+
+const longest = 40;
+
+const shortened = (text: string): string => {
+  const [line = ''] = text.trim().split(/\s*\n\s*/);
+  return line.length > longest ? `${line.slice(0, longest)}…` : line;
+};
+
+/** What a layer is called in lists: by its letters, by its file, else by its kind. */
+export function layerName({ kind, pattern, text, file }: PlateLayer): string {
+  if ((kind === 'text' || kind === 'qr') && text.trim() !== '') return shortened(text);
+  if (file !== null) return file.name;
+  return kind === 'pattern' ? l(`pattern.${pattern}`) : l(`kind.${kind}`);
+}
+
+/** A font file's name without its ending. */
+export const fontName = (font: PlateLayer['font']): string => {
+  if (typeof font === 'string') return font;
+  return isFontFile(font.name) ? font.name.replace(/\.\w+$/, '') : font.name;
+};

@@ -1,0 +1,36 @@
+// The values of a layer as rows of data, from which its fields are drawn and layers from elsewhere are checked.
+import type { LayerKey } from './layers.js';
+import { table } from './setting-table.js';
+import { settingFrom, type LayerSetting, type LayerSettingId, type Span, type TableRow } from './settings.js';
+
+type Table = (typeof table)['layers'];
+type KeyOf<Type> = { [Key in keyof Table]: Table[Key] extends { type: Type } ? Key : never }[keyof Table];
+
+/** What the table does not tell of numbers, as `controls` of model/settings.ts. */
+const controls: Record<KeyOf<'number' | 'pair'>, Span> = {
+  at: { step: 0.1 },
+  size: { step: 0.1 },
+  rotation: { step: 1, usual: [-180, 180] },
+  soft: { step: 0.1, usual: [0, 10] },
+  angle: { step: 1 },
+  ground: { step: 1 },
+  cropMin: { step: 0.01 },
+  cropMax: { step: 0.01 },
+  lamp: { step: 1 },
+  textSize: { step: 0.1, usual: [2, 40] },
+  circle: { step: 0.5, usual: [-60, 60] },
+  waveLength: { step: 0.5, usual: [2, 60] },
+  amplitude: { step: 1 },
+  width: { step: 0.1, usual: [0.5, 12] },
+};
+
+const rows = Object.entries(table.layers as Record<string, TableRow>).map(([key, entry]) => {
+  const control = (controls as Record<string, Span>)[key] ?? { step: 1 };
+  return settingFrom<LayerSettingId>('layers', key, entry, control);
+});
+
+export const layerSettings: readonly LayerSetting[] = rows;
+
+const byKey = new Map(rows.map((setting) => [setting.key, setting]));
+
+export const layerSettingOf = (key: LayerKey): LayerSetting => byKey.get(key) as LayerSetting;

@@ -1,0 +1,63 @@
+// The layers that a link can carry: those without files, and those whose files are small, or can be made so.
+import { completeLayers, filesOfLayer, layerInput } from './layers.js';
+import type { Plate, PlateLayer, SourceFile } from './plate.js';
+
+/** Of what is said of all layers together, beside their files [characters]. */
+const mostWords = 3000;
+
+const svgType = 'image/svg+xml';
+
+/** A file made small enough; undefined: it cannot be. @param most  [bytes] */
+export type Small = (file: SourceFile, most: number) => Promise<Uint8Array | undefined>;
+
+/** Drawings travel as they are; maps would tell other angles when they are small, and fonts have no small form. */
+async function smallFile(
+  layer: PlateLayer,
+  file: SourceFile,
+  most: number,
+  shrink: Small,
+): Promise<Uint8Array | undefined> {
+  if (file === layer.font || (file === layer.file && layer.kind === 'map')) return undefined;
+  if (file.bytes.type !== svgType) return shrink(file, most);
+  return file.bytes.size > most ? undefined : new Uint8Array(await file.bytes.arrayBuffer());
+}
+
+export interface ToldLayers {
+  told: object[];
+  /** Some had to stay behind. */
+  lacks: boolean;
+  /** Pictures among them were made smaller. */
+  shrunk: boolean;
+}
+
+/** @param room  for files [bytes] @param toldFile  what stands for a file */
+export async function toldLayers(
+  plate: Plate,
+  room: number,
+  shrink: Small | undefined,
+  toldFile: (name: string, bytes: Uint8Array) => object,
+): Promise<ToldLayers> {
+  const layers = completeLayers(plate);
+  const found: ToldLayers = { told: [], lacks: layers.length < plate.layers.length, shrunk: false };
+  let [left, waiting, words] = [room, layers.flatMap(filesOfLayer).length, 0];
+  for (const layer of layers) {
+    const files = new Map<SourceFile, object>();
+    for (const file of filesOfLayer(layer)) {
+      const bytes = shrink && (await smallFile(layer, file, left / waiting, shrink));
+      --waiting;
+      if (bytes === undefined) continue;
+      left -= bytes.length;
+      files.set(file, toldFile(file.name, bytes));
+    }
+    const whole = filesOfLayer(layer).every((file) => files.has(file));
+    const length = JSON.stringify(layerInput(layer, () => undefined)).length;
+    if (!whole || words + length > mostWords) {
+      found.lacks = true;
+      continue;
+    }
+    words += length;
+    found.shrunk ||= [...files.keys()].some(({ bytes }) => bytes.type !== svgType);
+    found.told.push(layerInput(layer, (file) => files.get(file)));
+  }
+  return found;
+}
