@@ -40,6 +40,7 @@ const loadDialog: Record<Dialog, () => Promise<unknown>> = {
 const loadPanel: Record<string, () => Promise<unknown>> = {
   own: () => import('./own-panel.js'),
   shape: () => import('../shape/shape-panel.js'),
+  layers: () => import('../layers/layers-panel.js'),
   print: () => import('../print/print-panel.js'),
   toolpath: () => import('../print/toolpath-panel.js'),
   quality: () => import('../quality/quality-panel.js'),
@@ -272,6 +273,8 @@ export class App extends StudioElement {
         return html`<sillon-shape-panel .studio=${this.studio}></sillon-shape-panel>`;
       case 'directions':
         return html`<sillon-directions-panel .studio=${this.studio}></sillon-directions-panel>`;
+      case 'layers':
+        return html`<sillon-layers-panel .studio=${this.studio}></sillon-layers-panel>`;
       case 'toolpath':
         return html`<sillon-toolpath-panel .studio=${this.studio}></sillon-toolpath-panel>`;
       case 'print':

@@ -121,7 +121,7 @@ function show(plate: Plate, fresh = false): void {
 
 /** At a plate that nobody has looked at yet. */
 function look(): void {
-  store.set({ mark: -1, played: 1, playing: false, tool: 'pan' });
+  store.set({ mark: -1, played: 1, playing: false, tool: 'pan', layer: undefined, cropping: false });
   studio.setOpened(undefined);
   studio.left = nothingLeft;
   studio.stage?.fit();
@@ -225,6 +225,10 @@ studio.services = {
   seen: async (result, directions) =>
     (await import('../quality/seen.js')).seenIn(result, directions, () => engine.engine()),
   directions: () => pipeline.directions(),
+  layerBoxes: async (plate) => {
+    const [{ layerBoxes }, running] = await Promise.all([import('../engine/layer-boxes.js'), engine.engine()]);
+    return layerBoxes(plate, running);
+  },
   async handDirections(strokes, box, angle) {
     const { handRaster } = await import('../rebrush/hand.js');
     return handRaster(strokes, box, angle, fineResolution);

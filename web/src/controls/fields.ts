@@ -52,7 +52,7 @@ function toggleHelp(event: Event): void {
   button.setAttribute('aria-expanded', String(!help.hidden));
 }
 
-const aboutButton = (id: string, label: string, help: string): Content =>
+export const aboutButton = (id: string, label: string, help: string): Content =>
   help === ''
     ? nothing
     : html`<button
@@ -66,7 +66,7 @@ const aboutButton = (id: string, label: string, help: string): Content =>
         ${icon('info', 14)}
       </button>`;
 
-const helpText = (id: string, help: string): Content =>
+export const helpText = (id: string, help: string): Content =>
   help === '' ? nothing : html`<p class="help" id="${id}-help" hidden>${help}</p>`;
 
 export interface NumberField {

@@ -5,8 +5,14 @@ import type { SourceFile } from '../model/plate.js';
 import { icon } from './icons.js';
 import type { Studio } from '../studio/studio.js';
 
-/** @param onRemove  where the plate can do without. */
-export const fileChip = (studio: Studio, file: SourceFile, accept: string, onRemove?: () => void): TemplateResult =>
+/** @param onRemove  where the plate can do without @param onFiles  takes others in its place; left out: the plate opens them */
+export const fileChip = (
+  studio: Studio,
+  file: SourceFile,
+  accept: string,
+  onRemove?: () => void,
+  onFiles = (files: readonly File[]): Promise<void> => studio.open(files),
+): TemplateResult =>
   html`<div class="file">
     ${icon('file', 18)}
     <span class="what"
@@ -16,7 +22,7 @@ export const fileChip = (studio: Studio, file: SourceFile, accept: string, onRem
       type="button"
       class="plain"
       @click=${async () => {
-        await studio.open(await studio.pick(accept));
+        await onFiles(await studio.pick(accept));
       }}
     >
       ${t('verb.replace')}

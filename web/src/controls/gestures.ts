@@ -5,14 +5,14 @@ export interface Place {
 }
 
 export interface GestureEvents {
-  /** Whether this pointer draws rather than moves. */
-  draws(event: PointerEvent): boolean;
+  /** Whether this pointer draws, or moves what is there, rather than the view. */
+  draws(event: PointerEvent, place: Place): boolean;
   pan(dx: number, dy: number): void;
   zoom(factor: number, x: number, y: number): void;
   /** undefined: the pointer has left. @param leads  it floats above the plate, as no finger does */
   hover(place: Place | undefined, leads: boolean): void;
   begin(place: Place): void;
-  draw(place: Place): void;
+  draw(place: Place, event: PointerEvent): void;
   end(): void;
   /** A second finger makes a pinch of what had begun as a stroke. */
   abandon(): void;
@@ -62,7 +62,7 @@ export class Gestures {
       return;
     }
     this.events.hover(place, floats(event));
-    if (this.events.draws(event)) {
+    if (this.events.draws(event, place)) {
       this.#drawing = event.pointerId;
       this.events.begin(place);
     }
@@ -84,7 +84,7 @@ export class Gestures {
     this.#pointers.set(event.pointerId, place);
     if (this.#drawing === event.pointerId) {
       this.events.hover(place, false);
-      for (const each of coalesced(event)) this.events.draw(this.#place(each));
+      for (const each of coalesced(event)) this.events.draw(this.#place(each), event);
     } else if (this.#pointers.size === 1) {
       this.events.pan(place.x - before.x, place.y - before.y);
     }

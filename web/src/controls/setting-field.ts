@@ -7,19 +7,50 @@ import {
   settingOf,
   valueOf,
   withValue,
-  type PairSetting,
-  type Setting,
+  type AnySetting,
   type SettingId,
   type SettingValue,
 } from '../model/settings.js';
 import { flag, numberField, numberInput, segments, select, textField } from './fields.js';
 import type { Studio } from '../studio/studio.js';
 
-function pairField(studio: Studio, setting: PairSetting, id: string, label: string, help: string): TemplateResult {
-  const value = valueOf(studio.store.state.plate, setting) as [number, number] | null;
-  const set = (next: [number, number] | null): void => {
-    studio.change((plate) => withValue(plate, setting, next), setting.id);
-  };
+export interface ValueField {
+  setting: AnySetting;
+  id: string;
+  label: string;
+  help: string;
+  value: SettingValue;
+  /** What a value that may be null is when it no longer is. */
+  fallback: number | [number, number];
+  /** What null means, and what a choice is called. */
+  nullLabel: string;
+  choiceLabel: (choice: string) => string;
+  /** While a hand moves. */
+  onInput: (value: SettingValue) => void;
+  onSettle: () => void;
+}
+
+/** A value at once, without a hand that moves. */
+function choose({ onInput, onSettle }: ValueField, value: SettingValue): void {
+  onInput(value);
+  onSettle();
+}
+
+/** A switch between null and values. */
+const nullFlag = (field: ValueField, help: string): TemplateResult =>
+  flag({
+    id: `${field.id}-null`,
+    label: t('setting.value', { label: field.label, value: field.nullLabel }),
+    value: field.value === null,
+    help,
+    onChange: (isNull) => {
+      choose(field, isNull ? null : field.fallback);
+    },
+  });
+
+function pairField(field: ValueField, setting: Extract<AnySetting, { kind: 'pair' }>): TemplateResult {
+  const { id, label, help, onInput, onSettle } = field;
+  const value = field.value as [number, number] | null;
   const one = (k: 0 | 1, pair: [number, number]): TemplateResult =>
     numberInput(
       {
@@ -32,30 +63,14 @@ function pairField(studio: Studio, setting: PairSetting, id: string, label: stri
         integer: setting.integer,
         unit: setting.unit,
         onInput: (number) => {
-          set(k === 0 ? [number, pair[1]] : [pair[0], number]);
+          onInput(k === 0 ? [number, pair[1]] : [pair[0], number]);
         },
-        onSettle: () => {
-          studio.settle();
-        },
+        onSettle,
       },
       false,
     );
-  const automatic = (checked: boolean): void => {
-    set(checked ? null : studio.centredPlace());
-    studio.settle();
-  };
   return html`<div role="group" aria-label=${label}>
-    ${
-      setting.nullable
-        ? flag({
-            id: `${id}-null`,
-            label: t('setting.value', { label, value: nullLabel(setting) }),
-            value: value === null,
-            help,
-            onChange: automatic,
-          })
-        : html`<span class="name">${label}</span>`
-    }
+    ${setting.nullable ? nullFlag(field, help) : html`<span class="name">${label}</span>`}
     ${
       value === null
         ? ''
@@ -65,29 +80,16 @@ function pairField(studio: Studio, setting: PairSetting, id: string, label: stri
   </div>`;
 }
 
-export function settingField(studio: Studio, id: SettingId): TemplateResult {
-  const setting: Setting = settingOf(id);
-  const value = valueOf(studio.store.state.plate, setting);
-  const label = settingLabel(setting);
-  const help = settingHelp(setting);
-  const field = id.replace('.', '-');
-  const change = (next: SettingValue): void => {
-    studio.change((plate) => withValue(plate, setting, next), id);
-  };
-  const settle = (): void => {
-    studio.settle();
-  };
-  const choose = (next: SettingValue): void => {
-    change(next);
-    settle();
-  };
+/** The control that suits the value's kind. */
+export function valueField(field: ValueField): TemplateResult {
+  const { setting, id, label, help, value, onInput, onSettle } = field;
   switch (setting.kind) {
     case 'number':
     case 'integer': {
       const { unit, min, max, step, usual, nullable } = setting;
       const row = (number: number): TemplateResult =>
         numberField({
-          id: field,
+          id,
           label,
           value: number,
           min,
@@ -97,42 +99,70 @@ export function settingField(studio: Studio, id: SettingId): TemplateResult {
           unit: unitText(unit),
           help,
           integer: setting.kind === 'integer',
-          onInput: change,
-          onSettle: settle,
+          onInput,
+          onSettle,
         });
       if (!nullable) return row(value as number);
       const own = value !== null;
-      const fallback = studio.store.state.plate.toolpath.spacing;
-      return html`${flag({
-        id: `${field}-null`,
-        label: t('setting.value', { label, value: nullLabel(setting) }),
-        value: !own,
-        help: own ? '' : help,
-        onChange: (automatic) => {
-          choose(automatic ? null : fallback);
-        },
-      })}
-      ${own ? row(value as number) : ''}`;
+      return html`${nullFlag(field, own ? '' : help)} ${own ? row(value as number) : ''}`;
     }
     case 'choice': {
-      const options = setting.choices.map((choice) => ({ value: choice, label: choiceLabel(setting, choice) }));
-      const props = { id: field, label, value: value as string, options, help, onChoose: choose };
+      const options = setting.choices.map((choice) => ({ value: choice, label: field.choiceLabel(choice) }));
+      const props = {
+        id,
+        label,
+        value: value as string,
+        options,
+        help,
+        onChoose: (chosen: string) => {
+          choose(field, chosen);
+        },
+      };
       return options.every((option) => option.label.length < 14) ? segments(props) : select(props);
     }
     case 'flag':
-      return flag({ id: field, label, value: value as boolean, help, onChange: choose });
+      return flag({
+        id,
+        label,
+        value: value as boolean,
+        help,
+        onChange: (on) => {
+          choose(field, on);
+        },
+      });
     case 'text':
       return textField({
-        id: field,
+        id,
         label,
         value: value as string,
         maxLength: setting.maxBytes,
         long: setting.long,
         help,
-        onInput: change,
-        onSettle: settle,
+        onInput,
+        onSettle,
       });
     case 'pair':
-      return pairField(studio, setting, field, label, help);
+      return pairField(field, setting);
   }
+}
+
+export function settingField(studio: Studio, id: SettingId): TemplateResult {
+  const setting = settingOf(id);
+  const { plate } = studio.store.state;
+  return valueField({
+    setting,
+    id: id.replace('.', '-'),
+    label: settingLabel(setting),
+    help: settingHelp(setting),
+    value: valueOf(plate, setting),
+    fallback: setting.kind === 'pair' ? studio.centredPlace() : plate.toolpath.spacing,
+    nullLabel: 'nullable' in setting ? nullLabel(setting) : '',
+    choiceLabel: (choice) => (setting.kind === 'choice' ? choiceLabel(setting, choice) : ''),
+    onInput: (value) => {
+      studio.change((now) => withValue(now, setting, value), id);
+    },
+    onSettle: () => {
+      studio.settle();
+    },
+  });
 }

@@ -1,8 +1,8 @@
 // A row of directions as a control.
-import { html, type TemplateResult } from 'lit';
+import type { TemplateResult } from 'lit';
 import { t, type TextId } from '../i18n/text.js';
-import '../controls/dial.js';
-import { flag, numberField, numberInput, select, textField } from '../controls/fields.js';
+import { angleField } from '../controls/angle-field.js';
+import { flag, numberField, select, textField } from '../controls/fields.js';
 import type { SourceRow } from './source-rows.js';
 import type { Studio } from '../studio/studio.js';
 
@@ -24,24 +24,8 @@ export function sourceField(studio: Studio, row: SourceRow): TemplateResult {
   switch (row.control) {
     case 'number':
       return numberField({ ...row, id, label, value: value as number, onInput: set, onSettle });
-    case 'angle': {
-      const field = { ...row, id, label, value: value as number, unit: '°', step: 1, onInput: set, onSettle };
-      return html`<div class="field angle">
-        <label for=${id}>${label}</label>
-        <sillon-dial
-          .label=${label}
-          .value=${value}
-          .min=${row.min}
-          .max=${row.max}
-          @turn=${(event: CustomEvent<number>) => {
-            set(event.detail);
-          }}
-          @settle=${onSettle}
-        ></sillon-dial>
-        ${numberInput(field)}
-        <p class="error" id="${id}-error" role="status" hidden></p>
-      </div>`;
-    }
+    case 'angle':
+      return angleField({ ...row, id, label, value: value as number, onInput: set, onSettle });
     case 'flag':
       return flag({ id, label, value: value as boolean, onChange: choose });
     case 'text':

@@ -6,6 +6,7 @@ import { t } from '../i18n/text.js';
 import { appearance } from '../model/appearance.js';
 import { lookOf } from '../model/filaments.js';
 import { pictureOf } from '../model/lamp.js';
+import { drawnLayers } from '../model/layers.js';
 import { pageOf, type Plate, type Stroke } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
 import { bench } from '../controls/bench.js';
@@ -16,7 +17,8 @@ import { createRenderer } from '../views/renderer.js';
 import type { Camera, Renderer, Scene } from '../views/scene.js';
 import { StudioElement } from '../controls/element.js';
 import { drawOverlay, rulerWidth, type Cursor, type Overlay } from './overlay.js';
-import { Gestures } from '../controls/gestures.js';
+import { Gestures, onStillClick, type Place } from '../controls/gestures.js';
+import type { LayerStage } from '../layers/stage.js';
 import { MovingLight } from './moving-light.js';
 import type { Divider } from '../controls/divider.js';
 import type { Over, Shown } from '../studio/shown.js';
@@ -113,7 +115,8 @@ export class PlateCanvas extends StudioElement implements Stage {
       this.studio.fail(problemOf(error instanceof StudioError ? error : new StudioError('NoWebGl', {}, String(error))));
     }
     this.#gestures = new Gestures(this.overlay, {
-      draws: (event) => this.state.tool !== 'pan' && event.button === 0 && !event.altKey,
+      draws: (event, place) =>
+        this.state.tool === 'pan' ? this.#layers?.takes(place, event) === true : event.button === 0 && !event.altKey,
       pan: (dx, dy) => {
         this.#move(dx, dy);
       },
@@ -124,23 +127,37 @@ export class PlateCanvas extends StudioElement implements Stage {
         this.#hover(point, leads);
       },
       begin: (point) => {
+        if (this.#layers?.holds === true) return;
         this.#points = this.#toUnit(point);
         this.#addStroke();
       },
-      draw: (point) => {
+      draw: (point, event) => {
+        if (this.#layers?.holds === true) {
+          this.#layers.move(point, event);
+          return;
+        }
         this.#points?.push(...this.#toUnit(point));
         this.#addStroke();
       },
       end: () => {
-        this.#lift();
+        if (this.#layers?.holds === true) this.#layers.release();
+        else this.#lift();
       },
       abandon: () => {
+        this.#layers?.abandon();
         if (this.#points === undefined) return;
         this.studio.store.abandon();
         this.#lift();
       },
     });
     this.overlay.addEventListener('keydown', this.#onKey);
+    for (const name of ['keyup', 'blur']) this.overlay.addEventListener(name, () => this.#layers?.keyUp());
+    onStillClick(this.overlay, (x, y) => {
+      this.#layers?.click({ x, y });
+    });
+    this.overlay.addEventListener('dblclick', ({ offsetX: x, offsetY: y }) => {
+      this.#layers?.doubleClick({ x, y });
+    });
     this.#observer = new ResizeObserver(() => {
       this.#resize();
     });
@@ -173,6 +190,7 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   protected override onState(now: Readonly<Shown>, before: Readonly<Shown>): void {
     const { plate } = now;
+    this.#meetLayers(now);
     if (now.result !== before.result && now.result?.coarse === true) this.#previewCame = performance.now();
     // Undone, cleared, or another tool: what is drawn next must not take the place of an earlier stroke.
     if (this.#points !== undefined && (plate.strokes.at(-1) !== this.#stroke || now.tool !== before.tool)) this.#lift();
@@ -189,6 +207,35 @@ export class PlateCanvas extends StudioElement implements Stage {
       });
     }
     this.#redraw();
+  }
+
+  // --- Layers -----------------------------------------------------------------------------------------------------------
+
+  /** Once there are any to arrange. */
+  #layers: LayerStage | undefined;
+  #layersWanted = false;
+
+  #meetLayers({ panel }: Readonly<Shown>): void {
+    if (panel !== 'layers' || this.#layersWanted) return;
+    this.#layersWanted = true;
+    const view = {
+      toPage: (place: Place): readonly [number, number] => {
+        const { x, y } = this.#toPage(place);
+        return [x, y];
+      },
+      toScreen: ([x, y]: readonly [number, number]): Place => this.#toScreen({ x, y }),
+      scale: () => this.camera.scale / devicePixelRatio,
+    };
+    void this.studio.attempt(async () => {
+      try {
+        const { LayerStage } = await import('../layers/stage.js');
+        this.#layers = new LayerStage(this.studio, view, this.#redraw);
+        this.#redraw();
+      } catch (error) {
+        this.#layersWanted = false;
+        throw error;
+      }
+    });
   }
 
   // --- Drawing ----------------------------------------------------------------------------------------------------------
@@ -218,6 +265,7 @@ export class PlateCanvas extends StudioElement implements Stage {
       marks: view === 'quality' ? marks : [],
       mark,
       shape: view === 'directions' ? this.#shapeOf(plate) : undefined,
+      above: this.#layers?.drawing(),
       shimmer: this.#shimmer(),
       strokes: this.#strokes(),
       picture: this.#over() === 'conflict' ? this.#conflict() : this.#picture(),
@@ -329,8 +377,10 @@ export class PlateCanvas extends StudioElement implements Stage {
     const { plate, result, directions, view, colourBy, played, compare, light, marks, theme } = this.state;
     const { page } = this.#page();
     const lit = plate.directions.kind === 'lamp' ? plate.directions : undefined;
-    // Which way beads run that show a picture is known once they are there.
-    const solved = lit !== undefined && view === 'directions';
+    // Which way beads run that show a picture, or lie under layers, is known once they are there; a brush is for what the
+    // layers lie over.
+    const hidden = lit !== undefined || (drawnLayers(plate).length > 0 && this.state.tool === 'pan');
+    const solved = hidden && view === 'directions';
     return {
       page,
       toolpath: result?.toolpath,
@@ -387,11 +437,13 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   #hover(point: { x: number; y: number } | undefined, leads: boolean): void {
     this.#cursor = point === undefined ? undefined : this.#toPage(point);
+    this.overlay.style.cursor = this.#layers?.hover(point) ?? '';
+    this.#redraw();
+    if (this.#layers?.holds === true) return; // the light stays where it is
     const { width, height } = this.getBoundingClientRect();
     this.#motion.hover(
       leads && point !== undefined ? [(2 * point.x) / width - 1, 1 - (2 * point.y) / height] : undefined,
     );
-    this.#redraw();
   }
 
   // --- The camera -------------------------------------------------------------------------------------------------------
@@ -401,6 +453,13 @@ export class PlateCanvas extends StudioElement implements Stage {
     const { width, height } = this.getBoundingClientRect();
     const scale = this.camera.scale / devicePixelRatio;
     return { x: this.camera.x + (x - width / 2) / scale, y: this.camera.y - (y - height / 2) / scale };
+  }
+
+  /** Where a place of the page [mm] is on the element. */
+  #toScreen({ x, y }: Cursor): Place {
+    const { width, height } = this.getBoundingClientRect();
+    const scale = this.camera.scale / devicePixelRatio;
+    return { x: width / 2 + (x - this.camera.x) * scale, y: height / 2 - (y - this.camera.y) * scale };
   }
 
   #toUnit(point: { x: number; y: number }): number[] {
@@ -538,6 +597,11 @@ export class PlateCanvas extends StudioElement implements Stage {
   // --- Keys ---------------------------------------------------------------------------------------------------------------
 
   #onKey = (event: KeyboardEvent): void => {
+    if (this.#layers?.key(event) === true) {
+      event.preventDefault();
+      event.stopPropagation();
+      return;
+    }
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const { key } = event;
     const step = event.shiftKey ? 80 : 24;

@@ -25,6 +25,8 @@ export interface Overlay {
   shimmer: ((width: number, height: number) => CanvasImageSource) | undefined;
   /** Draws what beads are to follow yet. @param context  transformed to millimetres of the page */
   strokes: ((context: CanvasRenderingContext2D, styles: CSSStyleDeclaration) => void) | undefined;
+  /** Draws what lies over all of the plate. @param context  in CSS pixels */
+  above: ((context: CanvasRenderingContext2D) => void) | undefined;
   /** Veils the page outside of it. */
   shape: Shape | undefined;
   /** Laid over the page from the left, up to the share `wipe`. */
@@ -67,6 +69,11 @@ export function drawOverlay(canvas: HTMLCanvasElement, overlay: Overlay): void {
   context.restore();
   drawPicture(context, overlay, toX, toY);
   drawMarks(context, overlay, toX, toY);
+  if (overlay.above !== undefined) {
+    context.save();
+    overlay.above(context);
+    context.restore();
+  }
   const { cursor } = overlay;
   if (cursor !== undefined) {
     const at = { x: toX(cursor.x), y: toY(cursor.y) };

@@ -4,6 +4,7 @@ import { newState, type State } from '../model/state.js';
 import { sections, type Control, type Mode, type Units } from '../model/guest.js';
 import type { Failure, Problem } from '../model/problem.js';
 import type { OpenedFiles } from '../model/file-role.js';
+import type { PlacedLayer } from '../model/layer-frame.js';
 import type { OwnSpool, Plate } from '../model/plate.js';
 import type { Light, Mark, Shimmer } from '../model/view.js';
 
@@ -90,6 +91,12 @@ export interface Shown extends State {
   mark: number;
   /** The proportions that `width` and `height` keep while one of them changes. */
   keepRatio: boolean;
+  /** Id of the layer that is worked on; undefined: none. */
+  layer: number | undefined;
+  /** What is cut off its picture is shown, to be cut elsewhere. */
+  cropping: boolean;
+  /** As the engine has placed the layers, by their ids; where one has changed since, its box may be another. */
+  layerBoxes: ReadonlyMap<number, PlacedLayer>;
   /** A drag that changes the plate is going on. */
   live: boolean;
   dialog: Dialog | undefined;
@@ -144,6 +151,9 @@ export const newShown = (): Shown => ({
   scan: undefined,
   mark: -1,
   keepRatio: true,
+  layer: undefined,
+  cropping: false,
+  layerBoxes: new Map(),
   live: false,
   dialog: undefined,
   opened: undefined,

@@ -6,11 +6,13 @@ import type { Engine, Gcode, GcodeFinding, PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { toReview, useBrought, withoutBrought } from '../model/brought.js';
 import { homeLight, isOwnPicture, lampsOf } from '../model/lamp.js';
+import { showsPictures } from '../model/layers.js';
 import { nothingLeft, type Left } from '../model/left.js';
 import { pageOf, type Plate, type Stroke } from '../model/plate.js';
 import type { Seen } from '../model/doubts.js';
 import type { DirectionRaster } from '../model/raster.js';
 import type { Box } from '../model/rebrush.js';
+import type { LayerBox } from '../model/layer-frame.js';
 import type { Problem } from '../model/problem.js';
 import { isAbort, problemOf, same } from '../model/problem.js';
 import type { Store } from '../model/store.js';
@@ -76,6 +78,8 @@ export interface Services {
   seen(result: PlateResult, directions: DirectionRaster): Promise<Seen>;
   /** Of the plate as it is now, in full. */
   directions(): Promise<DirectionRaster>;
+  /** Where the engine puts each layer that lacks nothing, by its id. */
+  layerBoxes(plate: Plate): Promise<ReadonlyMap<number, LayerBox>>;
   /** Of a sliced print, on a box of the bed: strokes in mm on the bed, and an angle elsewhere [degrees]. */
   handDirections(strokes: readonly Stroke[], box: Box, angle: number): Promise<DirectionRaster>;
   /** What a start or end block would do, line by line. */
@@ -227,7 +231,7 @@ export class Studio {
   /** The light stands still while nobody moves it: somebody's own picture would be lost beside its lamp. */
   keepsStill(): boolean {
     const { plate, lamp } = this.store.state;
-    return this.calm() || isOwnPicture(plate, lamp);
+    return this.calm() || isOwnPicture(plate, lamp) || showsPictures(plate);
   }
 
   /** The lamp turns from each picture to the next until it is told to stop. */

@@ -1,0 +1,31 @@
+// An angle as a protractor and a number.
+import { html, type TemplateResult } from 'lit';
+import './dial.js';
+import { aboutButton, helpText, numberInput, type NumberField } from './fields.js';
+
+export interface AngleField extends Omit<NumberField, 'step' | 'unit' | 'usual' | 'integer'> {
+  /** A bead's line, which has no front, or a light, which has. */
+  kind?: 'line' | 'light';
+}
+
+/** The panel that shows it has `panelStyle`. */
+export function angleField(field: AngleField): TemplateResult {
+  const { id, label, kind = 'line', value, min, max, help = '', onInput, onSettle } = field;
+  return html`<div class="field angle">
+    <span class="name"><label for=${id}>${label}</label>${aboutButton(id, label, help)}</span>
+    <sillon-dial
+      kind=${kind}
+      .label=${label}
+      .value=${value}
+      .min=${min}
+      .max=${max}
+      @turn=${(event: CustomEvent<number>) => {
+        onInput(event.detail);
+      }}
+      @settle=${onSettle}
+    ></sillon-dial>
+    ${numberInput({ ...field, unit: '°', step: 1 })}
+    <p class="error" id="${id}-error" role="status" hidden></p>
+    ${helpText(id, help)}
+  </div>`;
+}

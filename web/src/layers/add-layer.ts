@@ -1,0 +1,96 @@
+// New layers: of a kind, or of a file whose bytes tell what it is.
+import { l } from '../i18n/layers.js';
+import { StudioError } from '../model/problem.js';
+import {
+  isFontFile,
+  mostLayers,
+  needsFile,
+  newLayer,
+  nextLayerId,
+  withLayer,
+  type LayerKind,
+  type LayerValues,
+} from '../model/layers.js';
+import type { Plate, SourceFile } from '../model/plate.js';
+import type { Studio } from '../studio/studio.js';
+
+export const drawingFiles = '.svg,.png,.jpg,.jpeg,image/*';
+export const pictureFiles = '.png,.jpg,.jpeg,image/*';
+export const fontFiles = '.ttf,.otf';
+
+/** Puts layers on top, as one step of undo, and chooses the last. @returns whether there was room for all of them */
+function put(studio: Studio, made: (plate: Plate) => readonly LayerValues[]): boolean {
+  const { plate } = studio.store.state;
+  const values = made(plate);
+  if (plate.layers.length + values.length > mostLayers) {
+    studio.notify(l('full', { n: mostLayers }));
+    return false;
+  }
+  if (values.length === 0) return false;
+  studio.settle();
+  studio.change((now) => values.reduce(withLayer, now));
+  studio.store.set({ layer: nextLayerId(studio.store.state.plate) - 1, cropping: false, tool: 'pan' });
+  return true;
+}
+
+const isDrawing = ({ bytes }: SourceFile): boolean => bytes.type === 'image/svg+xml';
+
+/** A font under a name that the core knows it by. */
+export const namedFont = (file: SourceFile): SourceFile =>
+  isFontFile(file.name) ? file : { ...file, name: `${file.name}.ttf` };
+
+interface ReadLayerFile {
+  file: SourceFile;
+  isFont: boolean;
+}
+
+/** Files that layers can be made of; of others it is told why not. A project among them is opened instead. */
+async function readAll(studio: Studio, files: readonly File[]): Promise<ReadLayerFile[]> {
+  const { readFile } = await import('../files/open.js');
+  const found: ReadLayerFile[] = [];
+  for (const given of files) {
+    await studio.attempt(async () => {
+      const { source, kind } = await readFile(given);
+      if (kind === 'zip' || kind === 'json') {
+        await studio.open([given]);
+        return;
+      }
+      found.push({ file: kind === 'font' ? namedFont(source) : source, isFont: kind === 'font' });
+    });
+  }
+  return found;
+}
+
+/** One file of those that a hand has chosen. @returns undefined where none of them can be used */
+export async function chosenFile(studio: Studio, accept: string): Promise<SourceFile | undefined> {
+  const [given] = await studio.pick(accept);
+  return given && oneFile(studio, [given], accept);
+}
+
+export async function oneFile(studio: Studio, files: readonly File[], accept: string): Promise<SourceFile | undefined> {
+  const wanted = accept === fontFiles;
+  const [found] = await readAll(studio, files.slice(0, 1));
+  if (found === undefined) return undefined;
+  if (found.isFont === wanted && (accept !== pictureFiles || !isDrawing(found.file))) return found.file;
+  studio.fail(new StudioError('UnknownFile', { name: found.file.name }));
+  return undefined;
+}
+
+/** A layer for each of the files: drawings, pictures, and texts in fonts of one's own. */
+export async function addFiles(studio: Studio, files: readonly File[]): Promise<void> {
+  const found = await readAll(studio, files);
+  put(studio, (plate) =>
+    found.map(({ file, isFont }) => {
+      if (isFont) return newLayer(plate, 'text', { font: file });
+      return newLayer(plate, isDrawing(file) ? 'drawing' : 'picture', { file });
+    }),
+  );
+}
+
+/** @returns whether there is one more */
+export async function addLayer(studio: Studio, kind: LayerKind): Promise<boolean> {
+  const fresh = newLayer(studio.store.state.plate, kind);
+  if (!needsFile({ ...fresh })) return put(studio, (plate) => [newLayer(plate, kind)]);
+  const file = await chosenFile(studio, kind === 'drawing' ? drawingFiles : pictureFiles);
+  return file !== undefined && put(studio, (plate) => [newLayer(plate, kind, { file })]);
+}

@@ -1,0 +1,262 @@
+// A hand over the plate moves, scales, turns and crops the layer that is chosen; a click chooses another.
+import type { Place } from '../controls/gestures.js';
+import { l } from '../i18n/layers.js';
+import { formatNumber } from '../i18n/text.js';
+import { croppedTo, rounded, scaledLayer, slid } from '../model/layer-changes.js';
+import { boundsOf, onPage, placeIn, resized, rotated, type Frame, type Point } from '../model/layer-frame.js';
+import { changeLayer, layerOf, withoutLayer, type LayerValues } from '../model/layers.js';
+import { pageOf, type PlateLayer } from '../model/plate.js';
+import { snapped, type Guide } from '../model/snap.js';
+import type { Shown } from '../studio/shown.js';
+import type { Studio } from '../studio/studio.js';
+import { arranges, chosenLayer, frameIn, layerAt } from './arranging.js';
+import { cursorOf, gripAt, type Grip, type PageView } from './grips.js';
+
+const reachOf = { touch: 24, other: 10 }; // [CSS pixels]
+const snapsWithin = 6; // [CSS pixels]
+const steps = { plain: 1, shift: 10, alt: 0.1 }; // [mm] of an arrow key
+
+/** What a hand holds, as it was when it took hold. */
+interface Hold {
+  grip: Grip;
+  from: Point;
+  layer: PlateLayer;
+  frame: Frame;
+}
+
+/** What there is to be drawn over the plate. */
+export interface Arranged {
+  layer: PlateLayer | undefined;
+  frame: Frame | undefined;
+  cropping: boolean;
+  /** Of a layer that a pointer is over, and that a click would choose. */
+  over: Frame | undefined;
+  guides: readonly Guide[];
+  /** Beside the frame, while it changes. */
+  label: string;
+}
+
+export class Arranger {
+  #hold: Hold | undefined;
+  #guides: readonly Guide[] = [];
+  #over: number | undefined;
+  #nudging = false;
+
+  constructor(
+    private readonly studio: Studio,
+    private readonly view: () => PageView,
+  ) {}
+
+  get #state(): Readonly<Shown> {
+    return this.studio.store.state;
+  }
+
+  /** A layer is held now. */
+  get holds(): boolean {
+    return this.#hold !== undefined;
+  }
+
+  /** What a border shows lies along the plate's own: it goes nowhere. */
+  #movable(): { layer: PlateLayer; frame: Frame } | undefined {
+    const state = this.#state;
+    const layer = arranges(state) ? chosenLayer(state) : undefined;
+    return layer === undefined || layer.kind === 'border' ? undefined : { layer, frame: frameIn(state, layer) };
+  }
+
+  #gripAt(place: Place, touch: boolean): Grip | undefined {
+    const found = this.#movable();
+    if (found === undefined) return undefined;
+    const reach = touch ? reachOf.touch : reachOf.other;
+    return gripAt(found.frame, this.view(), place, reach, this.#state.cropping);
+  }
+
+  // --- The pointer ----------------------------------------------------------------------------------------------------------
+
+  /** @returns whether a pointer that goes down there takes hold of the layer, rather than of the view */
+  takes(place: Place, event: PointerEvent): boolean {
+    if (event.button !== 0 || event.altKey) return false;
+    const grip = this.#gripAt(place, event.pointerType === 'touch');
+    const found = this.#movable();
+    if (grip === undefined || found === undefined) return false;
+    this.#hold = { grip, from: this.view().toPage(place), ...found };
+    return true;
+  }
+
+  move(place: Place, event: PointerEvent): void {
+    const hold = this.#hold;
+    if (hold === undefined) return;
+    const changes = this.#changes(hold, this.view().toPage(place), event);
+    const { plate } = this.#state;
+    if (layerOf(plate, hold.layer.id) === undefined) {
+      this.release(); // undone meanwhile
+      return;
+    }
+    this.studio.change((now) => changeLayer(now, hold.layer.id, () => changes), 'layer');
+  }
+
+  #changes({ grip, from, layer, frame }: Hold, to: Point, event: PointerEvent): Partial<LayerValues> {
+    const { cropping } = this.#state;
+    this.#guides = [];
+    switch (grip.kind) {
+      case 'turn':
+        return { rotation: rotated(frame, from, to, event.shiftKey) };
+      case 'side': {
+        const held = onPage(frame, placeIn(frame, grip.side));
+        const there: Point = [held[0] + to[0] - from[0], held[1] + to[1] - from[1]];
+        if (cropping) return croppedTo(frame, layer, grip.side, there);
+        const { scale, pivot } = resized(frame, grip.side, there, event.shiftKey);
+        return { ...scaledLayer(layer, frame, scale), at: rounded(pivot) };
+      }
+      case 'box': {
+        if (cropping) return slid(frame, layer, from, to);
+        const { pivot } = frame;
+        const moved: Point = [pivot[0] + to[0] - from[0], pivot[1] + to[1] - from[1]];
+        const by: Point = event.ctrlKey || event.metaKey ? [0, 0] : this.#snap({ ...frame, pivot: moved }, layer);
+        return { at: rounded([moved[0] + by[0], moved[1] + by[1]]) };
+      }
+    }
+  }
+
+  #snap(frame: Frame, layer: PlateLayer): Point {
+    const state = this.#state;
+    const middles = state.plate.layers
+      .filter((other) => other.visible && other.id !== layer.id)
+      .map((other) => {
+        const around = frameIn(state, other);
+        return onPage(around, around.offset);
+      });
+    const { by, guides } = snapped(boundsOf(frame), pageOf(state.plate), middles, snapsWithin / this.view().scale);
+    this.#guides = guides;
+    return by;
+  }
+
+  /** The hand lets go: what it did is one step of undo. */
+  release(): void {
+    this.#hold = undefined;
+    this.#guides = [];
+    this.studio.settle();
+  }
+
+  /** What it did has not been. */
+  abandon(): void {
+    if (this.#hold === undefined) return;
+    this.studio.store.abandon();
+    this.release();
+  }
+
+  /** A pointer floats there; undefined: it has gone. @returns the cursor's name; empty: the usual */
+  hover(place: Place | undefined): string {
+    const state = this.#state;
+    this.#over = undefined;
+    if (place === undefined || !arranges(state)) return '';
+    if (this.#hold !== undefined)
+      return this.#hold.grip.kind === 'turn' ? 'grabbing' : cursorOf(this.#hold.grip, this.#hold.frame);
+    const grip = this.#gripAt(place, false);
+    const found = this.#movable();
+    if (grip !== undefined && found !== undefined) return cursorOf(grip, found.frame);
+    const under = state.cropping ? undefined : layerAt(state, this.view().toPage(place), 0);
+    if (under === undefined || under.id === state.layer) return '';
+    this.#over = under.id;
+    return 'pointer';
+  }
+
+  /** A click that was no drag. */
+  click(place: Place): void {
+    const state = this.#state;
+    if (!arranges(state)) return;
+    if (state.cropping) {
+      if (this.#gripAt(place, true) === undefined) this.studio.store.set({ cropping: false });
+      return;
+    }
+    const { toPage, scale } = this.view();
+    const grip = this.#gripAt(place, false);
+    if (grip !== undefined && grip.kind !== 'box') return;
+    const under = layerAt(state, toPage(place), reachOf.other / scale / 2);
+    if (under?.id !== state.layer) this.studio.store.set({ layer: under?.id });
+  }
+
+  /** A picture is cropped where it is. */
+  doubleClick(place: Place): void {
+    const layer = chosenLayer(this.#state);
+    if (layer?.kind !== 'picture' || this.#gripAt(place, false)?.kind !== 'box') return;
+    this.studio.store.set({ cropping: !this.#state.cropping });
+  }
+
+  // --- Keys -----------------------------------------------------------------------------------------------------------------
+
+  /** @returns whether the key meant something */
+  key(event: KeyboardEvent): boolean {
+    const state = this.#state;
+    const layer = arranges(state) ? chosenLayer(state) : undefined;
+    if (layer === undefined || event.ctrlKey || event.metaKey) return false;
+    const step = event.altKey ? steps.alt : event.shiftKey ? steps.shift : steps.plain;
+    const ways: Record<string, Point> = {
+      ArrowLeft: [-step, 0],
+      ArrowRight: [step, 0],
+      ArrowUp: [0, step],
+      ArrowDown: [0, -step],
+    };
+    const way = ways[event.key];
+    if (way !== undefined) this.#nudge(way);
+    else if (event.altKey) return false;
+    else if (event.key === 'Escape' && this.#hold !== undefined) this.abandon();
+    else if ((event.key === 'Escape' || event.key === 'Enter') && state.cropping) {
+      this.studio.store.set({ cropping: false });
+    } else if (event.key === 'Escape') this.studio.store.set({ layer: undefined });
+    else if (event.key === 'Delete' || event.key === 'Backspace') {
+      this.studio.settle();
+      this.studio.change((plate) => withoutLayer(plate, layer.id));
+    } else return false;
+    return true;
+  }
+
+  #nudge([dx, dy]: Point): void {
+    const found = this.#movable();
+    if (found === undefined) return;
+    const { layer, frame } = found;
+    const at = rounded([frame.pivot[0] + dx, frame.pivot[1] + dy]);
+    this.#nudging = true;
+    this.studio.change((plate) => changeLayer(plate, layer.id, () => ({ at })), 'layer.key');
+  }
+
+  /** A key was let go, or the focus has gone. */
+  keyUp(): void {
+    if (!this.#nudging) return;
+    this.#nudging = false;
+    this.studio.settle();
+  }
+
+  // --- To be drawn ------------------------------------------------------------------------------------------------------------
+
+  /** @returns undefined where nothing is */
+  shown(): Arranged | undefined {
+    const state = this.#state;
+    if (!arranges(state)) return undefined;
+    const layer = chosenLayer(state);
+    const over = this.#over === undefined ? undefined : layerOf(state.plate, this.#over);
+    return {
+      layer,
+      frame: layer && frameIn(state, layer),
+      cropping: state.cropping && layer?.kind === 'picture',
+      over: over && frameIn(state, over),
+      guides: this.#guides,
+      label: layer === undefined ? '' : this.#label(frameIn(state, layer), layer),
+    };
+  }
+
+  #label({ pivot, size }: Frame, { rotation }: PlateLayer): string {
+    const [x, y] = pivot.map((length) => formatNumber(length, 1));
+    const [width, height] = size.map((length) => formatNumber(length, 1));
+    if (this.#nudging) return l('at', { x: x ?? '', y: y ?? '' });
+    switch (this.#hold?.grip.kind) {
+      case 'turn':
+        return `${formatNumber(rotation, 1)}°`;
+      case 'side':
+        return l('sized', { width: width ?? '', height: height ?? '' });
+      case 'box':
+        return this.#state.cropping ? '' : l('at', { x: x ?? '', y: y ?? '' });
+      default:
+        return '';
+    }
+  }
+}

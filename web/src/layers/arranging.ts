@@ -1,0 +1,29 @@
+// Whether a hand over the plate arranges layers, and which it finds there.
+import { contains, frameOf, type Frame, type Point } from '../model/layer-frame.js';
+import { layerOf } from '../model/layers.js';
+import { pageOf, type PlateLayer } from '../model/plate.js';
+import { offers, type Shown } from '../studio/shown.js';
+
+/** While the panel is in use, or a layer is still chosen where a narrow window has put the panel away; brushes come first. */
+export const arranges = (state: Readonly<Shown>): boolean =>
+  offers(state, 'layers') &&
+  state.tool === 'pan' &&
+  !state.recording &&
+  (state.panel === 'layers' || (state.panel === '' && state.layer !== undefined));
+
+export const chosenLayer = ({ plate, layer }: Readonly<Shown>): PlateLayer | undefined => layerOf(plate, layer);
+
+export const frameIn = ({ plate, layerBoxes }: Readonly<Shown>, layer: PlateLayer): Frame =>
+  frameOf(plate, layer, layerBoxes.get(layer.id));
+
+const fillsPage = ({ size }: Frame, page: Point): boolean => size[0] >= page[0] && size[1] >= page[1];
+
+/** The topmost layer whose box is there; those that cover the page come after the others, as they are everywhere.
+ * @param reach  so far around a box counts, too [mm] */
+export function layerAt(state: Readonly<Shown>, place: Point, reach: number): PlateLayer | undefined {
+  const page = pageOf(state.plate);
+  const found = [...state.plate.layers]
+    .reverse()
+    .filter((layer) => layer.visible && contains(frameIn(state, layer), place, reach));
+  return found.find((layer) => !fillsPage(frameIn(state, layer), page)) ?? found[0];
+}

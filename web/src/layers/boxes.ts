@@ -1,0 +1,44 @@
+// The engine's boxes of the layers, asked for whenever the layers have changed; one question at a time, and of those that
+// wait only the last.
+import type { PlacedLayer } from '../model/layer-frame.js';
+import type { Plate } from '../model/plate.js';
+import type { Studio } from '../studio/studio.js';
+
+const followed = new WeakSet<Studio>();
+
+const samePlaces = (a: Plate, b: Plate): boolean =>
+  a.layers === b.layers && a.width === b.width && a.height === b.height && a.shape === b.shape;
+
+/** Keeps `layerBoxes` of the state; once is enough. */
+export function followBoxes(studio: Studio): void {
+  if (followed.has(studio)) return;
+  followed.add(studio);
+  const { store } = studio;
+  let asked: Plate | undefined;
+  let asking = false;
+
+  const ask = async (): Promise<void> => {
+    const { plate } = store.state;
+    if (asking || (asked !== undefined && samePlaces(asked, plate))) return;
+    asking = true;
+    asked = plate;
+    try {
+      const boxes = await studio.services.layerBoxes(plate);
+      const placed = plate.layers.flatMap((layer): [number, PlacedLayer][] => {
+        const box = boxes.get(layer.id);
+        return box === undefined ? [] : [[layer.id, { ...box, layer }]];
+      });
+      store.set({ layerBoxes: new Map(placed) });
+    } catch {
+      // Whatever is wrong with a layer is told where the plate is made; frames are as they can be known without the engine.
+    } finally {
+      asking = false;
+    }
+    void ask();
+  };
+
+  store.subscribe((state, before) => {
+    if (state.plate !== before.plate) void ask();
+  });
+  void ask();
+}

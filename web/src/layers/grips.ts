@@ -1,0 +1,62 @@
+// What of a layer's frame a hand can take hold of. Places on the screen are CSS pixels.
+import type { Place } from '../controls/gestures.js';
+import { contains, corners, onPage, placeIn, type Frame, type Point } from '../model/layer-frame.js';
+
+/** How the page lies on the screen. */
+export interface PageView {
+  toPage: (place: Place) => Point;
+  toScreen: (point: Point) => Place;
+  /** CSS pixels per mm. */
+  scale: number;
+}
+
+export type Grip =
+  /** The box itself: moved, or in a crop the picture under it. */
+  | { kind: 'box' }
+  | { kind: 'turn' }
+  /** Signs of the corner, or in a crop of the edges that go. */
+  | { kind: 'side'; side: Point };
+
+const stem = 26; // [CSS pixels] of the knob that turns
+
+/** Those of a crop can be dragged by their edges, too. */
+export const sidesOf = (cropping: boolean): readonly Point[] =>
+  cropping ? [...corners, [0, -1], [1, 0], [0, 1], [-1, 0]] : corners;
+
+export const sidePlace = (frame: Frame, view: PageView, side: Point): Place =>
+  view.toScreen(onPage(frame, placeIn(frame, side)));
+
+/** Where the knob is that turns the frame. */
+export function knobPlace(frame: Frame, view: PageView): Place {
+  const [x, y] = placeIn(frame, [0, 1]);
+  return view.toScreen(onPage(frame, [x, y + stem / view.scale]));
+}
+
+const distance = (a: Place, b: Place): number => Math.hypot(a.x - b.x, a.y - b.y);
+
+/** @param reach  of a fingertip, or of a pointer
+ * @returns what is there to be taken hold of; undefined: nothing */
+export function gripAt(frame: Frame, view: PageView, place: Place, reach: number, cropping: boolean): Grip | undefined {
+  if (!cropping && distance(knobPlace(frame, view), place) <= reach) return { kind: 'turn' };
+  // On a small box the corners must leave its middle to be dragged.
+  const room = Math.max(5, (Math.min(...frame.size) * view.scale) / 3);
+  const inside = contains(frame, view.toPage(place));
+  const near = sidesOf(cropping)
+    .map((side) => ({ side, away: distance(sidePlace(frame, view, side), place) }))
+    .sort((a, b) => a.away - b.away)[0];
+  if (near !== undefined && near.away <= (inside ? Math.min(reach, room) : reach)) {
+    return { kind: 'side', side: near.side };
+  }
+  return inside ? { kind: 'box' } : undefined;
+}
+
+const resizing = ['ew-resize', 'nesw-resize', 'ns-resize', 'nwse-resize'] as const;
+
+/** The cursor's name, by the way that the hand would go. */
+export function cursorOf(grip: Grip | undefined, frame: Frame): string {
+  if (grip === undefined) return '';
+  if (grip.kind === 'box') return 'move';
+  if (grip.kind === 'turn') return 'grab';
+  const angle = (Math.atan2(grip.side[1], grip.side[0]) * 180) / Math.PI + frame.turn;
+  return resizing[((Math.round(angle / 45) % 4) + 4) % 4] ?? 'move';
+}

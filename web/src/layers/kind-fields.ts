@@ -1,0 +1,281 @@
+// The few values of a layer that count for its kind, and those that are folded away.
+import { html, nothing, type TemplateResult } from 'lit';
+import { angleField } from '../controls/angle-field.js';
+import { flag, numberField, select } from '../controls/fields.js';
+import { fileChip } from '../controls/file-chip.js';
+import { icon } from '../controls/icons.js';
+import { settingHelp } from '../i18n/help.js';
+import { fontName, l } from '../i18n/layers.js';
+import { settingLabel } from '../i18n/say.js';
+import { t } from '../i18n/text.js';
+import { layersLamp } from '../model/lamp.js';
+import { layerSettingOf } from '../model/layer-settings.js';
+import { builtInFonts, needsFile, needsMask, type LayerKey, type LayerKind } from '../model/layers.js';
+import type { PlateLayer, SourceFile } from '../model/plate.js';
+import type { Studio } from '../studio/studio.js';
+import { chosenFile, drawingFiles, fontFiles, oneFile, pictureFiles } from './add-layer.js';
+import { changeIn, layerField } from './layer-field.js';
+import { withTextSize } from './place-fields.js';
+
+type Content = TemplateResult | typeof nothing;
+
+/** In the order of a hand that makes one. */
+const keysOf: Record<LayerKind, readonly LayerKey[]> = {
+  text: ['text', 'font', 'textSize', 'fill', 'angle', 'circle'],
+  picture: ['file', 'lamp', 'cropMin'],
+  drawing: ['file', 'fill', 'angle'],
+  qr: ['text', 'correction', 'angle'],
+  pattern: ['pattern', 'file', 'angle', 'waveLength', 'amplitude'],
+  direction: ['angle'],
+  border: ['width', 'fill', 'angle'],
+  map: ['file'],
+};
+
+const foldedOf: Partial<Record<LayerKind, readonly LayerKey[]>> = {
+  text: ['align', 'ground', 'mask', 'soft'],
+  drawing: ['ground', 'mask', 'soft'],
+  qr: ['ground', 'mask', 'soft'],
+  border: ['soft'],
+};
+
+const fills: readonly LayerKind[] = ['text', 'drawing', 'border'];
+
+/** Tells whether a value changes anything while the others are as they are. */
+function counts(key: LayerKey, layer: PlateLayer): boolean {
+  const { kind, pattern, fill } = layer;
+  switch (key) {
+    case 'angle':
+      return kind === 'pattern' ? pattern !== 'echo' : !(fills.includes(kind) && fill === 'along');
+    case 'waveLength':
+    case 'amplitude':
+      return pattern === 'waves';
+    case 'file':
+      return needsFile(layer);
+    default:
+      return true;
+  }
+}
+
+export const kindFields = (studio: Studio, layer: PlateLayer): Content[] =>
+  keysOf[layer.kind].filter((key) => counts(key, layer)).map((key) => fieldOf(studio, layer, key));
+
+export const foldedFields = (studio: Studio, layer: PlateLayer): Content[] =>
+  (foldedOf[layer.kind] ?? ['mask', 'soft']).map((key) => fieldOf(studio, layer, key));
+
+function fieldOf(studio: Studio, layer: PlateLayer, key: LayerKey): Content {
+  switch (key) {
+    case 'file':
+      return fileField(
+        studio,
+        layer,
+        'file',
+        layer.kind === 'drawing' || layer.kind === 'pattern' ? drawingFiles : pictureFiles,
+      );
+    case 'font':
+      return fontField(studio, layer);
+    case 'textSize':
+      return layerField(studio, layer, key, { set: (value) => withTextSize(value as number) });
+    case 'lamp':
+      return lampField(studio, layer);
+    case 'cropMin':
+      return cropField(studio, layer);
+    case 'text':
+      return layerField(studio, layer, key, layer.kind === 'qr' ? { label: t('field.qrText') } : {});
+    case 'angle':
+      return layerField(
+        studio,
+        layer,
+        key,
+        layer.kind === 'pattern' && layer.pattern === 'radial' ? { label: t('field.rayAngle') } : {},
+      );
+    case 'ground':
+      return groundField(studio, layer);
+    case 'mask':
+      return html`${layerField(studio, layer, key)}
+      ${needsMask(layer) ? fileField(studio, layer, 'maskFile', drawingFiles) : nothing}`;
+    default:
+      return layerField(studio, layer, key);
+  }
+}
+
+function fileField(studio: Studio, layer: PlateLayer, key: 'file' | 'maskFile', accept: string): TemplateResult {
+  const file = layer[key];
+  const use = (found: SourceFile | undefined): void => {
+    if (found !== undefined) changeIn(studio, layer, () => ({ [key]: found, ...(key === 'file' && uncropped) }));
+  };
+  if (file !== null) {
+    return fileChip(studio, file, accept, undefined, async (files) => {
+      use(await oneFile(studio, files, accept));
+    });
+  }
+  return html`<div class="buttons">
+    <button
+      type="button"
+      @click=${async () => {
+        use(await chosenFile(studio, accept));
+      }}
+    >
+      ${icon('open', 16)} ${l('chooseFile')}
+    </button>
+  </div>`;
+}
+
+const uncropped = { cropMin: [0, 0], cropMax: [1, 1] } satisfies Partial<PlateLayer>;
+
+function fontField(studio: Studio, layer: PlateLayer): TemplateResult {
+  const { font } = layer;
+  const setting = layerSettingOf('font');
+  const own = typeof font === 'string' ? [] : [{ value: font.id, label: fontName(font) }];
+  return html`${select<string>({
+      id: 'layer-font',
+      label: settingLabel(setting),
+      help: settingHelp(setting),
+      value: typeof font === 'string' ? font : font.id,
+      options: [...builtInFonts.map((name) => ({ value: name, label: name })), ...own],
+      onChoose: (name) => {
+        if (typeof font === 'string' || name !== font.id) changeIn(studio, layer, () => ({ font: name }));
+      },
+    })}
+    <div class="buttons">
+      <button
+        type="button"
+        @click=${async () => {
+          const found = await chosenFile(studio, fontFiles);
+          if (found !== undefined) changeIn(studio, layer, () => ({ font: found }));
+        }}
+      >
+        ${l('ownFont')}
+      </button>
+    </div>`;
+}
+
+function lampField(studio: Studio, layer: PlateLayer): TemplateResult {
+  const setting = layerSettingOf('lamp');
+  const label = settingLabel(setting);
+  const { lamp } = layer;
+  const gesture = `layer.${layer.id}.lamp`;
+  const onSettle = (): void => {
+    studio.settle();
+  };
+  const stand = (next: [number, number] | null, going?: string): void => {
+    changeIn(studio, layer, () => ({ lamp: next }), going);
+  };
+  const here = (): [number, number] => {
+    const { azimuth, elevation } = studio.store.state.light;
+    return [Math.round(azimuth) % 360, Math.min(80, Math.max(15, Math.round(elevation)))];
+  };
+  return html`${flag({
+    id: 'layer-lamp-null',
+    label: t('setting.value', { label, value: l('null.lamp') }),
+    value: lamp === null,
+    help: settingHelp(setting),
+    onChange: (plain) => {
+      stand(plain ? null : [...layersLamp]);
+    },
+  })}
+  ${
+    lamp === null
+      ? nothing
+      : html`${angleField({
+            id: 'layer-azimuth',
+            label: t('light.azimuth'),
+            kind: 'light',
+            value: lamp[0],
+            min: 0,
+            max: 360,
+            onInput: (azimuth) => {
+              stand([azimuth, lamp[1]], gesture);
+            },
+            onSettle,
+          })}
+          ${numberField({
+            id: 'layer-elevation',
+            label: t('light.elevation'),
+            value: lamp[1],
+            min: 1,
+            max: 90,
+            step: 1,
+            usual: [15, 80],
+            unit: '°',
+            onInput: (elevation) => {
+              stand([lamp[0], elevation], gesture);
+            },
+            onSettle,
+          })}
+          <div class="buttons">
+            <button
+              type="button"
+              @click=${() => {
+                stand(here());
+              }}
+            >
+              ${t('lamp.here')}
+            </button>
+          </div>`
+  }`;
+}
+
+function cropField(studio: Studio, layer: PlateLayer): Content {
+  const { cropping } = studio.store.state;
+  const whole = [...layer.cropMin, ...layer.cropMax].join() === '0,0,1,1';
+  return html`<div class="buttons">
+      <button
+        type="button"
+        aria-pressed=${String(cropping)}
+        @click=${() => {
+          studio.store.set({ cropping: !cropping, tool: 'pan' });
+        }}
+      >
+        ${icon('crop', 16)} ${l('crop')}
+      </button>
+      ${
+        whole
+          ? nothing
+          : html`<button
+              type="button"
+              @click=${() => {
+                changeIn(studio, layer, () => uncropped);
+              }}
+            >
+              ${l('uncrop')}
+            </button>`
+      }
+    </div>
+    ${cropping ? html`<p class="note">${l('crop.help')}</p>` : nothing}`;
+}
+
+function groundField(studio: Studio, layer: PlateLayer): TemplateResult {
+  const { ground } = layer;
+  const setting = layerSettingOf('ground');
+  const [min, max] = setting.kind === 'number' ? [setting.min, setting.max] : [0, 0];
+  const label = settingLabel(setting);
+  const set = (next: number | null, gesture?: string): void => {
+    changeIn(studio, layer, () => ({ ground: next }), gesture);
+  };
+  return html`${flag({
+    id: 'layer-ground-null',
+    label: t('setting.value', { label, value: l(layer.kind === 'qr' ? 'null.modules' : 'null.ground') }),
+    value: ground === null,
+    help: settingHelp(setting),
+    onChange: (below) => {
+      set(below ? null : 0);
+    },
+  })}
+  ${
+    ground === null
+      ? nothing
+      : angleField({
+          id: 'layer-ground',
+          label,
+          value: ground,
+          min,
+          max,
+          onInput: (angle) => {
+            set(angle, `layer.${layer.id}.ground`);
+          },
+          onSettle: () => {
+            studio.settle();
+          },
+        })
+  }`;
+}

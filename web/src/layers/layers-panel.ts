@@ -1,0 +1,314 @@
+// The layers over the directions, the topmost first, and what the chosen one is.
+import { html, nothing, type PropertyValues, type TemplateResult } from 'lit';
+import { customElement, state } from 'lit/decorators.js';
+import { StudioElement } from '../controls/element.js';
+import { icon, type IconName } from '../controls/icons.js';
+import { panelStyle } from '../controls/panel-style.js';
+import { l, layerName } from '../i18n/layers.js';
+import { formatNumber, t } from '../i18n/text.js';
+import {
+  changeLayer,
+  duplicated,
+  lackOf,
+  layerOf,
+  nextLayerId,
+  raised,
+  withoutLayer,
+  type LayerKind,
+} from '../model/layers.js';
+import type { Plate, PlateLayer } from '../model/plate.js';
+import { addFiles, addLayer } from './add-layer.js';
+import { frameIn } from './arranging.js';
+import { followBoxes } from './boxes.js';
+import { foldedFields, kindFields } from './kind-fields.js';
+import { layersStyle } from './layers-style.js';
+import { placeFields } from './place-fields.js';
+import { tile } from './tiles.js';
+
+/** The most wanted first. */
+const offered: readonly LayerKind[] = ['text', 'picture', 'drawing', 'qr', 'pattern', 'direction', 'border', 'map'];
+
+const icons: Record<LayerKind, IconName> = {
+  direction: 'angle',
+  map: 'map',
+  picture: 'picture',
+  text: 'text',
+  qr: 'qr',
+  pattern: 'radial',
+  drawing: 'drawing',
+  border: 'border',
+};
+
+const iconOf = ({ kind, pattern }: PlateLayer): IconName =>
+  kind !== 'pattern' || pattern === 'radial' ? icons[kind] : pattern === 'waves' ? 'waves' : 'edges';
+
+@customElement('sillon-layers-panel')
+export class LayersPanel extends StudioElement {
+  static override reads = ['plate', 'layer', 'cropping', 'layerBoxes', 'light'] as const;
+
+  static override styles = [...StudioElement.styles, panelStyle, layersStyle];
+
+  @state() private adding = false;
+  @state() private dropping = false;
+  @state() private locked = true;
+  @state() private unfolded = false;
+  #focus = '';
+  #leaving: ReturnType<typeof setTimeout> | undefined;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    followBoxes(this.studio);
+    this.addEventListener('dragover', this.#onDragOver);
+    this.addEventListener('drop', this.#onDrop);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.removeEventListener('dragover', this.#onDragOver);
+    this.removeEventListener('drop', this.#onDrop);
+    clearTimeout(this.#leaving);
+  }
+
+  override render(): TemplateResult {
+    const { plate } = this.state;
+    const layers = [...plate.layers].reverse();
+    const chosen = layerOf(plate, this.state.layer);
+    const tiles = this.adding || layers.length === 0;
+    return html`<section aria-labelledby="layers-title" class=${this.dropping ? 'dropping' : ''}>
+        <h2 id="layers-title">${t('section.layers')}</h2>
+        ${layers.length === 0 ? html`<p class="note">${l('what')}</p>` : nothing}
+        ${
+          layers.length === 0
+            ? nothing
+            : html`<ul aria-label=${l('list')} @keydown=${this.#onListKey}>
+                ${layers.map((layer) => this.#row(layer, layer === chosen))}
+                <li class="below">
+                  <button
+                    type="button"
+                    class="plain"
+                    @click=${() => {
+                      this.studio.setPanel('directions');
+                    }}
+                  >
+                    ${icon(plate.directions.kind, 18)}
+                    <span>${l('below', { name: t(`source.${plate.directions.kind}`) })}</span>
+                  </button>
+                </li>
+              </ul>`
+        }
+        ${
+          layers.length === 0
+            ? nothing
+            : html`<button
+                type="button"
+                id="add"
+                aria-expanded=${String(tiles)}
+                aria-controls="kinds"
+                @click=${() => {
+                  this.adding = !this.adding;
+                }}
+              >
+                ${icon('plus', 16)} ${l('add')}
+              </button>`
+        }
+        ${tiles ? this.#tiles() : nothing}
+        ${this.dropping ? html`<p class="drop" role="status">${icon('download', 22)} ${l('drop')}</p>` : nothing}
+      </section>
+      ${chosen === undefined ? nothing : this.#fields(chosen)}`;
+  }
+
+  #tiles(): TemplateResult {
+    return html`<div class="tiles" id="kinds" role="group" aria-label=${l('add')}>
+      ${offered.map(
+        (kind) =>
+          html`<button type="button" @click=${() => void this.#add(kind)}>
+            ${tile(kind)}<span>${l(`kind.${kind}`)}</span>
+          </button>`,
+      )}
+    </div>`;
+  }
+
+  async #add(kind: LayerKind): Promise<void> {
+    if (!(await addLayer(this.studio, kind))) return;
+    this.adding = false;
+    this.#focus = kind === 'text' || kind === 'qr' ? '#layer-text' : '[aria-pressed=true].row';
+    this.requestUpdate();
+  }
+
+  #row(layer: PlateLayer, chosen: boolean): TemplateResult {
+    const name = layerName(layer);
+    const lack = lackOf(layer);
+    return html`<li class=${chosen ? 'chosen' : ''} data-layer=${layer.id}>
+      <button
+        type="button"
+        class="plain row"
+        aria-pressed=${String(chosen)}
+        @click=${() => {
+          this.studio.store.set({ layer: chosen ? undefined : layer.id, cropping: false, tool: 'pan' });
+        }}
+      >
+        ${icon(lack === undefined ? iconOf(layer) : 'warn', 18)}
+        <span class=${layer.visible ? 'name' : 'name off'}>${name}</span>
+      </button>
+      <button
+        type="button"
+        class="plain square"
+        aria-label=${l(layer.visible ? 'hide' : 'show', { name })}
+        title=${l(layer.visible ? 'hide' : 'show', { name })}
+        @click=${() => {
+          this.#change((plate) => changeLayer(plate, layer.id, ({ visible }) => ({ visible: !visible })));
+        }}
+      >
+        ${icon(layer.visible ? 'eye' : 'hidden', 18)}
+      </button>
+      ${chosen ? this.#actions(layer, name) : nothing}
+    </li>`;
+  }
+
+  #actions({ id }: PlateLayer, name: string): TemplateResult {
+    const { layers } = this.state.plate;
+    const action = (
+      what: 'up' | 'down' | 'duplicate' | 'delete',
+      image: IconName,
+      disabled: boolean,
+      run: () => void,
+    ): TemplateResult =>
+      html`<button
+        type="button"
+        class="plain square"
+        aria-label=${l(what, { name })}
+        title=${l(what, { name })}
+        ?disabled=${disabled}
+        @click=${run}
+      >
+        ${icon(image, 16)}
+      </button>`;
+    const raise = (by: number) => (): void => {
+      this.#change((plate) => raised(plate, id, by));
+    };
+    return html`<div class="actions">
+      ${action('up', 'up', layers.at(-1)?.id === id, raise(1))}
+      ${action('down', 'down', layers[0]?.id === id, raise(-1))}
+      ${action('duplicate', 'copy', false, () => {
+        const next = nextLayerId(this.state.plate);
+        this.#change((plate) => duplicated(plate, id));
+        if (layerOf(this.state.plate, next) !== undefined) this.studio.store.set({ layer: next, cropping: false });
+      })}
+      ${action('delete', 'bin', false, () => {
+        this.#remove(id);
+      })}
+    </div>`;
+  }
+
+  /** The focus goes to what is in its place. */
+  #remove(id: number): void {
+    const { layers } = this.state.plate;
+    const at = layers.findIndex((layer) => layer.id === id);
+    const next = layers[at - 1] ?? layers[at + 1];
+    this.#change((plate) => withoutLayer(plate, id));
+    this.studio.store.set({ layer: next?.id, cropping: false });
+    this.#focus = next === undefined ? '.tiles button' : '[aria-pressed=true].row';
+  }
+
+  /** As one step of undo. */
+  #change(change: (plate: Plate) => Plate): void {
+    this.studio.settle();
+    this.studio.change(change);
+  }
+
+  #onListKey = (event: KeyboardEvent): void => {
+    const row = (event.target as HTMLElement).closest<HTMLElement>('button.row');
+    const id = Number(row?.closest<HTMLElement>('li')?.dataset['layer']);
+    if (row === null || Number.isNaN(id)) return;
+    const rows = [...this.renderRoot.querySelectorAll<HTMLElement>('button.row')];
+    const by = { ArrowUp: -1, ArrowDown: 1 }[event.key];
+    if (by !== undefined && event.altKey) {
+      this.#change((plate) => raised(plate, id, -by));
+      this.#focus = `li[data-layer='${id}'] .row`;
+    } else if (by !== undefined) rows[rows.indexOf(row) + by]?.focus();
+    else if (event.key === 'Delete') this.#remove(id);
+    else return;
+    event.preventDefault();
+  };
+
+  protected override updated(_changed: PropertyValues): void {
+    if (this.#focus === '') return;
+    const wanted = this.renderRoot.querySelector<HTMLElement>(this.#focus);
+    if (wanted === null) return;
+    this.#focus = '';
+    wanted.focus();
+    if (wanted instanceof HTMLTextAreaElement) wanted.select();
+  }
+
+  // --- The chosen one -------------------------------------------------------------------------------------------------------
+
+  #fields(layer: PlateLayer): TemplateResult {
+    const lack = lackOf(layer);
+    const placed = this.state.layerBoxes.get(layer.id);
+    const problem = placed?.layer === layer ? placed.problem : undefined;
+    return html`<section aria-labelledby="layer-title">
+        <h3 id="layer-title">${l(`kind.${layer.kind}`)}</h3>
+        ${kindFields(this.studio, layer)}
+        ${lack === undefined ? nothing : html`<p class="warning">${icon('warn', 16)} <span>${l(`lack.${lack}`)}</span></p>`}
+        ${problem === undefined ? nothing : html`<p class="warning">${icon('warn', 16)} <span>${problem}</span></p>`}
+        ${this.#thin(layer)}
+      </section>
+      ${
+        layer.kind === 'border'
+          ? nothing
+          : html`<section aria-labelledby="layer-place-title">
+              <h3 id="layer-place-title">${t('setting.layers.at')}</h3>
+              ${placeFields(this.studio, layer, frameIn(this.state, layer), {
+                locked: this.locked,
+                toggle: () => {
+                  this.locked = !this.locked;
+                },
+              })}
+              <p class="note">${l('hand')}</p>
+            </section>`
+      }
+      <section>
+        <details
+          .open=${this.unfolded}
+          @toggle=${(event: Event) => {
+            this.unfolded = (event.currentTarget as HTMLDetailsElement).open;
+          }}
+        >
+          <summary>${icon('fold', 16)} ${l('more')}</summary>
+          <div class="rows">${this.unfolded ? foldedFields(this.studio, layer) : nothing}</div>
+        </details>
+      </section>`;
+  }
+
+  /** What is narrower than a bead cannot be laid. */
+  #thin(layer: PlateLayer): TemplateResult | typeof nothing {
+    const { plate, layerBoxes } = this.state;
+    const placed = layerBoxes.get(layer.id);
+    const bead = plate.toolpath.spacing;
+    if (placed?.layer !== layer || placed.thinnest === null || placed.thinnest >= bead) return nothing;
+    const words = { thin: formatNumber(placed.thinnest, 2), bead: formatNumber(bead, 2) };
+    return html`<p class="warning" role="status">${icon('warn', 16)} <span>${l('thin', words)}</span></p>`;
+  }
+
+  // --- Files that are dropped -------------------------------------------------------------------------------------------------
+
+  #onDragOver = (event: DragEvent): void => {
+    if (event.dataTransfer?.types.includes('Files') !== true) return;
+    event.preventDefault();
+    event.stopPropagation(); // else the page would open them
+    this.dropping = true;
+    clearTimeout(this.#leaving);
+    this.#leaving = setTimeout(() => {
+      this.dropping = false;
+    }, 300);
+  };
+
+  #onDrop = (event: DragEvent): void => {
+    const files = [...(event.dataTransfer?.files ?? [])];
+    if (files.length === 0) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.dropping = false;
+    void addFiles(this.studio, files);
+  };
+}

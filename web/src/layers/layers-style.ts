@@ -1,0 +1,129 @@
+// The look of the list of layers, and of the tiles that add to it.
+import { css } from 'lit';
+
+export const layersStyle = css`
+  ul {
+    display: grid;
+    gap: 2px;
+  }
+  li {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) auto;
+    align-items: center;
+    border: 1px solid transparent;
+    border-radius: var(--radius-large);
+  }
+  li.chosen {
+    border-color: color-mix(in srgb, var(--accent) 45%, transparent);
+    background: var(--tint);
+  }
+  li button.row {
+    justify-content: start;
+    gap: 10px;
+    min-height: calc(var(--control) + 6px);
+    padding: 0 8px;
+    text-align: left;
+  }
+  li.chosen button.row {
+    border-color: transparent;
+    background: none;
+  }
+  .name {
+    overflow: hidden;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  .off {
+    color: var(--soft);
+    text-decoration: line-through;
+  }
+  li .actions {
+    grid-column: 1 / -1;
+    display: flex;
+    gap: 2px;
+    padding: 0 4px 4px;
+  }
+  li .actions button:last-child {
+    margin-left: auto;
+  }
+  li.below {
+    margin-top: 2px;
+    border-top: 1px dashed var(--line);
+    border-radius: 0;
+  }
+  li.below button {
+    grid-column: 1 / -1;
+    justify-content: start;
+    gap: 10px;
+    min-height: calc(var(--control) + 6px);
+    padding: 0 8px;
+    color: var(--soft);
+    text-align: left;
+  }
+  .tiles {
+    display: grid;
+    grid-template-columns: repeat(auto-fill, minmax(max(64px, 4rem), 1fr));
+    gap: 6px;
+  }
+  .tiles button {
+    flex-direction: column;
+    justify-content: start;
+    gap: 6px;
+    padding: 6px 4px 8px;
+    font-size: var(--note);
+  }
+  .tiles span {
+    max-width: 100%;
+    overflow-wrap: anywhere;
+  }
+  .tile {
+    display: block;
+    width: 100%;
+    max-width: 80px;
+    stroke-width: 1.2;
+  }
+  .tile .below {
+    color: var(--edge);
+    stroke: var(--edge);
+  }
+  .tile .above {
+    stroke: var(--accent);
+    stroke-width: 1.5;
+  }
+  section.dropping {
+    position: relative;
+  }
+  .drop {
+    position: absolute;
+    inset: 8px;
+    display: grid;
+    place-content: center;
+    justify-items: center;
+    gap: 6px;
+    border: 2px dashed var(--accent);
+    border-radius: var(--radius-large);
+    background: color-mix(in srgb, var(--surface) 88%, transparent);
+    font-weight: 600;
+    pointer-events: none;
+  }
+  .size {
+    display: grid;
+    grid-template-columns: 1fr auto 1fr;
+    align-items: end;
+    gap: 8px;
+  }
+  .size .measure {
+    width: 100%;
+    min-width: 0;
+  }
+  .size label {
+    display: block;
+    margin-bottom: 4px;
+  }
+  .size > span {
+    width: var(--control);
+  }
+  .rows:empty {
+    display: none;
+  }
+`;

@@ -1,0 +1,148 @@
+// Where a layer lies, how large it is, and how it is turned.
+import { html, type TemplateResult } from 'lit';
+import { numberInput, type NumberField } from '../controls/fields.js';
+import { icon } from '../controls/icons.js';
+import { l } from '../i18n/layers.js';
+import { t } from '../i18n/text.js';
+import { hundredth, scaledLayer, within } from '../model/layer-changes.js';
+import type { Frame, Point } from '../model/layer-frame.js';
+import { layerSettingOf } from '../model/layer-settings.js';
+import type { LayerKey, LayerValues } from '../model/layers.js';
+import { pageOf, type Plate, type PlateLayer } from '../model/plate.js';
+import type { Studio } from '../studio/studio.js';
+import { changeIn, layerField } from './layer-field.js';
+
+/** @param set  what the layer becomes with that length */
+function lengthField(
+  studio: Studio,
+  layer: PlateLayer,
+  key: 'at' | 'size',
+  words: { id: string; label: string; value: number },
+  set: (value: number) => Partial<LayerValues>,
+): TemplateResult {
+  const setting = layerSettingOf(key);
+  const [min, max, step] = setting.kind === 'pair' ? [setting.min, setting.max, setting.step] : [0, 0, 1];
+  const field: NumberField = {
+    ...words,
+    value: hundredth(words.value),
+    min: key === 'size' ? step : min,
+    max,
+    step,
+    unit: 'mm',
+    onInput: (value) => {
+      changeIn(studio, layer, () => set(value), `layer.${layer.id}.${words.id}`);
+    },
+    onSettle: () => {
+      studio.settle();
+    },
+  };
+  return html`<div class="field stacked">
+    <label for=${field.id}>${field.label}</label>${numberInput(field)}
+    <p class="error" id="${field.id}-error" role="status" hidden></p>
+  </div>`;
+}
+
+/** The layer over all of the page: a picture is cut to its proportions, and what has a form of its own stays whole. */
+export function coveringPage(page: Point, layer: PlateLayer, { size }: Frame): Partial<LayerValues> {
+  const placed = { at: null, rotation: 0 };
+  switch (layer.kind) {
+    case 'picture': {
+      const whole = [0, 1].map((k) => {
+        const axis = k as 0 | 1;
+        return size[axis] / (layer.cropMax[axis] - layer.cropMin[axis]);
+      }) as [number, number];
+      const scale = Math.max(page[0] / whole[0], page[1] / whole[1]);
+      const cut = [0, 1].map((k) => {
+        const share = page[k as 0 | 1] / (scale * whole[k as 0 | 1]);
+        return Math.max(0, (1 - share) / 2);
+      }) as [number, number];
+      return { ...placed, size: [...page], cropMin: cut, cropMax: [1 - cut[0], 1 - cut[1]] };
+    }
+    case 'text':
+    case 'qr':
+    case 'drawing': {
+      const scale = Math.min(page[0] / size[0], page[1] / size[1]);
+      return { ...placed, ...scaledLayer(layer, { size, pivot: [0, 0], offset: [0, 0], turn: 0 }, [scale, scale]) };
+    }
+    default:
+      return { ...placed, size: [0, 0] };
+  }
+}
+
+/** @param lock  whether the proportions stay, and what changes that */
+export function placeFields(
+  studio: Studio,
+  layer: PlateLayer,
+  frame: Frame,
+  lock: { locked: boolean; toggle: () => void },
+): TemplateResult {
+  const { plate } = studio.store.state;
+  const { pivot, size } = frame;
+  const place = (k: 0 | 1): TemplateResult =>
+    lengthField(
+      studio,
+      layer,
+      'at',
+      { id: k === 0 ? 'layer-x' : 'layer-y', label: l(k === 0 ? 'x' : 'y'), value: pivot[k] },
+      (value) => ({ at: k === 0 ? [value, pivot[1]] : [pivot[0], value] }),
+    );
+  const side = (k: 0 | 1): TemplateResult =>
+    lengthField(
+      studio,
+      layer,
+      'size',
+      {
+        id: k === 0 ? 'layer-width' : 'layer-height',
+        label: t(k === 0 ? 'size.width' : 'size.height'),
+        value: size[k],
+      },
+      (value) => {
+        if (!lock.locked) return { size: k === 0 ? [value, hundredth(size[1])] : [hundredth(size[0]), value] };
+        const scale = value / size[k];
+        return scaledLayer(layer, frame, [scale, scale]);
+      },
+    );
+  const set = (change: (plate: Plate) => Partial<LayerValues>): void => {
+    studio.settle();
+    changeIn(studio, layer, () => change(plate));
+  };
+  return html`<div class="size">
+      ${place(0)}<span></span>${place(1)} ${side(0)}
+      <button
+        type="button"
+        class="square"
+        aria-pressed=${String(lock.locked)}
+        aria-label=${t('size.lock')}
+        title=${t('size.lock')}
+        @click=${lock.toggle}
+      >
+        ${icon(lock.locked ? 'lock' : 'unlock', 16)}
+      </button>
+      ${side(1)}
+    </div>
+    <div class="buttons">
+      <button
+        type="button"
+        @click=${() => {
+          set(() => ({ at: null }));
+        }}
+      >
+        ${l('centre')}
+      </button>
+      <button
+        type="button"
+        @click=${() => {
+          set((now) => coveringPage(pageOf(now), layer, frame));
+        }}
+      >
+        ${l('cover')}
+      </button>
+    </div>
+    ${(['rotation', 'mirror'] satisfies LayerKey[]).map((key) => layerField(studio, layer, key))}`;
+}
+
+/** A letter height that is typed counts: the size is the letters' own then. */
+export const withTextSize = (value: number): Partial<LayerValues> => ({
+  textSize: within('textSize', value),
+  size: [0, 0],
+});
