@@ -7,6 +7,7 @@ import { c } from '../../src/i18n/calibrate.js';
 import { en, frame as english } from '../../src/i18n/en.js';
 import { words as plateWords } from '../../src/i18n/en/plates.js';
 import { settingHelp } from '../../src/i18n/help.js';
+import { l, type LayersTextId } from '../../src/i18n/layers.js';
 import { languages, spoken } from '../../src/i18n/languages.js';
 import { r, type RebrushTextId } from '../../src/i18n/rebrush.js';
 import { findingText, importNoteText, startLines, warningText } from '../../src/i18n/say-core.js';
@@ -37,6 +38,7 @@ import {
 import { verdictText } from '../../src/i18n/say-verdict.js';
 import { printers } from '../../src/model/printers.js';
 import { problemOf, StudioError } from '../../src/model/problem.js';
+import { layerSettings } from '../../src/model/layer-settings.js';
 import { settingOf, settings } from '../../src/model/settings.js';
 import { orderVerdict, verdictsOf } from '../../src/model/verdicts.js';
 
@@ -95,9 +97,9 @@ test('the sections of settings and the views share no name', async () => {
     const words = new Map(await wordsOf(tag));
     const named = (kind: string, names: string[]): string[] =>
       names.map((name) => words.get(`${kind}.${name}`)?.[0] ?? '');
-    const rail = named('section', ['shape', 'directions', 'toolpath', 'print', 'quality']);
+    const rail = named('section', ['shape', 'directions', 'layers', 'toolpath', 'print', 'quality']);
     const tabs = named('view', ['directions', 'toolpath', 'appearance', 'quality']);
-    assert.equal(new Set([...rail, ...tabs, '']).size, 10, `${tag}: ${[...rail, ...tabs].join()}`);
+    assert.equal(new Set([...rail, ...tabs, '']).size, 11, `${tag}: ${[...rail, ...tabs].join()}`);
   }
 });
 
@@ -156,7 +158,7 @@ test('texts that the sources name are there, and all texts are for something', (
     ([, template = '']) => new RegExp(`^${template.replace(/\$\{[^}]*\}/g, '.+')}$`),
   );
   for (const [id] of inEnglish) {
-    if (/^(calibrate|drawing|rebrush|shaping)\./.test(id)) continue; // said without their prefix
+    if (/^(calibrate|drawing|layers|rebrush|shaping)\./.test(id)) continue; // said without their prefix
     assert.ok(source.includes(`'${id}'`) || built.some((ids) => ids.test(id)), `nothing shows ${id}`);
   }
 });
@@ -186,6 +188,30 @@ test('the fields of a shape show all their words', async () => {
     const name = id.replace('shaping.', '');
     assert.ok(fields.includes(`'${name}'`) || built.some((start) => name.startsWith(start)), `nothing shows ${id}`);
   }
+});
+
+test('the panel of layers speaks every language, and shows all its words', async () => {
+  const files = ['i18n/layers.ts', ...readdirSync('web/src/layers').map((name) => `layers/${name}`)];
+  const panel = files.map((name) => readFileSync(join('web/src', name), 'utf8')).join('\n');
+  const choices = layerSettings.flatMap((setting) =>
+    setting.kind === 'choice' ? setting.choices.map((choice) => `${setting.key}.${choice}`) : [],
+  );
+  const built = (name: string): boolean => choices.includes(name) || /^lack\./.test(name);
+  for (const id of Object.keys(await wordsIn('layers'))) {
+    const name = id.replace('layers.', '');
+    assert.ok(panel.includes(`'${name}'`) || built(name), `nothing shows ${id}`);
+  }
+  const said = new Set<string>();
+  for (const tag of spoken) {
+    await setLanguage(tag);
+    said.add(l('add'));
+    for (const choice of choices) assert.notEqual(l(choice as LayersTextId), choice, tag);
+    for (const { id } of layerSettings) {
+      assert.notEqual(settingLabel({ id }), '', id);
+      assert.match(settingHelp({ id }), /\.$/, id);
+    }
+  }
+  assert.equal(said.size, spoken.length);
 });
 
 test('the calibration page and the first print speak every language, and show all their words', async () => {
