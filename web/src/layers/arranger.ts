@@ -2,7 +2,7 @@
 import type { Place } from '../controls/gestures.js';
 import { l } from '../i18n/layers.js';
 import { formatNumber } from '../i18n/text.js';
-import { croppedTo, rounded, scaledLayer, slid } from '../model/layer-changes.js';
+import { croppedTo, keepsProportions, rounded, scaledLayer, slid } from '../model/layer-changes.js';
 import { boundsOf, onPage, placeIn, resized, rotated, type Frame, type Point } from '../model/layer-frame.js';
 import { changeLayer, layerOf, withoutLayer, type LayerValues } from '../model/layers.js';
 import { pageOf, type PlateLayer } from '../model/plate.js';
@@ -104,14 +104,15 @@ export class Arranger {
         const held = onPage(frame, placeIn(frame, grip.side));
         const there: Point = [held[0] + to[0] - from[0], held[1] + to[1] - from[1]];
         if (cropping) return croppedTo(frame, layer, grip.side, there);
-        const { scale, pivot } = resized(frame, grip.side, there, event.shiftKey);
-        return { ...scaledLayer(layer, frame, scale), at: rounded(pivot) };
+        const free = event.shiftKey && !keepsProportions(layer);
+        const { scale, middle } = resized(frame, grip.side, there, free);
+        return { ...scaledLayer(layer, frame, scale), at: rounded(middle) };
       }
       case 'box': {
         if (cropping) return slid(frame, layer, from, to);
-        const { pivot } = frame;
-        const moved: Point = [pivot[0] + to[0] - from[0], pivot[1] + to[1] - from[1]];
-        const by: Point = event.ctrlKey || event.metaKey ? [0, 0] : this.#snap({ ...frame, pivot: moved }, layer);
+        const { middle } = frame;
+        const moved: Point = [middle[0] + to[0] - from[0], middle[1] + to[1] - from[1]];
+        const by: Point = event.ctrlKey || event.metaKey ? [0, 0] : this.#snap({ ...frame, middle: moved }, layer);
         return { at: rounded([moved[0] + by[0], moved[1] + by[1]]) };
       }
     }
@@ -121,10 +122,7 @@ export class Arranger {
     const state = this.#state;
     const middles = state.plate.layers
       .filter((other) => other.visible && other.id !== layer.id)
-      .map((other) => {
-        const around = frameIn(state, other);
-        return onPage(around, around.offset);
-      });
+      .map((other) => frameIn(state, other).middle);
     const { by, guides } = snapped(boundsOf(frame), pageOf(state.plate), middles, snapsWithin / this.view().scale);
     this.#guides = guides;
     return by;
@@ -214,7 +212,7 @@ export class Arranger {
     const found = this.#movable();
     if (found === undefined) return;
     const { layer, frame } = found;
-    const at = rounded([frame.pivot[0] + dx, frame.pivot[1] + dy]);
+    const at = rounded([frame.middle[0] + dx, frame.middle[1] + dy]);
     this.#nudging = true;
     this.studio.change((plate) => changeLayer(plate, layer.id, () => ({ at })), 'layer.key');
   }
@@ -244,8 +242,8 @@ export class Arranger {
     };
   }
 
-  #label({ pivot, size }: Frame, { rotation }: PlateLayer): string {
-    const [x, y] = pivot.map((length) => formatNumber(length, 1));
+  #label({ middle, size }: Frame, { rotation }: PlateLayer): string {
+    const [x, y] = middle.map((length) => formatNumber(length, 1));
     const [width, height] = size.map((length) => formatNumber(length, 1));
     if (this.#nudging) return l('at', { x: x ?? '', y: y ?? '' });
     switch (this.#hold?.grip.kind) {

@@ -1,6 +1,6 @@
 // The engine's boxes of the layers, asked for whenever the layers have changed; one question at a time, and of those that
 // wait only the last.
-import type { PlacedLayer } from '../model/layer-frame.js';
+import type { KnownBox } from '../model/layer-frame.js';
 import type { Plate } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
 
@@ -24,9 +24,9 @@ export function followBoxes(studio: Studio): void {
     asked = plate;
     try {
       const boxes = await studio.services.layerBoxes(plate);
-      const placed = plate.layers.flatMap((layer): [number, PlacedLayer][] => {
+      const placed = plate.layers.flatMap((layer): [number, KnownBox][] => {
         const box = boxes.get(layer.id);
-        return box === undefined ? [] : [[layer.id, { ...box, layer }]];
+        return box === undefined ? [] : [[layer.id, { layer, size: box.size }]];
       });
       store.set({ layerBoxes: new Map(placed) });
     } catch {

@@ -96,7 +96,7 @@ function guide(pen: Pen, { axis, at }: Guide, page: Point): void {
 function label({ context, view, styles }: Pen, frame: Frame, text: string): void {
   if (text === '') return;
   const places = cornersOf(frame).map(view.toScreen);
-  const middle = view.toScreen(onPage(frame, frame.offset));
+  const middle = view.toScreen(frame.middle);
   const low = Math.max(...places.map(({ y }) => y));
   const bottom = context.canvas.clientHeight - 34;
   context.font = `500 12px ${styles.getPropertyValue('--font')}`;

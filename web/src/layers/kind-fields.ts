@@ -26,9 +26,9 @@ const keysOf: Record<LayerKind, readonly LayerKey[]> = {
   drawing: ['file', 'fill', 'angle'],
   qr: ['text', 'correction', 'angle'],
   pattern: ['pattern', 'file', 'angle', 'waveLength', 'amplitude'],
-  direction: ['angle'],
+  direction: ['fill', 'angle'],
   border: ['width', 'fill', 'angle'],
-  map: ['file'],
+  map: ['file', 'encoding'],
 };
 
 const foldedOf: Partial<Record<LayerKind, readonly LayerKey[]>> = {
@@ -38,14 +38,14 @@ const foldedOf: Partial<Record<LayerKind, readonly LayerKey[]>> = {
   border: ['soft'],
 };
 
-const fills: readonly LayerKind[] = ['text', 'drawing', 'border'];
+const fills: readonly LayerKind[] = ['text', 'drawing', 'border', 'direction'];
 
 /** Tells whether a value changes anything while the others are as they are. */
 function counts(key: LayerKey, layer: PlateLayer): boolean {
   const { kind, pattern, fill } = layer;
   switch (key) {
     case 'angle':
-      return kind === 'pattern' ? pattern !== 'echo' : !(fills.includes(kind) && fill === 'along');
+      return kind === 'pattern' ? pattern !== 'echo' : fill === 'angle' || !fills.includes(kind);
     case 'waveLength':
     case 'amplitude':
       return pattern === 'waves';
@@ -88,6 +88,12 @@ function fieldOf(studio: Studio, layer: PlateLayer, key: LayerKey): Content {
         key,
         layer.kind === 'pattern' && layer.pattern === 'radial' ? { label: t('field.rayAngle') } : {},
       );
+    case 'fill':
+      return layerField(studio, layer, key, layer.kind === 'direction' ? { choices: ['angle', 'across'] } : {});
+    case 'encoding':
+      return layerField(studio, layer, key, {
+        choice: (name) => t(`field.encoding.${name as PlateLayer['encoding']}`),
+      });
     case 'ground':
       return groundField(studio, layer);
     case 'mask':

@@ -25,20 +25,24 @@ export function changeIn(
 interface Own {
   label?: string;
   help?: string;
-  /** What null means. */
-  none?: LayersTextId;
+  /** Those of the choices that change anything. */
+  choices?: readonly string[];
+  /** What a choice is called. */
+  choice?: (name: string) => string;
   /** What the layer becomes with a value. */
   set?: (value: SettingValue) => Partial<LayerValues>;
 }
 
 export function layerField(studio: Studio, layer: PlateLayer, key: LayerKey, own: Own = {}): TemplateResult {
-  const setting = layerSettingOf(key);
+  const whole = layerSettingOf(key);
   const {
-    label = settingLabel(setting),
-    help = settingHelp(setting),
-    none,
+    label = settingLabel(whole),
+    help = settingHelp(whole),
+    choices,
+    choice = (name: string) => l(`${key}.${name}` as LayersTextId),
     set = (next: SettingValue) => ({ [key]: next }),
   } = own;
+  const setting = whole.kind === 'choice' && choices !== undefined ? { ...whole, choices } : whole;
   const value = layer[key] as SettingValue;
   const id = `layer-${key}`;
   const onInput = (next: SettingValue): void => {
@@ -58,8 +62,8 @@ export function layerField(studio: Studio, layer: PlateLayer, key: LayerKey, own
     help,
     value,
     fallback: 0,
-    nullLabel: none === undefined ? '' : l(none),
-    choiceLabel: (choice) => l(`${key}.${choice}` as LayersTextId),
+    nullLabel: '', // what may be null has fields of its own
+    choiceLabel: choice,
     onInput,
     onSettle,
   });

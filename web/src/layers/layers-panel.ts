@@ -5,9 +5,10 @@ import { StudioElement } from '../controls/element.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { l, layerName } from '../i18n/layers.js';
-import { formatNumber, t } from '../i18n/text.js';
+import { t } from '../i18n/text.js';
 import {
   changeLayer,
+  completeLayers,
   duplicated,
   lackOf,
   layerOf,
@@ -44,7 +45,7 @@ const iconOf = ({ kind, pattern }: PlateLayer): IconName =>
 
 @customElement('sillon-layers-panel')
 export class LayersPanel extends StudioElement {
-  static override reads = ['plate', 'layer', 'cropping', 'layerBoxes', 'light'] as const;
+  static override reads = ['plate', 'layer', 'cropping', 'layerBoxes', 'result'] as const;
 
   static override styles = [...StudioElement.styles, panelStyle, layersStyle];
 
@@ -244,13 +245,10 @@ export class LayersPanel extends StudioElement {
 
   #fields(layer: PlateLayer): TemplateResult {
     const lack = lackOf(layer);
-    const placed = this.state.layerBoxes.get(layer.id);
-    const problem = placed?.layer === layer ? placed.problem : undefined;
     return html`<section aria-labelledby="layer-title">
         <h3 id="layer-title">${l(`kind.${layer.kind}`)}</h3>
         ${kindFields(this.studio, layer)}
         ${lack === undefined ? nothing : html`<p class="warning">${icon('warn', 16)} <span>${l(`lack.${lack}`)}</span></p>`}
-        ${problem === undefined ? nothing : html`<p class="warning">${icon('warn', 16)} <span>${problem}</span></p>`}
         ${this.#thin(layer)}
       </section>
       ${
@@ -280,13 +278,15 @@ export class LayersPanel extends StudioElement {
       </section>`;
   }
 
-  /** What is narrower than a bead cannot be laid. */
+  /** As the engine has told of the finished plate. */
   #thin(layer: PlateLayer): TemplateResult | typeof nothing {
-    const { plate, layerBoxes } = this.state;
-    const placed = layerBoxes.get(layer.id);
-    const bead = plate.toolpath.spacing;
-    if (placed?.layer !== layer || placed.thinnest === null || placed.thinnest >= bead) return nothing;
-    const words = { thin: formatNumber(placed.thinnest, 2), bead: formatNumber(bead, 2) };
+    const { result } = this.state;
+    const number = result === undefined ? -1 : completeLayers(result.plate).indexOf(layer) + 1;
+    const found = result?.report.warnings.find(
+      ({ code, values }) => code === 'ThinLetters' && Number(values['layer']) === number,
+    );
+    if (found === undefined) return nothing;
+    const words = { percent: Number(found.values['percent']) };
     return html`<p class="warning" role="status">${icon('warn', 16)} <span>${l('thin', words)}</span></p>`;
   }
 

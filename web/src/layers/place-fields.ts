@@ -4,7 +4,7 @@ import { numberInput, type NumberField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import { l } from '../i18n/layers.js';
 import { t } from '../i18n/text.js';
-import { hundredth, scaledLayer, within } from '../model/layer-changes.js';
+import { hundredth, keepsProportions, scaledLayer, within } from '../model/layer-changes.js';
 import type { Frame, Point } from '../model/layer-frame.js';
 import { layerSettingOf } from '../model/layer-settings.js';
 import type { LayerKey, LayerValues } from '../model/layers.js';
@@ -43,7 +43,8 @@ function lengthField(
 }
 
 /** The layer over all of the page: a picture is cut to its proportions, and what has a form of its own stays whole. */
-export function coveringPage(page: Point, layer: PlateLayer, { size }: Frame): Partial<LayerValues> {
+export function coveringPage(page: Point, layer: PlateLayer, frame: Frame): Partial<LayerValues> {
+  const { size } = frame;
   const placed = { at: null, rotation: 0 };
   switch (layer.kind) {
     case 'picture': {
@@ -62,7 +63,7 @@ export function coveringPage(page: Point, layer: PlateLayer, { size }: Frame): P
     case 'qr':
     case 'drawing': {
       const scale = Math.min(page[0] / size[0], page[1] / size[1]);
-      return { ...placed, ...scaledLayer(layer, { size, pivot: [0, 0], offset: [0, 0], turn: 0 }, [scale, scale]) };
+      return { ...placed, ...scaledLayer(layer, frame, [scale, scale]) };
     }
     default:
       return { ...placed, size: [0, 0] };
@@ -77,14 +78,15 @@ export function placeFields(
   lock: { locked: boolean; toggle: () => void },
 ): TemplateResult {
   const { plate } = studio.store.state;
-  const { pivot, size } = frame;
+  const { middle, size } = frame;
+  const locked = lock.locked || keepsProportions(layer);
   const place = (k: 0 | 1): TemplateResult =>
     lengthField(
       studio,
       layer,
       'at',
-      { id: k === 0 ? 'layer-x' : 'layer-y', label: l(k === 0 ? 'x' : 'y'), value: pivot[k] },
-      (value) => ({ at: k === 0 ? [value, pivot[1]] : [pivot[0], value] }),
+      { id: k === 0 ? 'layer-x' : 'layer-y', label: l(k === 0 ? 'x' : 'y'), value: middle[k] },
+      (value) => ({ at: k === 0 ? [value, middle[1]] : [middle[0], value] }),
     );
   const side = (k: 0 | 1): TemplateResult =>
     lengthField(
@@ -97,7 +99,7 @@ export function placeFields(
         value: size[k],
       },
       (value) => {
-        if (!lock.locked) return { size: k === 0 ? [value, hundredth(size[1])] : [hundredth(size[0]), value] };
+        if (!locked) return { size: k === 0 ? [value, hundredth(size[1])] : [hundredth(size[0]), value] };
         const scale = value / size[k];
         return scaledLayer(layer, frame, [scale, scale]);
       },
@@ -111,12 +113,13 @@ export function placeFields(
       <button
         type="button"
         class="square"
-        aria-pressed=${String(lock.locked)}
+        aria-pressed=${String(locked)}
         aria-label=${t('size.lock')}
         title=${t('size.lock')}
+        ?disabled=${keepsProportions(layer)}
         @click=${lock.toggle}
       >
-        ${icon(lock.locked ? 'lock' : 'unlock', 16)}
+        ${icon(locked ? 'lock' : 'unlock', 16)}
       </button>
       ${side(1)}
     </div>

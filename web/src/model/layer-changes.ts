@@ -20,12 +20,16 @@ const sized = (key: LayerKey, [width, height]: Point): [number, number] => [
   within(key, hundredth(height)),
 ];
 
-/** A text of its letters' own size grows with them; others get a size, in which a side that follows the content still does.
- * @param scale  of either side */
+/** Letters are never stretched. */
+export const keepsProportions = ({ kind }: Pick<PlateLayer, 'kind'>): boolean => kind === 'text' || kind === 'qr';
+
+/** A text without a size of its own grows with its letters; others get a size, in which a side that follows the content still
+ * does.
+ * @param scale  of either side; both alike where the proportions are kept */
 export function scaledLayer(layer: PlateLayer, { size }: Frame, scale: Point): Partial<LayerValues> {
   const alike = scale[0] === scale[1];
   const [wide, tall] = layer.size;
-  if (alike && layer.kind === 'text' && wide + tall === 0) {
+  if (layer.kind === 'text' && (wide + tall === 0 || layer.circle !== 0)) {
     return {
       textSize: within('textSize', hundredth(layer.textSize * scale[0])),
       circle: within('circle', hundredth(layer.circle * scale[0])),
@@ -68,12 +72,12 @@ export function croppedTo(frame: Frame, layer: Cropped, sides: Point, to: Point)
     const till = ((high[k] as number) - whole.low[k]) / length;
     return k === 0 && layer.mirror ? [1 - till, 1 - from] : [from, till];
   }) as [Point, Point];
-  const middle = ([0, 1] as const).map((k) => ((low[k] as number) + (high[k] as number)) / 2) as [number, number];
+  const moved = ([0, 1] as const).map((k) => ((low[k] as number) + (high[k] as number)) / 2) as [number, number];
   return {
     cropMin: [share(shares[0][0]), share(shares[1][0])],
     cropMax: [share(shares[0][1]), share(shares[1][1])],
     size: sized('size', [(high[0] as number) - (low[0] as number), (high[1] as number) - (low[1] as number)]),
-    at: rounded(onPage(frame, middle)),
+    at: rounded(onPage(frame, moved)),
   };
 }
 

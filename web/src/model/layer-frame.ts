@@ -4,27 +4,15 @@ import { pageOf, type Plate, type PlateLayer } from './plate.js';
 
 export type Point = readonly [number, number];
 
-/** A layer's box as the engine has placed it, before it turns [mm]. */
-export interface LayerBox {
-  /** Its middle. */
-  at: [number, number];
-  size: [number, number];
-  /** The narrowest stroke of letters or of a drawing; null: of others. */
-  thinnest: number | null;
-  /** What is wrong with it, in English. */
-  problem?: string;
-}
-
-/** The box of a layer that was like this. */
-export interface PlacedLayer extends LayerBox {
+/** The size of a layer's box as the engine has told it, of the layer as it was then [mm]. */
+export interface KnownBox {
   layer: PlateLayer;
+  size: Point;
 }
 
 export interface Frame {
   /** What it turns about. */
-  pivot: Point;
-  /** The middle of the box from there, before it turns. */
-  offset: Point;
+  middle: Point;
   size: Point;
   /** [degrees] counter-clockwise */
   turn: number;
@@ -34,35 +22,36 @@ type Page = Pick<Plate, 'width' | 'height'>;
 
 /** Kinds that fill the page where nobody has given them a size. */
 const fillsPage = ({ kind, pattern }: PlateLayer): boolean =>
-  kind === 'direction' || kind === 'map' || kind === 'border' || (kind === 'pattern' && pattern !== 'echo');
+  kind === 'direction' || kind === 'map' || (kind === 'pattern' && pattern !== 'echo');
 
-/** What a text has grown by since its box was told: all of it grows with its capitals. */
-const grown = (now: PlateLayer, then: PlateLayer): number =>
-  now.kind === 'text' && now.size[0] + now.size[1] === 0 ? now.textSize / then.textSize : 1;
+/** What a text has grown by: all of it grows with its capitals, or stays within a size. */
+function grown(now: PlateLayer, then: PlateLayer): number {
+  const sides = [0, 1] as const;
+  const given = sides.filter((k) => now.circle === 0 && now.size[k] > 0 && then.size[k] > 0);
+  if (given.length === 0) return now.textSize / then.textSize;
+  return Math.min(...given.map((k) => now.size[k] / then.size[k]));
+}
 
-/** @param placed  what the engine has told last of this layer, which may have changed since */
-export function frameOf(page: Page, layer: PlateLayer, placed: PlacedLayer | undefined): Frame {
-  const pivot = middleOf(page, layer);
-  const { size, rotation: turn } = layer;
-  const frame = { pivot, offset: [0, 0] as const, turn };
-  if (layer.kind === 'border') return { ...frame, pivot: middleOf(page, { at: null }), size: pageOf(page), turn: 0 };
-  if (placed === undefined) {
-    const [wide, tall] = fillsPage(layer) ? pageOf(page) : [size[0] || size[1], size[1] || size[0]];
-    return { ...frame, size: [size[0] || wide || layer.textSize, size[1] || tall || layer.textSize] };
+/** A side that is open follows the other, in the proportions of the content. */
+function sizeOf(layer: PlateLayer, page: Point, known: KnownBox | undefined): Point {
+  const [width, height] = layer.size;
+  if (layer.kind === 'text') {
+    const factor = known === undefined ? layer.textSize : grown(layer, known.layer);
+    const [wide, tall] = known?.size ?? [3, 1];
+    return [factor * wide, factor * tall];
   }
-  const before = middleOf(page, placed.layer);
-  const factor = grown(layer, placed.layer);
-  const offset = [factor * (placed.at[0] - before[0]), factor * (placed.at[1] - before[1])] as const;
-  const ratio = placed.size[1] / (placed.size[0] || 1);
-  const [wide, tall] = placed.size;
-  return {
-    ...frame,
-    offset,
-    size: [
-      size[0] || (size[1] > 0 && ratio > 0 ? size[1] / ratio : factor * wide),
-      size[1] || (size[0] > 0 ? size[0] * ratio : factor * tall),
-    ],
-  };
+  const [wide, tall] = known?.size ?? (fillsPage(layer) ? page : [1, 1]);
+  if (width > 0 && height > 0) return [width, height];
+  if (width > 0) return [width, (width * tall) / wide];
+  if (height > 0) return [(height * wide) / tall, height];
+  const least = known === undefined && !fillsPage(layer) ? Math.min(...page) / 2 : 1;
+  return [wide * least, tall * least];
+}
+
+/** @param known  what the engine has told last of this layer, which may have changed since */
+export function frameOf(page: Page, layer: PlateLayer, known: KnownBox | undefined): Frame {
+  if (layer.kind === 'border') return { middle: middleOf(page, { at: null }), size: pageOf(page), turn: 0 };
+  return { middle: middleOf(page, layer), size: sizeOf(layer, pageOf(page), known), turn: layer.rotation };
 }
 
 const turned = ([x, y]: Point, degrees: number): Point => {
@@ -71,14 +60,14 @@ const turned = ([x, y]: Point, degrees: number): Point => {
   return [c * x - s * y, s * x + c * y];
 };
 
-/** A place of the frame, from its pivot and before it turns, on the page. */
-export function onPage({ pivot, turn }: Frame, place: Point): Point {
+/** A place of the frame, from its middle and before it turns, on the page. */
+export function onPage({ middle, turn }: Frame, place: Point): Point {
   const [x, y] = turned(place, turn);
-  return [pivot[0] + x, pivot[1] + y];
+  return [middle[0] + x, middle[1] + y];
 }
 
 /** A place of the page, in the frame. */
-export const inFrame = ({ pivot, turn }: Frame, [x, y]: Point): Point => turned([x - pivot[0], y - pivot[1]], -turn);
+export const inFrame = ({ middle, turn }: Frame, [x, y]: Point): Point => turned([x - middle[0], y - middle[1]], -turn);
 
 /** Signs of the corners: lower left, lower right, upper right, upper left. */
 export const corners: readonly Point[] = [
@@ -89,18 +78,14 @@ export const corners: readonly Point[] = [
 ];
 
 /** A place of the box by its share of the half sides, in the frame. */
-export const placeIn = ({ offset, size }: Frame, [x, y]: Point): Point => [
-  offset[0] + (x * size[0]) / 2,
-  offset[1] + (y * size[1]) / 2,
-];
+export const placeIn = ({ size }: Frame, [x, y]: Point): Point => [(x * size[0]) / 2, (y * size[1]) / 2];
 
 export const cornersOf = (frame: Frame): Point[] => corners.map((corner) => onPage(frame, placeIn(frame, corner)));
 
 /** @param reach  so far around it counts, too [mm] */
 export function contains(frame: Frame, place: Point, reach = 0): boolean {
   const [x, y] = inFrame(frame, place);
-  const { offset, size } = frame;
-  return Math.abs(x - offset[0]) <= size[0] / 2 + reach && Math.abs(y - offset[1]) <= size[1] / 2 + reach;
+  return Math.abs(x) <= frame.size[0] / 2 + reach && Math.abs(y) <= frame.size[1] / 2 + reach;
 }
 
 export interface Bounds {
@@ -118,9 +103,9 @@ export function boundsOf(frame: Frame): Bounds {
 
 const smallest = 1; // [mm] of a side that a hand makes smaller
 
-/** The factors by which a corner that is dragged scales the box, and where the pivot goes: the corner across stays.
+/** The factors by which a corner that is dragged scales the box, and where its middle goes: the corner across stays.
  * @param free  either side by itself; else both alike */
-export function resized(frame: Frame, corner: Point, to: Point, free: boolean): { scale: Point; pivot: Point } {
+export function resized(frame: Frame, corner: Point, to: Point, free: boolean): { scale: Point; middle: Point } {
   const { size } = frame;
   const fixed = placeIn(frame, [-corner[0], -corner[1]]);
   const span: Point = [corner[0] * size[0], corner[1] * size[1]];
@@ -131,12 +116,8 @@ export function resized(frame: Frame, corner: Point, to: Point, free: boolean): 
   const scale: Point = free
     ? [Math.max(least[0], way[0] / span[0]), Math.max(least[1], way[1] / span[1])]
     : [Math.max(alike, ...least), Math.max(alike, ...least)];
-  const before = onPage(frame, fixed);
-  const after = onPage(frame, [scale[0] * fixed[0], scale[1] * fixed[1]]);
-  return {
-    scale,
-    pivot: [frame.pivot[0] + before[0] - after[0], frame.pivot[1] + before[1] - after[1]],
-  };
+  const middle = onPage(frame, [fixed[0] * (1 - scale[0]), fixed[1] * (1 - scale[1])]);
+  return { scale, middle };
 }
 
 const wrapped = (degrees: number): number => ((((degrees + 180) % 360) + 360) % 360) - 180;
@@ -144,8 +125,8 @@ const stepOfTurns = 15; // [degrees]
 
 /** The rotation after a hand that was at one place has gone to another, above -180 and up to 180 degrees.
  * @param steps  at multiples of 15 degrees only */
-export function rotated({ pivot, turn }: Frame, from: Point, to: Point, steps: boolean): number {
-  const towards = ([x, y]: Point): number => (Math.atan2(y - pivot[1], x - pivot[0]) * 180) / Math.PI;
+export function rotated({ middle, turn }: Frame, from: Point, to: Point, steps: boolean): number {
+  const towards = ([x, y]: Point): number => (Math.atan2(y - middle[1], x - middle[0]) * 180) / Math.PI;
   const angle = turn + towards(to) - towards(from);
   const snapped = steps ? Math.round(angle / stepOfTurns) * stepOfTurns : Math.round(10 * angle) / 10;
   const within = wrapped(snapped);

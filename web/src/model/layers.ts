@@ -33,11 +33,11 @@ const first: Record<LayerKind, (page: readonly [number, number]) => Partial<Laye
   direction: ([width, height]) => ({ angle: 45, size: [tenths(width / 2), tenths(height / 2)] }),
   map: () => ({}),
   picture: ([width, height]) => ({ size: width < height ? [tenths(0.6 * width), 0] : [0, tenths(0.6 * height)] }),
-  text: (page) => ({ text: 'Abc', angle: 90, textSize: Math.max(4, Math.round(Math.min(...page) / 6)) }),
+  text: (page) => ({ text: 'Abc', fill: 'across', textSize: Math.max(4, Math.round(Math.min(...page) / 6)) }),
   qr: (page) => ({ text: 'https://', size: [tenths(Math.min(...page) / 2), 0] }),
   pattern: () => ({ angle: 90 }),
   drawing: ([width, height]) => ({
-    angle: 90,
+    fill: 'across',
     size: width < height ? [tenths(width / 2), 0] : [0, tenths(height / 2)],
   }),
   border: () => ({ fill: 'along' }),

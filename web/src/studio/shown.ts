@@ -4,7 +4,7 @@ import { newState, type State } from '../model/state.js';
 import { sections, type Control, type Mode, type Units } from '../model/guest.js';
 import type { Failure, Problem } from '../model/problem.js';
 import type { OpenedFiles } from '../model/file-role.js';
-import type { PlacedLayer } from '../model/layer-frame.js';
+import type { KnownBox } from '../model/layer-frame.js';
 import type { OwnSpool, Plate } from '../model/plate.js';
 import type { Light, Mark, Shimmer } from '../model/view.js';
 
@@ -96,7 +96,7 @@ export interface Shown extends State {
   /** What is cut off its picture is shown, to be cut elsewhere. */
   cropping: boolean;
   /** As the engine has placed the layers, by their ids; where one has changed since, its box may be another. */
-  layerBoxes: ReadonlyMap<number, PlacedLayer>;
+  layerBoxes: ReadonlyMap<number, KnownBox>;
   /** A drag that changes the plate is going on. */
   live: boolean;
   dialog: Dialog | undefined;

@@ -2,7 +2,7 @@
 import type { Autosave } from '../files/autosave.js';
 import { download } from '../files/download.js';
 import { plainName } from '../files/file-name.js';
-import type { Engine, Gcode, GcodeFinding, PrinterValues } from 'sillon';
+import type { Engine, Gcode, GcodeFinding, PlacedLayer, PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { toReview, useBrought, withoutBrought } from '../model/brought.js';
 import { homeLight, isOwnPicture, lampsOf } from '../model/lamp.js';
@@ -12,7 +12,6 @@ import { pageOf, type Plate, type Stroke } from '../model/plate.js';
 import type { Seen } from '../model/doubts.js';
 import type { DirectionRaster } from '../model/raster.js';
 import type { Box } from '../model/rebrush.js';
-import type { LayerBox } from '../model/layer-frame.js';
 import type { Problem } from '../model/problem.js';
 import { isAbort, problemOf, same } from '../model/problem.js';
 import type { Store } from '../model/store.js';
@@ -79,7 +78,7 @@ export interface Services {
   /** Of the plate as it is now, in full. */
   directions(): Promise<DirectionRaster>;
   /** Where the engine puts each layer that lacks nothing, by its id. */
-  layerBoxes(plate: Plate): Promise<ReadonlyMap<number, LayerBox>>;
+  layerBoxes(plate: Plate): Promise<ReadonlyMap<number, PlacedLayer>>;
   /** Of a sliced print, on a box of the bed: strokes in mm on the bed, and an angle elsewhere [degrees]. */
   handDirections(strokes: readonly Stroke[], box: Box, angle: number): Promise<DirectionRaster>;
   /** What a start or end block would do, line by line. */

@@ -29,6 +29,7 @@ import {
 } from '../../src/model/layers.js';
 import type { Plate, PlateLayer, SourceFile } from '../../src/model/plate.js';
 import { accepts } from '../../src/model/settings.js';
+import { without } from '../../src/model/without.js';
 import { filesOf, plateData } from '../../src/files/plate-data.js';
 import { chances, fileOf } from './support/pictures.js';
 
@@ -94,7 +95,7 @@ test('the core is told what differs from its defaults, and nothing else', () => 
   const values = text({ font, at: [3, 4], angle: 0, textSize: 10, maskFile: file, mask: 'outside' });
   assert.deepEqual(
     layerInput({ ...values, id: 5 }, ({ name }) => name),
-    { kind: 'text', at: [3, 4], mask: 'outside', maskFile: 'cat.png', text: 'A', font: 'own.ttf' },
+    { kind: 'text', at: [3, 4], mask: 'outside', maskFile: 'cat.png', fill: 'across', text: 'A', font: 'own.ttf' },
   );
   assert.deepEqual(
     layerInput({ ...layerDefaults(), id: 1 }, () => 0),
@@ -163,7 +164,7 @@ test('every layer comes back from its data as it went', () => {
 });
 
 test('plates from before layers have none', () => {
-  const { layers: _, ...before } = plateData(newPlate(), () => 0) as Record<string, unknown>;
+  const before = without(plateData(newPlate(), () => 0) as Plate, 'layers');
   assert.deepEqual(plateFrom(before, fileFrom), newPlate());
 });
 
