@@ -119,7 +119,10 @@ export class Header extends StudioElement {
           padding: 0 6px 0 10px;
           gap: 2px;
         }
-        h1 .word,
+        h1 .word {
+          position: absolute;
+          clip-path: inset(50%); /* still heard: a heading needs its word */
+        }
         input.name {
           display: none;
         }
