@@ -378,6 +378,7 @@ export function textField(field: TextField): TemplateResult {
     typing.delete(input);
     if (input.value.length > maxLength) input.value = value; // as with numbers: the sentence about it stays
     input.setAttribute('aria-invalid', 'false');
+    clearTimeout(pause); // as with numbers
     field.onSettle();
   };
   return html`<div class="field">

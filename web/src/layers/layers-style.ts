@@ -69,8 +69,8 @@ export const layersStyle = css`
     flex-direction: column;
     justify-content: start;
     gap: 6px;
-    padding: 6px 4px 8px;
-    font-size: var(--note);
+    padding: 6px 3px 8px;
+    font-size: var(--small);
   }
   .tiles span {
     max-width: 100%;

@@ -1,0 +1,387 @@
+// Layers: their panel, and the frame that a hand moves on the plate. Boxes of letters are told as the engine would tell them, so
+// that no test waits for it.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { test } from 'node:test';
+
+import { overlaps } from './support/covered.js';
+import { sharedBench } from './support/shared.js';
+import { fileAt, fileOf, inputs, skip, start } from './support/studio.js';
+import { settled, until } from './support/waits.js';
+
+const bench = sharedBench(skip, start);
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** A visit with the panel open. Letters are as high as they are wide. */
+async function open(options = {}) {
+  const visit = await bench.open({ small: true, ...options });
+  await visit.page.evaluate(() => {
+    const { studio } = document.querySelector('sillon-app');
+    studio.services.layerBoxes = async ({ width, height, layers }) =>
+      new Map(
+        layers.map(({ id, at, kind, text, textSize, size: [wide, tall] }) => {
+          const known =
+            kind === 'text' ? [text.length * textSize, textSize] : [wide || tall || width, tall || wide || height];
+          return [id, { at: at ?? [width / 2, height / 2], size: known, thin: 0 }];
+        }),
+      );
+    studio.setPanel('layers');
+  });
+  await visit.page.locator('sillon-layers-panel .tiles').waitFor();
+  return visit;
+}
+
+const layers = (visit) => visit.state(({ plate }) => plate.layers.map(({ file, maskFile, font, ...values }) => values));
+const undos = (visit) => visit.page.evaluate(() => document.querySelector('sillon-app').studio.store.steps.past.length);
+
+async function add(visit, name) {
+  const { page } = visit;
+  const panel = page.locator('sillon-layers-panel');
+  const count = (await layers(visit)).length;
+  if (count > 0) await panel.locator('#add').click();
+  await panel.locator('.tiles').getByRole('button', { name, exact: true }).click();
+  await visit.until(`({ plate }) => plate.layers.length === ${count + 1}`);
+  await settled(page);
+}
+
+/** Of a place on the page [mm], on the screen. */
+const screen = (visit, x, y) =>
+  visit.page.evaluate(
+    ([x, y]) => {
+      const { studio } = document.querySelector('sillon-app');
+      const canvas = studio.stage;
+      const { left, top, width, height } = canvas.plateBox();
+      const box = canvas.getBoundingClientRect();
+      const { plate } = studio.store.state;
+      return [box.left + left + (x / plate.width) * width, box.top + top + (1 - y / plate.height) * height];
+    },
+    [x, y],
+  );
+
+/** Of the overlay, around a place on the page [mm]: 0..1. */
+const cover = async (visit, x, y) => {
+  const place = await screen(visit, x, y);
+  return visit.page.evaluate(([x, y]) => {
+    const overlay = document.querySelector('sillon-app').studio.stage.shadowRoot.querySelector('.overlay');
+    const { left, top, width } = overlay.getBoundingClientRect();
+    const scale = overlay.width / width;
+    const { data } = overlay
+      .getContext('2d')
+      .getImageData(Math.round((x - left) * scale) - 1, Math.round((y - top) * scale) - 1, 3, 3);
+    return data.filter((_, k) => k % 4 === 3).reduce((sum, alpha) => sum + alpha, 0) / (9 * 255);
+  }, place);
+};
+
+/** Of a drag over the plate, in mm. @param keys  that are held meanwhile */
+async function drag(visit, from, to, keys = []) {
+  const { mouse, keyboard } = visit.page;
+  await mouse.move(...(await screen(visit, ...from)));
+  await mouse.down();
+  for (const key of keys) await keyboard.down(key);
+  await mouse.move(...(await screen(visit, ...to)), { steps: 6 });
+  await mouse.up();
+  for (const key of keys) await keyboard.up(key);
+  await settled(visit.page);
+}
+
+const near = (found, wanted, within = 0.1) => {
+  wanted.forEach((value, k) => assert.ok(Math.abs(found[k] - value) <= within, `${found} is not ${wanted}`));
+};
+
+test(
+  'a text is added, typed, and moved, scaled and turned by its frame, each as one step of undo',
+  { skip },
+  async () => {
+    const visit = await open();
+    const { page } = visit;
+    await add(visit, 'Text');
+    // Its letters are what comes next: the field has the focus, and all of it is chosen.
+    await page.keyboard.type('AB');
+    await page.locator('#layer-text').blur();
+    await visit.until(({ plate, layerBoxes }) => layerBoxes.get(1)?.layer === plate.layers[0]);
+    await settled(page);
+    const [text] = await layers(visit);
+    assert.deepEqual([text.text, text.kind, text.at, text.textSize], ['AB', 'text', null, 4]);
+
+    // 8 by 4 mm about the middle of 24 by 24: handles at the corners, and nothing beside them.
+    assert.ok((await cover(visit, 16, 14)) > 0.9, 'no handle at the corner');
+    assert.ok((await cover(visit, 16, 12)) > 0.5, 'no frame');
+    assert.equal(await cover(visit, 18, 12), 0);
+
+    const before = await undos(visit);
+    await drag(visit, [12, 12], [7, 17.3], ['Control']); // without snapping
+    near((await layers(visit))[0].at, [7, 17.3]);
+    assert.equal(await undos(visit), before + 1);
+    assert.ok((await cover(visit, 11, 19.3)) > 0.9, 'the handle did not follow');
+    assert.equal(await cover(visit, 16, 14), 0);
+
+    await drag(visit, [7, 17.3], [12.1, 12.08]);
+    assert.deepEqual((await layers(visit))[0].at, [12, 12], 'it did not snap');
+
+    await drag(visit, [16, 14], [20, 16]); // twice as far from the lower left corner, at 8, 10
+    near([(await layers(visit))[0].textSize], [6]);
+    near((await layers(visit))[0].at, [14, 13]);
+
+    const knob = await visit.page.evaluate(
+      () => 26 / (document.querySelector('sillon-app').studio.stage.plateBox().height / 24),
+    );
+    await drag(visit, [14, 16 + knob], [10, 17], ['Shift']); // a little more than a quarter
+    assert.equal((await layers(visit))[0].rotation, 45);
+    assert.equal(await undos(visit), before + 4);
+
+    await page.keyboard.press('Control+z');
+    assert.equal((await layers(visit))[0].rotation, 0);
+    assert.deepEqual(visit.problems, []);
+  },
+);
+
+test(
+  'sides scale freely with Shift, but letters are never stretched; lines to snap to are seen',
+  { skip },
+  async () => {
+    const visit = await open();
+    const { page } = visit;
+    await add(visit, 'Direction');
+    near((await layers(visit))[0].size, [12, 12]);
+    await drag(visit, [18, 18], [20, 14], ['Shift']);
+    near((await layers(visit))[0].size, [14, 8]);
+    near((await layers(visit))[0].at, [13, 10]);
+    await page.mouse.move(...(await screen(visit, 13, 10)));
+    await page.mouse.down();
+    await page.mouse.move(...(await screen(visit, 12.05, 4.1)), { steps: 4 });
+    await settled(page);
+    assert.deepEqual((await layers(visit))[0].at, [12, 4]); // on the middle line, and on the page's lower edge
+    const along = await Promise.all([0, 0.1, 0.2, 0.3, 0.4, 0.5].map((more) => cover(visit, 12, 20 + more)));
+    assert.ok(Math.max(...along) > 0.3, `no line across the page: ${along}`);
+    await page.mouse.up();
+    await settled(page);
+    assert.equal(await cover(visit, 12, 20), 0);
+  },
+);
+
+test(
+  'keys move, delete and let go of a layer; clicks choose; brushes and the view keep working',
+  { skip },
+  async () => {
+    const visit = await open();
+    const { page } = visit;
+    await add(visit, 'Text');
+    await page.evaluate(() => {
+      const { studio } = document.querySelector('sillon-app');
+      studio.change((plate) => ({ ...plate, layers: [{ ...plate.layers[0], at: [6, 18], text: 'A' }] }));
+    });
+    await add(visit, 'Direction');
+    await page.evaluate(() => document.querySelector('sillon-app').studio.stage.focus());
+    const before = await undos(visit);
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('Shift+ArrowUp');
+    await page.keyboard.press('Alt+ArrowLeft');
+    near((await layers(visit))[1].at, [12.9, 22], 1e-9);
+    assert.equal(await undos(visit), before + 3);
+
+    await page.mouse.click(...(await screen(visit, 6, 18)));
+    await visit.until((state) => state.layer === 1);
+    await page.mouse.click(...(await screen(visit, 2, 2)));
+    await visit.until((state) => state.layer === undefined);
+    await page.mouse.click(...(await screen(visit, 6, 18)));
+    await visit.until((state) => state.layer === 1);
+    await page.keyboard.press('Delete');
+    await visit.until(({ plate }) => plate.layers.length === 1);
+    await page.keyboard.press('Control+z');
+    await visit.until(({ plate }) => plate.layers.length === 2);
+    await page.keyboard.press('Escape');
+    await visit.until((state) => state.layer === undefined);
+
+    // Nothing is chosen: the view moves, and no layer.
+    const was = await layers(visit);
+    const camera = () => page.evaluate(() => document.querySelector('sillon-app').studio.stage.camera.x);
+    const at = await camera();
+    await drag(visit, [20, 3], [17, 3]);
+    assert.notEqual(await camera(), at);
+    await page.keyboard.press('b');
+    await drag(visit, [6, 18], [9, 15]);
+    assert.equal(await visit.state(({ plate }) => plate.strokes.length), 1);
+    assert.deepEqual(await layers(visit), was);
+    await page.keyboard.press('v');
+    await page.locator('sillon-layers-panel').getByRole('button', { name: 'A', exact: true }).click();
+    assert.equal(await visit.state((state) => state.layer), 1);
+  },
+);
+
+test('files that are dropped on the panel become layers, and elsewhere what they always were', { skip }, async () => {
+  const visit = await open();
+  const { page } = visit;
+  const drop = (files) =>
+    page.locator('sillon-layers-panel').evaluate((panel, files) => {
+      const transfer = new DataTransfer();
+      for (const { name, type, data } of files) {
+        const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+        transfer.items.add(new File([bytes], name, { type }));
+      }
+      const options = { dataTransfer: transfer, bubbles: true, composed: true, cancelable: true };
+      panel.dispatchEvent(new DragEvent('dragover', options));
+      panel.dispatchEvent(new DragEvent('drop', options));
+    }, files);
+  const star = fileOf(
+    'star.svg',
+    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0h9v9z"/></svg>',
+  );
+  const font = fileOf('mine', Buffer.from([0, 1, 0, 0, 0, 0]));
+  await drop([star, fileAt(join(inputs, 'moon.png')), font]);
+  await visit.until(({ plate }) => plate.layers.length === 3);
+  assert.deepEqual(
+    (await layers(visit)).map(({ kind }) => kind),
+    ['drawing', 'picture', 'text'],
+  );
+  assert.deepEqual(await visit.state(({ plate }) => [plate.layers[0].file.name, plate.layers[2].font.name]), [
+    'star.svg',
+    'mine.ttf',
+  ]);
+  assert.equal(await visit.state(({ plate }) => plate.shape.kind), 'disc');
+  assert.equal(await undos(visit), 1);
+  await drop([fileOf('notes.txt', 'hello')]);
+  await page.getByText('This page cannot open files like notes.txt.').waitFor();
+  assert.equal((await layers(visit)).length, 3);
+  await visit.drop([star]);
+  await visit.until(({ plate }) => plate.shape.kind === 'file');
+  assert.equal((await layers(visit)).length, 3);
+});
+
+test('a picture is cropped where it lies, and what is cut off is seen', { skip }, async () => {
+  const visit = await open();
+  const { page } = visit;
+  const [chooser] = await Promise.all([
+    page.waitForEvent('filechooser'),
+    page.locator('sillon-layers-panel .tiles').getByRole('button', { name: 'Picture', exact: true }).click(),
+  ]);
+  await chooser.setFiles(join(inputs, 'moon.png'));
+  await visit.until(({ plate }) => plate.layers[0]?.file?.name === 'moon.png');
+  await page.evaluate(() => {
+    const { studio } = document.querySelector('sillon-app');
+    studio.change((plate) => ({ ...plate, layers: [{ ...plate.layers[0], size: [16, 16] }] }));
+  });
+  await settled(page);
+  assert.equal(await cover(visit, 17, 12), 0);
+  await page.locator('sillon-layers-panel').getByRole('button', { name: 'Crop', exact: true }).click();
+  await until(async () => (await cover(visit, 17, 12)) > 0.9, 'the picture over the plate');
+  await drag(visit, [20, 12], [12, 12]);
+  const [cropped] = await layers(visit);
+  near([...cropped.size, ...cropped.at], [8, 16, 8, 12]);
+  near([...cropped.cropMin, ...cropped.cropMax], [0, 0, 0.5, 1], 0.01);
+  assert.ok((await cover(visit, 17, 12)) > 0.9, 'what is cut off is not seen');
+  await drag(visit, [8, 12], [4, 12]); // the picture under its box
+  near((await layers(visit))[0].cropMin, [0.25, 0], 0.01);
+  await page.keyboard.press('Escape');
+  await visit.until((state) => !state.cropping && state.layer === 1);
+  await settled(page);
+  assert.equal(await cover(visit, 17, 12), 0);
+  await page.locator('sillon-layers-panel').getByRole('button', { name: 'Whole picture' }).click();
+  near((await layers(visit))[0].cropMax, [1, 1], 0);
+});
+
+test('the list is worked by keys alone: order, copies, sight', { skip }, async () => {
+  const visit = await open();
+  const { page } = visit;
+  for (const kind of ['Border', 'Pattern', 'Direction']) await add(visit, kind);
+  const panel = page.locator('sillon-layers-panel');
+  const names = () => panel.locator('li[data-layer] .name').allInnerTexts();
+  assert.deepEqual(await names(), ['Direction', 'Rays, rings', 'Border']);
+  const row = (name) => panel.getByRole('button', { name, exact: true });
+  await row('Direction').focus();
+  await page.keyboard.press('ArrowDown');
+  assert.equal(await row('Rays, rings').evaluate((one) => one.matches(':focus')), true);
+  await page.keyboard.press('Alt+ArrowDown');
+  await until(async () => (await names()).join() === 'Direction,Border,Rays, rings', 'the other order');
+  await until(() => row('Rays, rings').evaluate((one) => one.matches(':focus')), 'the focus to stay');
+  await page.keyboard.press('Enter');
+  await visit.until((state) => state.layer === 2);
+  await row('Move Rays, rings up').press('Enter');
+  await until(async () => (await names()).join() === 'Direction,Rays, rings,Border', 'the first order');
+  await row('Duplicate Rays, rings').press('Enter');
+  await visit.until((state) => state.plate.layers.length === 4 && state.layer === 4);
+  await row('Hide Border').press('Enter');
+  await visit.until(({ plate }) => plate.layers[0].visible === false);
+  await row('Show Border').waitFor();
+  await panel.locator('li.chosen .row').focus();
+  await page.keyboard.press('Delete');
+  await visit.until(({ plate }) => plate.layers.length === 3);
+  await until(() => panel.locator('li.chosen .row').evaluate((one) => one.matches(':focus')), 'the focus');
+});
+
+const narrow = [
+  { viewport: { width: 390, height: 844 }, language: 'fr' },
+  { viewport: { width: 320, height: 640 }, language: 'de' },
+];
+for (const { viewport, language } of narrow) {
+  test(`${viewport.width} pixels are enough, and axe finds nothing`, { skip }, async () => {
+    const visit = await open({ viewport, language, hasTouch: true });
+    const { page } = visit;
+    const look = async (what) => {
+      await page.evaluate(() => {
+        const { store } = document.querySelector('sillon-app').studio;
+        store.set({ notices: [], problem: undefined });
+      });
+      await settled(page);
+      assert.deepEqual(await page.evaluate(overlaps), [], what);
+      if (!(await page.evaluate(() => 'axe' in globalThis))) await page.evaluate(axe);
+      const found = await page.evaluate(async () => {
+        const { violations } = await globalThis.axe.run(document, { resultTypes: ['violations'] });
+        return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(' | ')}`);
+      });
+      assert.deepEqual(found, [], what);
+      const cut = await page
+        .locator('sillon-layers-panel')
+        .evaluate((panel) =>
+          [...panel.shadowRoot.querySelectorAll('button, label, .segments, .measure')]
+            .filter((one) => one.checkVisibility() && !one.closest('.row') && one.scrollWidth > one.clientWidth + 1)
+            .map((one) => one.textContent.trim()),
+        );
+      assert.deepEqual(cut, [], what);
+    };
+    await look('no layers');
+    for (const kind of ['text', 'qr', 'pattern', 'border', 'picture']) {
+      await page.evaluate((kind) => {
+        const { studio } = document.querySelector('sillon-app');
+        studio.change((plate) => ({
+          ...plate,
+          layers: [
+            {
+              ...{ id: 1, kind, visible: true, at: null, size: [0, 0], rotation: 0, mirror: false, mask: 'inside' },
+              ...{ maskFile: null, soft: 0, angle: 0, ground: 12, fill: 'angle', file: null, encoding: 'angle' },
+              ...{ cropMin: [0, 0], cropMax: [1, 1], lamp: [60, 45], text: 'Hallo', font: 'Nunito', textSize: 4 },
+              ...{ circle: 0, align: 'middle', correction: 'medium', pattern: 'waves', waveLength: 5, amplitude: 20 },
+              width: 2,
+            },
+          ],
+        }));
+        studio.settle();
+        studio.store.set({ layer: 1 });
+      }, kind);
+      const folded = page.locator('sillon-layers-panel details:not([open]) summary');
+      if ((await folded.count()) > 0) await folded.click();
+      await look(kind);
+    }
+  });
+}
+
+test('a finger has larger handles, and a chosen layer stays in hand when the panel is put away', { skip }, async () => {
+  const visit = await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, fresh: true });
+  const { page } = visit;
+  await add(visit, 'Direction');
+  await page.evaluate(() => document.querySelector('sillon-app').studio.setPanel(''));
+  await settled(page);
+  assert.ok((await cover(visit, 18, 18)) > 0.9, 'no handle');
+  const client = await page.context().newCDPSession(page);
+  const touch = async (type, place) => {
+    const [x, y] = place === undefined ? [] : await screen(visit, ...place);
+    await client.send('Input.dispatchTouchEvent', { type, touchPoints: place === undefined ? [] : [{ x, y }] });
+  };
+  await touch('touchStart', [17.4, 18.5]); // beside the corner
+  await touch('touchMove', [14.4, 15.5]);
+  await touch('touchMove', [13.4, 14.5]);
+  await touch('touchEnd');
+  await settled(page);
+  near((await layers(visit))[0].size, [8, 8], 0.3);
+});
