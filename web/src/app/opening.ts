@@ -5,18 +5,16 @@ import { newPlateOn, onOwnPrinter } from '../model/brought.js';
 import { newFileShape, newGenerator, newLampDirections, newPlate } from '../model/defaults.js';
 import { withFilament } from '../model/filaments.js';
 import { homeLight } from '../model/lamp.js';
-import { isFontFile, layerDefaults } from '../model/layers.js';
 import {
   isExample,
   ofExample,
   type DirectionSource,
   type Plate,
-  type PlateLayer,
   type ShapeSource,
   type SourceFile,
 } from '../model/plate.js';
 import { StudioError, type Problem } from '../model/problem.js';
-import type { Example, ExampleLayer } from '../model/example.js';
+import type { Example } from '../model/example.js';
 import type { Opened, Opening, Role } from '../model/file-role.js';
 import type { Studio } from '../studio/studio.js';
 
@@ -215,15 +213,6 @@ async function directionsOf(directions: Example['directions']): Promise<Directio
   );
 }
 
-async function layerFor(layer: ExampleLayer, k: number): Promise<PlateLayer> {
-  const fileOf = (name: string | undefined): Promise<SourceFile | null> =>
-    name === undefined ? Promise.resolve(null) : fetched(name);
-  const [file, maskFile] = await Promise.all([fileOf(layer.file), fileOf(layer.maskFile)]);
-  const { font = layerDefaults().font } = layer;
-  const own = typeof font === 'string' && isFontFile(font) ? await fetched(font) : font;
-  return { ...layerDefaults(), ...layer, id: k + 1, file, maskFile, font: own };
-}
-
 /** @param own  the visitor's printer, once all is there */
 async function plateOf(example: Example, own: () => PrinterValues): Promise<Plate> {
   const { modes = {}, width, height, filament, nearest } = example;
@@ -231,7 +220,8 @@ async function plateOf(example: Example, own: () => PrinterValues): Promise<Plat
     typeof example.shape === 'string' ? newFileShape(await fetched(example.shape)) : example.shape;
   const directions = await directionsOf(example.directions);
   const file = modes.file === undefined ? {} : { file: await fetched(modes.file) };
-  const layers = await Promise.all((example.layers ?? []).map(layerFor));
+  const layers =
+    example.layers === undefined ? [] : await (await import('./example-layers.js')).layersFor(example.layers, fetched);
   const plate = newPlateOn(own());
   const made: Plate = {
     ...plate,

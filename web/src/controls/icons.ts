@@ -53,15 +53,6 @@ const paths = {
   tune: 'M4 6h7M15 6h1M13 4v4M4 14h1M9 14h7M7 12v4M4 10h4M12 10h4M10 8v4',
   shuffle:
     'M3 6h2.5c4 0 5 8 9 8H17M15 12l2 2-2 2M3 14h2.5c1.2 0 2.1-.7 2.8-1.7M11.2 7.7C12 6.7 13 6 14.5 6H17M15 4l2 2-2 2',
-  eye: 'M2.5 10c2-3.5 4.5-5 7.5-5s5.5 1.5 7.5 5c-2 3.5-4.5 5-7.5 5s-5.5-1.5-7.5-5zM10 7.6a2.4 2.4 0 1 0 0 4.8 2.4 2.4 0 0 0 0-4.8',
-  hidden:
-    'M3 3.5l14 13M8 5.2c.6-.1 1.3-.2 2-.2 3 0 5.5 1.5 7.5 5-.7 1.2-1.5 2.2-2.3 3M13 14.5c-.9.3-1.9.5-3 .5-3 0-5.5-1.5-7.5-5 .8-1.4 1.7-2.5 2.7-3.3',
-  up: 'M10 16V4.5M5.5 9 10 4.5 14.5 9',
-  down: 'M10 4v11.5M5.5 11l4.5 4.5 4.5-4.5',
-  crop: 'M6 2.5V14h11.5M2.5 6H14v11.5',
-  picture: 'M3.5 4.5h13v11h-13zM3.5 13l4-4 3.5 3.5 2-2 3.5 3.5M12.7 7.6v.1',
-  drawing: 'M4 16l1-4L14 3l3 3-9 9zM12 5l3 3',
-  border: 'M3.5 3.5h13v13h-13zM6.5 6.5h7v7h-7z',
   // Kinds of directions, as small plates.
   lamp: 'M7 11.8a4.6 4.6 0 1 1 6 0c-.7.6-.9 1.2-.9 2.2H7.9c0-1-.2-1.6-.9-2.2zM8.2 16.8h3.6',
   angle: 'M4 13 13 4M4 16.5 16.5 4M7.5 16.5l9-9',
@@ -92,11 +83,14 @@ const paths = {
 
 export type IconName = keyof typeof paths;
 
-export const icon = (name: IconName, size = 18): SVGTemplateResult => svg`
+/** @param path  on that grid */
+export const lineIcon = (path: string, size = 18): SVGTemplateResult => svg`
   <svg class="icon" viewBox="0 0 20 20" width=${size} height=${size} fill="none" stroke="currentColor"
     stroke-width="1.4" stroke-linecap="round" stroke-linejoin="round" aria-hidden="true" focusable="false">
-    <path d=${paths[name]} />
+    <path d=${path} />
   </svg>`;
+
+export const icon = (name: IconName, size?: number): SVGTemplateResult => lineIcon(paths[name], size);
 
 /** Furrows on a disc. */
 export const mark = (): SVGTemplateResult => svg`

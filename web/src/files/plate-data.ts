@@ -1,5 +1,5 @@
 // A plate as data without bytes, for projects and storage; model/check-plate.ts reads it again.
-import { filesOfLayer, layerData } from '../model/layers.js';
+import { filesOfLayer, layerData } from '../model/layer-list.js';
 import type { DirectionSource, Plate, SourceFile } from '../model/plate.js';
 
 /** Each once. */

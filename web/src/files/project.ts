@@ -7,6 +7,8 @@ import { fieldsOf, numberIn, textIn, type Fields } from '../model/check.js';
 import { heightFrom, plateFrom, widthFrom } from '../model/check-plate.js';
 import { givenSlopes, slopesOf } from '../model/filaments.js';
 import { rasterInput, sectionsOf } from '../model/input.js';
+import { toldLayer } from '../model/layer-list.js';
+import { completeLayers } from '../model/layers.js';
 import { isDrawn, type Plate, type SourceFile } from '../model/plate.js';
 import { isOfFile, StudioError } from '../model/problem.js';
 import type { DirectionRaster } from '../model/raster.js';
@@ -63,9 +65,11 @@ function studioSection(plate: Plate, paths: ReadonlyMap<string, string>): object
 }
 
 function projectOf(plate: Plate, paths: ReadonlyMap<string, string>): object {
-  const sections = sectionsOf(plate, ({ id }) => paths.get(id), isDrawn(plate) ? drawnFiles : undefined);
+  const pathOf = ({ id }: SourceFile): string | undefined => paths.get(id);
+  const sections = sectionsOf(plate, pathOf, isDrawn(plate) ? drawnFiles : undefined);
   const pictures = { ...sections.pictures, slopes: givenSlopes(plate) };
-  return { sillon: 1, ...sections, pictures, studio: studioSection(plate, paths) };
+  const layers = sections.layers && completeLayers(plate).map((layer) => toldLayer(layer, pathOf));
+  return { sillon: 1, ...sections, pictures, ...(layers && { layers }), studio: studioSection(plate, paths) };
 }
 
 /** project.json of the project file, as data. */

@@ -1,5 +1,5 @@
 // The words about layers, which no first visit has to fetch in English.
-import { isFontFile } from '../model/layers.js';
+import { isFontFile } from '../model/layer-list.js';
 import type { PlateLayer } from '../model/plate.js';
 import { words } from './en/layers.js';
 import { sayer } from './text.js';

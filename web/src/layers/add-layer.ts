@@ -1,16 +1,8 @@
 // New layers: of a kind, or of a file whose bytes tell what it is.
 import { l } from '../i18n/layers.js';
 import { StudioError } from '../model/problem.js';
-import {
-  isFontFile,
-  mostLayers,
-  needsFile,
-  newLayer,
-  nextLayerId,
-  withLayer,
-  type LayerKind,
-  type LayerValues,
-} from '../model/layers.js';
+import { isFontFile, mostLayers, newLayer, nextLayerId, withLayer } from '../model/layer-list.js';
+import { needsFile, type LayerKind, type LayerValues } from '../model/layers.js';
 import type { Plate, SourceFile } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
 

@@ -1,6 +1,6 @@
 // Whether a hand over the plate arranges layers, and which it finds there.
 import { contains, frameOf, type Frame, type Point } from '../model/layer-frame.js';
-import { layerOf } from '../model/layers.js';
+import { layerOf } from '../model/layer-list.js';
 import { pageOf, type PlateLayer } from '../model/plate.js';
 import { offers, type Shown } from '../studio/shown.js';
 

@@ -10,10 +10,12 @@ import { settingLabel } from '../i18n/say.js';
 import { t } from '../i18n/text.js';
 import { layersLamp } from '../model/lamp.js';
 import { layerSettingOf } from '../model/layer-settings.js';
-import { builtInFonts, needsFile, needsMask, type LayerKey, type LayerKind } from '../model/layers.js';
+import { builtInFonts } from '../model/layer-list.js';
+import { needsFile, needsMask, type LayerKey, type LayerKind } from '../model/layers.js';
 import type { PlateLayer, SourceFile } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
 import { chosenFile, drawingFiles, fontFiles, oneFile, pictureFiles } from './add-layer.js';
+import { layerIcon } from './icons.js';
 import { changeIn, layerField } from './layer-field.js';
 import { withTextSize } from './place-fields.js';
 
@@ -232,7 +234,7 @@ function cropField(studio: Studio, layer: PlateLayer): Content {
           studio.store.set({ cropping: !cropping, tool: 'pan' });
         }}
       >
-        ${icon('crop', 16)} ${l('crop')}
+        ${layerIcon('crop', 16)} ${l('crop')}
       </button>
       ${
         whole

@@ -1,26 +1,18 @@
 // The layers over the directions, the topmost first, and what the chosen one is.
-import { html, nothing, type PropertyValues, type TemplateResult } from 'lit';
+import { html, nothing, type PropertyValues, type SVGTemplateResult, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { StudioElement } from '../controls/element.js';
-import { icon, type IconName } from '../controls/icons.js';
+import { icon } from '../controls/icons.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { l, layerName } from '../i18n/layers.js';
 import { t } from '../i18n/text.js';
-import {
-  changeLayer,
-  completeLayers,
-  duplicated,
-  lackOf,
-  layerOf,
-  nextLayerId,
-  raised,
-  withoutLayer,
-  type LayerKind,
-} from '../model/layers.js';
+import { changeLayer, duplicated, layerOf, nextLayerId, raised, withoutLayer } from '../model/layer-list.js';
+import { completeLayers, lackOf, type LayerKind } from '../model/layers.js';
 import type { Plate, PlateLayer } from '../model/plate.js';
 import { addFiles, addLayer } from './add-layer.js';
 import { frameIn } from './arranging.js';
 import { followBoxes } from './boxes.js';
+import { kindIcon, layerIcon } from './icons.js';
 import { foldedFields, kindFields } from './kind-fields.js';
 import { layersStyle } from './layers-style.js';
 import { placeFields } from './place-fields.js';
@@ -28,20 +20,6 @@ import { tile } from './tiles.js';
 
 /** The most wanted first. */
 const offered: readonly LayerKind[] = ['text', 'picture', 'drawing', 'qr', 'pattern', 'direction', 'border', 'map'];
-
-const icons: Record<LayerKind, IconName> = {
-  direction: 'angle',
-  map: 'map',
-  picture: 'picture',
-  text: 'text',
-  qr: 'qr',
-  pattern: 'radial',
-  drawing: 'drawing',
-  border: 'border',
-};
-
-const iconOf = ({ kind, pattern }: PlateLayer): IconName =>
-  kind !== 'pattern' || pattern === 'radial' ? icons[kind] : pattern === 'waves' ? 'waves' : 'edges';
 
 @customElement('sillon-layers-panel')
 export class LayersPanel extends StudioElement {
@@ -148,7 +126,7 @@ export class LayersPanel extends StudioElement {
           this.studio.store.set({ layer: chosen ? undefined : layer.id, cropping: false, tool: 'pan' });
         }}
       >
-        ${icon(lack === undefined ? iconOf(layer) : 'warn', 18)}
+        ${lack === undefined ? kindIcon(layer) : icon('warn', 18)}
         <span class=${layer.visible ? 'name' : 'name off'}>${name}</span>
       </button>
       <button
@@ -160,7 +138,7 @@ export class LayersPanel extends StudioElement {
           this.#change((plate) => changeLayer(plate, layer.id, ({ visible }) => ({ visible: !visible })));
         }}
       >
-        ${icon(layer.visible ? 'eye' : 'hidden', 18)}
+        ${layerIcon(layer.visible ? 'eye' : 'hidden')}
       </button>
       ${chosen ? this.#actions(layer, name) : nothing}
     </li>`;
@@ -170,7 +148,7 @@ export class LayersPanel extends StudioElement {
     const { layers } = this.state.plate;
     const action = (
       what: 'up' | 'down' | 'duplicate' | 'delete',
-      image: IconName,
+      image: SVGTemplateResult,
       disabled: boolean,
       run: () => void,
     ): TemplateResult =>
@@ -182,20 +160,20 @@ export class LayersPanel extends StudioElement {
         ?disabled=${disabled}
         @click=${run}
       >
-        ${icon(image, 16)}
+        ${image}
       </button>`;
     const raise = (by: number) => (): void => {
       this.#change((plate) => raised(plate, id, by));
     };
     return html`<div class="actions">
-      ${action('up', 'up', layers.at(-1)?.id === id, raise(1))}
-      ${action('down', 'down', layers[0]?.id === id, raise(-1))}
-      ${action('duplicate', 'copy', false, () => {
+      ${action('up', layerIcon('up', 16), layers.at(-1)?.id === id, raise(1))}
+      ${action('down', layerIcon('down', 16), layers[0]?.id === id, raise(-1))}
+      ${action('duplicate', icon('copy', 16), false, () => {
         const next = nextLayerId(this.state.plate);
         this.#change((plate) => duplicated(plate, id));
         if (layerOf(this.state.plate, next) !== undefined) this.studio.store.set({ layer: next, cropping: false });
       })}
-      ${action('delete', 'bin', false, () => {
+      ${action('delete', icon('bin', 16), false, () => {
         this.#remove(id);
       })}
     </div>`;

@@ -1,5 +1,5 @@
 // Where layers lie on the page: boxes that turn about a place, in mm with y up.
-import { middleOf } from './layers.js';
+import { middleOf } from './layer-list.js';
 import { pageOf, type Plate, type PlateLayer } from './plate.js';
 
 export type Point = readonly [number, number];

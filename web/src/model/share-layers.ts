@@ -1,5 +1,6 @@
 // The layers that a link can carry: those without files, and those whose files are small, or can be made so.
-import { completeLayers, filesOfLayer, layerInput } from './layers.js';
+import { filesOfLayer, toldLayer } from './layer-list.js';
+import { completeLayers } from './layers.js';
 import type { Plate, PlateLayer, SourceFile } from './plate.js';
 
 /** Of what is said of all layers together, beside their files [characters]. */
@@ -50,14 +51,14 @@ export async function toldLayers(
       files.set(file, toldFile(file.name, bytes));
     }
     const whole = filesOfLayer(layer).every((file) => files.has(file));
-    const length = JSON.stringify(layerInput(layer, () => undefined)).length;
+    const length = JSON.stringify(toldLayer(layer, () => undefined)).length;
     if (!whole || words + length > mostWords) {
       found.lacks = true;
       continue;
     }
     words += length;
     found.shrunk ||= [...files.keys()].some(({ bytes }) => bytes.type !== svgType);
-    found.told.push(layerInput(layer, (file) => files.get(file)));
+    found.told.push(toldLayer(layer, (file) => files.get(file)));
   }
   return found;
 }

@@ -6,7 +6,7 @@ import { fileKinds, newGenerator, newPlate, newShape, pictureDefaults } from './
 import type { DirectionSource, Plate, ShapeSource, SourceFile } from './plate.js';
 import { layersFrom } from './check-layers.js';
 import { mostPictures } from './lamp.js';
-import { mostLayers } from './layers.js';
+import { mostLayers } from './layer-list.js';
 import { profileOf } from './printers.js';
 import { toldLayers } from './share-layers.js';
 import { StudioError } from './problem.js';

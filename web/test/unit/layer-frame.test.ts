@@ -17,7 +17,7 @@ import {
   type Frame,
   type Point,
 } from '../../src/model/layer-frame.js';
-import { newLayer } from '../../src/model/layers.js';
+import { newLayer } from '../../src/model/layer-list.js';
 import type { Plate, PlateLayer } from '../../src/model/plate.js';
 import { snapped } from '../../src/model/snap.js';
 import { chances } from './support/pictures.js';

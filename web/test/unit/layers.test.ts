@@ -10,23 +10,19 @@ import { layerSettings } from '../../src/model/layer-settings.js';
 import {
   builtInFonts,
   changeLayer,
-  completeLayers,
-  drawnLayers,
   duplicated,
-  lackOf,
   layerDefaults,
-  layerInput,
   layerKeys,
   layerKinds,
   layerOf,
   mostLayers,
   newLayer,
   raised,
-  sameLayers,
   withLayer,
   withoutLayer,
-  type LayerValues,
-} from '../../src/model/layers.js';
+  toldLayer,
+} from '../../src/model/layer-list.js';
+import { completeLayers, drawnLayers, lackOf, sameLayers, type LayerValues } from '../../src/model/layers.js';
 import type { Plate, PlateLayer, SourceFile } from '../../src/model/plate.js';
 import { accepts } from '../../src/model/settings.js';
 import { without } from '../../src/model/without.js';
@@ -94,11 +90,11 @@ test('what a layer lacks is told, and neither the engine nor a project gets such
 test('the core is told what differs from its defaults, and nothing else', () => {
   const values = text({ font, at: [3, 4], angle: 0, textSize: 10, maskFile: file, mask: 'outside' });
   assert.deepEqual(
-    layerInput({ ...values, id: 5 }, ({ name }) => name),
+    toldLayer({ ...values, id: 5 }, ({ name }) => name),
     { kind: 'text', at: [3, 4], mask: 'outside', maskFile: 'cat.png', fill: 'across', text: 'A', font: 'own.ttf' },
   );
   assert.deepEqual(
-    layerInput({ ...layerDefaults(), id: 1 }, () => 0),
+    toldLayer({ ...layerDefaults(), id: 1 }, () => 0),
     { kind: 'direction' },
   );
 });

@@ -1,0 +1,40 @@
+// Icons that only the panel of layers has, on the grid of controls/icons.ts.
+import type { SVGTemplateResult } from 'lit';
+import { icon, lineIcon, type IconName } from '../controls/icons.js';
+import type { PlateLayer } from '../model/plate.js';
+
+const paths = {
+  eye: 'M2.5 10c2-3.5 4.5-5 7.5-5s5.5 1.5 7.5 5c-2 3.5-4.5 5-7.5 5s-5.5-1.5-7.5-5zM10 7.6a2.4 2.4 0 1 0 0 4.8 2.4 2.4 0 0 0 0-4.8',
+  hidden:
+    'M3 3.5l14 13M8 5.2c.6-.1 1.3-.2 2-.2 3 0 5.5 1.5 7.5 5-.7 1.2-1.5 2.2-2.3 3M13 14.5c-.9.3-1.9.5-3 .5-3 0-5.5-1.5-7.5-5 .8-1.4 1.7-2.5 2.7-3.3',
+  up: 'M10 16V4.5M5.5 9 10 4.5 14.5 9',
+  down: 'M10 4v11.5M5.5 11l4.5 4.5 4.5-4.5',
+  crop: 'M6 2.5V14h11.5M2.5 6H14v11.5',
+  picture: 'M3.5 4.5h13v11h-13zM3.5 13l4-4 3.5 3.5 2-2 3.5 3.5M12.7 7.6v.1',
+  drawing: 'M4 16l1-4L14 3l3 3-9 9zM12 5l3 3',
+  border: 'M3.5 3.5h13v13h-13zM6.5 6.5h7v7h-7z',
+} as const;
+
+export type LayerIconName = keyof typeof paths;
+
+export const layerIcon = (name: LayerIconName, size?: number): SVGTemplateResult => lineIcon(paths[name], size);
+
+const kinds: Record<PlateLayer['kind'], LayerIconName | IconName> = {
+  direction: 'angle',
+  map: 'map',
+  picture: 'picture',
+  text: 'text',
+  qr: 'qr',
+  pattern: 'radial',
+  drawing: 'drawing',
+  border: 'border',
+};
+
+const isOwn = (name: LayerIconName | IconName): name is LayerIconName => name in paths;
+
+/** The sign of a layer in lists. */
+export function kindIcon({ kind, pattern }: PlateLayer, size?: number): SVGTemplateResult {
+  const waves = kind === 'pattern' && pattern !== 'radial';
+  const name = waves ? (pattern === 'waves' ? 'waves' : 'edges') : kinds[kind];
+  return isOwn(name) ? layerIcon(name, size) : icon(name, size);
+}

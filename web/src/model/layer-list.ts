@@ -1,0 +1,122 @@
+// The layers of a plate: how each begins, what is told of it, and the list that they make.
+import { defaultsOf } from './defaults.js';
+import { layerInput, type LayerKey, type LayerKind, type LayerValues } from './layers.js';
+import { pageOf, type Plate, type PlateLayer, type SourceFile } from './plate.js';
+import { table } from './setting-table.js';
+
+/** The core's limit. */
+export const mostLayers = 32;
+
+export const layerKinds: readonly LayerKind[] = table.layers.kind.choices;
+
+/** The fonts that come with the engine. */
+export const builtInFonts = ['Nunito', 'Bebas Neue', 'Roboto Slab', 'Caveat', 'Fredoka'] as const;
+
+/** Font files go by their endings, as the core has it. */
+export const isFontFile = (name: string): boolean => /\.(?:ttf|otf)$/i.test(name);
+
+export const layerKeys = Object.keys(table.layers) as LayerKey[];
+
+const usual: LayerValues = { ...defaultsOf<LayerValues>(table.layers), file: null, maskFile: null };
+
+/** What the core takes each value to be where nothing is said. */
+export const layerDefaults = (): LayerValues => structuredClone(usual);
+
+const tenths = (length: number): number => Math.round(10 * length) / 10;
+
+/** How a hand finds each kind when it is new: seen at once against the directions below, and small enough to be moved. */
+const first: Record<LayerKind, (page: readonly [number, number]) => Partial<LayerValues>> = {
+  direction: ([width, height]) => ({ angle: 45, size: [tenths(width / 2), tenths(height / 2)] }),
+  map: () => ({}),
+  picture: ([width, height]) => ({ size: width < height ? [tenths(0.6 * width), 0] : [0, tenths(0.6 * height)] }),
+  text: (page) => ({ text: 'Abc', fill: 'across', textSize: Math.max(4, Math.round(Math.min(...page) / 6)) }),
+  qr: (page) => ({ text: 'https://', size: [tenths(Math.min(...page) / 2), 0] }),
+  pattern: () => ({ angle: 90 }),
+  drawing: ([width, height]) => ({
+    fill: 'across',
+    size: width < height ? [tenths(width / 2), 0] : [0, tenths(height / 2)],
+  }),
+  border: () => ({ fill: 'along' }),
+};
+
+export const newLayer = (
+  plate: Pick<Plate, 'width' | 'height'>,
+  kind: LayerKind,
+  given: Partial<LayerValues> = {},
+): LayerValues => ({ ...layerDefaults(), kind, ...first[kind](pageOf(plate)), ...given });
+
+// --- What is told of it --------------------------------------------------------------------------------------------------
+
+export const filesOfLayer = ({ file, maskFile, font }: PlateLayer): SourceFile[] =>
+  [file, maskFile, font].filter((one): one is SourceFile => one !== null && typeof one !== 'string');
+
+/** A layer with something in place of each of its files. */
+export const layerData = <Told>(layer: PlateLayer, told: (file: SourceFile) => Told) => ({
+  ...layer,
+  file: layer.file && told(layer.file),
+  maskFile: layer.maskFile && told(layer.maskFile),
+  font: typeof layer.font === 'string' ? layer.font : told(layer.font),
+});
+
+/** What files and links tell of a layer: its kind, and whatever differs from the defaults. @param content  as of layerInput */
+export function toldLayer(layer: PlateLayer, content: (file: SourceFile) => unknown): object {
+  const whole: Partial<Record<LayerKey, unknown>> = layerInput(layer, content);
+  const differs = (key: LayerKey): boolean => JSON.stringify(layer[key]) !== JSON.stringify(usual[key]);
+  return Object.fromEntries(
+    layerKeys.filter((key) => key === 'kind' || differs(key)).map((key) => [key, whole[key]] as const),
+  );
+}
+
+// --- The list ------------------------------------------------------------------------------------------------------------
+
+export const layerOf = ({ layers }: Pick<Plate, 'layers'>, id: number | undefined): PlateLayer | undefined =>
+  layers.find((layer) => layer.id === id);
+
+/** That of the next new layer. */
+export const nextLayerId = ({ layers }: Pick<Plate, 'layers'>): number =>
+  1 + layers.reduce((most, { id }) => Math.max(most, id), 0);
+
+/** The plate with one more layer on top, whose id was `nextLayerId`; the same plate where there is no room for it. */
+export const withLayer = (plate: Plate, values: LayerValues): Plate =>
+  plate.layers.length >= mostLayers
+    ? plate
+    : { ...plate, layers: [...plate.layers, { ...values, id: nextLayerId(plate) }] };
+
+export const changeLayer = (plate: Plate, id: number, change: (layer: PlateLayer) => Partial<LayerValues>): Plate => ({
+  ...plate,
+  layers: plate.layers.map((layer) => (layer.id === id ? { ...layer, ...change(layer) } : layer)),
+});
+
+export const withoutLayer = (plate: Plate, id: number): Plate => ({
+  ...plate,
+  layers: plate.layers.filter((layer) => layer.id !== id),
+});
+
+/** The plate with a layer `by` places further up; the same plate where it cannot go there. */
+export function raised(plate: Plate, id: number, by: number): Plate {
+  const from = plate.layers.findIndex((layer) => layer.id === id);
+  const layer = plate.layers[from];
+  const to = Math.min(plate.layers.length - 1, Math.max(0, from + by));
+  if (layer === undefined || to === from) return plate;
+  const layers = plate.layers.filter((one) => one !== layer);
+  layers.splice(to, 0, layer);
+  return { ...plate, layers };
+}
+
+const beside = 3; // [mm] copies lie so far to the right and below
+
+/** The plate with a copy above a layer, whose id was `nextLayerId`; the same plate where there is no room for it. */
+export function duplicated(plate: Plate, id: number): Plate {
+  const from = plate.layers.findIndex((layer) => layer.id === id);
+  const layer = plate.layers[from];
+  if (layer === undefined || plate.layers.length >= mostLayers) return plate;
+  const [x, y] = middleOf(plate, layer);
+  const copy: PlateLayer = { ...layer, id: nextLayerId(plate), at: [x + beside, y - beside] };
+  return { ...plate, layers: [...plate.layers.slice(0, from + 1), copy, ...plate.layers.slice(from + 1)] };
+}
+
+/** The place that a layer's box, or its circle, lies about. */
+export function middleOf(plate: Pick<Plate, 'width' | 'height'>, { at }: Pick<PlateLayer, 'at'>): [number, number] {
+  const [width, height] = pageOf(plate);
+  return at ?? [width / 2, height / 2];
+}
