@@ -1078,6 +1078,7 @@ export type WarningCode =
   | 'StartScales'
   | 'StartTemperature'
   | 'ThinLayers'
+  | 'ThinLetters'
   | 'UnusualFilament'
   | 'UnusualFlow'
   | 'WidthHeld';

@@ -1,5 +1,6 @@
 // Letters and QR codes for the command line, which asks for them while it runs (cli/assemble.cpp).
 import { readFileSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { builtinFonts } from './texts.js';
 
@@ -18,7 +19,7 @@ type Tools = typeof import('./text/text.js');
 export async function offerTexts(): Promise<void> {
   const script = new URL('./engine/text.js', import.meta.url).href;
   const { start, shapeLine, qrModules } = (await import(script)) as Tools;
-  await start(readFileSync(engine('harfbuzz.wasm')));
+  await start(() => readFile(engine('harfbuzz.wasm')));
 
   const fontOf = (name: string): Uint8Array => {
     const file = fileOf[builtinFonts[name] ?? ''];

@@ -86,7 +86,7 @@ export class Texts {
     const { script, wasm } = this.#files.text;
     try {
       const tools = (await import(/* @vite-ignore */ /* webpackIgnore: true */ script)) as Tools;
-      await tools.start(await this.#platform.read(wasm));
+      await tools.start(() => this.#platform.read(wasm));
       return tools;
     } catch (problem) {
       if (problem instanceof SillonError) throw problem;

@@ -20,16 +20,16 @@ const scripts = {
   mt: ['engine/worker.js', 'engine/sillon-mt.js', 'engine/sillon-mt.worker.js'],
 };
 for (const [variant, names] of Object.entries(scripts)) {
-  test(`the scripts of ${variant} are at most 42 KB, gzip`, () => {
+  test(`the scripts of ${variant} are at most 44 KB, gzip`, () => {
     const size = zipped([...wrapper, ...names]);
-    assert.ok(wrapper.includes('index.js') && size <= 42 * 1024, `${size} bytes`);
+    assert.ok(wrapper.includes('index.js') && size <= 44 * 1024, `${size} bytes`);
   });
 
-  test(`sillon-${variant}.wasm is at most 620 KB, brotli`, () => {
+  test(`sillon-${variant}.wasm is at most 645 KB, brotli`, () => {
     const bytes = readFileSync(join(dist, `engine/sillon-${variant}.wasm`));
     const size = brotliCompressSync(bytes, {
       params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length },
     }).length;
-    assert.ok(size <= 620 * 1024, `${size} bytes`);
+    assert.ok(size <= 645 * 1024, `${size} bytes`);
   });
 }

@@ -76,7 +76,9 @@ test('an engine has the declared members, and no others', () => {
 });
 
 test('sections of projects have the declared fields, and no others', async () => {
-  const project = await engine.readProject('{ "sillon": 1, "studio": { "version": 1 } }');
+  const project = await engine.readProject(
+    '{ "sillon": 1, "layers": [{ "kind": "direction" }], "studio": { "version": 1 } }',
+  );
   const { membersOf } = declared();
   assert.deepEqual(Object.keys(project).sort(), membersOf('Project').sort());
   assert.deepEqual(Object.keys(project.toolpath).sort(), membersOf('ToolpathParams').sort());

@@ -10,10 +10,16 @@ const { QrCode } = generator as unknown as typeof generator.default;
 const usualCapHeight = 0.7;
 const mostPathBytes = 4 * 2 ** 20;
 
-/** @param wasm  harfbuzz.wasm */
-export async function start(wasm: Uint8Array): Promise<void> {
-  // Added by vite.text.config.js, instead of a start by the import.
-  await (hb as unknown as { start(wasm: Uint8Array): Promise<void> }).start(wasm);
+let started: Promise<void> | undefined;
+
+/** Engines share this module: a second start would leave what was made before in another memory.
+ * @param wasm  gives harfbuzz.wasm */
+export async function start(wasm: () => Promise<Uint8Array>): Promise<void> {
+  // `start` is added by vite.text.config.js, instead of a start by the import.
+  const { start: begin } = hb as unknown as { start(wasm: Uint8Array): Promise<void> };
+  started ??= wasm().then(begin);
+  started.catch(() => (started = undefined)); // the next call tries again
+  await started;
 }
 
 function pathWriter(): hb.DrawFuncs {

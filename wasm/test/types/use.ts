@@ -48,7 +48,7 @@ await engine.generateToolpath({});
 // @ts-expect-error an input is needed
 await engine.generateToolpath();
 // @ts-expect-error no such shape
-await engine.generateToolpath({ shape: { builtin: 'star', size: [1, 1] } });
+await engine.generateToolpath({ shape: { builtin: 'cloud', size: [1, 1] } });
 // @ts-expect-error a pair
 await engine.generateToolpath({ shape: { builtin: 'disc', size: [1, 2, 3] } });
 // @ts-expect-error no such section

@@ -1242,8 +1242,6 @@ export const de: Translation = {
   'warning.UnusualFilament': '„Filamentdurchmesser“ ist {value} mm; zu kaufen gibt es 1,75 und 2,85.',
   'warning.ThinLetters':
     '{percent} % der Ebene {layer} sind schmaler als zwei Bahnen und schwer zu lesen; größer, fetter oder mit kleinerem Abstand wird sie deutlicher.',
-  'warning.ThinLetters':
-    '{percent} % der Ebene {layer} sind schmaler als zwei Bahnen und schwer zu lesen; größer, fetter oder mit kleinerem Abstand wird sie deutlicher.',
   'warning.ThinLayers': '„Schichthöhe“ ist {value} mm; unter 0,2 Düsendurchmessern reißen Schichten.',
   'warning.UnusualFlow': '{field} ist {value}; üblich sind 0,8 bis 1,1.',
   'warning.FlatBeads': 'An {n} Punkten sind Bahnen nicht breiter, als die Schicht hoch ist ({height} mm).',

@@ -1255,8 +1255,6 @@ export const fr: Translation = {
   'warning.UnusualFilament': '« Diamètre du filament » : {value} mm ; on en vend de 1,75 et de 2,85.',
   'warning.ThinLetters':
     '{percent} % du calque {layer} sont plus étroits que deux cordons et difficiles à lire ; plus grand, plus gras ou avec un espacement plus petit, il sera plus net.',
-  'warning.ThinLetters':
-    '{percent} % du calque {layer} sont plus étroits que deux cordons et difficiles à lire ; plus grand, plus gras ou avec un espacement plus petit, il sera plus net.',
   'warning.ThinLayers':
     '« Hauteur de couche » : {value} mm ; au-dessous de 0,2 fois la buse, les couches se déchirent.',
   'warning.UnusualFlow': '{field} : {value} ; la valeur va d’ordinaire de 0,8 à 1,1.',

@@ -1,6 +1,6 @@
 // Where layers lie on the page: boxes that turn about a place, in mm with y up.
 import { middleOf } from './layer-list.js';
-import { pageOf, type Plate, type PlateLayer } from './plate.js';
+import { pageOf, type PageParts, type PlateLayer } from './plate.js';
 
 export type Point = readonly [number, number];
 
@@ -17,8 +17,6 @@ export interface Frame {
   /** [degrees] counter-clockwise */
   turn: number;
 }
-
-type Page = Pick<Plate, 'width' | 'height'>;
 
 /** Kinds that fill the page where nobody has given them a size. */
 const fillsPage = ({ kind, pattern }: PlateLayer): boolean =>
@@ -49,7 +47,7 @@ function sizeOf(layer: PlateLayer, page: Point, known: KnownBox | undefined): Po
 }
 
 /** @param known  what the engine has told last of this layer, which may have changed since */
-export function frameOf(page: Page, layer: PlateLayer, known: KnownBox | undefined): Frame {
+export function frameOf(page: PageParts, layer: PlateLayer, known: KnownBox | undefined): Frame {
   if (layer.kind === 'border') return { middle: middleOf(page, { at: null }), size: pageOf(page), turn: 0 };
   return { middle: middleOf(page, layer), size: sizeOf(layer, pageOf(page), known), turn: layer.rotation };
 }

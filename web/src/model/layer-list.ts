@@ -1,7 +1,7 @@
 // The layers of a plate: how each begins, what is told of it, and the list that they make.
 import { defaultsOf } from './defaults.js';
 import { layerInput, type LayerKey, type LayerKind, type LayerValues } from './layers.js';
-import { pageOf, type Plate, type PlateLayer, type SourceFile } from './plate.js';
+import { pageOf, type PageParts, type Plate, type PlateLayer, type SourceFile } from './plate.js';
 import { table } from './setting-table.js';
 
 /** The core's limit. */
@@ -40,7 +40,7 @@ const first: Record<LayerKind, (page: readonly [number, number]) => Partial<Laye
 };
 
 export const newLayer = (
-  plate: Pick<Plate, 'width' | 'height'>,
+  plate: PageParts,
   kind: LayerKind,
   given: Partial<LayerValues> = {},
 ): LayerValues => ({ ...layerDefaults(), kind, ...first[kind](pageOf(plate)), ...given });
@@ -116,7 +116,7 @@ export function duplicated(plate: Plate, id: number): Plate {
 }
 
 /** The place that a layer's box, or its circle, lies about. */
-export function middleOf(plate: Pick<Plate, 'width' | 'height'>, { at }: Pick<PlateLayer, 'at'>): [number, number] {
+export function middleOf(plate: PageParts, { at }: Pick<PlateLayer, 'at'>): [number, number] {
   const [width, height] = pageOf(plate);
   return at ?? [width / 2, height / 2];
 }

@@ -142,8 +142,11 @@ export interface Plate {
   spool?: OwnSpool | undefined;
 }
 
+/** The parts of a plate that its page follows from. */
+export type PageParts = Pick<Plate, 'shape' | 'width' | 'height'>;
+
 /** Width and height of the page, which grows with an outline that is moved outwards. */
-export function pageOf({ shape, width, height }: Pick<Plate, 'shape' | 'width' | 'height'>): [number, number] {
+export function pageOf({ shape, width, height }: PageParts): [number, number] {
   const grown = 2 * Math.max(0, shape.offset);
   return [width + grown, (height || width) + grown];
 }
