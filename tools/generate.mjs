@@ -153,14 +153,31 @@ const studioRows = (section, indent) =>
 
 const studioSection = (section) => `  ${section}: {\n${studioRows(section, '    ')}\n  },`;
 
+/** Without type, level and unit, which the panel knows: the first view carries these. */
+const shapeRows = () =>
+  of('shape')
+    .filter(
+      (setting) =>
+        isValue(setting) &&
+        setting.type !== 'text' &&
+        !['size', 'pageWidth', 'unitless', 'paint', 'keepThin'].includes(setting.key),
+    )
+    .map(
+      (setting) =>
+        `  ${studioRow(setting)
+          .replace(/type: '[^']*', level: '[^']*', /, '')
+          .replace(/unit: '[^']*', /, '')}`,
+    )
+    .join('\n');
+
 const settingTable = () => `// Made by tools/generate.mjs from the core's table of settings: ./dev generate.
 export const table = {
 ${['pictures', ...sectionsOfStudio].map(studioSection).join('\n')}
 } as const;
 
-/** The rows of a shape, but for the name of its file. */
+/** Ranges, choices and defaults of shapes that are no files. */
 export const shapeTable = {
-${studioRows('shape', '  ')}
+${shapeRows()}
 } as const;
 `;
 

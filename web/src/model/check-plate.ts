@@ -20,7 +20,6 @@ import { layersFrom } from './check-layers.js';
 import type { DirectionSource, LampPicture, ModeSource, OwnSpool, Plate, ShapeSource, Stroke } from './plate.js';
 import { shapeTable } from './setting-table.js';
 import { accepts, settingsOf, type SectionName } from './settings.js';
-import { builtinShapes } from './shapes.js';
 
 // --- Parts of a plate --------------------------------------------------------------------------------------------------
 
@@ -71,6 +70,7 @@ export function plateSpoolFrom(value: unknown): { spool?: OwnSpool } {
   return { spool: spoolFrom(key, entry) };
 }
 
+const [, ...builtins] = shapeTable.builtin.choices; // the first is none
 const furthest = 10000; // [mm], as the engine has it
 
 function holesFrom(value: unknown): RoundHole[] {
@@ -93,7 +93,7 @@ export function shapeFrom(value: unknown, fileFrom?: FileFrom): ShapeSource {
   const kind = oneOf(
     fields['kind'],
     'shape.kind',
-    fileFrom === undefined ? builtinShapes : ([...builtinShapes, 'file'] as const),
+    fileFrom === undefined ? builtins : ([...builtins, 'file'] as const),
   );
   if (kind !== 'file' && fields['file'] !== undefined) throw new Unfit('shape.file', fields['file']);
   const usual =
@@ -113,8 +113,8 @@ export function shapeFrom(value: unknown, fileFrom?: FileFrom): ShapeSource {
     inner: number('inner'),
     offset: number('offset'),
     holes: holesFrom(given['holes']),
-    unitless: oneOf(given['unitless'], 'shape.unitless', shapeTable.unitless.choices),
-    paint: oneOf(given['paint'], 'shape.paint', shapeTable.paint.choices),
+    unitless: oneOf(given['unitless'], 'shape.unitless', ['px', 'mm']),
+    paint: oneOf(given['paint'], 'shape.paint', ['shown', 'ignore']),
     keepThin: flagIn(given['keepThin'], 'shape.keepThin'),
   };
 }

@@ -87,15 +87,6 @@ export const newShape = (kind: Exclude<ShapeSource['kind'], 'file'>): ShapeSourc
   ...(kind === 'star' && { radius: 1 }),
 });
 
-/** Heights of shapes, as shares of their widths, that the engine gives them where it is told none. */
-export const ownHeight: Partial<Record<ShapeSource['kind'], number>> = {
-  hexagon: Math.sqrt(3) / 2,
-  heart: 0.914214,
-  shield: 1.199359,
-  star: 0.951057,
-  tag: 0.4,
-};
-
 export const newFileShape = (file: SourceFile, unitless?: Unitless): ShapeSource => ({
   kind: 'file',
   file,

@@ -142,21 +142,14 @@ export const table = {
   },
 } as const;
 
-/** The rows of a shape, but for the name of its file. */
+/** Ranges, choices and defaults of shapes that are no files. */
 export const shapeTable = {
-  file: { type: 'text', level: 'basic', default: '', maxBytes: 1024 },
-  builtin: { type: 'choice', level: 'basic', default: 'none', choices: ['none','rectangle','rounded','disc','hexagon','heart','shield','star','ring','tag','text'] },
-  size: { type: 'pair', level: 'basic', default: [0,0], unit: 'mm', low: 0, high: 10000 },
-  radius: { type: 'number', level: 'basic', default: 3, unit: 'mm', low: 0, high: 10000 },
-  corners: { type: 'choice', level: 'basic', default: 'round', choices: ['round','chamfer'] },
-  points: { type: 'integer', level: 'basic', default: 5, low: 3, high: 24 },
-  inner: { type: 'number', level: 'basic', default: 0, unit: 'mm', low: 0, high: 10000 },
-  text: { type: 'block', level: 'basic', default: '', maxBytes: 4096 },
-  font: { type: 'text', level: 'basic', default: 'Nunito', maxBytes: 1024 },
-  pageWidth: { type: 'number', level: 'basic', default: 0, unit: 'mm', low: 0, high: 10000 },
-  unitless: { type: 'choice', level: 'advanced', default: 'px', choices: ['px','mm'] },
-  paint: { type: 'choice', level: 'advanced', default: 'shown', choices: ['shown','ignore'] },
-  offset: { type: 'number', level: 'basic', default: 0, unit: 'mm', low: -20, high: 50 },
-  holes: { type: 'holes', level: 'basic', default: [], most: 16 },
-  keepThin: { type: 'flag', level: 'advanced', default: false },
+  builtin: { default: 'none', choices: ['none','rectangle','rounded','disc','hexagon','heart','shield','star','ring','tag','text'] },
+  radius: { default: 3, low: 0, high: 10000 },
+  corners: { default: 'round', choices: ['round','chamfer'] },
+  points: { default: 5, low: 3, high: 24 },
+  inner: { default: 0, low: 0, high: 10000 },
+  text: { default: '', maxBytes: 4096 },
+  offset: { default: 0, low: -20, high: 50 },
+  holes: { default: [], most: 16 },
 } as const;

@@ -1,7 +1,7 @@
 // The built-in shapes, and the holes that things need.
 import type { BuiltinShape, RoundHole } from 'sillon';
-import { newShape, ownHeight } from './defaults.js';
-import { isRoundKind, pageOf, type Plate } from './plate.js';
+import { newShape } from './defaults.js';
+import { isRoundKind, pageOf, type Plate, type ShapeSource } from './plate.js';
 
 /** In the order of the panel. */
 export const builtinShapes = [
@@ -15,6 +15,15 @@ export const builtinShapes = [
   'ring',
   'tag',
 ] as const satisfies readonly BuiltinShape[];
+
+/** Heights of shapes, as shares of their widths, that the engine gives them where it is told none. */
+export const ownHeight: Partial<Record<ShapeSource['kind'], number>> = {
+  hexagon: Math.sqrt(3) / 2,
+  heart: 0.914214,
+  shield: 1.199359,
+  star: 0.951057,
+  tag: 0.4,
+};
 
 const hundredth = (value: number): number => Math.round(value * 100) / 100;
 

@@ -1,9 +1,8 @@
-// Fields for what is done to a shape: its corners, an offset and holes. The panel fetches them when it is shown.
+// Fields for what is done to a shape: its corners, an offset and holes.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import type { RoundHole } from 'sillon';
 import { a } from '../i18n/shaping.js';
-import { t } from '../i18n/text.js';
 import { pageOf, type ShapeSource } from '../model/plate.js';
 import { shapeTable } from '../model/setting-table.js';
 import { usualHoles, withHole, type HoleName } from '../model/shapes.js';
@@ -76,7 +75,7 @@ export class ShapeFields extends StudioElement {
   #corners(shape: ShapeSource): TemplateResult {
     const { width, height } = this.state.plate;
     const most = Math.max(1, Math.floor(Math.min(width, height) / 2));
-    return html`${numberField(this.#length('radius', t('shape.radius'), { max: widest / 2, usual: [0, most] }))}
+    return html`${numberField(this.#length('radius', a('radius'), { max: widest / 2, usual: [0, most] }))}
     ${segments({
       id: 'corners',
       label: a('corners'),

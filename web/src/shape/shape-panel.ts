@@ -1,6 +1,7 @@
 // The shape, and how large it is.
 import { html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
+import { a } from '../i18n/shaping.js';
 import { formatNumber, t } from '../i18n/text.js';
 import { pageOf, type Plate, type ShapeSource } from '../model/plate.js';
 import { settingOf, withValue } from '../model/settings.js';
@@ -12,10 +13,10 @@ import { fileChip } from '../controls/file-chip.js';
 import { icon } from '../controls/icons.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { settingField } from '../controls/setting-field.js';
+import './shape-fields.js';
 import { sizeFields, sizeStyle } from './size-fields.js';
 
 const loadDrawing = (): Promise<unknown> => import('./drawing-fields.js');
-const loadFields = (): Promise<unknown> => import('./shape-fields.js');
 
 @customElement('sillon-shape-panel')
 export class ShapePanel extends StudioElement {
@@ -35,10 +36,12 @@ export class ShapePanel extends StudioElement {
           id: 'shape-kind',
           label: t('section.shape'),
           value: shape.kind,
-          options: [
-            ...builtinShapes.map((value) => ({ value, label: t(`shape.${value}`), icon: value })),
-            { value: 'file' as const, label: t('shape.file'), icon: 'file' as const },
-          ].map((option) => ({ ...option, picture: this.#pictures.url(option.value) })),
+          options: ([...builtinShapes, 'file'] as const).map((value) => ({
+            value,
+            label: a(`kind.${value}`),
+            icon: value,
+            picture: this.#pictures.url(value),
+          })),
           onChoose: (kind) => {
             void this.#choose(kind);
           },
@@ -97,13 +100,11 @@ export class ShapePanel extends StudioElement {
   }
 
   #details(shape: ShapeSource): TemplateResult | typeof nothing {
-    const fields = this.lazy(loadFields)
-      ? html`<sillon-shape-fields .studio=${this.studio}></sillon-shape-fields>`
-      : nothing;
-    if (shape.kind !== 'file') return fields;
+    const more = html`<sillon-shape-fields .studio=${this.studio}></sillon-shape-fields>`;
+    if (shape.kind !== 'file') return more;
     return html`${fileChip(this.studio, shape.file, '.svg,.png,.jpg,.jpeg,image/*')}
     ${this.lazy(loadDrawing) ? html`<sillon-drawing-fields .studio=${this.studio}></sillon-drawing-fields>` : nothing}
-    ${fields}`;
+    ${more}`;
   }
 
   #fit(plate: Plate): TemplateResult {
@@ -113,14 +114,14 @@ export class ShapePanel extends StudioElement {
     const beads = Math.floor(Math.min(...pageOf(plate)) / toolpath.spacing);
     const tooLarge = box[0] > bed[0] || box[1] > bed[1];
     return html`<p class="note figures">
-        ${t('size.onBed', {
+        ${a('size.onBed', {
           width: formatNumber(box[0], 1),
           height: formatNumber(box[1], 1),
           bedWidth: bed[0],
           bedHeight: bed[1],
         })}
       </p>
-      ${tooLarge ? html`<p class="warning" role="status">${icon('warn', 16)} ${t('size.tooLarge')}</p>` : nothing}
-      ${beads < 5 ? html`<p class="warning" role="status">${icon('warn', 16)} ${t('size.tooThin', { n: beads })}</p>` : nothing}`;
+      ${tooLarge ? html`<p class="warning" role="status">${icon('warn', 16)} ${a('size.tooLarge')}</p>` : nothing}
+      ${beads < 5 ? html`<p class="warning" role="status">${icon('warn', 16)} ${a('size.tooThin', { n: beads })}</p>` : nothing}`;
   }
 }

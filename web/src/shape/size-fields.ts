@@ -1,19 +1,16 @@
 // How large the plate is, in millimetres or inches.
 import { css, html, type TemplateResult } from 'lit';
-import { t } from '../i18n/text.js';
+import { a } from '../i18n/shaping.js';
 import type { Units } from '../model/guest.js';
 import { isRoundKind, type Plate } from '../model/plate.js';
 import { numberField, numberInput, type NumberField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import type { Studio } from '../studio/studio.js';
+import { inch } from './units.js';
 
 const smallest = 1; // [mm]
 const largest = 1000;
-const inch = 25.4; // [mm]
 const hundredth = (value: number): number => Math.round(value * 100) / 100;
-
-/** A length in the visitor's units. */
-export const inUnits = (length: number, units: Units): number => (units === 'in' ? length / inch : length);
 
 /** A field of millimetres, shown in the visitor's units. */
 export function lengthField(field: NumberField, units: Units): NumberField {
@@ -83,10 +80,10 @@ export function sizeFields(studio: Studio): TemplateResult {
   const { keepRatio, plate } = studio.store.state;
   const { kind } = plate.shape;
   if (isRoundKind(kind))
-    return numberField(sideField(studio, 'width', t('size.diameter'), (_, value) => ({ width: value, height: value })));
+    return numberField(sideField(studio, 'width', a('size.diameter'), (_, value) => ({ width: value, height: value })));
   const locked = keepRatio || kind === 'file'; // a file's proportions are its own
   const stacked = (side: 'width' | 'height', other: 'width' | 'height'): TemplateResult => {
-    const field = sideField(studio, side, t(`size.${side}`), (now, value) => ({
+    const field = sideField(studio, side, a(`size.${side}`), (now, value) => ({
       [side]: value,
       ...(locked ? { [other]: hundredth((now[other] / now[side]) * value) } : {}),
     }));
@@ -101,8 +98,8 @@ export function sizeFields(studio: Studio): TemplateResult {
       type="button"
       class="square"
       aria-pressed=${String(locked)}
-      aria-label=${t('size.lock')}
-      title=${t('size.lock')}
+      aria-label=${a('size.lock')}
+      title=${a('size.lock')}
       ?disabled=${kind === 'file'}
       @click=${() => {
         studio.store.set({ keepRatio: !keepRatio });

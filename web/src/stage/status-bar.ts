@@ -6,7 +6,7 @@ import { formatDuration, formatNumber, t } from '../i18n/text.js';
 import { isOf } from '../model/result.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
-import { inUnits } from '../shape/size-fields.js';
+import { inUnits } from '../shape/units.js';
 import { pageOf } from '../model/plate.js';
 
 @customElement('sillon-status')

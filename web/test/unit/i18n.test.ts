@@ -181,8 +181,10 @@ test('the view that re-brushes prints speaks every language, and shows all its w
   assert.equal(said.size, spoken.length);
 });
 
-test('the fields of a shape show all their words', async () => {
-  const fields = readFileSync('web/src/shape/shape-fields.ts', 'utf8');
+test('the panel of a shape shows all its words', async () => {
+  const fields = ['shape-fields', 'shape-panel', 'size-fields']
+    .map((part) => readFileSync(`web/src/shape/${part}.ts`, 'utf8'))
+    .join('\n');
   const built = [...fields.matchAll(/a\(`([\w.]+)\$\{[^}`]*\}(?:\.help)?`/g)].map(([, start = '']) => start);
   for (const id of Object.keys(await wordsIn('shaping'))) {
     const name = id.replace('shaping.', '');

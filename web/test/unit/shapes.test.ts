@@ -4,11 +4,11 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { test } from 'node:test';
-import { newPlate, ownHeight } from '../../src/model/defaults.js';
+import { newPlate } from '../../src/model/defaults.js';
 import { pageOf } from '../../src/model/plate.js';
 import { isRound, roomShape } from '../../src/model/result.js';
 import { shapeTable } from '../../src/model/setting-table.js';
-import { builtinShapes, usualHoles, withHole, withShape } from '../../src/model/shapes.js';
+import { builtinShapes, ownHeight, usualHoles, withHole, withShape } from '../../src/model/shapes.js';
 
 test('the panel offers every shape of the engine once', () => {
   assert.deepEqual([...builtinShapes].sort(), shapeTable.builtin.choices.filter((name) => name !== 'none').sort());

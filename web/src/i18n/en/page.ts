@@ -109,26 +109,6 @@ export const words = {
   'role.project': 'Project',
   'role.none': 'Ignore',
 
-  // --- Shape and size -------------------------------------------------------------------------------------------------
-  'shape.rectangle': 'Rectangle',
-  'shape.rounded': 'Rounded rectangle',
-  'shape.disc': 'Disc',
-  'shape.hexagon': 'Hexagon',
-  'shape.heart': 'Heart',
-  'shape.shield': 'Shield',
-  'shape.star': 'Star',
-  'shape.ring': 'Ring',
-  'shape.tag': 'Tag',
-  'shape.file': 'From a file',
-  'shape.radius': 'Corner radius',
-  'size.width': 'Width',
-  'size.height': 'Height',
-  'size.diameter': 'Diameter',
-  'size.lock': 'Keep proportions',
-  'size.onBed': '{width} × {height} mm on a bed of {bedWidth} × {bedHeight} mm',
-  'size.tooLarge': 'The plate is larger than the bed.',
-  'size.tooThin': 'At this spacing the plate is only {n} beads wide.',
-
   // --- Directions -----------------------------------------------------------------------------------------------------
   'source.pictures': 'Picture, text or code',
   'source.patterns': 'Pattern',

@@ -1,6 +1,24 @@
-// Corners, offset and holes of a shape.
+// Shapes, their sizes, corners, offset and holes.
 
 export const words = {
+  'shaping.kind.rectangle': 'Rectangle',
+  'shaping.kind.rounded': 'Rounded rectangle',
+  'shaping.kind.disc': 'Disc',
+  'shaping.kind.file': 'From a file',
+  'shaping.kind.hexagon': 'Hexagon',
+  'shaping.kind.heart': 'Heart',
+  'shaping.kind.shield': 'Shield',
+  'shaping.kind.star': 'Star',
+  'shaping.kind.ring': 'Ring',
+  'shaping.kind.tag': 'Tag',
+  'shaping.size.width': 'Width',
+  'shaping.size.height': 'Height',
+  'shaping.size.diameter': 'Diameter',
+  'shaping.size.lock': 'Keep proportions',
+  'shaping.size.onBed': '{width} × {height} mm on a bed of {bedWidth} × {bedHeight} mm',
+  'shaping.size.tooLarge': 'The plate is larger than the bed.',
+  'shaping.size.tooThin': 'At this spacing the plate is only {n} beads wide.',
+  'shaping.radius': 'Corner radius',
   'shaping.corners': 'Corners',
   'shaping.corners.round': 'rounded',
   'shaping.corners.chamfer': 'cut off',
