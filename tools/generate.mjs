@@ -170,9 +170,16 @@ const shapeRows = () =>
     )
     .join('\n');
 
+/** First visits need no layers: these stand apart. */
+const layerTable = () => `// Made by tools/generate.mjs from the core's table of settings: ./dev generate.
+export const layerTable = {
+${studioRows('layers', '  ')}
+} as const;
+`;
+
 const settingTable = () => `// Made by tools/generate.mjs from the core's table of settings: ./dev generate.
 export const table = {
-${['pictures', ...sectionsOfStudio].map(studioSection).join('\n')}
+${['pictures', ...sectionsAtFirst].map(studioSection).join('\n')}
 } as const;
 
 /** Ranges, choices and defaults of shapes that are no files. */
@@ -184,7 +191,8 @@ ${shapeRows()}
 // --- web/src/i18n/en/core, wasm/src/hints.ts ---------------------------------------------------------------------------------
 
 const words = JSON.parse(execFileSync(program, ['words', '--json'], { encoding: 'utf8' }));
-const sectionsOfStudio = ['layers', 'toolpath', 'print', 'printer'];
+const sectionsAtFirst = ['toolpath', 'print', 'printer'];
+const sectionsOfStudio = ['layers', ...sectionsAtFirst];
 const settingsOfStudio = settings.filter((setting) => sectionsOfStudio.includes(setting.section) && isValue(setting));
 const labels = new Map(settings.map(({ section, key, label }) => [`${section}.${key}`, typeset(label)]));
 
@@ -208,6 +216,13 @@ export const words = {
 ${rows.map(([id, text]) => `  ${JSON.stringify(id).replaceAll('"', "'")}: ${JSON.stringify(text)},`).join('\n')}
 } as const;
 `;
+
+const labelsFile = (sections) =>
+  wordsFile(
+    settingsOfStudio
+      .filter(({ section }) => sections.includes(section))
+      .map(({ section, key }) => [`setting.${section}.${key}`, labels.get(`${section}.${key}`)]),
+  );
 
 const sentencesFile = (kind, prefix, write = (text) => sentence(printed(text))) =>
   wordsFile(Object.entries(words[kind]).map(([code, text]) => [prefix + code, write(text)]));
@@ -275,10 +290,9 @@ const made = {
   'docs/pictures/rooms.svg': () => drawRooms(root),
   'wasm/sillon.d.ts': types,
   'web/src/model/setting-table.ts': settingTable,
-  'web/src/i18n/en/core/settings.ts': () =>
-    wordsFile(
-      settingsOfStudio.map(({ section, key }) => [`setting.${section}.${key}`, labels.get(`${section}.${key}`)]),
-    ),
+  'web/src/model/layer-table.ts': layerTable,
+  'web/src/i18n/en/core/settings.ts': () => labelsFile(sectionsAtFirst),
+  'web/src/i18n/en/core/layer-settings.ts': () => labelsFile(['layers']),
   'web/src/i18n/en/core/setting-help.ts': () =>
     wordsFile(settingsOfStudio.map((setting) => [`help.${setting.section}.${setting.key}`, helpOf(setting)])),
   'web/src/i18n/en/core/warnings.ts': () => sentencesFile('warnings', 'warning.'),

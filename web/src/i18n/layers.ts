@@ -1,11 +1,15 @@
 // The words about layers, which no first visit has to fetch in English.
 import { isFontFile } from '../model/layer-list.js';
 import type { PlateLayer } from '../model/plate.js';
+import type { LayerSetting } from '../model/settings.js';
+import { words as settings } from './en/core/layer-settings.js';
 import { words } from './en/layers.js';
-import { sayer } from './text.js';
+import { say, sayer } from './text.js';
 
 export const l = sayer('layers.', words);
 export type LayersTextId = Parameters<typeof l>[0];
+
+export const layerLabel = ({ id }: Pick<LayerSetting, 'id'>): string => say(settings, `setting.${id}`);
 
 const longest = 40;
 

@@ -4,19 +4,11 @@ import type { Filament } from '../model/filaments.js';
 import { countLines, unusualHeat } from '../model/brought.js';
 import { profileOf, type PrinterChoice } from '../model/printers.js';
 import type { Problem } from '../model/problem.js';
-import type {
-  AnySetting,
-  ChoiceSetting,
-  NumberSetting,
-  PairSetting,
-  Setting,
-  SettingValue,
-  Unit,
-} from '../model/settings.js';
+import type { ChoiceSetting, NumberSetting, PairSetting, Setting, SettingValue, Unit } from '../model/settings.js';
 import type { Progress } from '../model/state.js';
 import { formatDuration, formatNumber, hasText, t } from './text.js';
 
-export const settingLabel = ({ id }: Pick<AnySetting, 'id'>): string => t(`setting.${id}`);
+export const settingLabel = ({ id }: Pick<Setting, 'id'>): string => t(`setting.${id}`);
 
 export function choiceLabel({ id }: ChoiceSetting, choice: string): string {
   const text = `choice.${id}.${choice}`;

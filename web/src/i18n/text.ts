@@ -7,6 +7,7 @@ import type { words as colours } from './en/colours.js';
 import type { words as faces } from './en/core/faces.js';
 import type { words as findings } from './en/core/findings.js';
 import type { words as importNotes } from './en/core/import-notes.js';
+import type { words as layerSettings } from './en/core/layer-settings.js';
 import type { words as reasons } from './en/core/reasons.js';
 import type { words as settingHelp } from './en/core/setting-help.js';
 import type { words as warnings } from './en/core/warnings.js';
@@ -43,6 +44,7 @@ type Late =
   | typeof findings
   | typeof help
   | typeof importNotes
+  | typeof layerSettings
   | typeof layers
   | typeof links
   | typeof looks

@@ -5,8 +5,7 @@ import { flag, numberField, select } from '../controls/fields.js';
 import { fileChip } from '../controls/file-chip.js';
 import { icon } from '../controls/icons.js';
 import { settingHelp } from '../i18n/help.js';
-import { fontName, l } from '../i18n/layers.js';
-import { settingLabel } from '../i18n/say.js';
+import { fontName, l, layerLabel } from '../i18n/layers.js';
 import { t } from '../i18n/text.js';
 import { layersLamp } from '../model/lamp.js';
 import { layerSettingOf } from '../model/layer-settings.js';
@@ -136,7 +135,7 @@ function fontField(studio: Studio, layer: PlateLayer): TemplateResult {
   const own = typeof font === 'string' ? [] : [{ value: font.id, label: fontName(font) }];
   return html`${select<string>({
       id: 'layer-font',
-      label: settingLabel(setting),
+      label: layerLabel(setting),
       help: settingHelp(setting),
       value: typeof font === 'string' ? font : font.id,
       options: [...builtInFonts.map((name) => ({ value: name, label: name })), ...own],
@@ -159,7 +158,7 @@ function fontField(studio: Studio, layer: PlateLayer): TemplateResult {
 
 function lampField(studio: Studio, layer: PlateLayer): TemplateResult {
   const setting = layerSettingOf('lamp');
-  const label = settingLabel(setting);
+  const label = layerLabel(setting);
   const { lamp } = layer;
   const gesture = `layer.${layer.id}.lamp`;
   const onSettle = (): void => {
@@ -256,7 +255,7 @@ function groundField(studio: Studio, layer: PlateLayer): TemplateResult {
   const { ground } = layer;
   const setting = layerSettingOf('ground');
   const [min, max] = setting.kind === 'number' ? [setting.min, setting.max] : [0, 0];
-  const label = settingLabel(setting);
+  const label = layerLabel(setting);
   const set = (next: number | null, gesture?: string): void => {
     changeIn(studio, layer, () => ({ ground: next }), gesture);
   };

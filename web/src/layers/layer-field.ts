@@ -3,8 +3,7 @@ import type { TemplateResult } from 'lit';
 import { angleField } from '../controls/angle-field.js';
 import { valueField } from '../controls/setting-field.js';
 import { settingHelp } from '../i18n/help.js';
-import { l, type LayersTextId } from '../i18n/layers.js';
-import { settingLabel } from '../i18n/say.js';
+import { l, layerLabel, type LayersTextId } from '../i18n/layers.js';
 import { layerSettingOf } from '../model/layer-settings.js';
 import { changeLayer } from '../model/layer-list.js';
 import { type LayerKey, type LayerValues } from '../model/layers.js';
@@ -37,7 +36,7 @@ interface Own {
 export function layerField(studio: Studio, layer: PlateLayer, key: LayerKey, own: Own = {}): TemplateResult {
   const whole = layerSettingOf(key);
   const {
-    label = settingLabel(whole),
+    label = layerLabel(whole),
     help = settingHelp(whole),
     choices,
     choice = (name: string) => l(`${key}.${name}` as LayersTextId),

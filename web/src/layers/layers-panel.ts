@@ -4,7 +4,7 @@ import { customElement, state } from 'lit/decorators.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
 import { panelStyle } from '../controls/panel-style.js';
-import { l, layerName } from '../i18n/layers.js';
+import { l, layerLabel, layerName } from '../i18n/layers.js';
 import { t } from '../i18n/text.js';
 import { changeLayer, duplicated, layerOf, nextLayerId, raised, withoutLayer } from '../model/layer-list.js';
 import { completeLayers, lackOf, type LayerKind } from '../model/layers.js';
@@ -233,7 +233,7 @@ export class LayersPanel extends StudioElement {
         layer.kind === 'border'
           ? nothing
           : html`<section aria-labelledby="layer-place-title">
-              <h3 id="layer-place-title">${t('setting.layers.at')}</h3>
+              <h3 id="layer-place-title">${layerLabel({ id: 'layers.at' })}</h3>
               ${placeFields(this.studio, layer, frameIn(this.state, layer), {
                 locked: this.locked,
                 toggle: () => {

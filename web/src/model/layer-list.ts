@@ -2,12 +2,12 @@
 import { defaultsOf } from './defaults.js';
 import { layerInput, type LayerKey, type LayerKind, type LayerValues } from './layers.js';
 import { pageOf, type PageParts, type Plate, type PlateLayer, type SourceFile } from './plate.js';
-import { table } from './setting-table.js';
+import { layerTable } from './layer-table.js';
 
 /** The core's limit. */
 export const mostLayers = 32;
 
-export const layerKinds: readonly LayerKind[] = table.layers.kind.choices;
+export const layerKinds: readonly LayerKind[] = layerTable.kind.choices;
 
 /** The fonts that come with the engine. */
 export const builtInFonts = ['Nunito', 'Bebas Neue', 'Roboto Slab', 'Caveat', 'Fredoka'] as const;
@@ -15,9 +15,9 @@ export const builtInFonts = ['Nunito', 'Bebas Neue', 'Roboto Slab', 'Caveat', 'F
 /** Font files go by their endings, as the core has it. */
 export const isFontFile = (name: string): boolean => /\.(?:ttf|otf)$/i.test(name);
 
-export const layerKeys = Object.keys(table.layers) as LayerKey[];
+export const layerKeys = Object.keys(layerTable) as LayerKey[];
 
-const usual: LayerValues = { ...defaultsOf<LayerValues>(table.layers), file: null, maskFile: null };
+const usual: LayerValues = { ...defaultsOf<LayerValues>(layerTable), file: null, maskFile: null };
 
 /** What the core takes each value to be where nothing is said. */
 export const layerDefaults = (): LayerValues => structuredClone(usual);
@@ -39,11 +39,12 @@ const first: Record<LayerKind, (page: readonly [number, number]) => Partial<Laye
   border: () => ({ fill: 'along' }),
 };
 
-export const newLayer = (
-  plate: PageParts,
-  kind: LayerKind,
-  given: Partial<LayerValues> = {},
-): LayerValues => ({ ...layerDefaults(), kind, ...first[kind](pageOf(plate)), ...given });
+export const newLayer = (plate: PageParts, kind: LayerKind, given: Partial<LayerValues> = {}): LayerValues => ({
+  ...layerDefaults(),
+  kind,
+  ...first[kind](pageOf(plate)),
+  ...given,
+});
 
 // --- What is told of it --------------------------------------------------------------------------------------------------
 

@@ -1,9 +1,9 @@
 // The values of a layer as rows of data, from which its fields are drawn and layers from elsewhere are checked.
 import type { LayerKey } from './layers.js';
-import { table } from './setting-table.js';
+import { layerTable } from './layer-table.js';
 import { settingFrom, type LayerSetting, type LayerSettingId, type Span, type TableRow } from './settings.js';
 
-type Table = (typeof table)['layers'];
+type Table = typeof layerTable;
 type KeyOf<Type> = { [Key in keyof Table]: Table[Key] extends { type: Type } ? Key : never }[keyof Table];
 
 /** What the table does not tell of numbers, as `controls` of model/settings.ts. */
@@ -24,7 +24,7 @@ const controls: Record<KeyOf<'number' | 'pair'>, Span> = {
   width: { step: 0.1, usual: [0.5, 12] },
 };
 
-const rows = Object.entries(table.layers as Record<string, TableRow>).map(([key, entry]) => {
+const rows = Object.entries(layerTable as Record<string, TableRow>).map(([key, entry]) => {
   const control = (controls as Record<string, Span>)[key] ?? { step: 1 };
   return settingFrom<LayerSettingId>('layers', key, entry, control);
 });

@@ -6,7 +6,6 @@ import { toolpathDefaults } from './defaults.js';
 import type { Plate } from './plate.js';
 import { table } from './setting-table.js';
 import { withAdvance } from './printers.js';
-import { without } from './without.js';
 
 type PrintSettings = Omit<PrintParams, 'date'>;
 
@@ -227,7 +226,7 @@ export function settingFrom<Id extends SettingId | LayerSettingId>(
   return { ...span, kind: 'pair', integer: type === 'integer pair', default: entry.default as [number, number] | null };
 }
 
-const sections = Object.entries(without(table, 'layers')) as [SectionName, Record<string, TableRow>][];
+const sections = Object.entries(table) as [SectionName, Record<string, TableRow>][];
 const controlOf = (id: string): Span => (controls as Record<string, Span>)[id] ?? { step: 0.01 };
 const rows = sections.flatMap(([section, entries]) =>
   Object.entries(entries).map(([key, entry]) => ({
