@@ -22,6 +22,7 @@ import {
   newPlate,
   newShape,
 } from '../../src/model/defaults.js';
+import { layerKinds, newLayer, withLayer } from '../../src/model/layer-list.js';
 import type { Plate, SourceFile } from '../../src/model/plate.js';
 import { builtinShapes, withHole } from '../../src/model/shapes.js';
 import { printers, withPrinter } from '../../src/model/printers.js';
@@ -36,12 +37,14 @@ let engine: Engine;
 let leaf: SourceFile;
 let photo: SourceFile;
 let modeMap: SourceFile;
+let ownFont: SourceFile;
 before(async () => {
   engine = await createEngine({ threads: 'off' });
   const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="20mm" height="16mm" viewBox="0 0 20 16">
     <path d="M1 8 Q10 -6 19 8 Q10 22 1 8 Z"/></svg>`;
   leaf = await sourceFile('leaf.svg', new TextEncoder().encode(svg));
   photo = await sourceFile('photo.png', new Uint8Array(readFileSync(join(examples, 'inputs/photo.png'))));
+  ownFont = await sourceFile('Own.ttf', Uint8Array.of(0, 1, 0, 0, 9, 9)); // that is all that the studio knows of fonts
   modeMap = await sourceFile('mode.png', new Uint8Array(readFileSync(join(examples, 'inputs/logo_mode.png'))));
 });
 after(() => {
@@ -89,6 +92,13 @@ const small = (): Plate => ({
   printer: { ...newPlate().printer, nozzle: 0.8 },
 });
 
+/** One layer of each kind, with files of every sort. */
+const layered = (): Plate => {
+  const made = layerKinds.map((kind) => newLayer(newPlate(), kind, { file: kind === 'drawing' ? leaf : photo }));
+  const lettered = newLayer(newPlate(), 'text', { font: ownFont, maskFile: leaf, mask: 'inside', at: [3, 4.5] });
+  return [...made, lettered].reduce(withLayer, { ...newPlate(), directions: { kind: 'angle', angle: 12 } });
+};
+
 const stroke = { tool: 'comb', points: [0.1, 0.5, 0.5, 0.6, 0.9, 0.5], radius: 0.1, softness: 0.5 } as const;
 
 // --- Round trip --------------------------------------------------------------------------------------------------------
@@ -108,6 +118,7 @@ test('every kind of plate comes back as it went, with the bytes of its files', a
     ...builtinShapes.map((kind) => ({ ...newPlate(), shape: newShape(kind) })),
     withHole({ ...newPlate(), shape: { ...newShape('tag'), corners: 'chamfer', inner: 4, offset: 2.5 } }, 'magnet'),
     ...printers.map(({ key }) => withPrinter(newPlate(), key)),
+    layered(),
     {
       ...newPlate(),
       name: 'Épicéa ✨ “quoted”',

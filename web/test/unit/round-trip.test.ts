@@ -100,6 +100,11 @@ const projects: Record<string, Sections> = {
     print: { coast: 0.5, scarf: 0 },
     printer: { bedMin: [0, 0], bedMax: [300, 300], roundBed: true },
   },
+  layered: {
+    shape: { builtin: 'rectangle', size: [24, 18.5] },
+    // It is not seen: what counts is that its values come back.
+    layers: { kind: 'map', file: 'moon.png', maskFile: 'leaf.svg', font: 'Caveat', lamp: [30.5, 40] },
+  },
   outlines: { shape: { file: 'leaf.svg', pageWidth: 22.5, unitless: 'px', paint: 'ignore' } },
   rounded: {
     shape: { builtin: 'rounded', size: [24, 18.5], radius: 2.5, keepThin: true },
@@ -132,8 +137,14 @@ const projects: Record<string, Sections> = {
 /** Without the studio's own section; files lie elsewhere. */
 function compared({ studio: _, ...sections }: Sections): unknown {
   return JSON.parse(JSON.stringify(sections), (key, value: unknown) =>
-    key === 'file' && typeof value === 'string' ? value.split('/').at(-1) : value,
+    ['file', 'maskFile'].includes(key) && typeof value === 'string' ? value.split('/').at(-1) : value,
   );
+}
+
+/** Of layers, what differs from the defaults stands in a list. */
+function valueIn(project: Sections, section: string, key: string): unknown {
+  const values = project[section];
+  return (Array.isArray(values) ? (values as Section[])[0] : values)?.[key];
 }
 
 /** Sends a project to the studio and back. @returns the settings that it has off their defaults */
@@ -141,12 +152,14 @@ async function there(name: string, sections: Sections, settings: readonly Row[])
   const asked: Sections = {};
   for (const row of settings) {
     const { section, key, type } = row;
+    if (section === 'layers' && sections['layers'] === undefined) continue;
     const own = sections[section]?.[key] ?? chosen[section]?.[key];
     const everywhere = !['shape', 'directions', 'modes'].includes(section) && type !== 'pictures';
     if (own !== undefined || everywhere) (asked[section] ??= {})[key] = own ?? another(row);
   }
   const path = `${name}.json`;
-  const text = JSON.stringify({ sillon: 1, ...asked });
+  const { layers: layer, ...others } = asked;
+  const text = JSON.stringify({ sillon: 1, ...others, ...(layer && { layers: [layer] }) });
   writeFileSync(join(folder, path), text);
   const before = completed(path);
 
@@ -163,7 +176,7 @@ async function there(name: string, sections: Sections, settings: readonly Row[])
 
   const isOff = ({ section, key, default: usual }: Row): boolean =>
     asked[section]?.[key] !== undefined &&
-    (usual === undefined || JSON.stringify(before[section]?.[key]) !== JSON.stringify(usual)); // a preset is but its values
+    (usual === undefined || JSON.stringify(valueIn(before, section, key)) !== JSON.stringify(usual)); // a preset is but its values
   return settings.filter(isOff).map(({ section, key }) => `${section}.${key}`);
 }
 

@@ -12,6 +12,8 @@ import {
   newShape,
 } from '../../src/model/defaults.js';
 import { filaments, withFilament } from '../../src/model/filaments.js';
+import { newLayer, withLayer } from '../../src/model/layer-list.js';
+import type { LayerValues } from '../../src/model/layers.js';
 import type { Plate, SourceFile } from '../../src/model/plate.js';
 import { profileOf, printers, withPrinter } from '../../src/model/printers.js';
 import { StudioError, type ProblemCode } from '../../src/model/problem.js';
@@ -22,6 +24,12 @@ import { fileOf } from './support/pictures.js';
 
 const hashOf = (value: unknown, version = '1'): string =>
   `#plate=${version}.${deflateRawSync(JSON.stringify(value)).toString('base64url')}`;
+
+/** The least that a link says. */
+const plainLink = {
+  ...{ name: '', shape: { kind: 'disc' }, width: 24, height: 24, mode: 'constrained', settings: {} },
+  directions: { kind: 'angle', angle: 0 },
+};
 
 const file: SourceFile = { id: 'a', name: 'a.png', bytes: new Blob(['x']) };
 
@@ -60,6 +68,63 @@ test('every generator, shape, printer and filament comes back as it went', async
     assert.match(hash, /^#plate=1\.[\w-]+$/);
     assert.deepEqual(await readLink(hash), plate);
   }
+});
+
+test('layers travel as far as their files are small; what stays behind is told', async () => {
+  const drawing = new Blob(['<svg xmlns="http://www.w3.org/2000/svg"/>'], { type: 'image/svg+xml' });
+  const small: SourceFile = { id: 'd', name: 'd.svg', bytes: drawing };
+  const values: LayerValues[] = [
+    newLayer(newPlate(), 'text', { text: 'two\nlines', font: 'Caveat', at: [3, 4] }),
+    newLayer(newPlate(), 'pattern', { pattern: 'waves', visible: false }),
+    newLayer(newPlate(), 'drawing', { file: small, mask: 'outside', maskFile: small }),
+  ];
+  const plain = values.slice(0, 2).reduce(withLayer, newPlate());
+  const link = await writeLink(plain);
+  assert.deepEqual(link.untold, []);
+  assert.deepEqual(await readLink(link.hash), plain);
+
+  const shrink = (): Promise<Uint8Array> => Promise.resolve(Uint8Array.of(1, 2, 3));
+  const unpack = (name: string, bytes: Uint8Array<ArrayBuffer>): Promise<SourceFile> =>
+    Promise.resolve({ id: `id of ${name}`, name, bytes: new Blob([bytes]) });
+  const pictured = [...values, newLayer(newPlate(), 'picture', { file })].reduce(withLayer, newPlate());
+  const found = await writeLink(pictured, shrink);
+  assert.deepEqual(found.untold, ['detail']);
+  const back = await readLink(found.hash, unpack);
+  assert.ok(back !== undefined);
+  assert.deepEqual(
+    back.layers.map(({ kind, file }) => [kind, file?.name]),
+    [
+      ['text', undefined],
+      ['pattern', undefined],
+      ['drawing', 'd.svg'],
+      ['picture', 'a.png'],
+    ],
+  );
+  assert.equal(await back.layers[2]?.maskFile?.bytes.text(), await drawing.text());
+  assert.deepEqual([...new Uint8Array((await back.layers[3]?.file?.bytes.arrayBuffer()) ?? [])], [1, 2, 3]);
+
+  const left = [
+    newLayer(newPlate(), 'text', { font: { ...file, name: 'own.ttf' } }),
+    newLayer(newPlate(), 'map', { file }),
+    newLayer(newPlate(), 'text', { text: 'x'.repeat(4000) }),
+    newLayer(newPlate(), 'picture'),
+  ];
+  for (const one of left) {
+    const { hash, untold } = await writeLink([one, ...values.slice(0, 1)].reduce(withLayer, newPlate()), shrink);
+    assert.deepEqual(untold, ['layers'], one.kind);
+    assert.equal((await readLink(hash, unpack))?.layers.length, 1);
+  }
+  assert.deepEqual((await writeLink(pictured)).untold, ['layers']); // no file travels
+});
+
+test('layers of a link are let through as far as a control could have set them', async () => {
+  const linked = (layers: unknown): string => hashOf({ ...plainLink, layers });
+  const plate = await readLink(linked([{ kind: 'border', width: 2 }]));
+  assert.equal(plate?.layers[0]?.width, 2);
+  for (const layers of [7, {}, [7], [{}], [{ kind: 'border', width: 0 }], [{ kind: 'text', font: 'a.ttf' }]]) {
+    await refused(linked(layers), 'LinkValue');
+  }
+  await refused(linked([{ kind: 'picture', file: { name: 'a.png', data: 'AAAA' } }]), 'LinkValue');
 });
 
 test('a link that is out in the world opens', async () => {
