@@ -84,7 +84,7 @@ export function restore(studio: Studio, found: Kept, { shows, framed, show }: Re
     },
   });
   if (!shows) {
-    studio.notify(t('restore.late'), open(t('restore.show')));
+    studio.notify(say(words, 'restore.late'), open(say(words, 'restore.show')));
     return false;
   }
   // The last visit ended before its plate was shown: the plate may have stopped the page, and would again.
@@ -101,8 +101,8 @@ export function restore(studio: Studio, found: Kept, { shows, framed, show }: Re
     studio.notify(say(words, 'plates.copied'));
     return true;
   }
-  studio.notify(t('restore.done'), {
-    label: t('restore.discard'),
+  studio.notify(say(words, 'restore.done'), {
+    label: say(words, 'restore.discard'),
     run: () => {
       studio.services.newPlate();
     },

@@ -21,7 +21,9 @@ import type { words as layers } from './en/layers.js';
 import type { words as links } from './en/links.js';
 import type { words as looks } from './en/looks.js';
 import type { words as plates } from './en/plates.js';
+import type { words as presets } from './en/presets.js';
 import type { words as problems } from './en/problems.js';
+import type { words as quality } from './en/quality.js';
 import type { words as rebrush } from './en/rebrush.js';
 import type { words as shaping } from './en/shaping.js';
 import { languages, spoken } from './languages.js';
@@ -49,7 +51,9 @@ type Late =
   | typeof links
   | typeof looks
   | typeof plates
+  | typeof presets
   | typeof problems
+  | typeof quality
   | typeof reasons
   | typeof rebrush
   | typeof settingHelp

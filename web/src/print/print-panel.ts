@@ -3,7 +3,8 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { c } from '../i18n/calibrate.js';
 import { findingText, startLines, warningText } from '../i18n/say-core.js';
-import { formatBytes, formatDuration, formatNumber, t } from '../i18n/text.js';
+import { words as problems } from '../i18n/en/problems.js';
+import { formatBytes, formatDuration, formatNumber, say, t } from '../i18n/text.js';
 import { loadSpools } from './own-spools.js';
 import { settings } from '../model/settings.js';
 import { advancedSettings } from '../controls/advanced.js';
@@ -180,8 +181,8 @@ export class PrintPanel extends StudioElement {
   #findings(): TemplateResult | typeof nothing {
     const { check } = this.state;
     if (check === undefined) return nothing;
-    if (check.findings.length === 0) return html`<p class="note">${t('check.good')}</p>`;
-    return html`<h3>${t(check.errors > 0 ? 'check.errors' : 'check.warnings')}</h3>
+    if (check.findings.length === 0) return html`<p class="note">${say(problems, 'check.good')}</p>`;
+    return html`<h3>${say(problems, check.errors > 0 ? 'check.errors' : 'check.warnings')}</h3>
       <ul class="warnings">
         ${check.findings.map(
           (finding) => html`<li title=${finding.message}>${icon('warn', 16)}<span>${findingText(finding)}</span></li>`,
@@ -199,7 +200,7 @@ export class PrintPanel extends StudioElement {
         ${lines.map(
           ({ line, code, what }) =>
             html`<li>
-              ${icon('warn', 16)}<span>${t('check.line', { line })} <code>${code}</code><br />${what}</span>
+              ${icon('warn', 16)}<span>${say(problems, 'check.line', { line })} <code>${code}</code><br />${what}</span>
             </li>`,
         )}
       </ul>`;

@@ -1,7 +1,8 @@
 // How beads are laid.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { formatNumber, t } from '../i18n/text.js';
+import { words } from '../i18n/en/presets.js';
+import { formatNumber, say, t } from '../i18n/text.js';
 import {
   adviceFor,
   expertSettings,
@@ -48,18 +49,20 @@ export class ToolpathPanel extends StudioElement {
         <h2 id="beads-title">${t('section.toolpath')}</h2>
         ${cards<QualityName>({
           id: 'quality',
-          label: t('preset.title'),
+          label: say(words, 'preset.title'),
           value: quality,
           options: (Object.keys(qualities) as QualityName[]).map((value) => ({
             value,
-            label: t(`preset.${value}`),
+            label: say(words, `preset.${value}`),
             picture: `presets/${value}.webp`,
           })),
           onChoose: (value) => {
             this.studio.change((now) => withQuality(now, value));
           },
         })}
-        <p class="note">${quality === undefined ? t('preset.custom') : t(`preset.${quality}.help`)}</p>
+        <p class="note">
+          ${quality === undefined ? say(words, 'preset.custom') : say(words, `preset.${quality}.help`)}
+        </p>
       </section>
       <section aria-label=${t('section.beads')}>
         ${segments({

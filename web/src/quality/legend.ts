@@ -1,7 +1,8 @@
 // What the colours of a view mean.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { formatNumber, t } from '../i18n/text.js';
+import { words } from '../i18n/en/quality.js';
+import { formatNumber, say, t } from '../i18n/text.js';
 import { directionPalette, markColours, rampColour } from '../views/palette.js';
 import { mostDelay, type ColourBy, type Mark } from '../model/view.js';
 import { StudioElement } from '../controls/element.js';
@@ -64,7 +65,8 @@ export class Legend extends StudioElement {
       return html`${counted.map(
         (kind) =>
           html`<span class="kind"
-            ><span class="swatch" .style=${`background: ${markColours[kind]}`}></span>${t(`mark.${kind}`)}</span
+            ><span class="swatch" .style=${`background: ${markColours[kind]}`}></span
+            >${say(words, `mark.${kind}`)}</span
           >`,
       )}`;
     }

@@ -3,7 +3,8 @@ import { css, html, nothing, svg, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { threadsWords } from '../i18n/say.js';
 import { verdictText } from '../i18n/say-verdict.js';
-import { formatNumber, t } from '../i18n/text.js';
+import { words } from '../i18n/en/quality.js';
+import { formatNumber, say, t } from '../i18n/text.js';
 import { orderVerdict, verdictsOf, type Verdict } from '../model/verdicts.js';
 import { widthHistogram } from '../controls/histogram.js';
 import type { Mark } from '../model/view.js';
@@ -119,14 +120,16 @@ export class QualityPanel extends StudioElement {
         <sillon-doubts .studio=${this.studio}></sillon-doubts>
         ${
           verdicts.length === 0
-            ? html`<p class="note">${t(this.state.progress === undefined ? 'measure.none' : 'measure.waiting')}</p>`
+            ? html`<p class="note">
+                ${say(words, this.state.progress === undefined ? 'measure.none' : 'measure.waiting')}
+              </p>`
             : html`<ul class="verdicts">
                 ${verdicts.map(
                   (verdict) =>
                     html`<li class=${verdict.level}>
                       ${icon(icons[verdict.level], 18)}
                       <b>${this.#name(verdict, verdicts)}</b
-                      ><span class="note level">${t(`level.${verdict.level}`)}</span>
+                      ><span class="note level">${say(words, `level.${verdict.level}`)}</span>
                       <p>${verdictText(verdict)} ${this.#look(verdict)}</p>
                     </li>`,
                 )}
@@ -148,7 +151,7 @@ export class QualityPanel extends StudioElement {
 
   /** Of several pictures with the file's. */
   #name(verdict: Verdict, verdicts: readonly Verdict[]): string {
-    const label = t(`measure.${verdict.measure}`);
+    const label = say(words, `measure.${verdict.measure}`);
     const same = verdicts.filter(({ measure }) => measure === verdict.measure);
     const directions = this.state.result?.plate.directions;
     if (same.length === 1 || directions?.kind !== 'lamp') return label;
@@ -165,12 +168,12 @@ export class QualityPanel extends StudioElement {
     return html`<button
       type="button"
       class="link"
-      aria-label="${t(`measure.${measure}`)}: ${t('mark.look')}"
+      aria-label="${say(words, `measure.${measure}`)}: ${say(words, 'mark.look')}"
       @click=${() => {
         this.studio.lookAtMark(at);
       }}
     >
-      ${t('mark.look')}
+      ${say(words, 'mark.look')}
     </button>`;
   }
 
@@ -183,7 +186,7 @@ export class QualityPanel extends StudioElement {
     const { spacing } = result.toolpath;
     const at = ((spacing - low) / (high - low)) * 300;
     return html`<section aria-labelledby="widths-title">
-      <h3 id="widths-title">${t('histogram.widths')}</h3>
+      <h3 id="widths-title">${say(words, 'histogram.widths')}</h3>
       <figure>
         <svg class="histogram" viewBox="0 0 300 110" role="img" aria-labelledby="widths-title">
           ${bars.map(
@@ -209,12 +212,12 @@ export class QualityPanel extends StudioElement {
     };
     return html`<section aria-labelledby="places-title">
       <div class="places">
-        <h3 id="places-title">${t('mark.count', { n: marks.length })}</h3>
+        <h3 id="places-title">${say(words, 'mark.count', { n: marks.length })}</h3>
         <span class="buttons">
           <button
             type="button"
             class="square"
-            aria-label=${t('mark.previous')}
+            aria-label=${say(words, 'mark.previous')}
             @click=${() => {
               step(-1);
             }}
@@ -224,7 +227,7 @@ export class QualityPanel extends StudioElement {
           <button
             type="button"
             class="square"
-            aria-label=${t('mark.next')}
+            aria-label=${say(words, 'mark.next')}
             @click=${() => {
               step(1);
             }}
@@ -245,7 +248,7 @@ export class QualityPanel extends StudioElement {
                   this.studio.lookAtMark(k);
                 }}
               >
-                <span>${t(`mark.${kind}`)}</span
+                <span>${say(words, `mark.${kind}`)}</span
                 ><span class="note figures">${formatNumber(x, 1)}; ${formatNumber(y, 1)} mm</span>
               </button>
             </li>`,

@@ -33,4 +33,8 @@ export const words = {
   'plates.taken': 'Another tab continues with this plate. You continue here with a copy.',
   'plates.gone': 'That plate is no longer there.',
   'plates.savedTo': 'Saved to {name}.',
+  'restore.done': 'Your last plate has been restored.',
+  'restore.discard': 'Start over',
+  'restore.late': 'An earlier plate of yours was found.',
+  'restore.show': 'Show it',
 } as const;

@@ -1,4 +1,4 @@
-// Details of problems beyond their codes, and their places in files.
+// Details of problems beyond their codes, their places in files, and what a file is read back as.
 
 export const words = {
   'check.place': 'Line {line}: {what}',
@@ -18,4 +18,8 @@ export const words = {
   'reason.PlateTooLarge': 'The plate is too large for a spacing of {mm} mm.',
   'reason.leastSpacing': 'Choose a spacing of at least {mm} mm.',
   'reason.percent': 'At {percent} % of its size it would fit.',
+  'check.good': 'Read back as a printer would: no problems found.',
+  'check.errors': 'Problems in the file',
+  'check.warnings': 'Notes on this file',
+  'check.line': 'Line {line}:',
 } as const;
