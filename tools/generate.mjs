@@ -159,7 +159,7 @@ const shapeRows = () =>
     .filter(
       (setting) =>
         isValue(setting) &&
-        setting.type !== 'text' &&
+        setting.key !== 'file' &&
         !['size', 'pageWidth', 'unitless', 'paint', 'keepThin'].includes(setting.key),
     )
     .map(

@@ -864,6 +864,9 @@ export interface Project {
     offset: number;
     holes: RoundHole[];
     keepThin: boolean;
+    /** Letters of the shape `text`, and their font. */
+    text: string;
+    font: string;
   };
   directions: { file: string; encoding: DirectionEncoding; angle: number };
   modes: { file: string; mode: DirectionMode };

@@ -55,7 +55,10 @@ test('what cannot be drawn is refused with the number of its layer', async () =>
     [[{ ...text, text: '字' }], /^layers\[0\]: the font "Nunito" has no letter for "字" \(U\+5B57\)/],
     [[text, { ...text, text: '' }], /^layers\[1\]\.text is empty/],
     [[{ ...text, font: new Uint8Array([1, 2, 3]) }], /is no font; it must be a TrueType or OpenType file/],
-    [[{ ...text, font: 'Comic' }], /the font is "Comic"; it must be a file that is handed over, or one of Nunito, Bebas Neue/],
+    [
+      [{ ...text, font: 'Comic' }],
+      /the font is "Comic"; it must be a file that is handed over, or one of Nunito, Bebas Neue/,
+    ],
     [[{ kind: 'qr', text: 'x'.repeat(3000) }], /the text has 3000 bytes; no QR code/],
     [[{ kind: 'drawing' }], /^layers\[0\]\.file is empty/],
     [[{ kind: 'cloud' }], /^layers\[0\]\.kind is "cloud"/],

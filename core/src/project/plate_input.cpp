@@ -80,7 +80,17 @@ Result<Shape> textOf(const Project& project, const ReadInput& read, Vec2 size) {
   if (!first) return first.error();
   const Vec2 drawn = first.value().page;
   lettering.capHeight *= size.y == 0 ? size.x / drawn.x : std::min(size.x / drawn.x, size.y / drawn.y);
-  return textShape(lettering, read);
+  Result<Shape> shape = textShape(lettering, read);
+  if (!shape || size.y == 0) return shape;
+  // The page is as large as asked; letters of other proportions stand in its middle.
+  const Vec2 free = (size - shape.value().page) * 0.5;
+  for (FilledPath& path : shape.value().paths) {
+    for (Ring& ring : path.rings) {
+      for (Vec2& point : ring) point = point + free;
+    }
+  }
+  shape.value().page = size;
+  return shape;
 }
 
 /// \param lines  picture of the directions, if there is one: it lends its proportions where no height is given.

@@ -131,7 +131,7 @@ constexpr Row kRows[] = {
       .help = "Diameter of the hole of the shapes \"ring\" and \"tag\"; 0 is half of the ring's width, or 5 mm",
       .option = "--inner"}},
     {{.section = Shape, .key = "text", .type = Block, .field = at<&Project::shapeText>, .high = kText, .level = Basic},
-     {.label = "Letters", .help = "Letters of the shape \"text\", which are as wide as its size"}},
+     {.label = "Letters", .help = "Letters of the shape \"text\", which fill its size as far as their proportions allow"}},
     {{.section = Shape, .key = "font", .type = Text, .field = at<&Project::shapeFont>, .high = kLine, .level = Basic},
      {.label = "Font",
       .help = "Font of these letters: Nunito, Bebas Neue, Roboto Slab, Fredoka, Caveat, or a TTF or OTF file"}},

@@ -16,7 +16,7 @@ let started: Promise<void> | undefined;
  * @param wasm  gives harfbuzz.wasm */
 export async function start(wasm: () => Promise<Uint8Array>): Promise<void> {
   // `start` is added by vite.text.config.js, instead of a start by the import.
-  const { start: begin } = hb as unknown as { start(wasm: Uint8Array): Promise<void> };
+  const { start: begin } = hb as unknown as { start: (wasm: Uint8Array) => Promise<void> };
   started ??= wasm().then(begin);
   started.catch(() => (started = undefined)); // the next call tries again
   await started;

@@ -876,6 +876,9 @@ export const de: Translation = {
   'shaping.kind.star': 'Stern',
   'shaping.kind.ring': 'Ring',
   'shaping.kind.tag': 'Anhänger',
+  'shaping.kind.text': 'Buchstaben',
+  'shaping.text': 'Buchstaben',
+  'shaping.font': 'Schrift',
   'shaping.size.width': 'Breite',
   'shaping.size.height': 'Höhe',
   'shaping.size.diameter': 'Durchmesser',
@@ -1239,7 +1242,7 @@ export const de: Translation = {
     'Eine Grundschicht deckt nur {percent} % der Form; wo es für ihre Linien zu eng ist, liegt nichts darunter.',
   'warning.UnusualFilament': '„Filamentdurchmesser“ ist {value} mm; zu kaufen gibt es 1,75 und 2,85.',
   'warning.ThinLetters':
-    '{percent} % der Ebene {layer} sind schmaler als zwei Bahnen und schwer zu lesen; größer, fetter oder mit kleinerem Abstand wird sie deutlicher.',
+    '{percent} % der Ebene {layer} sind schmaler als zwei Bahnen und schwer zu lesen; größer, fetter oder mit kleinerem Abstand wird sie deutlicher.',
   'warning.ThinLayers': '„Schichthöhe“ ist {value} mm; unter 0,2 Düsendurchmessern reißen Schichten.',
   'warning.UnusualFlow': '{field} ist {value}; üblich sind 0,8 bis 1,1.',
   'warning.FlatBeads': 'An {n} Punkten sind Bahnen nicht breiter, als die Schicht hoch ist ({height} mm).',

@@ -884,6 +884,9 @@ export const fr: Translation = {
   'shaping.kind.star': 'Étoile',
   'shaping.kind.ring': 'Anneau',
   'shaping.kind.tag': 'Étiquette',
+  'shaping.kind.text': 'Lettres',
+  'shaping.text': 'Lettres',
+  'shaping.font': 'Police',
   'shaping.size.width': 'Largeur',
   'shaping.size.height': 'Hauteur',
   'shaping.size.diameter': 'Diamètre',
@@ -1252,7 +1255,7 @@ export const fr: Translation = {
     'Une couche de base ne couvre que {percent} % de la forme ; les endroits trop étroits pour ses lignes n’ont rien au-dessous.',
   'warning.UnusualFilament': '« Diamètre du filament » : {value} mm ; on en vend de 1,75 et de 2,85.',
   'warning.ThinLetters':
-    '{percent} % du calque {layer} sont plus étroits que deux cordons et difficiles à lire ; plus grand, plus gras ou avec un espacement plus petit, il sera plus net.',
+    '{percent} % du calque {layer} sont plus étroits que deux cordons et difficiles à lire ; plus grand, plus gras ou avec un espacement plus petit, il sera plus net.',
   'warning.ThinLayers':
     '« Hauteur de couche » : {value} mm ; au-dessous de 0,2 fois la buse, les couches se déchirent.',
   'warning.UnusualFlow': '{field} : {value} ; la valeur va d’ordinaire de 0,8 à 1,1.',

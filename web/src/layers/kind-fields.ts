@@ -9,7 +9,7 @@ import { fontName, l, layerLabel } from '../i18n/layers.js';
 import { t } from '../i18n/text.js';
 import { layersLamp } from '../model/lamp.js';
 import { layerSettingOf } from '../model/layer-settings.js';
-import { builtInFonts } from '../model/layer-list.js';
+import { builtInFonts } from '../model/fonts.js';
 import { needsFile, needsMask, type LayerKey, type LayerKind } from '../model/layers.js';
 import type { PlateLayer, SourceFile } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';

@@ -3,7 +3,7 @@ import { html, type TemplateResult } from 'lit';
 import { numberInput, type NumberField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import { l } from '../i18n/layers.js';
-import { t } from '../i18n/text.js';
+import { a } from '../i18n/shaping.js';
 import { hundredth, keepsProportions, scaledLayer, within } from '../model/layer-changes.js';
 import type { Frame, Point } from '../model/layer-frame.js';
 import { layerSettingOf } from '../model/layer-settings.js';
@@ -95,7 +95,7 @@ export function placeFields(
       'size',
       {
         id: k === 0 ? 'layer-width' : 'layer-height',
-        label: t(k === 0 ? 'size.width' : 'size.height'),
+        label: a(k === 0 ? 'size.width' : 'size.height'),
         value: size[k],
       },
       (value) => {
@@ -114,8 +114,8 @@ export function placeFields(
         type="button"
         class="square"
         aria-pressed=${String(locked)}
-        aria-label=${t('size.lock')}
-        title=${t('size.lock')}
+        aria-label=${a('size.lock')}
+        title=${a('size.lock')}
         ?disabled=${keepsProportions(layer)}
         @click=${lock.toggle}
       >

@@ -1,7 +1,8 @@
 // Layers from elsewhere: each becomes one of a plate only as far as a control could have set it.
 import { fieldsOf, numberIn, oneOf, Unfit, type Fields, type FileFrom } from './check.js';
 import { layerSettingOf } from './layer-settings.js';
-import { builtInFonts, isFontFile, layerDefaults, layerKeys, mostLayers } from './layer-list.js';
+import { builtInFonts } from './fonts.js';
+import { isFontFile, layerDefaults, layerKeys, mostLayers } from './layer-list.js';
 import { type LayerKey, type LayerValues } from './layers.js';
 import type { PlateLayer } from './plate.js';
 import { accepts } from './settings.js';

@@ -13,6 +13,7 @@ import {
   newShape,
 } from './defaults.js';
 import { filaments } from './filaments.js';
+import { builtInFonts } from './fonts.js';
 import { mostColours } from './flat-colours.js';
 import { mostPictures } from './lamp.js';
 import { fieldsOf, flagIn, numberIn, oneOf, textIn, Unfit, type Fields, type FileFrom } from './check.js';
@@ -88,7 +89,19 @@ function holesFrom(value: unknown): RoundHole[] {
 
 /** Fills what is left out with first values. @param fileFrom  undefined: files are not allowed */
 export function shapeFrom(value: unknown, fileFrom?: FileFrom): ShapeSource {
-  const keys = ['radius', 'corners', 'points', 'inner', 'offset', 'holes', 'unitless', 'paint', 'keepThin'] as const;
+  const keys = [
+    'radius',
+    'corners',
+    'points',
+    'inner',
+    'offset',
+    'holes',
+    'text',
+    'font',
+    'unitless',
+    'paint',
+    'keepThin',
+  ] as const;
   const fields = fieldsOf(value, 'shape', ['kind', ...(fileFrom === undefined ? [] : ['file']), ...keys]);
   const kind = oneOf(
     fields['kind'],
@@ -113,6 +126,8 @@ export function shapeFrom(value: unknown, fileFrom?: FileFrom): ShapeSource {
     inner: number('inner'),
     offset: number('offset'),
     holes: holesFrom(given['holes']),
+    text: textIn(given['text'], 'shape.text', longestText),
+    font: oneOf(given['font'], 'shape.font', builtInFonts),
     unitless: oneOf(given['unitless'], 'shape.unitless', ['px', 'mm']),
     paint: oneOf(given['paint'], 'shape.paint', ['shown', 'ignore']),
     keepThin: flagIn(given['keepThin'], 'shape.keepThin'),

@@ -75,6 +75,8 @@ const shapeSettings = (unitless: Unitless = 'px'): ShapeSettings => ({
   inner: shapeTable.inner.default,
   offset: shapeTable.offset.default,
   holes: [],
+  text: '',
+  font: shapeTable.font.default,
   unitless,
   paint: usualPaint(unitless),
   keepThin: false,
@@ -85,6 +87,7 @@ export const newShape = (kind: Exclude<ShapeSource['kind'], 'file'>): ShapeSourc
   kind,
   ...shapeSettings(),
   ...(kind === 'star' && { radius: 1 }),
+  ...(kind === 'text' && { text: 'Sillon' }),
 });
 
 export const newFileShape = (file: SourceFile, unitless?: Unitless): ShapeSource => ({

@@ -9,9 +9,6 @@ export const mostLayers = 32;
 
 export const layerKinds: readonly LayerKind[] = layerTable.kind.choices;
 
-/** The fonts that come with the engine. */
-export const builtInFonts = ['Nunito', 'Bebas Neue', 'Roboto Slab', 'Caveat', 'Fredoka'] as const;
-
 /** Font files go by their endings, as the core has it. */
 export const isFontFile = (name: string): boolean => /\.(?:ttf|otf)$/i.test(name);
 

@@ -121,6 +121,7 @@ export const shapeTable = {
   points: { default: 5, low: 3, high: 24 },
   inner: { default: 0, low: 0, high: 10000 },
   text: { default: '', maxBytes: 4096 },
+  font: { default: 'Nunito', maxBytes: 1024 },
   offset: { default: 0, low: -20, high: 50 },
   holes: { default: [], most: 16 },
 } as const;

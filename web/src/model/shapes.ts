@@ -14,15 +14,17 @@ export const builtinShapes = [
   'star',
   'ring',
   'tag',
+  'text',
 ] as const satisfies readonly BuiltinShape[];
 
-/** Heights of shapes, as shares of their widths, that the engine gives them where it is told none. */
+/** Heights of shapes, as shares of their widths, as the engine makes them where it is told none. */
 export const ownHeight: Partial<Record<ShapeSource['kind'], number>> = {
   hexagon: Math.sqrt(3) / 2,
   heart: 0.914214,
   shield: 1.199359,
   star: 0.951057,
   tag: 0.4,
+  text: 0.3, // of its page: letters keep their own
 };
 
 const hundredth = (value: number): number => Math.round(value * 100) / 100;

@@ -3,11 +3,12 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import type { RoundHole } from 'sillon';
 import { a } from '../i18n/shaping.js';
+import { builtInFonts } from '../model/fonts.js';
 import { pageOf, type ShapeSource } from '../model/plate.js';
 import { shapeTable } from '../model/setting-table.js';
 import { usualHoles, withHole, type HoleName } from '../model/shapes.js';
 import { StudioElement } from '../controls/element.js';
-import { numberField, numberInput, segments, type NumberField } from '../controls/fields.js';
+import { numberField, numberInput, segments, select, textField, type NumberField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { lengthField } from './size-fields.js';
@@ -55,7 +56,8 @@ export class ShapeFields extends StudioElement {
 
   override render(): TemplateResult {
     const { shape } = this.state.plate;
-    return html`${cornered.includes(shape.kind) ? this.#corners(shape) : nothing}
+    return html`${shape.kind === 'text' ? this.#letters(shape) : nothing}
+    ${cornered.includes(shape.kind) ? this.#corners(shape) : nothing}
     ${shape.kind === 'star' ? numberField(this.#field('points', a('points'), { step: 1, usual: [3, 12], integer: true })) : nothing}
     ${
       shape.kind === 'ring' || shape.kind === 'tag'
@@ -70,6 +72,31 @@ export class ShapeFields extends StudioElement {
     }
     ${numberField(this.#length('offset', a('offset'), { usual: [-5, 10], help: a('offset.help') }))}
     ${this.#holes(shape)}`;
+  }
+
+  #letters({ text, font }: ShapeSource): TemplateResult {
+    return html`${textField({
+      id: 'shape-text',
+      label: a('text'),
+      value: text,
+      maxLength: 200,
+      long: true,
+      onInput: (value) => {
+        this.#change({ text: value }, 'shape.text');
+      },
+      onSettle: () => {
+        this.studio.settle();
+      },
+    })}
+    ${select<string>({
+      id: 'shape-font',
+      label: a('font'),
+      value: font,
+      options: builtInFonts.map((name) => ({ value: name, label: name })),
+      onChoose: (name) => {
+        this.#change({ font: name });
+      },
+    })}`;
   }
 
   #corners(shape: ShapeSource): TemplateResult {

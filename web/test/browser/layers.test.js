@@ -33,7 +33,8 @@ async function open(options = {}) {
   return visit;
 }
 
-const layers = (visit) => visit.state(({ plate }) => plate.layers.map(({ file, maskFile, font, ...values }) => values));
+const layers = (visit) =>
+  visit.state(({ plate }) => plate.layers.map(({ file: _file, maskFile: _mask, font: _font, ...values }) => values));
 const undos = (visit) => visit.page.evaluate(() => document.querySelector('sillon-app').studio.store.steps.past.length);
 
 async function add(visit, name) {

@@ -4,11 +4,11 @@ import { Unfit } from '../../src/model/check.js';
 import { layersFrom } from '../../src/model/check-layers.js';
 import { plateFrom } from '../../src/model/check-plate.js';
 import { newPlate } from '../../src/model/defaults.js';
+import { builtInFonts } from '../../src/model/fonts.js';
 import { engineInput, sameToolpath, sectionsOf } from '../../src/model/input.js';
 import { homeLight } from '../../src/model/lamp.js';
 import { layerSettings } from '../../src/model/layer-settings.js';
 import {
-  builtInFonts,
   changeLayer,
   duplicated,
   layerDefaults,

@@ -18,6 +18,7 @@ test('heights of their own are those that the engine makes', () => {
   const folder = mkdtempSync(join(tmpdir(), 'sillon-shapes-'));
   try {
     for (const kind of builtinShapes) {
+      if (kind === 'text') continue; // its letters have their own
       const svg = join(folder, `${kind}.svg`);
       const words = ['generate', '--shape', kind, '--size', '100', '--spacing', '5', '--svg', svg, '--quiet'];
       const { status, stderr } = spawnSync(resolve('build/release/sillon'), words, { encoding: 'utf8' });

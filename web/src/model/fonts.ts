@@ -1,0 +1,2 @@
+/** The fonts that come with the engine, in the order in which they are offered. */
+export const builtInFonts = ['Nunito', 'Bebas Neue', 'Roboto Slab', 'Caveat', 'Fredoka'] as const;
