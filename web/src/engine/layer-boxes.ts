@@ -1,4 +1,4 @@
-// Where the engine puts each layer of a plate.
+// The boxes that the engine puts a plate's layers in.
 import type { Engine, PlacedLayer } from 'sillon';
 import { sectionsOf } from '../model/input.js';
 import { completeLayers } from '../model/layers.js';

@@ -17,7 +17,7 @@ const reachOf = { touch: 24, other: 10 }; // [CSS pixels]
 const snapsWithin = 6; // [CSS pixels]
 const steps = { plain: 1, shift: 10, alt: 0.1 }; // [mm] of an arrow key
 
-/** What a hand holds, as it was when it took hold. */
+/** A hand holds this, as it was when it took hold. */
 interface Hold {
   grip: Grip;
   from: Point;
@@ -25,12 +25,12 @@ interface Hold {
   frame: Frame;
 }
 
-/** What there is to be drawn over the plate. */
+/** All that is drawn over the plate. */
 export interface Arranged {
   layer: PlateLayer | undefined;
   frame: Frame | undefined;
   cropping: boolean;
-  /** Of a layer that a pointer is over, and that a click would choose. */
+  /** The frame of a layer that a pointer is over, and that a click would choose. */
   over: Frame | undefined;
   guides: readonly Guide[];
   /** Beside the frame, while it changes. */
@@ -57,7 +57,7 @@ export class Arranger {
     return this.#hold !== undefined;
   }
 
-  /** What a border shows lies along the plate's own: it goes nowhere. */
+  /** A border lies along the plate's own: it goes nowhere. */
   #movable(): { layer: PlateLayer; frame: Frame } | undefined {
     const state = this.#state;
     const layer = arranges(state) ? chosenLayer(state) : undefined;
@@ -136,7 +136,7 @@ export class Arranger {
     this.studio.settle();
   }
 
-  /** What it did has not been. */
+  /** The hand has done nothing then. */
   abandon(): void {
     if (this.#hold === undefined) return;
     this.studio.store.abandon();

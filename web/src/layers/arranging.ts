@@ -1,4 +1,4 @@
-// Whether a hand over the plate arranges layers, and which it finds there.
+// A hand over the plate arranges layers at some times; here stands when, and which layers it finds.
 import { contains, frameOf, type Frame, type Point } from '../model/layer-frame.js';
 import { layerOf } from '../model/layer-list.js';
 import { pageOf, type PlateLayer } from '../model/plate.js';

@@ -7,7 +7,7 @@ import { knobPlace, sidePlace, sidesOf, type PageView } from './grips.js';
 
 const handle = { pointer: 9, finger: 15 }; // [CSS pixels]
 
-/** What is drawn with. */
+/** The tools of the drawing. */
 interface Pen {
   context: CanvasRenderingContext2D;
   view: PageView;

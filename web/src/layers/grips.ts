@@ -1,8 +1,8 @@
-// What of a layer's frame a hand can take hold of. Places on the screen are CSS pixels.
+// The parts of a layer's frame that a hand can take hold of. Places on the screen are CSS pixels.
 import type { Place } from '../controls/gestures.js';
 import { contains, corners, onPage, placeIn, type Frame, type Point } from '../model/layer-frame.js';
 
-/** How the page lies on the screen. */
+/** The page as it lies on the screen. */
 export interface PageView {
   toPage: (place: Place) => Point;
   toScreen: (point: Point) => Place;
@@ -19,14 +19,14 @@ export type Grip =
 
 const stem = 26; // [CSS pixels] of the knob that turns
 
-/** Those of a crop can be dragged by their edges, too. */
+/** A crop can be dragged by its edges, too. */
 export const sidesOf = (cropping: boolean): readonly Point[] =>
   cropping ? [...corners, [0, -1], [1, 0], [0, 1], [-1, 0]] : corners;
 
 export const sidePlace = (frame: Frame, view: PageView, side: Point): Place =>
   view.toScreen(onPage(frame, placeIn(frame, side)));
 
-/** Where the knob is that turns the frame. */
+/** The knob turns the frame. @returns its place */
 export function knobPlace(frame: Frame, view: PageView): Place {
   const [x, y] = placeIn(frame, [0, 1]);
   return view.toScreen(onPage(frame, [x, y + stem / view.scale]));

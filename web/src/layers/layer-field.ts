@@ -21,15 +21,15 @@ export function changeIn(
   studio.change((plate) => changeLayer(plate, id, change), gesture);
 }
 
-/** What differs from how the key is shown everywhere. */
+/** These take the place of what the key shows everywhere. */
 interface Own {
   label?: string;
   help?: string;
-  /** Those of the choices that change anything. */
+  /** The choices that change anything. */
   choices?: readonly string[];
-  /** What a choice is called. */
+  /** The name of a choice. */
   choice?: (name: string) => string;
-  /** What the layer becomes with a value. */
+  /** The layer's changes with a value. */
   set?: (value: SettingValue) => Partial<LayerValues>;
 }
 

@@ -189,7 +189,7 @@ export class LayersPanel extends StudioElement {
     this.#focus = next === undefined ? '.tiles button' : '[aria-pressed=true].row';
   }
 
-  /** As one step of undo. */
+  /** A change is one step of undo. */
   #change(change: (plate: Plate) => Plate): void {
     this.studio.settle();
     this.studio.change(change);
@@ -256,7 +256,7 @@ export class LayersPanel extends StudioElement {
       </section>`;
   }
 
-  /** As the engine has told of the finished plate. */
+  /** The engine tells of thin letters with the finished plate. */
   #thin(layer: PlateLayer): TemplateResult | typeof nothing {
     const { result } = this.state;
     const number = result === undefined ? -1 : completeLayers(result.plate).indexOf(layer) + 1;

@@ -1,4 +1,4 @@
-// Where a layer lies, how large it is, and how it is turned.
+// The fields of a layer's place, its size and its turn.
 import { html, type TemplateResult } from 'lit';
 import { numberInput, type NumberField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';

@@ -25,7 +25,7 @@ function valueFrom(key: LayerKey, given: unknown, where: string, fileFrom: FileF
   }
 }
 
-/** What the core asks of values together. */
+/** The core asks this of values together. */
 function checkTogether({ cropMin, cropMax, lamp }: LayerValues, where: string): void {
   if (!(cropMin[0] < cropMax[0] && cropMin[1] < cropMax[1])) throw new Unfit(`${where}.cropMax`, cropMax);
   if (lamp !== null) numberIn(lamp[1], `${where}.lamp`, 1, 90);

@@ -1,4 +1,4 @@
-// What a hand changes of a layer whose frame it scales, and whose picture it crops.
+// A hand scales a layer's frame and crops its picture; these are the layer's changes.
 import { inFrame, onPage, placeIn, type Bounds, type Frame, type Point } from './layer-frame.js';
 import { layerSettingOf } from './layer-settings.js';
 import type { LayerKey, LayerValues } from './layers.js';

@@ -1,4 +1,4 @@
-// Where layers lie on the page: boxes that turn about a place, in mm with y up.
+// Layers lie on the page in boxes that turn about their middles, in mm with y up.
 import { middleOf } from './layer-list.js';
 import { pageOf, type PageParts, type PlateLayer } from './plate.js';
 
@@ -11,7 +11,7 @@ export interface KnownBox {
 }
 
 export interface Frame {
-  /** What it turns about. */
+  /** The box turns about it. */
   middle: Point;
   size: Point;
   /** [degrees] counter-clockwise */
@@ -22,7 +22,7 @@ export interface Frame {
 const fillsPage = ({ kind, pattern }: PlateLayer): boolean =>
   kind === 'direction' || kind === 'map' || (kind === 'pattern' && pattern !== 'echo');
 
-/** What a text has grown by: all of it grows with its capitals, or stays within a size. */
+/** A text grows with its capitals, or stays within a size. @returns by how much it has grown */
 function grown(now: PlateLayer, then: PlateLayer): number {
   const sides = [0, 1] as const;
   const given = sides.filter((k) => now.circle === 0 && now.size[k] > 0 && then.size[k] > 0);

@@ -16,12 +16,12 @@ export const layerKeys = Object.keys(layerTable) as LayerKey[];
 
 const usual: LayerValues = { ...defaultsOf<LayerValues>(layerTable), file: null, maskFile: null };
 
-/** What the core takes each value to be where nothing is said. */
+/** The core takes these values where nothing is said. */
 export const layerDefaults = (): LayerValues => structuredClone(usual);
 
 const tenths = (length: number): number => Math.round(10 * length) / 10;
 
-/** How a hand finds each kind when it is new: seen at once against the directions below, and small enough to be moved. */
+/** A new layer of each kind is seen at once against the directions below, and small enough to be moved. */
 const first: Record<LayerKind, (page: readonly [number, number]) => Partial<LayerValues>> = {
   direction: ([width, height]) => ({ angle: 45, size: [tenths(width / 2), tenths(height / 2)] }),
   map: () => ({}),
@@ -56,7 +56,7 @@ export const layerData = <Told>(layer: PlateLayer, told: (file: SourceFile) => T
   font: typeof layer.font === 'string' ? layer.font : told(layer.font),
 });
 
-/** What files and links tell of a layer: its kind, and whatever differs from the defaults. @param content  as of layerInput */
+/** Files and links tell a layer's kind, and whatever differs from the defaults. @param content  as of layerInput */
 export function toldLayer(layer: PlateLayer, content: (file: SourceFile) => unknown): object {
   const whole: Partial<Record<LayerKey, unknown>> = layerInput(layer, content);
   const differs = (key: LayerKey): boolean => JSON.stringify(layer[key]) !== JSON.stringify(usual[key]);

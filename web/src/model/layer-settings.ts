@@ -6,7 +6,7 @@ import { settingFrom, type LayerSetting, type LayerSettingId, type Span, type Ta
 type Table = typeof layerTable;
 type KeyOf<Type> = { [Key in keyof Table]: Table[Key] extends { type: Type } ? Key : never }[keyof Table];
 
-/** What the table does not tell of numbers, as `controls` of model/settings.ts. */
+/** The table lacks these facts about numbers, as it does for `controls` of model/settings.ts. */
 const controls: Record<KeyOf<'number' | 'pair'>, Span> = {
   at: { step: 0.1 },
   size: { step: 0.1 },

@@ -1,4 +1,4 @@
-// What the engine draws of a plate's layers.
+// The layers of a plate that the engine draws.
 import type { Layer } from 'sillon';
 import type { Plate, PlateLayer, SourceFile } from './plate.js';
 import { without } from './without.js';
@@ -25,7 +25,7 @@ export function lackOf(layer: PlateLayer): 'file' | 'text' | 'mask' | undefined 
 export const completeLayers = ({ layers }: Pick<Plate, 'layers'>): readonly PlateLayer[] =>
   layers.filter((layer) => lackOf(layer) === undefined);
 
-/** Those that change the path. */
+/** These change the path. */
 export const drawnLayers = (plate: Pick<Plate, 'layers'>): readonly PlateLayer[] =>
   completeLayers(plate).filter(({ visible }) => visible);
 

@@ -3,7 +3,7 @@ import { filesOfLayer, toldLayer } from './layer-list.js';
 import { completeLayers } from './layers.js';
 import type { Plate, PlateLayer, SourceFile } from './plate.js';
 
-/** Of what is said of all layers together, beside their files [characters]. */
+/** All layers together say at most so much, beside their files [characters]. */
 const mostWords = 3000;
 
 const svgType = 'image/svg+xml';

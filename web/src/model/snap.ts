@@ -9,7 +9,7 @@ export interface Guide {
 
 const near = 1e-6;
 
-/** What is moved has an outline and a middle: edges snap to the page's edges and middle lines, its middle to the page's middle
+/** A layer that is moved has an outline and a middle: edges snap to the page's edges and middle lines, its middle to the page's middle
  * and to those of others.
  * @param within  farther away nothing happens [mm]
  * @returns how far it goes, and the lines that it then lies on */

@@ -47,7 +47,7 @@ async function add(visit, name) {
   await settled(page);
 }
 
-/** Of a place on the page [mm], on the screen. */
+/** A place of the page [mm] on the screen. */
 const screen = (visit, x, y) =>
   visit.page.evaluate(
     ([x, y]) => {
@@ -61,7 +61,7 @@ const screen = (visit, x, y) =>
     [x, y],
   );
 
-/** Of the overlay, around a place on the page [mm]: 0..1. */
+/** The share that the overlay covers around a place of the page [mm], 0..1. */
 const cover = async (visit, x, y) => {
   const place = await screen(visit, x, y);
   return visit.page.evaluate(([x, y]) => {
@@ -75,7 +75,7 @@ const cover = async (visit, x, y) => {
   }, place);
 };
 
-/** Of a drag over the plate, in mm. @param keys  that are held meanwhile */
+/** A drag over the plate, in mm. @param keys  that are held meanwhile */
 async function drag(visit, from, to, keys = []) {
   const { mouse, keyboard } = visit.page;
   await mouse.move(...(await screen(visit, ...from)));

@@ -1,4 +1,4 @@
-// Ways to make a plate.
+// Names of the ways to make a plate.
 
 export const words = {
   'preset.title': 'Quality',

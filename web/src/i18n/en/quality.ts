@@ -1,4 +1,4 @@
-// What was measured of a plate, and the places to look at.
+// The measures of a plate, and the places to look at.
 
 export const words = {
   'measure.coverage': 'Coverage',
