@@ -34,7 +34,7 @@ async function open(options = {}) {
 }
 
 const layers = (visit) =>
-  visit.state(({ plate }) => plate.layers.map(({ file: _file, maskFile: _mask, font: _font, ...values }) => values));
+  visit.state(({ plate }) => plate.layers.map((layer) => ({ ...layer, file: null, maskFile: null, font: '' })));
 const undos = (visit) => visit.page.evaluate(() => document.querySelector('sillon-app').studio.store.steps.past.length);
 
 async function add(visit, name) {
