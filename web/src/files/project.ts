@@ -215,7 +215,7 @@ async function pageOf(
   engine: ProjectEngine,
 ): Promise<[number, number]> {
   // The page is that without what an offset adds to it.
-  const { builtin, size, radius, corners, points, inner, pageWidth, unitless } = project.shape;
+  const { builtin, size, radius, corners, points, inner, text, font, pageWidth, unitless } = project.shape;
   const { shape, directions } = plate;
   const page: unknown = studio['page'];
   if (Array.isArray(page) && String(shape.kind === 'file' ? [pageWidth, page[1]] : size) === String(page)) {
@@ -224,7 +224,7 @@ async function pageOf(
   const own =
     shape.kind === 'file'
       ? { file: shape.file.bytes, pageWidth, unitless }
-      : { ...(builtin !== 'none' && { builtin }), size, radius, corners, points, inner };
+      : { ...(builtin !== 'none' && { builtin }), size, radius, corners, points, inner, text, font };
   const lender = directions.kind === 'lamp' ? directions.pictures[0]?.file : 'file' in directions && directions.file;
   const read = await engine.readShape(own, lender ? { file: lender.bytes } : { angle: 0 });
   return [widthFrom(read.page[0]), heightFrom(read.page[1])];

@@ -461,7 +461,17 @@ test('a file that nobody wants any more is not written to its end', async () => 
 // --- Its parts ------------------------------------------------------------------------------------------------------------
 
 /** Settings of a shape that nobody has done anything to. */
-const unchanged = { radius: 6, corners: 'round', points: 5, inner: 0, offset: 0, holes: [], keepThin: false };
+const unchanged = {
+  radius: 6,
+  corners: 'round',
+  points: 5,
+  inner: 0,
+  offset: 0,
+  holes: [],
+  text: '',
+  font: 'Nunito',
+  keepThin: false,
+};
 
 test('a plate becomes what the engine takes: degrees as grey, modes as the four greys', () => {
   const { input, params } = engineInput({ plate: newPlate(), raster });
