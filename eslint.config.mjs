@@ -20,7 +20,7 @@ const rooms = {
   layers: ground,
   quality: [...ground, 'views', 'engine', 'generators'],
   print: [...ground, 'engine', 'quality'],
-  plates: ground,
+  plates: [...ground, '\\.\\./\\.\\./examples'], // projects that it offers
   stage: [...ground, 'views', 'shape', 'directions', 'layers', 'quality'],
   rebrush: [...ground, 'views', 'generators', 'stage', 'print'],
   calibrate: [...ground, 'print'],

@@ -280,7 +280,8 @@ function named(value: unknown, path: string, files: Files): Fields {
   const fields = { ...fieldsOf(value, path) };
   for (const key of ['file', 'maskFile', 'font']) {
     const content = fields[key];
-    if (content === undefined || content === '' || (key === 'font' && typeof content === 'string')) continue;
+    const none = content === undefined || (content === '' && path !== 'shape'); // layers have files of no name
+    if (none || (key === 'font' && typeof content === 'string')) continue;
     files[`${path}.${key}`] = file(content, `${path}.${key}`);
     fields[key] = `${path}.${key}`;
   }

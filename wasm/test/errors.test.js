@@ -115,7 +115,7 @@ const cases = {
     [
       generate({ shap: disc }),
       'InvalidArgument',
-      /^unknown key "shap"; known are shape, directions, modes, pictures, printer, print$/,
+      /^unknown key "shap"; known are shape, directions, modes, pictures, layers, printer, print$/,
     ],
     [generate({ shape: disc, toolpath: {} }), 'InvalidArgument', /^unknown key "toolpath"/],
     [generate({ shape: disc, svg_path: 'a.svg' }), 'InvalidArgument', /^unknown key "svg_path"/],
@@ -155,7 +155,7 @@ const cases = {
       /toolpath\.perimeterMode is "hard".*"soft"/,
     ],
     [generate({ shape: { builtin: 'disc', size: [-1, 1] } }), 'InvalidArgument', /shape\.size.*-1.*10000/],
-    [generate({ shape: { builtin: 'star', size: [1, 1] } }), 'InvalidArgument', /shape\.builtin is "star".*"disc"/],
+    [generate({ shape: { builtin: 'cloud', size: [1, 1] } }), 'InvalidArgument', /shape\.builtin is "cloud".*"disc"/],
     [gcode({ nozzleTemperature: 20 }), 'InvalidArgument', /nozzleTemperature.*20.*170.*300/],
     [gcode({}, { layers: 0 }), 'InvalidArgument', /layers.*0.*1.*1000/],
     [gcode({}, { place: [215, 100] }), 'DoesNotFit', /bed/],

@@ -71,22 +71,6 @@ export const examples: readonly Example[] = [
     directions: { ...newGenerator('noise'), seed: 9, scale: 0.16, amplitude: 40 },
   },
   {
-    id: 'name',
-    width: 100,
-    height: 40,
-    filament: 'bluePla',
-    shape: newShape('rounded'),
-    directions: { ...newGenerator('text'), text: 'Hello', size: 0.3 },
-  },
-  {
-    id: 'code',
-    width: 58,
-    height: 58,
-    filament: 'greyPla',
-    shape: newShape('rounded'),
-    directions: { ...newGenerator('qr'), text: 'SILLON', margin: 2 },
-  },
-  {
     id: 'portrait',
     width: 120,
     height: 80,

@@ -5,6 +5,7 @@ import { t } from '../i18n/text.js';
 import { DialogElement } from '../controls/dialog.js';
 import type { Example } from '../model/example.js';
 import { examples } from './examples.js';
+import { templates } from './templates.js';
 
 @customElement('sillon-gallery')
 export class Gallery extends DialogElement {
@@ -50,7 +51,7 @@ export class Gallery extends DialogElement {
 
   protected override body(): TemplateResult {
     return html`<ul class="plates">
-      ${examples.map(
+      ${[...examples.slice(0, 1), ...templates, ...examples.slice(1)].map(
         (example) =>
           html`<li>
             <button
