@@ -79,7 +79,7 @@ TEST_CASE("a rim is counted in times, filament and heights") {
   CHECK(valueOf(with.text, "; max_z_height: ") == fixed(0.2 * (job.params.base + job.params.layers + 3), 2));
   CHECK(with.text.find(", rim layers = 3") != std::string::npos);
   CHECK(without.text.find("rim layers") == std::string::npos);
-  // What is below the rim is laid as without it.
+  // The layers below the rim are laid as without it.
   const std::size_t layer = without.text.find(";TYPE:Top solid infill");
   const std::size_t end = without.text.find(";LAYER_CHANGE", layer);
   const auto moves = [](const std::string& text) {

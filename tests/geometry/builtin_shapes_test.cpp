@@ -166,7 +166,7 @@ TEST_CASE("holes are cut out of any shape") {
   CHECK(areaOf(get(withHoles(plain, {{{30, 30}, 8}, {{30, 30}, 4}}))) == about(disc - pi / 4 * 64, 1e-4));
   const Shape notched = get(withHoles(get(makeRectangle({40, 20})), {{{0, 10}, 8}}));
   CHECK(areaOf(notched) == about(800 - pi / 8 * 64, 1e-4));
-  // Of paths that overlap, nothing fills what was cut.
+  // Nothing fills what was cut, where paths overlap.
   Shape paths = scenes::shapeOf({scenes::rectangle({0, 0}, {20, 20})}, {30, 20});
   paths.paths.push_back({{scenes::rectangle({10, 0}, {30, 20})}, FillRule::NonZero});
   CHECK(areaOf(get(withHoles(paths, {{{15, 10}, 6}}))) == about(600 - pi / 4 * 36, 1e-4));

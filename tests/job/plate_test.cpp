@@ -207,7 +207,7 @@ TEST_CASE("a layer shows a picture as well as the whole plate does, and correcti
   CHECK(corrected == doctest::Approx(shows(whole, 3)).epsilon(0.02));
   CHECK(corrected > plain);
 
-  // What lies on top of the picture is no fault of its beads.
+  // A layer on top of the picture is no fault of its beads.
   layered.layers.emplace_back().size = {20, 20};
   CHECK(shows(layered, 1) > 0);
 }

@@ -32,7 +32,7 @@ Json projectWith(const Setting& row, const Json& value) {
   return {{"sillon", 1}, {sectionName(row.section), row.section == Section::Layers ? Json::array({fields}) : fields}};
 }
 
-/// As messages have it: layers are numbered.
+/// The name in messages, which number layers.
 std::string nameOf(const Setting& row) {
   return row.section == Section::Layers ? std::string("layers[0].") + row.key : fullName(row);
 }

@@ -31,7 +31,7 @@ Vec2 within(Vec2 box, Vec2 proportions) {
   return proportions * scale;
 }
 
-/// What is inside the crop of a picture.
+/// The part of a picture inside its crop.
 Image cropped(const Image& image, const Layer& layer) {
   const auto place = [](double share, int count) {
     return std::clamp(static_cast<int>(std::lround(share * count)), 0, count);

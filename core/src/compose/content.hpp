@@ -1,4 +1,4 @@
-// What a layer holds, read from its files.
+// The content of a layer, read from its files.
 #pragma once
 
 #include <optional>

@@ -95,10 +95,10 @@ inline int layersBelowRim(const PrintParams& params) {
   return params.base + params.layers * (params.showSide == ShowSide::Both ? 2 : 1);
 }
 
-/// Of one plate.
+/// Number of layers of one plate.
 inline int layerCount(const PrintParams& params) { return layersBelowRim(params) + params.rim; }
 
-/// Of all plates in the file.
+/// Number of layers of all plates in the file.
 inline int fileLayers(const GcodeJob& job, const PrintParams& params) {
   return layerCount(params) * static_cast<int>(job.copies.size());
 }

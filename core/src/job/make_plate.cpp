@@ -67,7 +67,7 @@ class Maker {
     return options_.session != nullptr ? options_.session->generateToolpath(input, params(), run_, count)
                                        : generateToolpath(input, params(), run_, count);
   }
-  /// How many plates are made anew for the pictures of layers.
+  /// Number of plates that are made anew for the pictures of layers.
   [[nodiscard]] int correctionsOfLayers() const {
     const bool shown = std::any_of(plate_.project.layers.begin(), plate_.project.layers.end(), [](const Layer& layer) {
       return layer.visible && layer.kind == LayerKind::Picture;

@@ -100,8 +100,8 @@ std::string readRoot(const Json& root, Project& project) {
   for (const Section section : kSections) {
     const auto found = root.find(sectionName(section));
     if (found == root.end()) continue;
-    std::string wrong = section == Section::Layers ? readLayers(*found, project)
-                                                   : readSection(*found, section, viewOf(project));
+    std::string wrong =
+        section == Section::Layers ? readLayers(*found, project) : readSection(*found, section, viewOf(project));
     if (!wrong.empty()) return wrong;
   }
   const auto studio = root.find(kStudio);

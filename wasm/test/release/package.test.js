@@ -71,6 +71,8 @@ test('it holds what is to be published and nothing else', () => {
       .filter((name) => name.endsWith('.ts'))
       .map((name) => `dist/${path}${name.replace(/ts$/, 'js')}`);
   const engine = ['mt.js', 'mt.wasm', 'mt.worker.js', 'st.js', 'st.wasm'].map((name) => `dist/engine/sillon-${name}`);
+  const fonts = ['bebas-neue', 'caveat', 'fredoka', 'nunito', 'roboto-slab'].map((name) => `dist/engine/${name}.ttf`);
+  const texts = ['dist/engine/text.js', 'dist/engine/harfbuzz.wasm', ...fonts];
   const tables = ['filaments', 'presets', 'printers'].flatMap((name) => [
     `data/${name}.d.ts`,
     `dist/data/${name}.json`,
@@ -94,6 +96,7 @@ test('it holds what is to be published and nothing else', () => {
       ...compiled(''),
       ...compiled('engine/'),
       ...engine,
+      ...texts,
     ].sort(),
   );
 });

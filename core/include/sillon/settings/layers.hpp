@@ -53,10 +53,10 @@ enum class LayerMask {
   Outside,  ///< around it
 };
 
-/// How much of a QR code may be damaged: 7, 15, 25 or 30 percent.
+/// Share of a QR code that may be damaged: 7, 15, 25 or 30 percent.
 enum class QrCorrection { Low, Medium, Quartile, High };
 
-/// Where the lines of a text stand in its box.
+/// Places of a text's shorter lines in its box.
 enum class TextAlign { Left, Middle, Right };
 
 /// One layer. Later layers lie on top. Ranges: docs/reference/project.md, section `layers`.
@@ -65,7 +65,7 @@ struct Layer {
   bool visible = true;
   /// Middle of its box on the page, from the lower left corner [mm]; unset: the page's middle
   std::optional<Vec2> at;
-  /// Of its box, before it turns [mm]. A side of 0 follows the content's proportions; without both,
+  /// Size of its box, before it turns [mm]. A side of 0 follows the content's proportions; without both,
   /// contents have the size that contentSize gives.
   Vec2 size;
   double rotation = 0;  ///< counter-clockwise [degrees]
@@ -74,7 +74,7 @@ struct Layer {
   std::string maskFile;
   double soft = 0;   ///< width over which its directions turn into those below, about its edge [mm]
   double angle = 0;  ///< of its beads on the page, whatever the rotation [degrees]
-  /// Of the box behind letters, drawings and dark modules [degrees]; unset: what lies below shows
+  /// Direction in the box behind letters, drawings and dark modules [degrees]; unset: what lies below shows
   /// there, and light modules lie across the dark ones
   std::optional<double> ground;
   LayerFill fill = LayerFill::Angle;

@@ -120,7 +120,7 @@ inline bool isRound(BuiltinShape shape) {
   return shape == BuiltinShape::Disc || shape == BuiltinShape::Ring;
 }
 
-/// What becomes of the corners of built-in shapes.
+/// Ways to treat the corners of built-in shapes.
 enum class CornerStyle { Round, Chamfer };
 
 /// Demands of a place on its beads.
