@@ -63,7 +63,8 @@ struct Shape {
 
 /// Corners of polygons.
 struct Corners {
-  /// Radius of the arc that rounds a corner [mm], >= 0; the arc begins and ends at most half a side away
+  /// Radius of the arc that rounds a corner [mm], >= 0; the arc begins and ends at most half a side
+  /// away
   double radius = 0;
   bool chamfered = false;  ///< cut off straight between the ends of that arc
 };
