@@ -15,8 +15,15 @@
 #include <emscripten.h>
 
 /// \returns text that the caller frees. wasm/src/cli-texts.ts has what it calls.
-EM_JS(char*, sillonMadeElsewhere, (const char* name),
-      { return stringToNewUTF8(globalThis.sillonMadeElsewhere(UTF8ToString(name))); });
+// clang-format off: it is JavaScript.
+EM_JS(char*, sillonMadeElsewhere, (const char* name), {
+  const bytes = new TextEncoder().encode(globalThis.sillonMadeElsewhere(UTF8ToString(name)));
+  const at = _malloc(bytes.length + 1);
+  HEAPU8.set(bytes, at);
+  HEAPU8[at + bytes.length] = 0;
+  return at;
+});
+// clang-format on
 #endif
 
 namespace cli {
