@@ -117,7 +117,7 @@ export interface Engine {
   /** The polygons of a shape, as generateToolpath would fill them. `directions` lends its proportions to a built-in
    * shape without height. */
   readShape(shape: ShapeInput, directions?: DirectionInput, options?: RunOptions): Promise<Shape>;
-  /** Where the layers of a plate lie: their boxes, before they turn, and how thin their letters are. For handles: no picture
+  /** The places of a plate's layers: their boxes, before they turn, and how thin their letters are. For handles: no picture
    * is solved for. */
   placeLayers(input: PlateInput, options?: RunOptions): Promise<PlacedLayer[]>;
   /** PNG, JPEG, BMP or TGA to the stored values, without colour management; EXIF orientation applied.

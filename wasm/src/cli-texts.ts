@@ -2,17 +2,9 @@
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
-import { builtinFonts } from './texts.js';
+import { fontFile } from './fonts.js';
 
 const engine = (name: string): string => fileURLToPath(new URL(`./engine/${name}`, import.meta.url));
-
-const fileOf: Record<string, string> = {
-  nunito: 'nunito.ttf',
-  bebasNeue: 'bebas-neue.ttf',
-  robotoSlab: 'roboto-slab.ttf',
-  fredoka: 'fredoka.ttf',
-  caveat: 'caveat.ttf',
-};
 
 type Tools = typeof import('./text/text.js');
 
@@ -22,7 +14,7 @@ export async function offerTexts(): Promise<void> {
   await start(() => readFile(engine('harfbuzz.wasm')));
 
   const fontOf = (name: string): Uint8Array => {
-    const file = fileOf[builtinFonts[name] ?? ''];
+    const file = fontFile(name);
     try {
       return readFileSync(file === undefined ? name : engine(file));
     } catch {

@@ -50,11 +50,11 @@ function ownFiles(): EngineFiles {
         wasm: new URL('./engine/harfbuzz.wasm', import.meta.url).href,
       },
       fonts: {
-        nunito: new URL('./engine/nunito.ttf', import.meta.url).href,
-        bebasNeue: new URL('./engine/bebas-neue.ttf', import.meta.url).href,
-        robotoSlab: new URL('./engine/roboto-slab.ttf', import.meta.url).href,
-        fredoka: new URL('./engine/fredoka.ttf', import.meta.url).href,
-        caveat: new URL('./engine/caveat.ttf', import.meta.url).href,
+        'nunito.ttf': new URL('./engine/nunito.ttf', import.meta.url).href,
+        'bebas-neue.ttf': new URL('./engine/bebas-neue.ttf', import.meta.url).href,
+        'roboto-slab.ttf': new URL('./engine/roboto-slab.ttf', import.meta.url).href,
+        'fredoka.ttf': new URL('./engine/fredoka.ttf', import.meta.url).href,
+        'caveat.ttf': new URL('./engine/caveat.ttf', import.meta.url).href,
       },
     };
   } catch {

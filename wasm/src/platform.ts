@@ -1,4 +1,5 @@
 // What differs between browsers and Node.
+import { builtinFonts, fontFile } from './fonts.js';
 import type { EngineFiles, FromWorker, ThreadScripts, ToWorker } from './protocol.js';
 
 export interface Platform {
@@ -24,13 +25,7 @@ export const filesIn = (at: (name: string) => string): EngineFiles => ({
   st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
   mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
   text: { script: at('text.js'), wasm: at('harfbuzz.wasm') },
-  fonts: {
-    nunito: at('nunito.ttf'),
-    bebasNeue: at('bebas-neue.ttf'),
-    robotoSlab: at('roboto-slab.ttf'),
-    fredoka: at('fredoka.ttf'),
-    caveat: at('caveat.ttf'),
-  },
+  fonts: Object.fromEntries(builtinFonts.map(fontFile).map((name = '') => [name, at(name)])),
 });
 
 export interface WorkerEvents {

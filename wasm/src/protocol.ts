@@ -9,7 +9,8 @@ export interface EngineFiles {
   st: ModuleFiles;
   mt: ModuleFiles & { threadScript: string };
   text: ModuleFiles;
-  fonts: Record<'nunito' | 'bebasNeue' | 'robotoSlab' | 'fredoka' | 'caveat', string>;
+  /** By the names of their files. */
+  fonts: Record<string, string>;
 }
 export interface ModuleFiles {
   script: string;

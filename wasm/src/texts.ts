@@ -1,26 +1,18 @@
 // Letters and QR codes of a plate, made before its call: the engine asks for them as for files.
 import { SillonError, messageOf } from './errors.js';
+import { fontFile } from './fonts.js';
 import type { Platform } from './platform.js';
 import type { EngineFiles, Files } from './protocol.js';
 
 type Tools = typeof import('./text/text.js');
 
-/** What is read of a project's sections. */
+/** The fields of a layer or a shape that are read here. */
 interface Lettering {
   kind?: unknown;
   text?: unknown;
   font?: unknown;
   correction?: unknown;
 }
-
-/** The name that projects give each of the built-in fonts. */
-export const builtinFonts: Record<string, keyof EngineFiles['fonts']> = {
-  Nunito: 'nunito',
-  'Bebas Neue': 'bebasNeue',
-  'Roboto Slab': 'robotoSlab',
-  Fredoka: 'fredoka',
-  Caveat: 'caveat',
-};
 
 /** Others begin at once, so that calls enter the queue in their order. */
 export const needsTexts = ({ layers, shape }: Record<string, unknown>): boolean =>
@@ -71,10 +63,10 @@ export class Texts {
   }
 
   async #fontOf(files: Files, font: string): Promise<Uint8Array | undefined> {
-    const builtin = builtinFonts[font];
-    if (builtin !== undefined) {
+    const address = this.#files.fonts[fontFile(font) ?? ''];
+    if (address !== undefined) {
       let bytes = this.#fonts.get(font);
-      if (bytes === undefined) this.#fonts.set(font, (bytes = this.#platform.read(this.#files.fonts[builtin])));
+      if (bytes === undefined) this.#fonts.set(font, (bytes = this.#platform.read(address)));
       return bytes;
     }
     const given = files[font]?.value;

@@ -6,7 +6,7 @@ import generator from 'nayuki-qr-code-generator';
 // Its types are those of a CommonJS module, which it is not.
 const { QrCode } = generator as unknown as typeof generator.default;
 
-/** As core/src/text/letters.hpp. */
+/** The limits of core/src/text/letters.hpp. */
 const usualCapHeight = 0.7;
 const mostPathBytes = 4 * 2 ** 20;
 
@@ -47,7 +47,7 @@ function capHeightOf(font: hb.Font, em: number): number {
   return height > 0 ? height : usualCapHeight * em;
 }
 
-/** What core/src/text/shape_line_elsewhere.cpp reads. */
+/** The shaped line that core/src/text/shape_line_elsewhere.cpp reads. */
 export function shapeLine(file: Uint8Array, line: string): object {
   const face = new hb.Face(new hb.Blob(file));
   // No font has no glyphs; HarfBuzz makes an empty face of anything.

@@ -304,7 +304,7 @@ export class Header extends StudioElement {
   #opened = false;
   #menuOpened = false;
 
-  /** What is in it comes when it is first opened. */
+  /** Its content comes when it is first opened. */
   #menu(): TemplateResult {
     return html`<div
       id="menu"

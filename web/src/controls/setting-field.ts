@@ -20,9 +20,9 @@ export interface ValueField {
   label: string;
   help: string;
   value: SettingValue;
-  /** What a value that may be null is when it no longer is. */
+  /** The value that follows null. */
   fallback: number | [number, number];
-  /** What null means, and what a choice is called. */
+  /** The names of null and of a choice. */
   nullLabel: string;
   choiceLabel: (choice: string) => string;
   /** While a hand moves. */

@@ -2,7 +2,7 @@
 
 export type Kind = 'svg' | 'picture' | 'font' | 'zip' | 'json' | 'unknown';
 
-/** Of TrueType and OpenType fonts alike. */
+/** The endings of TrueType and OpenType fonts alike. */
 export const fontType = 'font/sfnt';
 
 export interface Known {

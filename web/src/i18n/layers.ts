@@ -18,7 +18,7 @@ const shortened = (text: string): string => {
   return line.length > longest ? `${line.slice(0, longest)}…` : line;
 };
 
-/** What a layer is called in lists: by its letters, by its file, else by its kind. */
+/** The name of a layer in lists: by its letters, by its file, else by its kind. */
 export function layerName({ kind, pattern, text, file }: PlateLayer): string {
   if ((kind === 'text' || kind === 'qr') && text.trim() !== '') return shortened(text);
   if (file !== null) return file.name;

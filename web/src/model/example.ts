@@ -4,7 +4,7 @@ import type { FilamentKey } from './filaments.js';
 import type { LayerKind, LayerValues } from './layers.js';
 import type { DirectionSource, ShapeSource } from './plate.js';
 
-/** What differs from the core's defaults; files by their names. */
+/** The fields that differ from the core's defaults; files by their names. */
 export type ExampleLayer = Partial<Omit<LayerValues, 'file' | 'maskFile' | 'font'>> & {
   kind: LayerKind;
   file?: string;

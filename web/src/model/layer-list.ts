@@ -70,7 +70,7 @@ export function toldLayer(layer: PlateLayer, content: (file: SourceFile) => unkn
 export const layerOf = ({ layers }: Pick<Plate, 'layers'>, id: number | undefined): PlateLayer | undefined =>
   layers.find((layer) => layer.id === id);
 
-/** That of the next new layer. */
+/** The number of the next new layer. */
 export const nextLayerId = ({ layers }: Pick<Plate, 'layers'>): number =>
   1 + layers.reduce((most, { id }) => Math.max(most, id), 0);
 

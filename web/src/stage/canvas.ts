@@ -455,7 +455,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     return { x: this.camera.x + (x - width / 2) / scale, y: this.camera.y - (y - height / 2) / scale };
   }
 
-  /** Where a place of the page [mm] is on the element. */
+  /** The place on the element of a place of the page [mm]. */
   #toScreen({ x, y }: Cursor): Place {
     const { width, height } = this.getBoundingClientRect();
     const scale = this.camera.scale / devicePixelRatio;

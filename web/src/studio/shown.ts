@@ -93,7 +93,7 @@ export interface Shown extends State {
   keepRatio: boolean;
   /** Id of the layer that is worked on; undefined: none. */
   layer: number | undefined;
-  /** What is cut off its picture is shown, to be cut elsewhere. */
+  /** The cut part of its picture is shown, to be cut elsewhere. */
   cropping: boolean;
   /** As the engine has placed the layers, by their ids; where one has changed since, its box may be another. */
   layerBoxes: ReadonlyMap<number, KnownBox>;

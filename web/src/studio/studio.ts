@@ -77,7 +77,7 @@ export interface Services {
   seen(result: PlateResult, directions: DirectionRaster): Promise<Seen>;
   /** Of the plate as it is now, in full. */
   directions(): Promise<DirectionRaster>;
-  /** Where the engine puts each layer that lacks nothing, by its id. */
+  /** The box in which the engine puts each layer that lacks nothing, by its id. */
   layerBoxes(plate: Plate): Promise<ReadonlyMap<number, PlacedLayer>>;
   /** Of a sliced print, on a box of the bed: strokes in mm on the bed, and an angle elsewhere [degrees]. */
   handDirections(strokes: readonly Stroke[], box: Box, angle: number): Promise<DirectionRaster>;

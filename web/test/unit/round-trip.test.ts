@@ -142,7 +142,7 @@ function compared({ studio: _, ...sections }: Sections): unknown {
   );
 }
 
-/** Of layers, what differs from the defaults stands in a list. */
+/** Layers stand in a list, with what differs from the defaults. */
 function valueIn(project: Sections, section: string, key: string): unknown {
   const values = project[section];
   return (Array.isArray(values) ? (values as Section[])[0] : values)?.[key];
