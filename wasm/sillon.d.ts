@@ -533,7 +533,7 @@ export interface LampPicture {
 
 /** One of the `layers` of docs/reference/project.md. */
 export interface Layer {
-  /** What the layer draws: one direction, a direction picture, a picture under its lamp, a text, a QR code, a pattern, a drawing, or a band along the border. Default "direction". */
+  /** The content of the layer: one direction, a direction picture, a picture under its lamp, a text, a QR code, a pattern, a drawing, or a band along the border. Default "direction". */
   kind: 'direction' | 'map' | 'picture' | 'text' | 'qr' | 'pattern' | 'drawing' | 'border';
   /** A layer that is not visible draws nothing. Default true. */
   visible: boolean;
@@ -545,7 +545,7 @@ export interface Layer {
   rotation: number;
   /** Mirrors the layer left to right before it turns. Default false. */
   mirror: boolean;
-  /** Where it shows: on its own letters, drawing or box, on the disc in its box, on the whole page, or inside or outside the mask file. Default "own". */
+  /** The places where it shows: its own letters, drawing or box, the disc in its box, the whole page, or inside or outside of the mask file. Default "own". */
   mask: 'own' | 'disc' | 'page' | 'inside' | 'outside';
   /** Drawing or mask picture that bounds the layer, stretched over its box. Default "". */
   maskFile: string;
@@ -559,7 +559,7 @@ export interface Layer {
   fill: 'angle' | 'along' | 'across';
   /** File of a map, a picture, a drawing or an echo. Default "". */
   file: string;
-  /** How the picture of a map gives directions: grey is −90 to 90°; grey is 0 to 180°; red and green are x and y. Default "angle". */
+  /** Reading of a map’s picture as directions: grey is −90 to 90°; grey is 0 to 180°; red and green are x and y. Default "angle". */
   encoding: 'angle' | 'rotation' | 'tangent';
   /** Lower left corner of the part of a picture that is used, in shares of the picture. 0..1, default [0,0]. */
   cropMin: [number, number];
@@ -575,15 +575,15 @@ export interface Layer {
   textSize: number;
   /** Radius of the circle that letters stand on; 0: straight; below 0: along the lower side, to be read from inside. -5000..5000 mm, default 0. */
   circle: number;
-  /** Where shorter lines stand. Default "middle". */
+  /** Place of shorter lines in the box. Default "middle". */
   align: 'left' | 'middle' | 'right';
-  /** How much of a QR code may be damaged: 7, 15, 25 or 30 percent. Default "medium". */
+  /** Share of a QR code that may be damaged: 7, 15, 25 or 30 percent. Default "medium". */
   correction: 'low' | 'medium' | 'quartile' | 'high';
   /** Rays from the middle turned by the angle (90 makes rings), waves, or contours around a drawing. Default "radial". */
   pattern: 'radial' | 'waves' | 'echo';
   /** Length of one wave. 1..1000 mm, default 20. */
   waveLength: number;
-  /** How far waves turn the directions to either side. 0..90 °, default 20. */
+  /** Angle by which waves turn the directions to either side. 0..90 °, default 20. */
   amplitude: number;
   /** Width of a band along the border. 0.1..1000 mm, default 3. */
   width: number;

@@ -131,7 +131,8 @@ constexpr Row kRows[] = {
       .help = "Diameter of the hole of the shapes \"ring\" and \"tag\"; 0 is half of the ring's width, or 5 mm",
       .option = "--inner"}},
     {{.section = Shape, .key = "text", .type = Block, .field = at<&Project::shapeText>, .high = kText, .level = Basic},
-     {.label = "Letters", .help = "Letters of the shape \"text\", which fill its size as far as their proportions allow"}},
+     {.label = "Letters",
+      .help = "Letters of the shape \"text\", which fill its size as far as their proportions allow"}},
     {{.section = Shape, .key = "font", .type = Text, .field = at<&Project::shapeFont>, .high = kLine, .level = Basic},
      {.label = "Font",
       .help = "Font of these letters: Nunito, Bebas Neue, Roboto Slab, Fredoka, Caveat, or a TTF or OTF file"}},
@@ -303,8 +304,9 @@ constexpr Row kRows[] = {
       .level = Basic,
       .choices = "direction map picture text qr pattern drawing border"},
      {.label = "Kind",
-      .help = "What the layer draws: one direction, a direction picture, a picture under its lamp, a text, a QR code, "
-              "a pattern, a drawing, or a band along the border"}},
+      .help =
+          "The content of the layer: one direction, a direction picture, a picture under its lamp, a text, a QR code, "
+          "a pattern, a drawing, or a band along the border"}},
     {{.section = Layers, .key = "visible", .type = Flag, .field = at<&Layer::visible>, .level = Basic},
      {.label = "Visible", .help = "A layer that is not visible draws nothing"}},
     {{.section = Layers,
@@ -344,8 +346,8 @@ constexpr Row kRows[] = {
       .level = Basic,
       .choices = "own disc page inside outside"},
      {.label = "Mask",
-      .help = "Where it shows: on its own letters, drawing or box, on the disc in its box, on the whole page, or "
-              "inside or outside the mask file"}},
+      .help = "The places where it shows: its own letters, drawing or box, the disc in its box, the whole page, or "
+              "inside or outside of the mask file"}},
     {{.section = Layers, .key = "maskFile", .type = Text, .field = at<&Layer::maskFile>, .high = kLine, .level = Basic},
      {.label = "Mask file", .help = "Drawing or mask picture that bounds the layer, stretched over its box"}},
     {{.section = Layers,
@@ -395,7 +397,7 @@ constexpr Row kRows[] = {
       .level = Basic,
       .choices = "angle rotation tangent"},
      {.label = "Encoding",
-      .help = "How the picture of a map gives directions: grey is -90 to 90 degrees; grey is 0 to 180 degrees; red and "
+      .help = "Reading of a map's picture as directions: grey is -90 to 90 degrees; grey is 0 to 180 degrees; red and "
               "green are x and y"}},
     {{.section = Layers,
       .key = "cropMin",
@@ -423,8 +425,8 @@ constexpr Row kRows[] = {
       .high = 360,
       .level = Basic},
      {.label = "Lamp",
-      .help =
-          "Azimuth and elevation of the lamp that shows a picture; null: the lamp of the first picture, or 60 and 45"}},
+      .help = "Azimuth and elevation of the lamp that shows a picture; null: the lamp of the first picture, or 60 "
+              "and 45"}},
     {{.section = Layers, .key = "text", .type = Block, .field = at<&Layer::text>, .high = kText, .level = Basic},
      {.label = "Text",
       .help = "Letters, in one or several lines, what a QR code says, or what an echo without a file follows"}},
@@ -456,14 +458,14 @@ constexpr Row kRows[] = {
       .field = at<&Layer::align>,
       .level = Basic,
       .choices = "left middle right"},
-     {.label = "Alignment", .help = "Where shorter lines stand"}},
+     {.label = "Alignment", .help = "Place of shorter lines in the box"}},
     {{.section = Layers,
       .key = "correction",
       .type = Choice,
       .field = at<&Layer::correction>,
       .level = Basic,
       .choices = "low medium quartile high"},
-     {.label = "Correction", .help = "How much of a QR code may be damaged: 7, 15, 25 or 30 percent"}},
+     {.label = "Correction", .help = "Share of a QR code that may be damaged: 7, 15, 25 or 30 percent"}},
     {{.section = Layers,
       .key = "pattern",
       .type = Choice,
@@ -489,7 +491,7 @@ constexpr Row kRows[] = {
       .low = 0,
       .high = 90,
       .level = Basic},
-     {.label = "Amplitude", .help = "How far waves turn the directions to either side"}},
+     {.label = "Amplitude", .help = "Angle by which waves turn the directions to either side"}},
     {{.section = Layers,
       .key = "width",
       .type = Number,
@@ -660,8 +662,8 @@ constexpr Row kRows[] = {
       .high = 100,
       .level = Expert},
      {.label = "Relaxation rounds",
-      .help =
-          "Rounds of relaxation, which evens out the gaps between beads: fewer kinks, slightly less exact directions",
+      .help = "Rounds of relaxation, which evens out the gaps between beads: fewer kinks, slightly less exact "
+              "directions",
       .option = "--relaxation-rounds"}},
     {{.section = Toolpath,
       .key = "relaxationStrength",
@@ -691,8 +693,8 @@ constexpr Row kRows[] = {
       .high = 1,
       .level = Expert},
      {.label = "Width balance",
-      .help =
-          "0: the nearer neighbour limits the width on both sides (Eq. 16); 1: the space between both neighbours does",
+      .help = "0: the nearer neighbour limits the width on both sides (Eq. 16); 1: the space between both "
+              "neighbours does",
       .option = "--width-balance"}},
     {{.section = Toolpath,
       .key = "beadOverlap",
@@ -776,9 +778,9 @@ constexpr Row kRows[] = {
       .level = Basic,
       .choices = "up bed both"},
      {.label = "Side to show",
-      .help =
-          "Top: oriented layers on top. Bed: mirrored on the bed, base above. Both: both sides, for shapes that are "
-          "their own mirror image",
+      .help = "Top: oriented layers on top. Bed: mirrored on the bed, base above. Both: both sides, for shapes "
+              "that are "
+              "their own mirror image",
       .option = "--show"}},
     {{.section = Print, .key = "skirt", .type = Integer, .field = at<&PrintParams::skirt>, .low = 0, .high = 20},
      {.label = "Skirt loops", .help = "Loops around the plates that prime the nozzle", .option = "--skirt"}},
@@ -1072,8 +1074,8 @@ constexpr Row kRows[] = {
       .low = 170,
       .high = 300},
      {.label = "Nozzle temperature limit",
-      .help =
-          "Highest nozzle temperature that the hot end is made for, such as 240 with a PTFE tube down to the nozzle"}},
+      .help = "Highest nozzle temperature that the hot end is made for, such as 240 with a PTFE tube down to the "
+              "nozzle"}},
     {{.section = Section::Printer,
       .key = "maxBedTemperature",
       .type = Number,
@@ -1242,9 +1244,9 @@ constexpr Row kRows[] = {
       .low = -1,
       .high = 100},
      {.label = "Fan, base layers",
-      .help =
-          "Fan speed on base layers above the first; negative values choose what the filament usually gets, such as "
-          "100 for PLA, 50 for PETG and 10 for ABS"}},
+      .help = "Fan speed on base layers above the first; negative values choose what the filament usually gets, "
+              "such as "
+              "100 for PLA, 50 for PETG and 10 for ABS"}},
     {{.section = Section::Printer,
       .key = "showFan",
       .type = Number,
@@ -1253,9 +1255,9 @@ constexpr Row kRows[] = {
       .low = -1,
       .high = 100},
      {.label = "Fan, oriented layers",
-      .help =
-          "Fan speed on oriented layers above the first; negative values choose what the filament usually gets, such "
-          "as 100 for PLA, 50 for PETG and 10 for ABS"}},
+      .help = "Fan speed on oriented layers above the first; negative values choose what the filament usually "
+              "gets, such "
+              "as 100 for PLA, 50 for PETG and 10 for ABS"}},
     {{.section = Section::Printer,
       .key = "minLayerTime",
       .type = Number,
