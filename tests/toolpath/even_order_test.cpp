@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "input/stored_angle.hpp"
 #include "sillon/input/plate_input.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "support/scenes.hpp"
@@ -178,6 +179,25 @@ TEST_CASE("neighbours on a disc are laid soon after one another") {
   CHECK(lateShare(plain, 30) > 20);
   CHECK(lateShare(even, 30) < 10);
   CHECK(lateShare(even, 120) < 3);
+}
+
+TEST_CASE("rings are laid one after the other, though their joints lie amid straight strands") {
+  PlateInput input = disc(40, 0);
+  constexpr int kSide = 400;
+  input.directions = {kSide, kSide, {}};
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const double outward = std::atan2(kSide / 2.0 - y - 0.5, x + 0.5 - kSide / 2.0);
+      input.directions.angle.push_back(storedAngle((outward + std::numbers::pi / 2) / std::numbers::pi));
+    }
+  }
+  ToolpathParams params;
+  const ToolpathResult even = generateToolpath(input, params, RunContext(1)).value();
+  params.order = BeadOrder::Plain;
+  const ToolpathResult plain = generateToolpath(input, params, RunContext(1)).value();
+  CHECK(even.toolpath.cycles.size() == 1);
+  CHECK(lateShare(plain, 30) > 30);
+  CHECK(lateShare(even, 30) < 15);
 }
 
 TEST_CASE("the order is the same on any number of threads") {

@@ -47,10 +47,13 @@ struct Switch {
   Joint joint;
   float miss;  ///< cost of the joint as Joining says [mm]
   int turns;   ///< U-turns that it adds, roughly
+  /// Number of the two curves that it joins amid straight strands, as rings are joined: it makes two U-turns wherever
+  /// between the two it is. -1: it joins others.
+  int ring = -1;
 };
 
-/// The joints made, and all others that would cost little, the cheapest of each stretch of two strands: not amid
-/// straight ones, where a joint makes two U-turns.
+/// The joints made, and all others that would cost little, the cheapest of each stretch of two strands: amid straight
+/// ones, where a joint makes two U-turns, only between curves that have such a joint.
 std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, const Joining& joining,
                                  const RunContext& run);
 

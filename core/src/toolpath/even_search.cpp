@@ -246,12 +246,12 @@ class Search {
     }
   }
 
-  // Joints come first: most moves undo one.
+  // Joints come first: most moves undo one. Those of rings find all that could take their place.
   std::vector<int> nextToLookAt() {
     std::vector<int> next;
     for (const bool on : {true, false}) {
       for (int s = 0; s < static_cast<int>(again_.size()); ++s) {
-        if (again_[s] != 0 && switches_[s].joint.on == on) next.push_back(s);
+        if (again_[s] != 0 && switches_[s].joint.on == on && (on || switches_[s].ring < 0)) next.push_back(s);
       }
     }
     std::fill(again_.begin(), again_.end(), 0);
@@ -296,7 +296,7 @@ class Search {
     for (int t = 0; t < static_cast<int>(switches_.size()); ++t) {
       const auto [a, b] = cutsOf(t);
       const bool interlaced = (low < a && a < high && high < b) || (a < low && low < b && b < high);
-      if (!interlaced || hopeless(s, t, blocked) || hopeless(t, s, blocked)) continue;
+      if (!interlaced || !mayMeet(s, t) || hopeless(s, t, blocked) || hopeless(t, s, blocked)) continue;
       if (std::find(refused_[s].begin(), refused_[s].end(), t) != refused_[s].end()) continue;
       const double atMost = linkLength_ * split.atMost(ends_[t].first, ends_[t].second) - costOf(s) - costOf(t);
       if (atMost > kLeastGain) partners.push_back({atMost, t});
@@ -313,6 +313,13 @@ class Search {
       if (gain > best.gain) best = {gain, s, t, {}};
     }
     return best;
+  }
+
+  // A joint of rings only takes the place of another one between the same two; elsewhere it would add its two U-turns.
+  [[nodiscard]] bool mayMeet(int s, int t) const {
+    const auto& [a, b] = std::pair(switches_[s], switches_[t]);
+    const bool added = (a.ring >= 0 && !a.joint.on) || (b.ring >= 0 && !b.joint.on);
+    return !added || (a.ring == b.ring && a.joint.on != b.joint.on);
   }
 
   // Tells whether a switch stays blocked when the other is toggled: only a joint beside it can be what blocks it.

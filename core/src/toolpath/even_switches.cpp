@@ -13,8 +13,8 @@ constexpr int kLeastLoop = 40;     ///< points that a joint within a curve split
 constexpr float kStraight = 0.9f;  ///< cosine over four spacings
 constexpr float kTurnCost = 0.3f;  ///< price of an added U-turn, to choose between neighbours [mm]
 constexpr float kDearest = 1.5f;   ///< joint by the usual price of misalignment [mm]
-constexpr int kMostTurns = 1;
-
+constexpr int kMostTurns = 1;      ///< added by a joint
+constexpr int kTurnsOfRings = 2;   ///< likewise, between rings
 // The point `steps` after one of the same curve, or before it.
 int stepped(const Beads& beads, const Joining& joining, int point, int steps) {
   const int curve = joining.curveOf(point);
@@ -127,6 +127,30 @@ class Taken {
   std::vector<std::vector<Link>> at_;
 };
 
+// Pairs of curves that are joined amid straight strands.
+class Rings {
+ public:
+  explicit Rings(std::size_t curves) : others_(curves) {}
+
+  int add(int a, int b) {
+    if (const int known = numberOf(a, b); known >= 0) return known;
+    others_[a].push_back({b, count_});
+    others_[b].push_back({a, count_});
+    return count_++;
+  }
+  [[nodiscard]] bool any(int curve) const { return !others_[curve].empty(); }
+  [[nodiscard]] int numberOf(int a, int b) const {
+    for (const auto& [other, number] : others_[a]) {
+      if (other == b) return number;
+    }
+    return -1;
+  }
+
+ private:
+  std::vector<std::vector<std::pair<int, int>>> others_;
+  int count_ = 0;
+};
+
 // Keeps the cheapest of each stretch that is not taken.
 void thinOut(std::vector<Possible>& possible, Taken taken) {
   std::sort(possible.begin(), possible.end());
@@ -154,23 +178,37 @@ std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, con
   const float dearest = kDearest * static_cast<float>(std::max(1.0, stitchAlignment / kUsualPrice));
   const float price = static_cast<float>(kUsualPrice / std::max(kUsualPrice, stitchAlignment));
   const int count = static_cast<int>(beads.curves.points.size());
-  const auto look = [&](int i, int j, std::vector<Possible>& out) {
+  std::vector<Switch> switches;
+  Taken taken(count, kApart);
+  for (const Joint& joint : joining.made()) {
+    taken.take({std::min(joint.i, joint.j), std::max(joint.i, joint.j), joint.span});
+    switches.push_back({joint, joining.cost(joint.i, joint.j, joint.span), turnsAdded(beads, joining, joint)});
+  }
+  Rings rings(beads.curves.begin.size() - 1);
+  for (Switch& one : switches) {
+    if (one.turns > kMostTurns) one.ring = rings.add(joining.curveOf(one.joint.i), joining.curveOf(one.joint.j));
+  }
+
+  const auto look = [&](int i, int j, bool straight, std::vector<Possible>& out) {
     if (j < 0) return;
+    const int ring = straight ? rings.numberOf(joining.curveOf(i), joining.curveOf(j)) : -1;
+    if (straight && ring < 0) return;
     if (joining.curveOf(i) == joining.curveOf(j)) {
       const int apart = std::abs(i - j);
       if (std::min(apart, beads.curves.size(joining.curveOf(i)) - apart) < kLeastLoop) return;
     }
     const Joint joint{std::min(i, j), std::max(i, j), kSpan};
     const float miss = joining.cost(joint.i, joint.j, kSpan);
-    if (miss < dearest) out.push_back({miss, {joint, miss, 0}});
+    if (miss < dearest) out.push_back({miss, {joint, miss, 0, ring}});
   };
   std::vector<Possible> possible = found<Possible>((count + kStride - 1) / kStride, run, [&](int k, auto& out) {
     const int i = k * kStride;
-    if (straightAround(beads, joining, i)) return;
+    const bool straight = straightAround(beads, joining, i);
+    if (straight && !rings.any(joining.curveOf(i))) return;
     const Sides sides = besides(beads, joining, i, 1.8f * beads.spacing,
                                 [&](int j, Vec2f t) { return dot(t, tangentOf(beads, joining, j)) <= -0.7f; });
-    look(i, sides.left, out);
-    look(i, sides.right, out);
+    look(i, sides.left, straight, out);
+    look(i, sides.right, straight, out);
   });
   // Turns are counted for few: that takes longer than all the rest.
   thinOut(possible, Taken(count, kApart / 4));
@@ -181,14 +219,8 @@ std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, con
       possible[k].cost = price * made.miss + kTurnCost * static_cast<float>(made.turns);
     }
   });
-  std::erase_if(possible, [](const Possible& one) { return one.made.turns > kMostTurns; });
-
-  std::vector<Switch> switches;
-  Taken taken(count, kApart);
-  for (const Joint& joint : joining.made()) {
-    taken.take({std::min(joint.i, joint.j), std::max(joint.i, joint.j), joint.span});
-    switches.push_back({joint, joining.cost(joint.i, joint.j, joint.span), turnsAdded(beads, joining, joint)});
-  }
+  std::erase_if(possible,
+                [](const Possible& one) { return one.made.turns > (one.made.ring < 0 ? kMostTurns : kTurnsOfRings); });
   thinOut(possible, taken);
   for (const Possible& one : possible) switches.push_back(one.made);
   return switches;
