@@ -282,6 +282,20 @@ function rooms(text) {
   });
 }
 
+// --- Fonts ---------------------------------------------------------------------------------------------------------------
+
+const fonts = JSON.parse(readFileSync(join(root, 'core/data/fonts/fonts.json'), 'utf8'));
+const fontsOfPackage = () => `// Made by ./dev generate from core/data/fonts/fonts.json.
+/** Files of the fonts that come with the engine, in dist/engine, by name. */
+export const fontFiles: ReadonlyMap<string, string> = new Map([
+${fonts.map(({ name, file }) => `  ['${name}', '${file}'],`).join('\n')}
+]);
+`;
+const fontsOfStudio = () => `// Made by ./dev generate from core/data/fonts/fonts.json.
+/** The fonts that come with the engine, in the order in which they are offered. */
+export const builtInFonts = [${fonts.map(({ name }) => `'${name}'`).join(', ')}] as const;
+`;
+
 // --- Files ---------------------------------------------------------------------------------------------------------------
 
 const made = {
@@ -302,6 +316,8 @@ const made = {
   'web/src/i18n/en/core/faces.ts': () => sentencesFile('surfaces', 'rebrush.left.', phrase),
   'web/src/i18n/en/core/hints.ts': () => sentencesFile('hints', 'hint.'),
   'wasm/src/hints.ts': hints,
+  'wasm/src/fonts.ts': fontsOfPackage,
+  'web/src/model/fonts.ts': fontsOfStudio,
   'web/src/model/appearance.ts': appearance,
   'web/test/light.json': light,
 };

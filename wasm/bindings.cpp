@@ -11,6 +11,7 @@ EMSCRIPTEN_BINDINGS(sillon) {
   function("generateToolpath", &bindings::generateToolpath);
   function("readShape", &bindings::readShape);
   function("placeLayers", &bindings::placeLayers);
+  function("linesOfDrawing", &bindings::linesOfDrawing);
   function("decodePicture", &bindings::decodePicture);
   function("readProject", &bindings::readProject);
   function("writeProject", &bindings::writeProject);

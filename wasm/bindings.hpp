@@ -24,6 +24,8 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
                      const val& onProgress);
 val readShape(const std::string& projectJson, const val& files);
 val placeLayers(const std::string& projectJson, const val& files);
+/// Names under which the calls above ask for lines of a drawing's text. \param file  bytes.
+val linesOfDrawing(const val& file);
 val decodePicture(const val& file, const std::string& name);
 val readProject(const std::string& json);
 /// \param projectJson  made of arguments: what is wrong in it is no file's fault.

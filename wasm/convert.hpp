@@ -84,6 +84,7 @@ inline val toJs(const sillon::Shape& shape) {
   out.set("page", toJs(shape.page));
   out.set("paths", paths);
   out.set("texts", shape.drawing.texts);
+  out.set("otherFont", shape.drawing.otherFont);
   out.set("images", shape.drawing.images);
   out.set("offPage", shape.drawing.offPage);
   out.set("unpainted", shape.drawing.unpainted);

@@ -18,6 +18,7 @@
 #include "sillon/project/project.hpp"
 #include "sillon/report/report.hpp"
 #include "sillon/settings/presets.hpp"
+#include "sillon/text/text.hpp"
 
 namespace {
 
@@ -87,15 +88,25 @@ val placeLayers(const std::string& projectJson, const val& files) {
     const auto input = sillon::readPlateInput(project.value(), read, run);
     if (!input) return failure(input.error());
     const auto placed = sillon::placeLayers(project.value(), input.value().shape, read);
-    if (!placed) return failure(placed.error());
     val out = val::array();
-    for (const sillon::PlacedLayer& layer : placed.value()) {
+    for (const sillon::PlacedLayer& layer : placed) {
       val one = val::object();
       one.set("at", convert::toJs(layer.at));
       one.set("size", convert::toJs(layer.size));
       one.set("thin", layer.thin);
+      if (layer.problem) one.set("problem", layer.problem->message);
       out.call<void>("push", one);
     }
+    return success(out);
+  });
+}
+
+val linesOfDrawing(const val& file) {
+  return guarded([&](sillon::RunContext&) {
+    const std::vector<std::uint8_t> bytes = convert::numbers<std::uint8_t>(file);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    val out = val::array();
+    for (const std::string& name : sillon::linesOfDrawing(text)) out.call<void>("push", val(name));
     return success(out);
   });
 }

@@ -118,8 +118,8 @@ export interface Engine {
    * shape without height. */
   readShape(shape: ShapeInput, directions?: DirectionInput, options?: RunOptions): Promise<Shape>;
   /** The places of a plate's layers: their boxes, before they turn, and how thin their letters are. For handles: no picture
-   * is solved for. */
-  placeLayers(input: PlateInput, options?: RunOptions): Promise<PlacedLayer[]>;
+   * is solved for, and layers that cannot be drawn are told one by one. `params`: whose spacing counts. */
+  placeLayers(input: PlateInput, params?: Partial<ToolpathParams>, options?: RunOptions): Promise<PlacedLayer[]>;
   /** PNG, JPEG, BMP or TGA to the stored values, without colour management; EXIF orientation applied.
    * Other formats: draw them to a canvas and hand over its pixels as a Picture. */
   decodePicture(file: Bytes, options?: RunOptions): Promise<Picture>;
@@ -441,6 +441,8 @@ export interface PlacedLayer {
   size: [number, number];
   /** Share of letters or of a drawing that is narrower than two beads, 0..1. */
   thin: number;
+  /** Reason why the layer cannot be drawn; the box is what it asks for. */
+  problem?: string;
 }
 
 /** One layer: its kind, and whatever differs from the defaults. A `font` is a built-in one, or a file's bytes. */
@@ -569,7 +571,7 @@ export interface Layer {
   lamp: [number, number] | null;
   /** Letters, in one or several lines, what a QR code says, or what an echo without a file follows. Default "". */
   text: string;
-  /** Nunito, Bebas Neue, Roboto Slab, Fredoka, Caveat, or a TTF or OTF file. Default "Nunito". */
+  /** A built-in font, or a TTF or OTF file. Default "Nunito". */
   font: string;
   /** Height of capitals, where the size is 0. 1..1000 mm, default 10. */
   textSize: number;
@@ -940,9 +942,11 @@ export interface Cycle {
 export interface Shape {
   page: [number, number];
   paths: { fillRule: 'nonzero' | 'evenodd'; rings: Float64Array[] }[];
-  /** Of the drawing, and not in the shape: text and pictures are not read. */
+  /** Of the drawing, and not in the shape: text on paths or in scripts that no built-in font has, and pictures. */
   texts?: number;
   images?: number;
+  /** Text of the drawing is set in built-in fonts, which stand in for its own. */
+  otherFont?: boolean;
   /** Painted, but cut off at the page's edges, as viewers do [mm²]. */
   offPage?: number;
   /** Nothing is painted: outlines were taken whatever their paint. */
@@ -1001,6 +1005,8 @@ export interface Report {
   keptPlaces?: [number, number, number, number][];
   /** How well the toolpath shows each picture under its lamp: docs/reference/metrics.md. */
   pictures?: PictureReport[];
+  /** Pictures of layers, where they are on top. */
+  layerPictures?: ({ layer: number } & Pick<PictureReport, 'lamp' | 'r' | 'ssim' | 'contrast'>)[];
 }
 
 export interface PictureReport {

@@ -602,7 +602,7 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
   folder.picture("two.png", 40, 40, [](int column, int) { return column < 20 ? 64 : 191; });
   folder.write("text.svg",
                "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'><rect width='9' "
-               "height='9'/><text>a</text></svg>");
+               "height='9'/><text><textPath>a</textPath></text></svg>");
   const Run told = folder.run("zones --shape text.svg --angle 30 -o told.3mf");
   CHECK(has(told.out, "note   text in the drawing is left out (1 <text>)"));
   CHECK(has(told.out, "off    0.0 degrees on average"));
@@ -1221,12 +1221,13 @@ TEST_CASE("what is taken for granted of a file, or left out of it, is said") {
   const Folder folder;
   folder.write(
       "a.svg",
-      R"(<svg viewBox="0 0 60 40"><rect width="60" height="40"/><path d="M9 9h9v9z" fill="#fff"/><text>a</text><image width="3" height="3"/></svg>)");
+      R"(<svg viewBox="0 0 60 40"><rect width="60" height="40"/><path d="M9 9h9v9z" fill="#fff"/><text><textPath>a</textPath></text><text y="9" font-family="Arial">b</text><image width="3" height="3"/></svg>)");
   folder.picture("l.png", 8, 8, [](int, int) { return 255; });
   const std::string coarse = " --spacing 2 --nozzle 1";
   const Run drawn = folder.run("generate --shape a.svg" + coarse);
   CHECK(has(drawn.out, "\nnote       the drawing is in pixels, each taken as 1/96 inch; shape.pageWidth (--size)"));
   CHECK(has(drawn.out, "\nnote       text in the drawing is left out (1 <text>); convert it to paths in the program"));
+  CHECK(has(drawn.out, "\nnote       text in the drawing is set in a built-in font instead of its own"));
   CHECK(has(drawn.out, "\nnote       pictures in the drawing are left out (1 <image>)"));
   CHECK(has(drawn.out, "\nnote       the drawing has several colours, all printed as one solid"));
   CHECK_FALSE(has(folder.run("generate --shape a.svg --size 20" + coarse).out, "pixels"));

@@ -58,7 +58,7 @@ Shape read(const std::string& text, const SvgOptions& options = {}) {
 }
 
 // Where a test is about where outlines lie, be it off the page.
-constexpr SvgOptions kOutlines{.ignorePaint = true};
+const SvgOptions kOutlines{.ignorePaint = true};
 
 Shape readPath(const std::string& d) { return read(page("<path d=\"" + d + "\"/>")); }
 

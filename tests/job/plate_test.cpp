@@ -33,7 +33,9 @@ Image ball() {
 Result<InputFile> readFile(const std::string& name, const std::string& /*what*/) {
   if (name == "ball.png") return InputFile(ball());
   if (name == "text.svg") {
-    return InputFile(std::string(R"(<svg viewBox="0 0 60 60"><rect width="60" height="60"/><text>a</text></svg>)"));
+    return InputFile(std::string(
+        R"(<svg viewBox="0 0 60 60"><rect width="60" height="60"/><text y="30" font-family="Arial">a</text>)"
+        R"(<text><textPath>b</textPath></text></svg>)"));
   }
   return Error{ErrorCode::InvalidFile, "there is no " + name};
 }
@@ -207,6 +209,19 @@ TEST_CASE("a layer shows a picture as well as the whole plate does, and correcti
   CHECK(corrected == doctest::Approx(shows(whole, 3)).epsilon(0.02));
   CHECK(corrected > plain);
 
+  // The report tells the same of the picture, of cells of the layer's window instead of the page's.
+  layered.pictures.corrections = 1;
+  const Report report = made(layered).report();
+  REQUIRE(report.layerPictures.size() == 1);
+  const ReportedLayer& told = report.layerPictures[0];
+  CHECK(told.layer == 1);
+  CHECK(told.lamp.azimuth == 60);
+  CHECK(told.measures.r == doctest::Approx(shows(layered, 1)).epsilon(0.01));
+  CHECK(reportJson(report).find("\"layerPictures\"") != std::string::npos);
+  PlateOptions unmeasured;
+  unmeasured.measure = false;
+  CHECK(made(layered, unmeasured).report().layerPictures.empty());
+
   // A layer on top of the picture is no fault of its beads.
   layered.layers.emplace_back().size = {20, 20};
   CHECK(shows(layered, 1) > 0);
@@ -326,12 +341,13 @@ TEST_CASE("what was taken for granted of the input is told as a code, its values
   PlateOptions options;
   options.measure = false;
   const std::vector<InputNote> notes = made(project, options).notes();
-  REQUIRE(notes.size() == 2);
+  REQUIRE(notes.size() == 3);
   CHECK(std::string(notes[0].code) == "DrawingInPixels");
   CHECK(std::string(notes[1].code) == "TextLeftOut");
   REQUIRE(notes[1].values.size() == 1);
   CHECK(notes[1].values[0].number == 1);
   CHECK(has(notes[1].message, "text in the drawing is left out (1 <text>)"));
+  CHECK(std::string(notes[2].code) == "TextInOtherFont");
   project.pageWidth = 20;
-  CHECK(made(project, options).notes().size() == 1);
+  CHECK(made(project, options).notes().size() == 2);
 }

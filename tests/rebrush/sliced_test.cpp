@@ -329,7 +329,7 @@ TEST_CASE("what prusa-slicer lays otherwise is left, with the reason") {
   const Folder folder;
   const RunContext run(1);
   const std::pair<const char*, const char*> refused[] = {
-      {"--ironing", "irons it"}, {"--use-volumetric-e", "plastic"}, {"--top-solid-layers 0", "no surface"}};
+      {"--ironing", "ironed"}, {"--use-volumetric-e", "plastic"}, {"--top-solid-layers 0", "no surface"}};
   for (const auto& one : refused) {
     const std::string given = one.first;
     const char* const why = one.second;

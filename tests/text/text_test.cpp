@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "input/svg.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/text/qr_code.hpp"
 
@@ -98,7 +99,8 @@ TEST_CASE("letters have the area that another reader finds in the font") {
 }
 
 TEST_CASE("capitals have the height that is asked for, and the page is the ink") {
-  for (const char* font : kBuiltinFonts) {
+  for (const std::string_view name : builtinFonts()) {
+    const std::string font(name);
     CAPTURE(std::string(font));
     const auto shape = textShape({"H", font, 12.5}, kNoFiles);
     REQUIRE(shape.ok());
@@ -223,4 +225,46 @@ TEST_CASE("QR codes have their three finders and grow with the text") {
   REQUIRE(!tooLong.ok());
   CHECK(tooLong.error().code == ErrorCode::TooLarge);
   CHECK(tooLong.error().message.find("3000 bytes") != std::string::npos);
+}
+
+TEST_CASE("text of a drawing is set in the font that it names, or in one that stands in for it") {
+  const ShapeLetters letters = [](const std::string& families, const std::string& line) {
+    return shapeLineOfDrawing(kNoFiles, families, line);
+  };
+  const auto drawing = [&](const std::string& attributes, const std::string& text = "Sillon") {
+    const auto shape =
+        readSvg("<svg width='99mm' height='50mm' viewBox='0 0 99 50'><text x='5' y='30' font-size='10' " + attributes +
+                    ">" + text + "</text></svg>",
+                {.letters = letters});
+    REQUIRE_MESSAGE(shape.ok(), (shape.ok() ? "" : shape.error().message));
+    return shape.value();
+  };
+  const auto areaIn = [](const char* font) {
+    const ShapedLine line = shapeLine(kNoFiles, font, "Sillon").value();
+    return areaOf(textShape({"Sillon", font, 10 * line.capHeight / line.em}, kNoFiles).value());
+  };
+  const auto check = [&](const std::string& families, const char* font, bool instead) {
+    CAPTURE(families);
+    const Shape shape = drawing("font-family='" + families + "'");
+    CHECK(areaOf(shape) == doctest::Approx(areaIn(font)).epsilon(1e-3));
+    CHECK(shape.drawing.otherFont == instead);
+  };
+  check("Caveat", "Caveat", false);
+  check("roboto slab, serif", "Roboto Slab", false);
+  check("\"Bebas Neue\"", "Bebas Neue", false);
+  check("Arial, Helvetica, sans-serif", "Nunito", true);
+  check("Arial, Fredoka", "Fredoka", true);
+  check("Georgia, serif", "Roboto Slab", true);
+  check("Segoe Script", "Caveat", true);
+  check("", "Nunito", false);
+  CHECK(readSvg("<svg width='9' height='9'><rect width='9' height='9'/><text>\u5b57</text></svg>", {.letters = letters})
+            .value()
+            .drawing.texts == 1);
+}
+
+TEST_CASE("lines of a drawing are named as shapeLine asks for them elsewhere") {
+  CHECK(linesOfDrawing(
+            "<svg width='9' height='9'><text font-family='Caveat'>a <tspan>b</tspan></text><text>c</text></svg>") ==
+        std::vector<std::string>{"line:Caveat\na ", "line:Caveat\nb", "line:Nunito\nc"});
+  CHECK(linesOfDrawing("no drawing").empty());
 }

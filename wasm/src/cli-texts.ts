@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
-import { fontFile } from './fonts.js';
+import { fontFiles } from './fonts.js';
 
 const engine = (name: string): string => fileURLToPath(new URL(`./engine/${name}`, import.meta.url));
 
@@ -14,7 +14,7 @@ export async function offerTexts(): Promise<void> {
   await start(() => readFile(engine('harfbuzz.wasm')));
 
   const fontOf = (name: string): Uint8Array => {
-    const file = fontFile(name);
+    const file = fontFiles.get(name);
     try {
       return readFileSync(file === undefined ? name : engine(file));
     } catch {

@@ -32,7 +32,6 @@ export async function startEngine(platform: Platform, options: unknown): Promise
   // A worker of its own for all that needs no plate, so that none of it waits for one. Started by its first call.
   const few = { ...threads, threads: Math.min(mostThreadsAside, threads.threads) };
   const aside = new Queue(platform, assets, idleTimeout, memory, few, plates);
-  const texts = new Texts(platform, assets);
 
   // Asynchronous functions turn what `input` throws into rejections. They run up to their first await when they are
   // called, so that calls enter the queue in order.
@@ -41,6 +40,10 @@ export async function startEngine(platform: Platform, options: unknown): Promise
   const runOnGcode = (call: GcodeCall, options: input.CallOptions): Promise<unknown> =>
     (plates.has(call.file.number) ? plates : aside).run(call, options);
   const runAside = (call: Call, options: input.CallOptions): Promise<unknown> => aside.run(call, options);
+  const texts = new Texts(platform, assets, async (file) => {
+    const call: Call = { name: 'linesOfDrawing', file: { number: 0, value: file } };
+    return (await runAside(call, input.callOptions(undefined))) as string[];
+  });
   const make = async (call: PlateCall, options: input.CallOptions): Promise<api.ToolpathResult> => {
     const number = newNumber();
     const made = (await run({ ...call, name: 'generateToolpath', number }, options)) as api.ToolpathResult;
@@ -56,7 +59,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
     async generateToolpath(plateInput, params, options) {
       const { measure = true, across = false, ...others } = input.callOptions(options, ['measure', 'across']);
       const { sections, files } = input.plate(plateInput);
-      if (needsTexts(sections)) await texts.addTo(files, sections);
+      if (needsTexts(sections, files)) await texts.addTo(files, sections);
       const project = input.projectText({
         ...sections,
         toolpath: input.section(params, 'params'),
@@ -132,15 +135,16 @@ export async function startEngine(platform: Platform, options: unknown): Promise
     async readShape(shape, directions, options) {
       const checked = input.callOptions(options);
       const { sections, files } = input.plate({ shape, directions });
-      if (needsTexts(sections)) await texts.addTo(files, sections);
+      if (needsTexts(sections, files)) await texts.addTo(files, sections);
       return (await run({ name: 'readShape', project: input.projectText(sections), files }, checked)) as api.Shape;
     },
 
-    async placeLayers(plateInput, options) {
+    async placeLayers(plateInput, params, options) {
       const checked = input.callOptions(options);
       const { sections, files } = input.plate(plateInput);
       await texts.addTo(files, sections);
-      const call: Call = { name: 'placeLayers', project: input.projectText(sections), files };
+      const project = input.projectText({ ...sections, toolpath: input.section(params, 'params') });
+      const call: Call = { name: 'placeLayers', project, files };
       return (await runAside(call, checked)) as api.PlacedLayer[];
     },
 

@@ -1,6 +1,9 @@
-// The fonts that come with the engine, as core/include/sillon/text/text.hpp lists them.
-export const builtinFonts: readonly string[] = ['Nunito', 'Bebas Neue', 'Roboto Slab', 'Fredoka', 'Caveat'];
-
-/** The name of a built-in font's file in dist/engine; undefined: it is none of them. */
-export const fontFile = (font: string): string | undefined =>
-  builtinFonts.includes(font) ? `${font.toLowerCase().replace(' ', '-')}.ttf` : undefined;
+// Made by ./dev generate from core/data/fonts/fonts.json.
+/** Files of the fonts that come with the engine, in dist/engine, by name. */
+export const fontFiles: ReadonlyMap<string, string> = new Map([
+  ['Nunito', 'nunito.ttf'],
+  ['Bebas Neue', 'bebas-neue.ttf'],
+  ['Roboto Slab', 'roboto-slab.ttf'],
+  ['Fredoka', 'fredoka.ttf'],
+  ['Caveat', 'caveat.ttf'],
+]);

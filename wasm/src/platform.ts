@@ -1,5 +1,5 @@
 // What differs between browsers and Node.
-import { builtinFonts, fontFile } from './fonts.js';
+import { fontFiles } from './fonts.js';
 import type { EngineFiles, FromWorker, ThreadScripts, ToWorker } from './protocol.js';
 
 export interface Platform {
@@ -25,7 +25,7 @@ export const filesIn = (at: (name: string) => string): EngineFiles => ({
   st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
   mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
   text: { script: at('text.js'), wasm: at('harfbuzz.wasm') },
-  fonts: Object.fromEntries(builtinFonts.map(fontFile).map((name = '') => [name, at(name)])),
+  fonts: Object.fromEntries(Array.from(fontFiles.values(), (name) => [name, at(name)])),
 });
 
 export interface WorkerEvents {

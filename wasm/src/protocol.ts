@@ -40,6 +40,7 @@ export type Call =
   | { name: 'generateToolpath'; project: string; files: Files; measure: boolean; across: boolean; number: number }
   | { name: 'readShape'; project: string; files: Files }
   | { name: 'placeLayers'; project: string; files: Files }
+  | { name: 'linesOfDrawing'; file: KnownFile }
   | { name: 'decodePicture'; file: KnownFile }
   | { name: 'readProject'; project: string }
   | { name: 'writeProject'; project: string }

@@ -1,6 +1,6 @@
 // Letters and QR codes of a plate, made before its call: the engine asks for them as for files.
 import { SillonError, messageOf } from './errors.js';
-import { fontFile } from './fonts.js';
+import { fontFiles } from './fonts.js';
 import type { Platform } from './platform.js';
 import type { EngineFiles, Files } from './protocol.js';
 
@@ -14,20 +14,35 @@ interface Lettering {
   correction?: unknown;
 }
 
+/** Tells whether bytes are a drawing with <text>. */
+const hasText = (bytes: Uint8Array): boolean =>
+  /^[\s\u00EF\u00BB\u00BF]*<[^]*<(?:[\w-]+:)?text[\s>]/.test(new TextDecoder('latin1').decode(bytes));
+
+const withoutText = new WeakSet<Blob>();
+
 /** Others begin at once, so that calls enter the queue in their order. */
-export const needsTexts = ({ layers, shape }: Record<string, unknown>): boolean =>
-  layers !== undefined || (shape as { builtin?: unknown } | undefined)?.builtin === 'text';
+export const needsTexts = ({ layers, shape }: Record<string, unknown>, files: Files): boolean => {
+  if (layers !== undefined || (shape as { builtin?: unknown } | undefined)?.builtin === 'text') return true;
+  const drawing = files['shape.file']?.value;
+  return drawing instanceof Blob ? !withoutText.has(drawing) : drawing instanceof Uint8Array && hasText(drawing);
+};
+
+/** The shape, and files of layers, which may be pictures. */
+const drawingName = /^shape\.file$|^layers\[\d+\]\.(?:file|maskFile)$/;
 
 /** Makes the letters of one engine; what they need is loaded with the first of them. */
 export class Texts {
   readonly #platform: Platform;
   readonly #files: EngineFiles;
   #tools: Promise<Tools> | undefined;
+  readonly #linesOf: (file: Uint8Array) => Promise<string[]>;
   readonly #fonts = new Map<string, Promise<Uint8Array>>();
 
-  constructor(platform: Platform, files: EngineFiles) {
+  /** @param linesOf  names of the lines that a drawing asks for */
+  constructor(platform: Platform, files: EngineFiles, linesOf: (file: Uint8Array) => Promise<string[]>) {
     this.#platform = platform;
     this.#files = files;
+    this.#linesOf = linesOf;
   }
 
   /** Adds to the files what texts and codes of the project need.
@@ -40,7 +55,26 @@ export class Texts {
       const { kind, text, font = 'Nunito', correction = 'medium' } = layer;
       if (typeof text !== 'string' || text === '') continue;
       if (kind === 'qr') await this.#addCode(files, text, correction);
-      if (kind !== 'qr' && typeof font === 'string') await this.#addLines(files, text, font);
+      if (kind === 'qr' || typeof font !== 'string') continue;
+      for (const line of text.split('\n')) await this.#addLine(files, font, line.replace(/\r$/, ''));
+    }
+    for (const [name, { value }] of Object.entries(files)) {
+      if (drawingName.test(name) && (value instanceof Blob || value instanceof Uint8Array)) {
+        await this.#addLinesOf(files, value);
+      }
+    }
+  }
+
+  async #addLinesOf(files: Files, drawing: Blob | Uint8Array): Promise<void> {
+    if (drawing instanceof Blob && withoutText.has(drawing)) return;
+    const bytes = drawing instanceof Blob ? new Uint8Array(await drawing.arrayBuffer()) : drawing;
+    if (!hasText(bytes)) {
+      if (drawing instanceof Blob) withoutText.add(drawing);
+      return;
+    }
+    for (const name of await this.#linesOf(bytes)) {
+      const [, font = '', line = ''] = /^line:([^\n]*)\n([^]*)$/.exec(name) ?? [];
+      await this.#addLine(files, font, line);
     }
   }
 
@@ -51,19 +85,15 @@ export class Texts {
     files[`qr:${correction}\n${text}`] = { number: 0, value };
   }
 
-  async #addLines(files: Files, text: string, font: string): Promise<void> {
+  async #addLine(files: Files, font: string, line: string): Promise<void> {
     const { shapeLine } = await this.#started();
     const bytes = await this.#fontOf(files, font);
-    for (const line of text.split('\n')) {
-      const shaped = JSON.stringify(
-        bytes === undefined ? { unknownFont: true } : shapeLine(bytes, line.replace(/\r$/, '')),
-      );
-      files[`line:${font}\n${line.replace(/\r$/, '')}`] = { number: 0, value: new TextEncoder().encode(shaped) };
-    }
+    const shaped = JSON.stringify(bytes === undefined ? { unknownFont: true } : shapeLine(bytes, line));
+    files[`line:${font}\n${line}`] = { number: 0, value: new TextEncoder().encode(shaped) };
   }
 
   async #fontOf(files: Files, font: string): Promise<Uint8Array | undefined> {
-    const address = this.#files.fonts[fontFile(font) ?? ''];
+    const address = this.#files.fonts[fontFiles.get(font) ?? ''];
     if (address !== undefined) {
       let bytes = this.#fonts.get(font);
       if (bytes === undefined) this.#fonts.set(font, (bytes = this.#platform.read(address)));

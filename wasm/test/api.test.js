@@ -221,12 +221,13 @@ describe('results', () => {
       page: [20, 10],
       paths: [{ fillRule: 'nonzero', rings: [Float64Array.of(1, 9, 19, 9, 19, 1, 1, 1)] }],
       texts: 0,
+      otherFont: false,
       images: 0,
       offPage: 0,
       unpainted: false,
     });
-    const written = svg.replace('</svg>', '<text>a</text><text>b</text><image/></svg>');
-    const { texts, images } = await st.readShape({ file: written });
+    const onPath = '<text><textPath href="#a">a</textPath></text>';
+    const { texts, images } = await st.readShape({ file: svg.replace('</svg>', `${onPath}${onPath}<image/></svg>`) });
     assert.deepEqual([texts, images], [2, 1]);
     const lines = svg.replace(/<(path|rect|polygon)/, '<$1 fill="none"');
     assert.notEqual(lines, svg);

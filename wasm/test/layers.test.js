@@ -33,6 +33,55 @@ test('boxes of layers are told without a plate', async () => {
   assert.ok(small.thin > 0.5);
 });
 
+test('a layer that cannot be drawn keeps no other from its box, and the spacing tells what is thin', async () => {
+  const text = { kind: 'text', text: 'HH', textSize: 4 };
+  const [broken, whole] = await place({ ...text, text: '字', at: [9, 8], size: [7, 6] }, text);
+  assert.match(broken.problem, /^layers\[0\]: the font "Nunito" has no letter/);
+  assert.deepEqual(
+    [broken.at, broken.size],
+    [
+      [9, 8],
+      [7, 6],
+    ],
+  );
+  assert.equal(whole.problem, undefined);
+  const thin = async (spacing) => (await engine.placeLayers({ shape, layers: [text] }, { spacing }))[0].thin;
+  assert.ok((await thin(0.8)) > (await thin(0.2)) + 0.3);
+});
+
+test('text of drawings is set in built-in fonts, as the native program does', async () => {
+  const drawing = (text) =>
+    `<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="30mm" viewBox="0 0 60 30">${text}</svg>`;
+  const inside = async (file) => engine.readShape({ file });
+  const text = '<text x="5" y="20" font-size="12" font-family="Caveat">Ab <tspan>cd</tspan></text>';
+  const shape = await inside(drawing(text));
+  assert.equal(shape.paths.length, 4);
+  assert.equal(shape.texts, 0);
+  assert.deepEqual(await inside(new Blob([drawing(text)])), shape);
+  assert.deepEqual(await inside(new TextEncoder().encode(drawing(text))), shape);
+  assert.equal((await inside(drawing(text.replace('Caveat', 'Arial')))).otherFont, true);
+  const layer = { kind: 'drawing', file: drawing(text), fill: 'along' };
+  assert.notEqual(await digest(layer), await digest());
+});
+
+test('the report tells how alike the pictures of layers are', async () => {
+  const side = 32;
+  const samples = Uint8Array.from({ length: side * side }, (_, k) => (k % side) * 8);
+  const layer = {
+    kind: 'picture',
+    file: { width: side, height: side, channels: 1, samples },
+    size: [24, 24],
+    lamp: [60, 45],
+  };
+  const layers = [{ kind: 'direction', angle: 10 }, layer];
+  const { report } = await engine.generateToolpath({ shape, layers, pictures: { files: [], corrections: 0 } });
+  assert.equal(report.layerPictures.length, 1);
+  const [{ layer: number, lamp, r }] = report.layerPictures;
+  assert.equal(number, 2);
+  assert.deepEqual(lamp, [60, 45]);
+  assert.ok(r > 0.5, `r is ${r}`);
+});
+
 test('a font as bytes makes the letters of the built-in one', async () => {
   const font = readFileSync(join(root, 'core/data/fonts/fredoka.ttf'));
   const text = { kind: 'text', text: 'Sil\nlon', angle: 90 };

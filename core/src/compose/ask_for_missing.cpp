@@ -5,11 +5,10 @@
 
 #include "pictures/parts.hpp"
 #include "sillon/compose/compose.hpp"
-#include "sillon/quality/metrics.hpp"
 
 namespace sillon {
-Result<double> askForMissing(LayerStack& stack, const Toolpath& toolpath, Vec2 page, const Roughness& roughness,
-                             const RunContext& run) {
+Result<std::vector<PictureMeasures>> askForMissing(LayerStack& stack, const Toolpath& toolpath, Vec2 page,
+                                                   const Roughness& roughness, const RunContext& run) {
   std::vector<Lamp> lamps;
   for (const auto& [number, picture] : stack.pictures) lamps.push_back(picture.lamp);
   const auto plate = seePlate(toolpath, page, lamps, roughness, run);
@@ -22,7 +21,7 @@ Result<double> askForMissing(LayerStack& stack, const Toolpath& toolpath, Vec2 p
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   };
   const double cell = page.x / seen.width;
-  double sum = 0;
+  std::vector<PictureMeasures> measures;
   std::size_t lamp = 0;
   for (auto& [number, picture] : stack.pictures) {
     const int columns = std::max(1, static_cast<int>(std::lround(picture.size.x / cell)));
@@ -38,11 +37,11 @@ Result<double> askForMissing(LayerStack& stack, const Toolpath& toolpath, Vec2 p
       }
     }
     const Tones asked = resampled(picture.asked, columns, rows);
-    sum += compareTones(light, asked).r;
+    measures.push_back(compareTones(light, asked));
     addMissingTones(light, asked, lobeOf(picture.lamp, roughness), picture.level, picture.solved);
     ++lamp;
   }
-  return sum;
+  return measures;
 }
 
 }  // namespace sillon

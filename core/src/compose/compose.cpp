@@ -40,7 +40,7 @@ Result<ReadLayer> readLayer(const Layer& layer, const Shape& shape, const ReadIn
 }
 
 PlacedLayer placedLayer(LayerKind kind, const ReadLayer& layer, double spacing) {
-  PlacedLayer placed{layer.place.middle(), layer.place.size()};
+  PlacedLayer placed{layer.place.middle(), layer.place.size(), 0, {}};
   if (kind == LayerKind::Text || kind == LayerKind::Drawing) {
     Shape shape = *layer.content.shape;
     const Vec2 scale{placed.size.x / shape.page.x, placed.size.y / shape.page.y};
@@ -124,12 +124,14 @@ Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const 
   return stack;
 }
 
-Result<std::vector<PlacedLayer>> placeLayers(const Project& project, const Shape& shape, const ReadInput& read) {
+std::vector<PlacedLayer> placeLayers(const Project& project, const Shape& shape, const ReadInput& read) {
   std::vector<PlacedLayer> placed;
   for (std::size_t k = 0; k < project.layers.size(); ++k) {
-    const Result<ReadLayer> known = readLayer(project.layers[k], shape, read);
-    if (!known) return ofLayer(k, known.error());
-    placed.push_back(placedLayer(project.layers[k].kind, known.value(), project.toolpath.spacing));
+    const Layer& layer = project.layers[k];
+    const Result<ReadLayer> known = readLayer(layer, shape, read);
+    placed.push_back(known
+                         ? placedLayer(layer.kind, known.value(), project.toolpath.spacing)
+                         : PlacedLayer{layer.at.value_or(shape.page * 0.5), layer.size, 0, ofLayer(k, known.error())});
   }
   return placed;
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "sillon/geometry/shape.hpp"
+#include "sillon/input/shaped_line.hpp"
 
 namespace sillon {
 
@@ -13,8 +14,9 @@ struct SvgOptions {
   /// Outlines of all closed shapes count whatever their paint, strokes, clipping and the page's edges do not: how the
   /// published scene files are meant.
   bool ignorePaint = false;
-  double width = 0;          ///< the page is scaled to it [mm], 1e-6..1e5; 0: as drawn
-  double tolerance = 0.002;  ///< largest distance between a curve and its polygon [mm], 0.0001..10
+  double width = 0;           ///< the page is scaled to it [mm], 1e-6..1e5; 0: as drawn
+  double tolerance = 0.002;   ///< largest distance between a curve and its polygon [mm], 0.0001..10
+  ShapeLetters letters = {};  ///< draws the text; without it text is left out
 };
 
 /// Reads what an SVG document shows, in one colour: all that is painted is solid, white, faint and graded paint too.
@@ -27,8 +29,9 @@ struct SvgOptions {
 /// joins, miter limit, dashes and vector-effect, opacities, gradients (solid, as opaque as their most opaque stop),
 /// fill-rule, display, visibility, clip-path, mask (by luminance or alpha: black hides, all else shows), overflow,
 /// transform with transform-origin and transform-box, from attributes, `style` and `<style>` rules that select by
-/// names, classes and ids, and by what lies in what; `var()` by its fallback, namespaces, entities of the DOCTYPE. Not
-/// read, and told by Shape::drawing: text, images, `<foreignObject>`, markers, filters, patterns (they count as solid),
+/// names, classes and ids, and by what lies in what; `var()` by its fallback, namespaces, entities of the DOCTYPE; text
+/// where SvgOptions::letters draws it, but for text on paths, textLength and rotate. Not read, and told by
+/// Shape::drawing: other text, images, `<foreignObject>`, markers, filters, patterns (they count as solid),
 /// gradients in masks, animation, sizes of shapes in CSS, shapes of clip-path and pictures of mask in CSS, custom
 /// properties, `calc()`, transforms in space, other selectors, nested rules, `@media` and the like, `pathLength`. A
 /// broken attribute is an error that names its element and line: half a drawing would be printed unnoticed.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -122,19 +123,22 @@ class Maker {
     return std::nullopt;
   }
 
-  /// Pictures of layers are solved for anew, as makeShownPlate does with those of the whole plate. From here on nothing
-  /// is.
+  /// Pictures of layers are looked at, and solved for anew as makeShownPlate does with those of the whole plate. From
+  /// here on nothing is.
   std::optional<Error> correctLayers() {
     const int rounds = correctionsOfLayers();
     LayerStack tried = layers_;
     ToolpathResult result = plate_.result;
     double highest = -1e9;
-    for (int round = 0; rounds > 0; ++round) {
+    for (int round = 0; !layers_.pictures.empty() && makesSeen(); ++round) {
       const LayerStack shown = tried;
-      const auto r = askForMissing(tried, result.toolpath, plate_.input.shape.page, plate_.pictures.roughness, run_);
-      if (!r) return r.error();
-      if (r.value() > highest) {
-        highest = r.value();
+      const auto seen = askForMissing(tried, result.toolpath, plate_.input.shape.page, plate_.pictures.roughness, run_);
+      if (!seen) return seen.error();
+      const double sum = std::accumulate(seen.value().begin(), seen.value().end(), 0.0,
+                                         [](double all, const PictureMeasures& one) { return all + one.r; });
+      if (sum > highest) {
+        highest = sum;
+        judge(seen.value());
         layers_ = shown;
         plate_.result = std::move(result);
       }
@@ -148,6 +152,13 @@ class Maker {
     }
     layOver(layers_, plate_.input);
     return std::nullopt;
+  }
+
+  void judge(const std::vector<PictureMeasures>& seen) {
+    plate_.layerPictures.clear();
+    for (const auto& [number, picture] : layers_.pictures) {
+      plate_.layerPictures.push_back({number + 1, picture.lamp, seen[plate_.layerPictures.size()]});
+    }
   }
 
   std::optional<Error> makeBelow() {
@@ -218,6 +229,7 @@ Report Plate::report() const {
   for (std::size_t k = 0; k < shown.size(); ++k) {
     out.pictures.push_back({pictures.shown[k].file, pictures.shown[k].lamp, shown[k]});
   }
+  if (measures) out.layerPictures = layerPictures;
   out.fromGcode = judgedByGcode;
   if (gcode) out.print = {gcode->seconds, gcode->filamentMm, gcode->filamentGrams};
   out.delay = delay;

@@ -50,7 +50,13 @@ Result<Shape> drawingFrom(const ReadInput& read, const std::string& name, const 
   Result<InputFile> file = read(name, what);
   if (!file) return file.error();
   const auto* text = std::get_if<std::string>(&file.value());
-  if (text != nullptr && looksLikeSvg(*text, name)) return readSvg(*text, options.svg);
+  if (text != nullptr && looksLikeSvg(*text, name)) {
+    SvgOptions svg = options.svg;
+    svg.letters = [&read](const std::string& families, const std::string& line) {
+      return shapeLineOfDrawing(read, families, line);
+    };
+    return readSvg(*text, svg);
+  }
   const Result<Image> mask = picture(std::move(file).value(), name);
   if (!mask) return mask.error();
   return shapeFromMask(mask.value(), options.maskWidth);

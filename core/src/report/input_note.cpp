@@ -13,6 +13,10 @@ constexpr Sentence kSentences[] = {
     {"NoSize", "no size is given, so it is 80 mm wide; {setting} (--size) sets it"},
     {"TextLeftOut",
      "text in the drawing is left out ({n} <text>); convert it to paths in the program that made the drawing"},
+    {"TextInOtherFont",
+     "text in the drawing is set in a built-in font instead of its own; convert it to paths in the program that made "
+     "the "
+     "drawing to keep its letters"},
     {"ImagesLeftOut",
      "pictures in the drawing are left out ({n} <image>); convert them to paths in the program that made the drawing"},
     {"SeveralColours",
@@ -37,6 +41,7 @@ std::vector<InputNote> inputNotes(const Project& project, const DrawingFacts& dr
     note("NoSize", {{"setting", std::string(project.shapeFile.empty() ? "shape.size" : "shape.pageWidth")}});
   }
   if (drawing.texts > 0) note("TextLeftOut", {{"n", static_cast<double>(drawing.texts)}});
+  if (drawing.otherFont) note("TextInOtherFont");
   if (drawing.images > 0) note("ImagesLeftOut", {{"n", static_cast<double>(drawing.images)}});
   if (drawing.severalColours) note("SeveralColours");
   if (drawing.linesOnly) note("LinesAsShape");

@@ -96,6 +96,24 @@ void addMeasures(const Measures& measures, Object& object) {
   object.add("keptPlaces", placesJson(measures.keptPlaces));
 }
 
+void addLikeness(Object& object, const Lamp& lamp, const PictureMeasures& measures) {
+  object.add("lamp", std::string("[") + number(lamp.azimuth, 2) + ", " + number(lamp.elevation, 2) + "]");
+  object.add("r", measures.r, 4);
+  object.add("ssim", measures.ssim, 4);
+  object.add("contrast", measures.contrast, 2);
+}
+
+std::string layerPicturesJson(const std::vector<ReportedLayer>& layers) {
+  std::string list;
+  for (const auto& [layer, lamp, measures] : layers) {
+    Object object("    ");
+    object.add("layer", std::to_string(layer));
+    addLikeness(object, lamp, measures);
+    list += (list.empty() ? "\n    " : ",\n    ") + object.text();
+  }
+  return "[" + list + "\n  ]";
+}
+
 std::string picturesJson(const std::vector<ReportedPicture>& pictures, bool fromGcode) {
   std::string list;
   for (std::size_t k = 0; k < pictures.size(); ++k) {
@@ -107,10 +125,7 @@ std::string picturesJson(const std::vector<ReportedPicture>& pictures, bool from
     Object object("    ");
     // File names need not be UTF-8; what is not becomes U+FFFD instead of an exception.
     object.add("file", jsonString(file));
-    object.add("lamp", std::string("[") + number(lamp.azimuth, 2) + ", " + number(lamp.elevation, 2) + "]");
-    object.add("r", measures.r, 4);
-    object.add("ssim", measures.ssim, 4);
-    object.add("contrast", measures.contrast, 2);
+    addLikeness(object, lamp, measures);
     object.add("others", "[" + others + "]");
     object.add("from", jsonString(fromGcode ? "gcode" : "toolpath"));
     list += (list.empty() ? "\n    " : ",\n    ") + object.text();
@@ -184,6 +199,7 @@ std::string reportJson(const Report& report) {
   object.add("threads", static_cast<std::int64_t>(report.threads));
   object.add("digest", jsonString(report.digest));
   if (!report.pictures.empty()) object.add("pictures", picturesJson(report.pictures, report.fromGcode));
+  if (!report.layerPictures.empty()) object.add("layerPictures", layerPicturesJson(report.layerPictures));
   if (report.print) object.add("print", printJson(*report.print));
   if (report.delay) object.add("neighbourDelay", delayJson(*report.delay));
   object.add("warnings", warningsJson(report.warnings));

@@ -10,7 +10,7 @@ struct FontData {
   std::size_t size;
 };
 
-/// In the order of kBuiltinFonts.
+/// In the order of builtinFonts().
 extern const FontData kFontData[];
 
 }  // namespace sillon

@@ -6,7 +6,7 @@
 
 namespace sillon {
 
-/// \return nothing for a name that is not one of kBuiltinFonts.
+/// \return nothing for a name that is not one of builtinFonts().
 std::optional<std::string_view> builtinFont(std::string_view name);
 
 }  // namespace sillon

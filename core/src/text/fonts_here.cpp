@@ -8,9 +8,10 @@
 namespace sillon {
 
 std::optional<std::string_view> builtinFont(std::string_view name) {
-  const auto* const found = std::find(kBuiltinFonts.begin(), kBuiltinFonts.end(), name);
-  if (found == kBuiltinFonts.end()) return std::nullopt;
-  const FontData& data = kFontData[found - kBuiltinFonts.begin()];
+  const auto names = builtinFonts();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  const FontData& data = kFontData[found - names.begin()];
   return std::string_view(reinterpret_cast<const char*>(data.bytes), data.size);
 }
 

@@ -5,6 +5,7 @@
 
 #include "sillon/base/words.hpp"
 #include "sillon/text/text.hpp"
+#include "text/font_names.hpp"
 
 namespace sillon {
 namespace {
@@ -48,12 +49,16 @@ std::string hexOf(std::uint32_t code) {
 
 }  // namespace
 
+std::span<const std::string_view> builtinFonts() { return kFontNames; }
+
 Error unknownFont(const std::string& font) {
   std::string known;
-  for (const char* name : kBuiltinFonts) known += (known.empty() ? "" : ", ") + std::string(name);
+  for (const std::string_view name : builtinFonts()) known += (known.empty() ? "" : ", ") + std::string(name);
   return {ErrorCode::InvalidArgument,
           "the font is " + inQuotes(font) + "; it must be a file that is handed over, or one of " + known};
 }
+
+std::string nameOfLine(const std::string& font, const std::string& line) { return "line:" + font + "\n" + line; }
 
 Error noFont(const std::string& font) {
   return {ErrorCode::InvalidFile, inQuotes(font) + " is no font; it must be a TrueType or OpenType file (.ttf, .otf)"};
@@ -70,6 +75,13 @@ Error missingLetter(const std::string& font, std::string_view line, std::size_t 
   return {ErrorCode::InvalidArgument, "the font " + inQuotes(font) + " has no letter for " +
                                           inQuotes(std::string(rest.substr(0, letter.bytes))) + " (" +
                                           hexOf(letter.code) + "); take a font that has it, or leave it out"};
+}
+
+Error mixedLine(std::string_view line) {
+  return {ErrorCode::InvalidArgument,
+          "the line " + inQuotes(line) +
+              " mixes scripts that run to the left and to the right; give each a line, or a "
+              "layer, of its own"};
 }
 
 bool mixesSenses(std::string_view line) {

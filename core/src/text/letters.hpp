@@ -16,10 +16,14 @@ inline constexpr std::size_t kMostPathBytes = std::size_t{4} << 20;
 
 /// \param font  neither built in nor a file that was handed over.
 Error unknownFont(const std::string& font);
+/// The name under which engines in browsers ask for a shaped line.
+std::string nameOfLine(const std::string& font, const std::string& line);
 Error noFont(const std::string& font);
 Error tooDetailed(const std::string& font);
 /// \param byte  in the line, where the letter begins that the font lacks.
 Error missingLetter(const std::string& font, std::string_view line, std::size_t byte);
+
+Error mixedLine(std::string_view line);
 
 /// Tells whether a line has letters of both senses, which one run of a shaper cannot order.
 bool mixesSenses(std::string_view line);

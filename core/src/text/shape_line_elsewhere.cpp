@@ -11,7 +11,7 @@
 namespace sillon {
 
 Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, const std::string& line) {
-  const Result<InputFile> given = read("line:" + font + "\n" + line, "shaped line");
+  const Result<InputFile> given = read(nameOfLine(font, line), "shaped line");
   if (!given) return given.error();
   const auto* text = std::get_if<std::string>(&given.value());
   const Json json = text != nullptr ? parseJson(*text) : Json();
@@ -20,6 +20,7 @@ Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, con
   if (json.contains("tooDetailed")) return tooDetailed(font);
   if (json.contains("missing")) return missingLetter(font, line, json["missing"].get<std::size_t>());
   ShapedLine shaped;
+  shaped.em = json["em"].get<double>();
   shaped.capHeight = json["capHeight"].get<double>();
   for (const Json& letter : json["letters"]) {
     shaped.letters.push_back(

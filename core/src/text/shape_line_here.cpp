@@ -100,7 +100,8 @@ Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, con
   const Font shaper(hb_font_create(face.get()));
 
   ShapedLine shaped;
-  shaped.capHeight = capHeightOf(shaper.get(), hb_face_get_upem(face.get()));
+  shaped.em = hb_face_get_upem(face.get());
+  shaped.capHeight = capHeightOf(shaper.get(), shaped.em);
 
   const Buffer buffer(hb_buffer_create());
   hb_buffer_add_utf8(buffer.get(), line.data(), static_cast<int>(line.size()), 0, static_cast<int>(line.size()));

@@ -128,11 +128,7 @@ Result<Shape> textShape(const Lettering& lettering, const ReadInput& read) {
   std::string_view rest = lettering.text;
   while (!rest.empty()) {
     const std::string line(nextLine(rest));
-    if (mixesSenses(line)) {
-      return Error{ErrorCode::InvalidArgument, "the line " + inQuotes(line) +
-                                                   " mixes scripts that run to the left and to the right; give each a "
-                                                   "line, or a layer, of its own"};
-    }
+    if (mixesSenses(line)) return mixedLine(line);
     Result<ShapedLine> shaped = shapeLine(read, lettering.font, line);
     if (!shaped) return shaped.error();
     lines.push_back(std::move(shaped).value());

@@ -51,6 +51,7 @@ interface SillonModule {
   ): Outcome<CopiedBytes>;
   readShape(project: string, files: Inputs): Outcome<api.Shape>;
   placeLayers(project: string, files: Inputs): Outcome<api.PlacedLayer[]>;
+  linesOfDrawing(file: Uint8Array): Outcome<string[]>;
   decodePicture(file: Uint8Array, name: string): Outcome<api.Picture>;
   room(size: number): Outcome<Uint8Array>;
   keptNumbers(): Outcome<number[]>;
@@ -500,6 +501,10 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       return valueOf(module.readShape(call.project, await inputsOf(call.files, module)));
     case 'placeLayers':
       return valueOf(module.placeLayers(call.project, await inputsOf(call.files, module)));
+    case 'linesOfDrawing': {
+      const file = brought(call.file);
+      return valueOf(module.linesOfDrawing(file instanceof Blob ? await bytesOf(file, 'file') : file));
+    }
     case 'decodePicture': {
       const file = brought(call.file);
       const bytes = file instanceof Blob ? await bytesOf(file, 'file') : file;

@@ -78,7 +78,7 @@ export function shapeLine(file: Uint8Array, line: string): object {
     const place = places[k];
     letters.push([outline, place?.xOffset ?? 0, place?.yOffset ?? 0, place?.xAdvance ?? 0]);
   }
-  return { capHeight: capHeightOf(font, face.upem), letters, outlines };
+  return { em: face.upem, capHeight: capHeightOf(font, face.upem), letters, outlines };
 }
 
 const levels = {

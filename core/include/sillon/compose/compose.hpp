@@ -15,6 +15,7 @@
 #include "sillon/input/plate_input.hpp"
 #include "sillon/input/read_input.hpp"
 #include "sillon/look/inversion.hpp"
+#include "sillon/quality/metrics.hpp"
 #include "sillon/settings/project.hpp"
 
 namespace sillon {
@@ -25,6 +26,7 @@ struct PlacedLayer {
   Vec2 size;  ///< [mm]
   /// Share of letters or of a drawing that is narrower than two beads, 0..1
   double thin = 0;
+  std::optional<Error> problem;  ///< its content cannot be made; the box is what it asks for
 };
 
 /// A picture under its lamp, as it is solved for in a window of the page.
@@ -65,14 +67,16 @@ Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const 
                               const RunContext& run, const LayerStack* before = nullptr);
 
 /// Looks at the pictures of a plate's layers, where they are on top, and adds what its beads leave
-/// out to `solved`. \return the sum of the pictures' r; the errors of seePlate.
-Result<double> askForMissing(LayerStack& stack, const Toolpath& toolpath, Vec2 page,
-                             const Roughness& roughness, const RunContext& run);
+/// out to `solved`. \return what is seen of each, in the order of `stack.pictures`; the errors of
+/// seePlate.
+Result<std::vector<PictureMeasures>> askForMissing(LayerStack& stack, const Toolpath& toolpath,
+                                                   Vec2 page, const Roughness& roughness,
+                                                   const RunContext& run);
 
-/// The boxes alone, for those who show handles: no picture is solved for.
-/// \return as makeLayers.
-Result<std::vector<PlacedLayer>> placeLayers(const Project& project, const Shape& shape,
-                                             const ReadInput& read);
+/// The boxes alone, for those who show handles: no picture is solved for, and a layer that cannot
+/// be made keeps no other from being shown.
+std::vector<PlacedLayer> placeLayers(const Project& project, const Shape& shape,
+                                     const ReadInput& read);
 
 /// Lays the stack over directions and modes, in place. Without a visible layer nothing changes.
 void layOver(const LayerStack& stack, PlateInput& input);

@@ -30,6 +30,7 @@ struct DrawingFacts {
   bool pixels = false;          ///< its size is in pixels, or has no unit: taken as 1/96 inch each
   int texts = 0;                ///< shown, but not read
   int images = 0;               ///< shown, but not read
+  bool otherFont = false;       ///< text is drawn in fonts that stand in for its own
   bool unpainted = false;       ///< nothing is painted: outlines were taken whatever their paint
   bool linesOnly = false;       ///< nothing is filled: strokes alone are the shape
   bool severalColours = false;  ///< painted, of which the shape shows nothing

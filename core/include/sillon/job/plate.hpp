@@ -57,13 +57,14 @@ struct PlateOptions {
 struct Plate {
   Project project;  ///< as it was made: placing may have turned it, or made it smaller
   PlateInput input;
-  std::vector<PlacedLayer> layers;     ///< as they lie on the page
-  PlatePictures pictures;              ///< empty: the project names none
-  ToolpathResult result;               ///< of the path below, where only that was asked for
-  std::optional<Toolpath> below;       ///< path of the layer below, where both were asked for
-  std::optional<Measures> measures;    ///< none: not asked for
-  std::vector<PictureMeasures> shown;  ///< one per picture; empty: not judged
-  int threads = 1;                     ///< that the run was allowed
+  std::vector<PlacedLayer> layers;           ///< as they lie on the page
+  PlatePictures pictures;                    ///< empty: the project names none
+  ToolpathResult result;                     ///< of the path below, where only that was asked for
+  std::optional<Toolpath> below;             ///< path of the layer below, where both were asked for
+  std::optional<Measures> measures;          ///< none: not asked for
+  std::vector<PictureMeasures> shown;        ///< one per picture; empty: not judged
+  std::vector<ReportedLayer> layerPictures;  ///< one per visible layer that is a picture
+  int threads = 1;                           ///< that the run was allowed
   // The G-code, once it is written.
   std::optional<GcodeSummary> gcode;
   std::vector<GcodeFinding> findings;   ///< of reading it as a printer would

@@ -23,6 +23,13 @@ struct ReportedPicture {
   PictureMeasures measures;
 };
 
+/// The picture of a layer as it was judged, where the layer is on top.
+struct ReportedLayer {
+  std::size_t layer = 1;  ///< number, from 1
+  Lamp lamp;
+  PictureMeasures measures;
+};
+
 /// The time and the plastic of a print.
 struct PrintTotals {
   double seconds = 0;
@@ -49,6 +56,7 @@ struct Report {
   std::int64_t peakBytes = 0;             ///< of the process, as measured by the caller; 0: unknown
   int threads = 1;                        ///< that the run was allowed
   std::vector<ReportedPicture> pictures;  ///< empty: left out
+  std::vector<ReportedLayer> layerPictures;  ///< by the toolpath; empty: left out
   bool fromGcode = false;  ///< the pictures were judged by the G-code, not by the toolpath
   std::optional<PrintTotals> print;     ///< none: left out
   std::optional<NeighbourDelay> delay;  ///< none: left out

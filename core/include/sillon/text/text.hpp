@@ -2,7 +2,7 @@
 // machine.
 #pragma once
 
-#include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,31 +10,30 @@
 #include "sillon/base/result.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/read_input.hpp"
+#include "sillon/input/shaped_line.hpp"
 #include "sillon/settings/layers.hpp"
 
 namespace sillon {
 
-/// The fonts that come with Sillon, all under open licences.
-inline constexpr std::array<const char*, 5> kBuiltinFonts{"Nunito", "Bebas Neue", "Roboto Slab",
-                                                          "Fredoka", "Caveat"};
-
-/// One line of letters in the order in which they are drawn, in font units, y up.
-struct ShapedLine {
-  struct Letter {
-    std::size_t outline = 0;  ///< index in `outlines`
-    Vec2 offset;              ///< from the pen
-    double advance = 0;       ///< of the pen
-  };
-  double capHeight = 0;  ///< of the font
-  std::vector<Letter> letters;
-  std::vector<std::string> outlines;  ///< path data of SVG
-};
+/// Names of the fonts that come with Sillon, all under open licences, in the order in which they
+/// are offered. Built from core/data/fonts.
+std::span<const std::string_view> builtinFonts();
 
 /// Shapes one line: kerning, ligatures and joined scripts as the font has them.
-/// \param font  one of kBuiltinFonts, or a file that `read` hands over.
+/// \param font  one of builtinFonts(), or a file that `read` hands over.
 /// \return InvalidFile for what is no font; InvalidArgument for letters that the font lacks.
 Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font,
                              const std::string& line);
+
+/// Shapes one line of a drawing in the built-in font that its families name first, or else in one
+/// that looks alike.
+/// \param families  as in CSS's `font-family`.
+Result<ShapedLine> shapeLineOfDrawing(const ReadInput& read, const std::string& families,
+                                      const std::string& line);
+
+/// Names under which engines in browsers ask `read` for the lines of a drawing's text: shapeLine
+/// has them from JavaScript. Empty for what is no drawing.
+std::vector<std::string> linesOfDrawing(std::string_view svg);
 
 /// Letters to draw.
 struct Lettering {

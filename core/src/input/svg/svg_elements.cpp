@@ -13,6 +13,7 @@
 
 #include <Eigen/LU>
 
+#include "input/svg/svg_letters.hpp"
 #include "input/svg/svg_path.hpp"
 #include "input/svg/svg_style.hpp"
 #include "sillon/geometry/outline.hpp"
@@ -20,9 +21,10 @@
 namespace sillon::svg {
 namespace {
 
-constexpr double kMaxPage = 1e5;       // [mm]
-constexpr double kFaint = 0.5;         // opacity: the second tones of icons have 0.2 to 0.4
-constexpr double kLeastFaint = 0.005;  // of the shape: less is no tone that would be missed
+constexpr double kMaxPage = 1e5;               // [mm]
+constexpr double kFaint = 0.5;                 // opacity: the second tones of icons have 0.2 to 0.4
+constexpr std::int64_t kMaxLetters = 100'000;  // bytes of them in a drawing, which <use> may repeat
+constexpr double kLeastFaint = 0.005;          // of the shape: less is no tone that would be missed
 
 struct State {
   Matrix toWorld = Matrix::Identity();
@@ -270,13 +272,15 @@ class Drawing {
     for (const Node* child = node.first_node(); child; child = child->next_sibling()) draw(*child, state);
   }
 
-  // Elements not named here are not drawn: <defs>, <symbol>, <clipPath>, <text>, foreign ones, ...
+  // Elements not named here are not drawn: <defs>, <symbol>, <clipPath>, foreign ones, ...
   void draw(const Node& node, State state) {
     const std::string_view name = elementName(node);
-    const bool unread = name == "text" || name == "flowRoot" || name == "image";
+    const bool isText = name == "text";
+    const bool unread = (isText && !options_.letters) || name == "flowRoot" || name == "image";
     if (!isMeant(node)) return;
     if (name == "foreignObject") note("<foreignObject>");
-    if (!unread && name != "g" && name != "a" && name != "switch" && name != "svg" && name != "use" && !isShape(name)) {
+    if (!unread && !isText && name != "g" && name != "a" && name != "switch" && name != "svg" && name != "use" &&
+        !isShape(name)) {
       return;
     }
     if (!enter(node, state)) return;
@@ -302,6 +306,7 @@ class Drawing {
     if (name == "svg") drawViewport(node, state, nullptr);
     if (name == "use") drawUse(node, state);
     if (isShape(name)) drawShape(node, state);
+    if (name == "text") drawText(node, state);
   }
 
   // The first child that is meant for us.
@@ -364,7 +369,66 @@ class Drawing {
   void drawShape(const Node& node, const State& state) {
     Outliner out(state.toWorld, options_.tolerance, pointsLeft_);
     if (!outlineShape(out, node, state.viewport, units_)) return;
-    const PaintState& paint = state.paint;
+    if (state.paint.strokeAlpha() >= kFaintest && !state.paint.line.dashes.empty() && attribute(node, "pathLength")) {
+      note("pathLength");
+    }
+    paint(out, state.paint, state);
+  }
+
+  // Letters that cannot be drawn are told as text that is left out.
+  void drawText(const Node& node, const State& state) {
+    LetterRuns collected;
+    if (!options_.letters || !collectLetters(node, state, collected)) return noteMedium(false, state);
+    const std::vector<LetterRun> runs = collected.take();
+    const ShapeLetters shape = [&](const std::string& families, const std::string& line) -> Result<ShapedLine> {
+      lettersLeft_ -= std::ssize(line);
+      if (lettersLeft_ < 0) refuseTooLarge("the drawing has more than " + std::to_string(kMaxLetters) + " letters");
+      Result<ShapedLine> shaped = options_.letters(families, line);
+      shape_.drawing.otherFont = shape_.drawing.otherFont || (shaped.ok() && shaped.value().instead);
+      return shaped;
+    };
+    const Result<std::vector<PlacedLetter>> letters = placeLetters(runs, shape, units_);
+    if (!letters) return noteMedium(false, state);
+    for (const PlacedLetter& letter : letters.value()) {
+      Outliner out(state.toWorld * letter.place, options_.tolerance, pointsLeft_);
+      drawPath(out, letter.outline);
+      paint(out, runs[letter.run].paint, state);
+    }
+  }
+
+  // False where a part of the text lies on a path.
+  bool collectLetters(const Node& node, const State& state, LetterRuns& runs) {
+    if (attribute(node, "textLength")) note("textLength");
+    if (attribute(node, "rotate")) note("rotate");
+    runs.begin(node, state.viewport, units_);
+    const bool keepsSpaces = spaceOf(node) == "preserve";
+    for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
+      if (child->type() == rapidxml::node_data || child->type() == rapidxml::node_cdata) {
+        runs.add({child->value(), child->value_size()}, state.paint, keepsSpaces);
+      } else if (child->type() == rapidxml::node_element) {
+        const std::string_view name = elementName(*child);
+        if (name == "textPath") return false;
+        if ((name != "tspan" && name != "a") || !isMeant(*child)) continue;
+        if (hasSpaceBefore(*child)) runs.add(" ", state.paint, keepsSpaces);
+        State inside = state;
+        if (!enter(*child, inside)) continue;
+        inside.paint.letters.hang = state.paint.letters.hang;
+        if (!collectLetters(*child, inside, runs)) return false;
+      }
+    }
+    return true;
+  }
+
+  // `xml:space` of the element, or of the nearest around it.
+  static std::string_view spaceOf(const Node& node) {
+    for (const Node* at = &node; at; at = at->parent()) {
+      if (const auto space = attribute(*at, "xml:space")) return *space;
+    }
+    return "default";
+  }
+
+  // Shows an outline as its paint says.
+  void paint(const Outliner& out, const PaintState& paint, const State& state) {
     if (reading_ == Reading::Outlines) return show({out.rings(), paint.fillRule}, state);
     if (reading_ == Reading::Clip) {
       if (paint.visible) show({out.rings(), paint.clipRule}, state);
@@ -378,7 +442,6 @@ class Drawing {
     }
     if (paint.strokeAlpha() >= kFaintest) {
       noteServer(paint.stroke);
-      if (!paint.line.dashes.empty() && attribute(node, "pathLength")) note("pathLength");
       const Matrix& pen = paint.strokeScales ? state.toWorld : toPage_;
       show({strokeRings(out.lines(), paint.line, pen, options_.tolerance, pointsLeft_), FillRule::NonZero}, state,
            paint.stroke, paint.strokeAlpha());
@@ -578,6 +641,7 @@ class Drawing {
   bool definesProperty_ = false;   // a custom one, for var()
   std::vector<const Node*> uses_;  // targets being shown, outermost first
   std::int64_t pointsLeft_ = kMaxPoints;
+  std::int64_t lettersLeft_ = kMaxLetters;
   Work work_;
 };
 

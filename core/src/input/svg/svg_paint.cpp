@@ -191,6 +191,7 @@ std::string_view urlOf(std::string_view value) {
 
 void apply(const Style& style, const PaintContext& context, PaintState& state) {
   state.strokeScales = true;
+  state.letters.hang = 0;
   if (style.empty()) return;
   setPaint(style.value(Property::Color), context, state.color, Paint{}, state.color);
   setPaint(style.value(Property::Fill), context, state.color, Paint{}, state.fill);
@@ -207,6 +208,7 @@ void apply(const Style& style, const PaintContext& context, PaintState& state) {
   setRule(style.word(Property::FillRule), state.fillRule);
   setRule(style.word(Property::ClipRule), state.clipRule);
   setStroke(style, context, state.line);
+  applyLetters(style, context, state.letters);
 }
 
 }  // namespace sillon::svg

@@ -96,6 +96,14 @@ bool Style::unreadMoves() const {
   return unread_ == "offset-path" || unread_ == "rotate" || unread_ == "scale" || unread_ == "translate";
 }
 
+bool Style::setsLettersOnly() const {
+  constexpr std::array kOfLetters{Property::DominantBaseline, Property::Font,          Property::FontFamily,
+                                  Property::FontSize,         Property::LetterSpacing, Property::TextAnchor};
+  return unread_.empty() && std::all_of(declared_.begin(), declared_.end(), [&](const auto& one) {
+           return std::find(kOfLetters.begin(), kOfLetters.end(), one.first) != kOfLetters.end();
+         });
+}
+
 void Style::declare(std::string_view declarations, std::int64_t weight) {
   split(declarations, ';', [&](std::string_view declaration) {
     const std::size_t colon = declaration.find(':');
@@ -168,7 +176,7 @@ void StyleSheet::noteAtRule(std::string_view head, std::string_view body) {
   const std::size_t open = body.find('{');
   Style probe;
   if (open != std::string_view::npos) probe.declare(body.substr(open + 1, body.find('}', open) - open - 1), 0);
-  if (!probe.empty()) note(name);
+  if (!probe.setsLettersOnly()) note(name);
 }
 
 Style StyleSheet::styleOf(const Node& node, Work& work) const {
@@ -221,7 +229,10 @@ void StyleSheet::addRule(std::string_view selectors, std::string_view body) {
     const auto isIn = [&](std::string_view name) { return text.find(name) != std::string_view::npos; };
     if (text.empty() || std::any_of(kOfUse.begin(), kOfUse.end(), isIn)) return;
     const std::optional<Selector> selector = Selector::read(text);
-    if (!selector) return note(text);
+    if (!selector) {
+      if (!probe.setsLettersOnly()) note(text);
+      return;
+    }
     Style style = probe;
     style.raise((selector->specificity() << 40) + ++order_);
     const Compound& last = selector->elements.back();

@@ -55,10 +55,15 @@ enum class Property : std::size_t {
   ClipRule,
   Color,
   Display,
+  DominantBaseline,
   Fill,
   FillOpacity,
   FillRule,
   Filter,
+  Font,
+  FontFamily,
+  FontSize,
+  LetterSpacing,
   Marker,
   MarkerEnd,
   MarkerMid,
@@ -77,22 +82,28 @@ enum class Property : std::size_t {
   StrokeMiterlimit,
   StrokeOpacity,
   StrokeWidth,
+  TextAnchor,
   Transform,
   TransformBox,
   TransformOrigin,
   VectorEffect,
   Visibility,
 };
-inline constexpr std::array<std::string_view, 33> kPropertyNames{"animation",
+inline constexpr std::array<std::string_view, 39> kPropertyNames{"animation",
                                                                  "animation-name",
                                                                  "clip-path",
                                                                  "clip-rule",
                                                                  "color",
                                                                  "display",
+                                                                 "dominant-baseline",
                                                                  "fill",
                                                                  "fill-opacity",
                                                                  "fill-rule",
                                                                  "filter",
+                                                                 "font",
+                                                                 "font-family",
+                                                                 "font-size",
+                                                                 "letter-spacing",
                                                                  "marker",
                                                                  "marker-end",
                                                                  "marker-mid",
@@ -111,6 +122,7 @@ inline constexpr std::array<std::string_view, 33> kPropertyNames{"animation",
                                                                  "stroke-miterlimit",
                                                                  "stroke-opacity",
                                                                  "stroke-width",
+                                                                 "text-anchor",
                                                                  "transform",
                                                                  "transform-box",
                                                                  "transform-origin",
@@ -153,6 +165,8 @@ class Style {
   void declare(std::string_view declarations, std::int64_t weight);
   void add(const Style& other);
   [[nodiscard]] bool empty() const { return declared_.empty() && unread_.empty(); }
+  /// Tells whether nothing changes but letters, of which most drawings have none.
+  [[nodiscard]] bool setsLettersOnly() const;
   /// Adds to the weight of all that is declared.
   void raise(std::int64_t weight);
 
@@ -211,6 +225,15 @@ inline constexpr std::uint64_t kOther = 0x1000000;
 /// Nobody sees less. Drawing programs lay it over whole pages, to catch clicks.
 inline constexpr double kFaintest = 0.02;
 
+/// Letters of a text, in user units.
+struct LetterStyle {
+  double size = 0;       ///< of the em; 0: 16 px
+  std::string families;  ///< as in CSS
+  double anchor = 0;     ///< share of a line that lies before its place: 0 start, 0.5 middle, 1 end
+  double spacing = 0;    ///< added between letters
+  double hang = 0;       ///< of the line below its place, in heights of capitals; not inherited
+};
+
 /// Inherited from element to element, but for `opacity`, which is the product of all around, and `strokeScales`.
 struct PaintState {
   Paint color;  ///< currentColor
@@ -224,6 +247,7 @@ struct PaintState {
   FillRule fillRule = FillRule::NonZero;
   FillRule clipRule = FillRule::NonZero;
   Stroke line;
+  LetterStyle letters;
 
   [[nodiscard]] double fillAlpha() const { return visible ? fill.alpha * fillOpacity * opacity : 0; }
   [[nodiscard]] double strokeAlpha() const { return visible ? stroke.alpha * strokeOpacity * opacity : 0; }
@@ -237,6 +261,9 @@ struct PaintContext {
 
 /// Lays the declarations of an element over what it inherits. As in CSS, a value that cannot be read counts as missing.
 void apply(const Style& style, const PaintContext& context, PaintState& state);
+
+/// Lays what an element declares of its letters over what it inherits.
+void applyLetters(const Style& style, const PaintContext& context, LetterStyle& letters);
 
 /// The paint of a stop of a gradient.
 Paint stopPaint(const Style& style, const Paint& current);

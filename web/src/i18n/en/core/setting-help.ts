@@ -18,7 +18,7 @@ export const words = {
   'help.layers.cropMax': "Upper right corner of that part.",
   'help.layers.lamp': "Azimuth and elevation of the lamp that shows a picture; null: the lamp of the first picture, or 60 and 45.",
   'help.layers.text': "Letters, in one or several lines, what a QR code says, or what an echo without a file follows.",
-  'help.layers.font': "Nunito, Bebas Neue, Roboto Slab, Fredoka, Caveat, or a TTF or OTF file.",
+  'help.layers.font': "A built-in font, or a TTF or OTF file.",
   'help.layers.textSize': "Height of capitals, where the size is 0.",
   'help.layers.circle': "Radius of the circle that letters stand on; 0: straight; below 0: along the lower side, to be read from inside.",
   'help.layers.align': "Place of shorter lines in the box.",

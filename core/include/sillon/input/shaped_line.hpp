@@ -1,0 +1,33 @@
+// Letters of a line, as whoever knows fonts hands them over.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/types.hpp"
+
+namespace sillon {
+
+/// One line of letters in the order in which they are drawn, in font units, y up.
+struct ShapedLine {
+  struct Letter {
+    std::size_t outline = 0;  ///< index in `outlines`
+    Vec2 offset;              ///< from the pen
+    double advance = 0;       ///< of the pen
+  };
+  double em = 1000;      ///< font units per em
+  double capHeight = 0;  ///< of the font
+  bool instead = false;  ///< its font stands in for one that is not at hand
+  std::vector<Letter> letters;
+  std::vector<std::string> outlines;  ///< path data of SVG
+};
+
+/// Shapes one line of a drawing.
+/// \param families  as in CSS's `font-family`: names between commas, the first one preferred.
+using ShapeLetters =
+    std::function<Result<ShapedLine>(const std::string& families, const std::string& line)>;
+
+}  // namespace sillon
