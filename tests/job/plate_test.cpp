@@ -227,6 +227,19 @@ TEST_CASE("a layer shows a picture as well as the whole plate does, and correcti
   CHECK(shows(layered, 1) > 0);
 }
 
+TEST_CASE("a picture beside its plate changes nothing") {
+  Project project = disc();
+  Layer& layer = project.layers.emplace_back();
+  layer.kind = LayerKind::Picture;
+  layer.file = "ball.png";
+  layer.size = {10, 0};
+  layer.at = Vec2{-50, -50};
+  const Plate plate = made(project);
+  CHECK(plate.report().layerPictures.empty());
+  layer.visible = false;
+  CHECK(digestOf(plate.toolpath()) == digestOf(made(project).toolpath()));
+}
+
 TEST_CASE("layers become smaller with their plate") {
   Project project = disc();
   project.builtinSize = {60, 0};

@@ -152,6 +152,10 @@ TEST_CASE("letters on a circle stand on it, above or below") {
         }
       }
     }
+    // The page reaches as far as the ink, on all sides.
+    const Bounds ink = bounds(shape.value());
+    CHECK(std::max({ink.max.x, ink.max.y, 2 * middle.x - ink.min.x, 2 * middle.x - ink.min.y}) ==
+          doctest::Approx(2 * middle.x));
     // The feet of a letter lie on a chord, its head a little beyond the circle.
     CHECK((circle > 0 ? nearest : furthest) == doctest::Approx(30).epsilon(0.02));
     CHECK((circle > 0 ? furthest : nearest) == doctest::Approx(circle > 0 ? 36 : 24).epsilon(0.04));
@@ -201,6 +205,16 @@ TEST_CASE("a font of one's own is read, and a damaged one does no harm") {
     CHECK(std::isfinite(shape.value().page.x));
   }
   CHECK(read_ > 10);
+}
+
+TEST_CASE("a text has a circle with a radius, and outlines within measure") {
+  const auto flat = textShape({"A\nB", "Nunito", 10, 17}, kNoFiles);
+  REQUIRE(!flat.ok());
+  CHECK(flat.error().message.find("its circle 0 mm") != std::string::npos);
+  const auto longest = textShape({std::string(60000, 'g'), "Caveat", 10}, kNoFiles);
+  REQUIRE(!longest.ok());
+  CHECK(longest.error().code == ErrorCode::TooLarge);
+  CHECK(longest.error().message.find("more than 16 MiB of curves") != std::string::npos);
 }
 
 TEST_CASE("QR codes have their three finders and grow with the text") {

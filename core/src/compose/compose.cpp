@@ -39,9 +39,10 @@ Result<ReadLayer> readLayer(const Layer& layer, const Shape& shape, const ReadIn
   return ReadLayer{std::move(content).value(), place};
 }
 
+/// \param spacing  of the beads that letters may be too thin for; 0: that is known.
 PlacedLayer placedLayer(LayerKind kind, const ReadLayer& layer, double spacing) {
   PlacedLayer placed{layer.place.middle(), layer.place.size(), 0, {}};
-  if (kind == LayerKind::Text || kind == LayerKind::Drawing) {
+  if (spacing > 0 && (kind == LayerKind::Text || kind == LayerKind::Drawing)) {
     Shape shape = *layer.content.shape;
     const Vec2 scale{placed.size.x / shape.page.x, placed.size.y / shape.page.y};
     for (FilledPath& path : shape.paths) {
@@ -108,7 +109,7 @@ Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const 
     const Layer& layer = project.layers[k];
     const Result<ReadLayer> known = readLayer(layer, shape, read);
     if (!known) return ofLayer(k, known.error());
-    stack.placed.push_back(placedLayer(layer.kind, known.value(), spacing));
+    stack.placed.push_back(placedLayer(layer.kind, known.value(), before == nullptr ? spacing : 0));
     if (!layer.visible) continue;
     if (stack.width == 0) {
       stack.width = texelsOn(shape.page.x, spacing);

@@ -371,7 +371,8 @@ std::optional<Error> drawLayer(std::size_t number, const LayerContent& content, 
       }
     }
   }
-  if (layer.kind == LayerKind::Picture) stack.pictures[number] = std::move(picture);
+  // Beside the page, nothing has been solved for.
+  if (!picture.solved.value.empty()) stack.pictures[number] = std::move(picture);
   return std::nullopt;
 }
 

@@ -64,9 +64,9 @@ Error noFont(const std::string& font) {
   return {ErrorCode::InvalidFile, inQuotes(font) + " is no font; it must be a TrueType or OpenType file (.ttf, .otf)"};
 }
 
-Error tooDetailed(const std::string& font) {
-  return {ErrorCode::TooLarge, "the letters of " + inQuotes(font) + " have more than " +
-                                   std::to_string(kMostPathBytes >> 20) + " MiB of curves; take another font"};
+Error tooDetailed(const std::string& font, std::size_t most) {
+  return {ErrorCode::TooLarge, "the letters of " + inQuotes(font) + " have more than " + std::to_string(most >> 20) +
+                                   " MiB of curves; take another font"};
 }
 
 Error missingLetter(const std::string& font, std::string_view line, std::size_t byte) {

@@ -13,13 +13,16 @@ namespace sillon {
 inline constexpr double kUsualCapHeight = 0.7;
 /// The most path data of one line's outlines [bytes]; a hostile font could make any letter a million curves.
 inline constexpr std::size_t kMostPathBytes = std::size_t{4} << 20;
+/// The most path data of all letters of a text, which may repeat few outlines [bytes].
+inline constexpr std::size_t kMostDrawnBytes = std::size_t{16} << 20;
 
 /// \param font  neither built in nor a file that was handed over.
 Error unknownFont(const std::string& font);
 /// The name under which engines in browsers ask for a shaped line.
 std::string nameOfLine(const std::string& font, const std::string& line);
 Error noFont(const std::string& font);
-Error tooDetailed(const std::string& font);
+/// \param most  bytes of path data.
+Error tooDetailed(const std::string& font, std::size_t most = kMostPathBytes);
 /// \param byte  in the line, where the letter begins that the font lacks.
 Error missingLetter(const std::string& font, std::string_view line, std::size_t byte);
 

@@ -75,7 +75,7 @@ Result<Drawing> onCircle(const std::vector<ShapedLine>& lines, const Lettering& 
     const double step = kLineStep * lettering.capHeight * static_cast<double>(k);
     const double radius = std::abs(lettering.circle) + (below ? step : -step);
     const double width = widthOf(line) * scale;
-    if (!(width <= kAlmostFull * 2 * std::numbers::pi * radius)) {
+    if (!(radius > 0 && width <= kAlmostFull * 2 * std::numbers::pi * radius)) {
       return Error{ErrorCode::InvalidArgument,
                    "the line is " + std::to_string(std::lround(width)) + " mm long and its circle " +
                        std::to_string(std::lround(std::max(0.0, 2 * std::numbers::pi * radius))) +
@@ -125,6 +125,7 @@ Shape moved(Shape shape, Vec2 corner, Vec2 page) {
 
 Result<Shape> textShape(const Lettering& lettering, const ReadInput& read) {
   std::vector<ShapedLine> lines;
+  std::size_t bytes = 0;
   std::string_view rest = lettering.text;
   while (!rest.empty()) {
     const std::string line(nextLine(rest));
@@ -132,6 +133,9 @@ Result<Shape> textShape(const Lettering& lettering, const ReadInput& read) {
     Result<ShapedLine> shaped = shapeLine(read, lettering.font, line);
     if (!shaped) return shaped.error();
     lines.push_back(std::move(shaped).value());
+    const ShapedLine& known = lines.back();
+    for (const ShapedLine::Letter& letter : known.letters) bytes += known.outlines[letter.outline].size();
+    if (bytes > kMostDrawnBytes) return tooDetailed(lettering.font, kMostDrawnBytes);
   }
   if (lettering.circle == 0) {
     Result<Shape> shape = shapeOf(straight(lines, lettering));
@@ -141,7 +145,13 @@ Result<Shape> textShape(const Lettering& lettering, const ReadInput& read) {
   }
   const Result<Drawing> drawing = onCircle(lines, lettering);
   if (!drawing) return drawing.error();
-  return shapeOf(drawing.value());
+  Result<Shape> shape = shapeOf(drawing.value());
+  if (!shape) return shape;
+  // The page reaches as far from the circle's middle as the ink does.
+  const double middle = shape.value().page.x / 2;
+  const Bounds ink = bounds(shape.value());
+  const double reach = std::max({ink.max.x - middle, middle - ink.min.x, ink.max.y - middle, middle - ink.min.y});
+  return moved(std::move(shape).value(), {middle - reach, middle - reach}, {2 * reach, 2 * reach});
 }
 
 }  // namespace sillon
