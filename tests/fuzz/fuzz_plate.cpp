@@ -1,5 +1,5 @@
-// Any bytes as a shape, directions, modes, and settings of toolpath and print: a plate that keeps its promises and
-// whose file for one of the machines the checker passes, or an error with a message.
+// Any bytes as a shape, directions, modes, and settings of outline, toolpath and print: a plate that keeps its promises
+// and whose file for one of the machines the checker passes, or an error with a message.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +13,7 @@
 #include "geometry/parts.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
+#include "sillon/geometry/outline.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/settings/presets.hpp"
@@ -43,6 +44,10 @@ sillon::PrintParams printOf(fuzz::Bytes& bytes) {
   print.scarf = (ways & 12) == 8 ? 20 * bytes.share() : 0;
   print.rotate = (ways & 16) != 0 ? 360 * bytes.share() : 0;
   print.elephantFoot = (ways & 32) != 0 ? 0.5 * bytes.share() : 0;
+  if ((ways & 64) != 0) {
+    print.rim = 1 + bytes.byte() % 3;
+    print.rimWidth = 0.1 + 5 * bytes.share();
+  }
   return print;
 }
 
@@ -69,7 +74,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const PrintParams print = printOf(bytes);
   PlateInput input;
   input.showsPictures = bytes.byte() % 4 == 1;
-  const bool keepThin = bytes.byte() % 4 == 1;
+  enum { AsItIs, KeepThin, Offset, Hole };
+  const int change = bytes.byte() % 4;
+  const double offset = change == Offset ? 8 * bytes.share() - 4 : 0;
+  const Vec2 middle{change == Hole ? bytes.share() : 0, change == Hole ? bytes.share() : 0};
+  const double diameter = change == Hole ? 10 * bytes.share() : 0;
   input.directions = {1 + bytes.byte() % 4, 1 + bytes.byte() % 4, {}};
   for (int k = 0; k < input.directions.width * input.directions.height; ++k)
     input.directions.angle.push_back(static_cast<std::uint16_t>(257 * bytes.byte()));
@@ -94,13 +103,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   input.shape = {{path}, far};
 
   const RunContext run(1);
-  if (keepThin) {
-    auto kept = keepThinPlaces(input.shape, params.spacing, run);
-    if (!kept) {
-      require(!kept.error().message.empty());
+  if (change != AsItIs) {
+    auto changed = change == KeepThin ? keepThinPlaces(input.shape, params.spacing, run)
+                   : change == Offset ? offsetShape(input.shape, offset, run)
+                                      : withHoles(input.shape, {{{middle.x * far.x, middle.y * far.y}, diameter}});
+    if (!changed) {
+      require(!changed.error().message.empty());
       return 0;
     }
-    input.shape = std::move(kept).value();
+    input.shape = std::move(changed).value();
   }
   const auto plate = generateToolpath(input, params, run);
   if (!plate) {
