@@ -334,7 +334,7 @@ export const flag = (field: FlagField): TemplateResult =>
     <span class="name"
       ><label for=${field.id}>${field.label}</label>${aboutButton(field.id, field.label, field.help ?? '')}</span
     >
-    <span class="switch"
+    <label class="switch"
       ><input
         type="checkbox"
         role="switch"
@@ -343,7 +343,7 @@ export const flag = (field: FlagField): TemplateResult =>
         @change=${(event: Event) => {
           field.onChange((event.currentTarget as HTMLInputElement).checked);
         }}
-    /></span>
+    /></label>
     ${helpText(field.id, field.help ?? '')}
   </div>`;
 

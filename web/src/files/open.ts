@@ -282,8 +282,10 @@ async function sizeOf(
       page,
       texts = 0,
       images = 0,
+      otherFont = false,
     } = await naming(source.name, engine.readShape({ file: source.bytes, unitless }));
     if (texts + images > 0) tell?.(new StudioError('LeftOut', { name: source.name }));
+    if (otherFont) tell?.(new StudioError('OtherFont', { name: source.name }));
     if (unitless === 'mm' || (await hasUnits(source))) return page;
     const { width: wide, height: tall } = proportioned(plate, page);
     return [wide, tall];

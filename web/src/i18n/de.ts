@@ -826,6 +826,9 @@ export const de: Translation = {
   'problem.LeftOut': '{name} enthält Text oder Bilder, die weggelassen wurden.',
   'hint.LeftOut':
     'Text im Ursprungsprogramm in Pfade umwandeln und die Datei neu öffnen. Bilder als eigene Dateien öffnen.',
+  'problem.OtherFont': 'Der Text in {name} ist in einer Schrift von Sillon gesetzt, nicht in seiner eigenen.',
+  'hint.OtherFont':
+    'Um seine Buchstaben zu behalten, den Text im Ursprungsprogramm in Pfade umwandeln und die Datei neu öffnen.',
   'problem.DrawingTooMuch': 'Die Zeichnung enthält zu viel für eine Richtung je Farbe.',
   'hint.DrawingTooMuch': 'Mit weniger Elementen zeichnen, oder ein Bild davon verwenden.',
   'problem.BrokenProject': 'Das Projekt {name} konnte nicht gelesen werden.',
@@ -1521,11 +1524,13 @@ export const de: Translation = {
   'layers.hide': '{name} ausblenden',
   'layers.up': '{name} nach oben',
   'layers.down': '{name} nach unten',
+  'layers.drag': 'An eine andere Stelle ziehen',
   'layers.duplicate': '{name} duplizieren',
   'layers.delete': '{name} löschen',
   'layers.drop': 'Als Ebene ablegen',
   'layers.hand':
     'Auf der Platte: ziehen verschiebt, Ecken ändern die Größe, der Knopf dreht. Pfeiltasten verschieben um 1 mm.',
+  'layers.hand.waves': 'Der innere Knopf dreht die Wellen.',
   'layers.chooseFile': 'Datei wählen …',
   'layers.ownFont': 'Eigene Schrift (TTF, OTF) …',
   'layers.lack.file': 'Ohne Datei wird nichts gezeichnet.',

@@ -835,6 +835,9 @@ export const fr: Translation = {
   'problem.LeftOut': '{name} contient du texte ou des images, qui sont laissés de côté.',
   'hint.LeftOut':
     'Convertissez le texte en chemins dans le programme d’origine, puis rouvrez le fichier. Ouvrez les images séparément.',
+  'problem.OtherFont': 'Le texte de {name} est composé dans une police de Sillon, et non dans la sienne.',
+  'hint.OtherFont':
+    'Pour garder ses lettres, convertissez le texte en chemins dans le programme d’origine, puis rouvrez le fichier.',
   'problem.DrawingTooMuch': 'Le dessin est trop chargé pour une direction par couleur.',
   'hint.DrawingTooMuch': 'Dessinez-le avec moins d’éléments, ou prenez-en une image.',
   'problem.BrokenProject': 'Le projet {name} est illisible.',
@@ -1537,11 +1540,13 @@ export const fr: Translation = {
   'layers.hide': 'Masquer {name}',
   'layers.up': 'Monter {name}',
   'layers.down': 'Descendre {name}',
+  'layers.drag': 'Glisser à une autre place',
   'layers.duplicate': 'Dupliquer {name}',
   'layers.delete': 'Supprimer {name}',
   'layers.drop': 'Déposer pour ajouter un calque',
   'layers.hand':
     'Sur la plaque : glissez pour déplacer, les coins redimensionnent, le bouton tourne. Les flèches déplacent de 1 mm.',
+  'layers.hand.waves': 'Le bouton intérieur tourne les vagues.',
   'layers.chooseFile': 'Choisir un fichier…',
   'layers.ownFont': 'Votre police (TTF, OTF)…',
   'layers.lack.file': 'Sans fichier, rien n’est dessiné.',

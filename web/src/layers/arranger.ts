@@ -7,11 +7,11 @@ import { boundsOf, onPage, placeIn, resized, rotated, type Frame, type Point } f
 import { changeLayer, layerOf, withoutLayer } from '../model/layer-list.js';
 import { type LayerValues } from '../model/layers.js';
 import { pageOf, type PlateLayer } from '../model/plate.js';
-import { snapped, type Guide } from '../model/snap.js';
+import { cornerSnapped, snapped, type Guide } from '../model/snap.js';
 import type { Shown } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 import { arranges, chosenLayer, frameIn, layerAt } from './arranging.js';
-import { cursorOf, gripAt, type Grip, type PageView } from './grips.js';
+import { cursorOf, gripAt, handlesOf, type Grip, type PageView } from './grips.js';
 
 const reachOf = { touch: 24, other: 10 }; // [CSS pixels]
 const snapsWithin = 6; // [CSS pixels]
@@ -68,7 +68,7 @@ export class Arranger {
     const found = this.#movable();
     if (found === undefined) return undefined;
     const reach = touch ? reachOf.touch : reachOf.other;
-    return gripAt(found.frame, this.view(), place, reach, this.#state.cropping);
+    return gripAt(found.frame, this.view(), place, reach, handlesOf(found.layer, this.#state.cropping));
   }
 
   // --- The pointer ----------------------------------------------------------------------------------------------------------
@@ -101,22 +101,42 @@ export class Arranger {
     switch (grip.kind) {
       case 'turn':
         return { rotation: rotated(frame, from, to, event.shiftKey) };
+      case 'angle':
+        return { angle: rotated({ ...frame, turn: layer.angle }, from, to, event.shiftKey) };
       case 'side': {
         const held = onPage(frame, placeIn(frame, grip.side));
         const there: Point = [held[0] + to[0] - from[0], held[1] + to[1] - from[1]];
         if (cropping) return croppedTo(frame, layer, grip.side, there);
         const free = event.shiftKey && !keepsProportions(layer);
-        const { scale, middle } = resized(frame, grip.side, there, free);
+        const corner = this.#snaps(event) ? this.#cornerSnapped(frame, grip.side, there, free) : there;
+        const { scale, middle } = resized(frame, grip.side, corner, free);
         return { ...scaledLayer(layer, frame, scale), at: rounded(middle) };
       }
       case 'box': {
         if (cropping) return slid(frame, layer, from, to);
         const { middle } = frame;
         const moved: Point = [middle[0] + to[0] - from[0], middle[1] + to[1] - from[1]];
-        const by: Point = event.ctrlKey || event.metaKey ? [0, 0] : this.#snap({ ...frame, middle: moved }, layer);
+        const by: Point = this.#snaps(event) ? this.#snap({ ...frame, middle: moved }, layer) : [0, 0];
         return { at: rounded([moved[0] + by[0], moved[1] + by[1]]) };
       }
     }
+  }
+
+  #snaps = ({ ctrlKey, metaKey }: PointerEvent): boolean => !ctrlKey && !metaKey;
+
+  get #reach(): number {
+    return snapsWithin / this.view().scale;
+  }
+
+  #cornerSnapped(frame: Frame, side: Point, to: Point, free: boolean): Point {
+    const { scale, middle } = resized(frame, side, to, free);
+    const size: Point = [frame.size[0] * scale[0], frame.size[1] * scale[1]];
+    const now = { ...frame, middle, size };
+    const fixed = free ? undefined : onPage(now, placeIn(now, [-side[0], -side[1]]));
+    const corner = onPage(now, placeIn(now, side));
+    const snap = cornerSnapped(corner, pageOf(this.#state.plate), fixed, this.#reach);
+    this.#guides = snap.guides;
+    return snap.corner;
   }
 
   #snap(frame: Frame, layer: PlateLayer): Point {
@@ -124,7 +144,7 @@ export class Arranger {
     const middles = state.plate.layers
       .filter((other) => other.visible && other.id !== layer.id)
       .map((other) => frameIn(state, other).middle);
-    const { by, guides } = snapped(boundsOf(frame), pageOf(state.plate), middles, snapsWithin / this.view().scale);
+    const { by, guides } = snapped(boundsOf(frame), pageOf(state.plate), middles, this.#reach);
     this.#guides = guides;
     return by;
   }
@@ -148,8 +168,10 @@ export class Arranger {
     const state = this.#state;
     this.#over = undefined;
     if (place === undefined || !arranges(state)) return '';
-    if (this.#hold !== undefined)
-      return this.#hold.grip.kind === 'turn' ? 'grabbing' : cursorOf(this.#hold.grip, this.#hold.frame);
+    if (this.#hold !== undefined) {
+      const { grip, frame } = this.#hold;
+      return grip.kind === 'turn' || grip.kind === 'angle' ? 'grabbing' : cursorOf(grip, frame);
+    }
     const grip = this.#gripAt(place, false);
     const found = this.#movable();
     if (grip !== undefined && found !== undefined) return cursorOf(grip, found.frame);
@@ -243,13 +265,15 @@ export class Arranger {
     };
   }
 
-  #label({ middle, size }: Frame, { rotation }: PlateLayer): string {
+  #label({ middle, size }: Frame, { rotation, angle }: PlateLayer): string {
     const [x, y] = middle.map((length) => formatNumber(length, 1));
     const [width, height] = size.map((length) => formatNumber(length, 1));
     if (this.#nudging) return l('at', { x: x ?? '', y: y ?? '' });
     switch (this.#hold?.grip.kind) {
       case 'turn':
         return `${formatNumber(rotation, 1)}°`;
+      case 'angle':
+        return `${formatNumber(angle, 1)}°`;
       case 'side':
         return l('sized', { width: width ?? '', height: height ?? '' });
       case 'box':

@@ -1,9 +1,10 @@
 // The frame of the layer that is chosen, its handles, and the lines that it snaps to, over the plate.
+import type { Place } from '../controls/gestures.js';
 import { cornersOf, onPage, placeIn, type Frame, type Point } from '../model/layer-frame.js';
 import { wholePicture } from '../model/layer-changes.js';
 import type { Guide } from '../model/snap.js';
 import type { Arranged } from './arranger.js';
-import { knobPlace, sidePlace, sidesOf, type PageView } from './grips.js';
+import { anglePlace, handlesOf, knobPlace, sidePlace, sidesOf, type PageView } from './grips.js';
 
 const handle = { pointer: 9, finger: 15 }; // [CSS pixels]
 
@@ -56,9 +57,8 @@ function square({ context, styles }: Pen, { x, y }: { x: number; y: number }, si
   context.restore();
 }
 
-function knob(pen: Pen, frame: Frame, size: number): void {
-  const { context, view, styles } = pen;
-  const [from, at] = [sidePlace(frame, view, [0, 1]), knobPlace(frame, view)];
+function knob(pen: Pen, from: Place, at: Place, size: number): void {
+  const { context, styles } = pen;
   context.beginPath();
   context.moveTo(from.x, from.y);
   context.lineTo(at.x, at.y);
@@ -152,7 +152,10 @@ export function drawArranged(pen: Pen, arranged: Arranged, page: Point, picture:
   if (frame === undefined || layer === undefined) return;
   if (cropping) crop(pen, frame, arranged, picture);
   for (const line of arranged.guides) guide(pen, line, page);
-  if (!cropping && layer.kind !== 'border') knob(pen, frame, size);
+  const { angle } = handlesOf(layer, cropping);
+  const { view } = pen;
+  if (!cropping && layer.kind !== 'border') knob(pen, sidePlace(frame, view, [0, 1]), knobPlace(frame, view), size);
+  if (angle !== undefined) knob(pen, view.toScreen(frame.middle), anglePlace(frame, view, angle), size);
   outline(pen, frame, 1.5);
   if (layer.kind !== 'border') {
     for (const side of sidesOf(cropping)) square(pen, sidePlace(frame, pen.view, side), size, frame.turn);

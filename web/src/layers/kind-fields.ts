@@ -8,6 +8,7 @@ import { settingHelp } from '../i18n/help.js';
 import { fontName, l, layerLabel } from '../i18n/layers.js';
 import { t } from '../i18n/text.js';
 import { layersLamp } from '../model/lamp.js';
+import { uncropped } from '../model/layer-changes.js';
 import { layerSettingOf } from '../model/layer-settings.js';
 import { builtInFonts } from '../model/fonts.js';
 import { needsFile, needsMask, type LayerKey, type LayerKind } from '../model/layers.js';
@@ -17,6 +18,7 @@ import { chosenFile, drawingFiles, fontFiles, oneFile, pictureFiles } from './ad
 import { layerIcon } from './icons.js';
 import { changeIn, layerField } from './layer-field.js';
 import { withTextSize } from './place-fields.js';
+import { replaceFile } from './replace-file.js';
 
 type Content = TemplateResult | typeof nothing;
 
@@ -107,27 +109,27 @@ function fieldOf(studio: Studio, layer: PlateLayer, key: LayerKey): Content {
 
 function fileField(studio: Studio, layer: PlateLayer, key: 'file' | 'maskFile', accept: string): TemplateResult {
   const file = layer[key];
-  const use = (found: SourceFile | undefined): void => {
-    if (found !== undefined) changeIn(studio, layer, () => ({ [key]: found, ...(key === 'file' && uncropped) }));
+  const use = async (found: SourceFile | undefined): Promise<void> => {
+    if (found === undefined) return;
+    if (key === 'file') await replaceFile(studio, layer, found);
+    else changeIn(studio, layer, () => ({ maskFile: found }));
   };
   if (file !== null) {
     return fileChip(studio, file, accept, undefined, async (files) => {
-      use(await oneFile(studio, files, accept));
+      await use(await oneFile(studio, files, accept));
     });
   }
   return html`<div class="buttons">
     <button
       type="button"
       @click=${async () => {
-        use(await chosenFile(studio, accept));
+        await use(await chosenFile(studio, accept));
       }}
     >
       ${icon('open', 16)} ${l('chooseFile')}
     </button>
   </div>`;
 }
-
-const uncropped = { cropMin: [0, 0], cropMax: [1, 1] } satisfies Partial<PlateLayer>;
 
 function fontField(studio: Studio, layer: PlateLayer): TemplateResult {
   const { font } = layer;

@@ -16,6 +16,7 @@ import { kindIcon, layerIcon } from './icons.js';
 import { foldedFields, kindFields } from './kind-fields.js';
 import { layersStyle } from './layers-style.js';
 import { placeFields } from './place-fields.js';
+import { dragRow, rowTaken } from './row-drag.js';
 import { tile } from './tiles.js';
 
 /** The most wanted first. */
@@ -31,6 +32,8 @@ export class LayersPanel extends StudioElement {
   @state() private dropping = false;
   @state() private locked = true;
   @state() private unfolded = false;
+  /** The layer whose row is being dragged. */
+  @state() private held: number | undefined;
   #focus = '';
   #leaving: ReturnType<typeof setTimeout> | undefined;
 
@@ -59,7 +62,7 @@ export class LayersPanel extends StudioElement {
         ${
           layers.length === 0
             ? nothing
-            : html`<ul aria-label=${l('list')} @keydown=${this.#onListKey}>
+            : html`<ul aria-label=${l('list')} @keydown=${this.#onListKey} @pointerdown=${this.#onListDown}>
                 ${layers.map((layer) => this.#row(layer, layer === chosen))}
                 <li class="below">
                   <button
@@ -117,7 +120,13 @@ export class LayersPanel extends StudioElement {
   #row(layer: PlateLayer, chosen: boolean): TemplateResult {
     const name = layerName(layer);
     const lack = lackOf(layer);
-    return html`<li class=${chosen ? 'chosen' : ''} data-layer=${layer.id}>
+    const look = `${chosen ? 'chosen' : ''} ${this.held === layer.id ? 'held' : ''}`;
+    return html`<li class=${look} data-layer=${layer.id}>
+      ${
+        this.state.plate.layers.length < 2
+          ? nothing
+          : html`<span class="grip" title=${l('drag')} aria-hidden="true">${layerIcon('grip', 16)}</span>`
+      }
       <button
         type="button"
         class="plain row"
@@ -210,7 +219,20 @@ export class LayersPanel extends StudioElement {
     event.preventDefault();
   };
 
+  #onListDown = (event: PointerEvent): void => {
+    const id = rowTaken(event);
+    if (id === undefined) return;
+    dragRow(this.studio, id, event, {
+      rows: () => [...this.renderRoot.querySelectorAll<HTMLElement>('li[data-layer]')],
+      hold: (held) => {
+        this.held = held;
+        if (held === undefined) this.#focus = `li[data-layer='${id}'] .row`;
+      },
+    });
+  };
+
   protected override updated(_changed: PropertyValues): void {
+    this.renderRoot.querySelector('.held')?.scrollIntoView({ block: 'nearest' });
     if (this.#focus === '') return;
     const wanted = this.renderRoot.querySelector<HTMLElement>(this.#focus);
     if (wanted === null) return;
@@ -240,7 +262,9 @@ export class LayersPanel extends StudioElement {
                   this.locked = !this.locked;
                 },
               })}
-              <p class="note">${l('hand')}</p>
+              <p class="note">
+                ${l('hand')} ${layer.kind === 'pattern' && layer.pattern === 'waves' ? l('hand.waves') : nothing}
+              </p>
             </section>`
       }
       <section>

@@ -8,7 +8,7 @@ export const layersStyle = css`
   }
   li {
     display: grid;
-    grid-template-columns: minmax(0, 1fr) auto;
+    grid-template-columns: auto minmax(0, 1fr) auto;
     align-items: center;
     border: 1px solid transparent;
     border-radius: var(--radius-large);
@@ -16,6 +16,24 @@ export const layersStyle = css`
   li.chosen {
     border-color: color-mix(in srgb, var(--accent) 45%, transparent);
     background: var(--tint);
+  }
+  .held {
+    box-shadow: var(--lift);
+  }
+  .grip {
+    display: grid;
+    place-items: center;
+    align-self: stretch;
+    width: max(24px, calc(var(--control) * 0.75));
+    color: var(--soft);
+    cursor: grab;
+    touch-action: none; /* else the panel would scroll */
+  }
+  .held .grip {
+    cursor: grabbing;
+  }
+  li > button.row:first-child {
+    grid-column: 1 / 3;
   }
   li button.row {
     justify-content: start;

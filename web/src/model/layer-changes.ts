@@ -39,6 +39,25 @@ export function scaledLayer(layer: PlateLayer, { size }: Frame, scale: Point): P
   return { size: sized('size', [size[0] * scale[0], size[1] * scale[1]]) };
 }
 
+// --- Files -----------------------------------------------------------------------------------------------------------------
+
+export const uncropped = { cropMin: [0, 0], cropMax: [1, 1] } satisfies Partial<LayerValues>;
+
+/** The layer about as large as it was, with another file: a picture fills the same box, and is cut to its proportions; a drawing
+ * gets a box with the same diagonal, so that it stays within the same circle.
+ * @param proportion  width by height of what is in the file */
+export function refilled(layer: PlateLayer, { size }: Frame, proportion: number): Partial<LayerValues> {
+  if (layer.size[0] + layer.size[1] === 0) return uncropped;
+  const [width, height] = size;
+  if (layer.kind !== 'picture' && layer.kind !== 'map') {
+    const diagonal = Math.hypot(width, height);
+    return { size: sized('size', [(diagonal * proportion) / Math.hypot(proportion, 1), 0]) };
+  }
+  const used = width / height / proportion; // of the picture's width; above 1 of its height, the other way round
+  const cut: [number, number] = used < 1 ? [(1 - used) / 2, 0] : [0, (1 - 1 / used) / 2];
+  return { size: sized('size', size), cropMin: cut, cropMax: [1 - cut[0], 1 - cut[1]] };
+}
+
 // --- Pictures --------------------------------------------------------------------------------------------------------------
 
 type Cropped = Pick<PlateLayer, 'cropMin' | 'cropMax' | 'mirror'>;

@@ -13,6 +13,8 @@ export type ProblemCode =
   | 'OneTone'
   /** A drawing's text and pictures are not in its shape. */
   | 'LeftOut'
+  /** A drawing's text is set in fonts that stand in for its own. */
+  | 'OtherFont'
   /** A drawing with so much in it that the browser is not asked to draw its colours. */
   | 'DrawingTooMuch'
   /** A project whose zip, or whose studio.json, cannot be read. */

@@ -1,4 +1,4 @@
-// Lines of the page and of other layers that a layer which is moved comes to lie on.
+// Lines of the page and of other layers that a layer which is moved or resized comes to lie on.
 import type { Bounds, Point } from './layer-frame.js';
 
 /** A line across the page: where `axis` 0 is upright, at this x; else level, at this y [mm]. */
@@ -8,6 +8,13 @@ export interface Guide {
 }
 
 const near = 1e-6;
+
+/** The page's edges and its middle line. */
+const linesOf = (length: number): number[] => [0, length / 2, length];
+
+/** The shortest of some ways in either sense; Infinity where there is none. */
+const leastOf = (ways: readonly number[]): number =>
+  ways.reduce((least, one) => (Math.abs(one) < Math.abs(least) - near ? one : least), Infinity);
 
 /** A layer that is moved has an outline and a middle: edges snap to the page's edges and middle lines, its middle to the page's middle
  * and to those of others.
@@ -26,14 +33,42 @@ export function snapped(
     const half = page[axis] / 2;
     const pairs = [
       ...[half, ...middles.map((middle) => middle[axis])].map((line) => [line, (first + last) / 2] as const),
-      ...[0, half, page[axis]].flatMap((line) => [[line, first] as const, [line, last] as const]),
+      ...linesOf(page[axis]).flatMap((line) => [[line, first] as const, [line, last] as const]),
     ];
     const away = pairs.map(([line, own]) => line - own);
-    const best = away.reduce((least, one) => (Math.abs(one) < Math.abs(least) - near ? one : least), Infinity);
+    const best = leastOf(away);
     if (!(Math.abs(best) <= within)) continue;
     by[axis] = best;
     const lines = pairs.filter((_, k) => Math.abs((away[k] as number) - best) <= near).map(([line]) => line);
     for (const at of new Set(lines)) guides.push({ axis, at });
   }
   return { by, guides };
+}
+
+/** The corner of a layer that is resized snaps to the page's edges and middle lines.
+ * @param fixed  where the proportions are kept, the corner across: the other goes straight away from it, or towards it
+ * @param within  farther away nothing happens [mm] */
+export function cornerSnapped(
+  corner: Point,
+  page: Point,
+  fixed: Point | undefined,
+  within: number,
+): { corner: Point; guides: Guide[] } {
+  const lines = ([0, 1] as const).flatMap((axis) => linesOf(page[axis]).map((at): Guide => ({ axis, at })));
+  const step = (ways: readonly number[]): number => {
+    const least = leastOf(ways);
+    return Math.abs(least) <= within ? least : 0;
+  };
+  let [x, y] = corner;
+  if (fixed === undefined) {
+    x += step(linesOf(page[0]).map((at) => at - x));
+    y += step(linesOf(page[1]).map((at) => at - y));
+  } else {
+    const span: Point = [x - fixed[0], y - fixed[1]];
+    const length = Math.hypot(...span);
+    const share = step(lines.map(({ axis, at }) => (length * (at - corner[axis])) / span[axis])) / length;
+    x += share * span[0];
+    y += share * span[1];
+  }
+  return { corner: [x, y], guides: lines.filter(({ axis, at }) => Math.abs(at - (axis === 0 ? x : y)) <= near) };
 }

@@ -72,6 +72,8 @@ export class Gallery extends DialogElement {
 
   async #open(example: Example): Promise<void> {
     this.close();
-    await this.studio.attempt(() => this.studio.services.openExample(example));
+    const opened = await this.studio.attempt(() => this.studio.services.openExample(example));
+    // The words and pictures that a visitor puts their own in the place of are there.
+    if (opened && example.layers !== undefined && this.studio.store.state.panel !== '') this.studio.setPanel('layers');
   }
 }

@@ -5,6 +5,7 @@ import { threadsWords } from '../i18n/say.js';
 import { verdictText } from '../i18n/say-verdict.js';
 import { words } from '../i18n/en/quality.js';
 import { formatNumber, say, t } from '../i18n/text.js';
+import { completeLayers } from '../model/layers.js';
 import { orderVerdict, verdictsOf, type Verdict } from '../model/verdicts.js';
 import { widthHistogram } from '../controls/histogram.js';
 import type { Mark } from '../model/view.js';
@@ -149,14 +150,17 @@ export class QualityPanel extends StudioElement {
     `;
   }
 
-  /** Of several pictures with the file's. */
+  /** The measure, and of several pictures the file that it speaks of. */
   #name(verdict: Verdict, verdicts: readonly Verdict[]): string {
     const label = say(words, `measure.${verdict.measure}`);
     const same = verdicts.filter(({ measure }) => measure === verdict.measure);
-    const directions = this.state.result?.plate.directions;
-    if (same.length === 1 || directions?.kind !== 'lamp') return label;
-    const name = directions.pictures[same.indexOf(verdict)]?.file.name ?? '';
-    return t('setting.value', { label, value: name });
+    const { result } = this.state;
+    if (same.length === 1 || result === undefined || verdict.measure !== 'picture') return label;
+    const { plate, report } = result;
+    const files = plate.directions.kind === 'lamp' ? plate.directions.pictures.map(({ file }) => file) : [];
+    const layers = completeLayers(plate);
+    const ofLayers = (report.layerPictures ?? []).map(({ layer }) => layers[layer - 1]?.file);
+    return t('setting.value', { label, value: [...files, ...ofLayers][same.indexOf(verdict)]?.name ?? '' });
   }
 
   /** The first place that the verdict speaks of. */

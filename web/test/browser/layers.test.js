@@ -1,18 +1,16 @@
 // Layers: their panel, and the frame that a hand moves on the plate. Boxes of letters are told as the engine would tell them, so
 // that no test waits for it.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
+import { violations } from './support/axe.js';
 import { overlaps } from './support/covered.js';
 import { sharedBench } from './support/shared.js';
 import { fileAt, fileOf, inputs, skip, start } from './support/studio.js';
 import { settled, until } from './support/waits.js';
 
 const bench = sharedBench(skip, start);
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 /** A visit with the panel open. Letters are as high as they are wide. */
 async function open(options = {}) {
@@ -161,6 +159,71 @@ test(
     assert.equal(await cover(visit, 12, 20), 0);
   },
 );
+
+test('a corner snaps to the edges and the middle of the page, and lies on lines that are seen', { skip }, async () => {
+  const visit = await open();
+  const { page } = visit;
+  await add(visit, 'Direction');
+  await drag(visit, [18, 18], [23.9, 23.8]); // 12 mm about the middle; the proportions stay
+  near((await layers(visit))[0].size, [18, 18], 1e-9);
+  near((await layers(visit))[0].at, [15, 15], 1e-9);
+  await drag(visit, [24, 24], [20, 23.9], ['Shift']); // each side by itself
+  near((await layers(visit))[0].size, [14, 18], 0.05);
+  assert.equal((await layers(visit))[0].size[1], 18);
+
+  await page.mouse.move(...(await screen(visit, 20, 24)));
+  await page.mouse.down();
+  await page.keyboard.down('Shift');
+  await page.mouse.move(...(await screen(visit, 12.1, 20)), { steps: 4 });
+  await settled(page);
+  const line = async (x) =>
+    Math.max(...(await Promise.all([0, 0.1, 0.2, 0.3, 0.4].map((more) => cover(visit, x, 1 + more)))));
+  assert.ok((await line(12)) > 0.3, 'no line on the middle of the page');
+  await page.keyboard.down('Control'); // it goes where the hand is
+  await page.mouse.move(...(await screen(visit, 12.15, 20.1)));
+  await settled(page);
+  assert.equal(await line(12), 0);
+  await page.mouse.up();
+  await page.keyboard.up('Control');
+  await page.keyboard.up('Shift');
+  near((await layers(visit))[0].size, [6.15, 14.1], 0.05);
+});
+
+test('rays over all of the page move by their middle, and an inner knob turns waves', { skip }, async () => {
+  const visit = await open();
+  const { page } = visit;
+  await add(visit, 'Pattern');
+  const before = await undos(visit);
+  await drag(visit, [12, 12], [7, 16]);
+  const [rays] = await layers(visit);
+  near([...rays.at, ...rays.size], [7, 16, 0, 0]); // it still covers all of the page
+  assert.equal(await undos(visit), before + 1);
+
+  const set = (values) =>
+    page.evaluate((values) => {
+      const { studio } = document.querySelector('sillon-app');
+      studio.change((plate) => ({ ...plate, layers: [{ ...plate.layers[0], ...values }] }));
+      studio.settle();
+    }, values);
+  const arm = await page.evaluate(
+    () => 44 / (document.querySelector('sillon-app').studio.stage.plateBox().height / 24),
+  );
+  await settled(page);
+  assert.equal(await cover(visit, 7 + arm, 16), 0, 'a knob where there are no waves');
+  await set({ pattern: 'waves', at: null, angle: 0 });
+  await settled(page);
+  assert.ok((await cover(visit, 12 + arm, 12)) > 0.9, 'no knob');
+  await drag(visit, [12 + arm, 12], [12, 16]);
+  const [waves] = await layers(visit);
+  assert.deepEqual([waves.angle, waves.at, waves.size, waves.rotation], [90, null, [0, 0], 0]);
+  assert.equal(await undos(visit), before + 3);
+  assert.ok((await cover(visit, 12, 12 + arm)) > 0.9, 'the knob did not follow');
+  // On a turned frame the waves are turned with it.
+  await set({ rotation: 90 });
+  await settled(page);
+  assert.ok((await cover(visit, 12 - arm, 12)) > 0.9, 'the knob is not where the waves run to');
+  assert.equal(await page.getByText('The inner knob turns the waves.').count(), 1);
+});
 
 test(
   'keys move, delete and let go of a layer; clicks choose; brushes and the view keep working',
@@ -311,6 +374,100 @@ test('the list is worked by keys alone: order, copies, sight', { skip }, async (
   await until(() => panel.locator('li.chosen .row').evaluate((one) => one.matches(':focus')), 'the focus');
 });
 
+/** The middle of a part of a row, on the screen. */
+const partOf = async (visit, name, part) => {
+  const row = visit.page.locator('sillon-layers-panel li', {
+    has: visit.page.getByRole('button', { name, exact: true }),
+  });
+  const { x, y, width, height } = await row.locator(part).boundingBox();
+  return [x + width / 2, y + height / 2];
+};
+
+const namesIn = (visit) => visit.page.locator('sillon-layers-panel li[data-layer] .name').allInnerTexts();
+
+test('rows are dragged to other places, each time as one step of undo', { skip }, async () => {
+  const visit = await open();
+  const { page } = visit;
+  for (const kind of ['Border', 'Pattern', 'Direction']) await add(visit, kind);
+  await page.evaluate(() => document.querySelector('sillon-app').studio.store.set({ layer: undefined }));
+  await settled(page);
+  const before = await undos(visit);
+  const [border, pattern, direction] = ['Border', 'Rays, rings', 'Direction'];
+  const pull = async (from, to) => {
+    await page.mouse.move(...from);
+    await page.mouse.down();
+    await page.mouse.move(...to, { steps: 8 });
+  };
+  const [x, top] = await partOf(visit, direction, '.row');
+  await pull(await partOf(visit, border, '.grip'), [x, top - 4]);
+  await settled(page);
+  assert.deepEqual(await namesIn(visit), [border, direction, pattern]); // already while it is held
+  assert.equal(await page.locator('li.held .name').innerText(), border);
+  await page.mouse.up();
+  await settled(page);
+  assert.equal(await page.locator('li.held').count(), 0);
+  assert.equal(await undos(visit), before + 1);
+
+  // A mouse may take the row itself, which then is not clicked.
+  await pull(
+    await partOf(visit, border, '.row'),
+    (await partOf(visit, direction, '.row')).map((at) => at + 4),
+  );
+  await page.mouse.up();
+  await settled(page);
+  assert.deepEqual(await namesIn(visit), [direction, border, pattern]);
+  assert.equal(await visit.state(({ layer }) => layer), undefined);
+  assert.equal(await undos(visit), before + 2);
+
+  // There and back again is nothing to undo, and no click; a click still chooses.
+  const place = await partOf(visit, pattern, '.row');
+  await pull(place, [x, top - 4]);
+  await page.mouse.move(...place, { steps: 8 });
+  await page.mouse.up();
+  await settled(page);
+  assert.deepEqual(await namesIn(visit), [direction, border, pattern]);
+  assert.equal(await undos(visit), before + 2);
+  assert.equal(await visit.state(({ layer }) => layer), undefined);
+  await page.mouse.click(...(await partOf(visit, pattern, '.row')));
+  await visit.until((state) => state.layer === 2);
+  await page.keyboard.press('Control+z');
+  assert.deepEqual(await namesIn(visit), [border, direction, pattern]);
+});
+
+test('a finger drags rows by their handles, and elsewhere it scrolls the panel', { skip }, async () => {
+  const visit = await open({ viewport: { width: 390, height: 640 }, hasTouch: true, isMobile: true, fresh: true });
+  const { page } = visit;
+  for (const kind of ['Border', 'Pattern', 'Direction', 'Text']) await add(visit, kind);
+  const panel = page.locator('aside');
+  const scrolled = () => panel.evaluate((one) => one.scrollTop);
+  await panel.evaluate((one) => (one.scrollTop = 0));
+  await settled(page);
+  const client = await page.context().newCDPSession(page);
+  const swipe = async (from, to) => {
+    const touch = (type, ...touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
+    await touch('touchStart', { x: from[0], y: from[1] });
+    for (let k = 1; k <= 8; ++k) {
+      const [x, y] = [0, 1].map((axis) => from[axis] + (k / 8) * (to[axis] - from[axis]));
+      await touch('touchMove', { x, y });
+    }
+    await touch('touchEnd');
+    await settled(page);
+  };
+  const names = ['Abc', 'Direction', 'Rays, rings', 'Border'];
+  assert.deepEqual(await namesIn(visit), names);
+  const before = await undos(visit);
+  const [x, y] = await partOf(visit, 'Direction', '.grip');
+  await swipe([x, y], [x, (await partOf(visit, 'Rays, rings', '.grip'))[1] + 4]);
+  assert.deepEqual(await namesIn(visit), ['Abc', 'Rays, rings', 'Direction', 'Border']);
+  assert.equal(await scrolled(), 0);
+  assert.equal(await undos(visit), before + 1);
+  const row = await partOf(visit, 'Direction', '.row');
+  await swipe(row, [row[0], row[1] - 80]);
+  await until(async () => (await scrolled()) > 20, 'the panel to scroll');
+  assert.deepEqual(await namesIn(visit), ['Abc', 'Rays, rings', 'Direction', 'Border']);
+  assert.equal(await undos(visit), before + 1);
+});
+
 const narrow = [
   { viewport: { width: 390, height: 844 }, language: 'fr' },
   { viewport: { width: 320, height: 640 }, language: 'de' },
@@ -326,12 +483,7 @@ for (const { viewport, language } of narrow) {
       });
       await settled(page);
       assert.deepEqual(await page.evaluate(overlaps), [], what);
-      if (!(await page.evaluate(() => 'axe' in globalThis))) await page.evaluate(axe);
-      const found = await page.evaluate(async () => {
-        const { violations } = await globalThis.axe.run(document, { resultTypes: ['violations'] });
-        return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(' | ')}`);
-      });
-      assert.deepEqual(found, [], what);
+      assert.deepEqual(await violations(page), [], what);
       const cut = await page
         .locator('sillon-layers-panel')
         .evaluate((panel) =>

@@ -1,26 +1,13 @@
 // For everybody: screen readers (axe-core), keys alone, narrow screens and fingers, French, still pictures, small first views.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { test } from 'node:test';
 
+import { violations } from './support/axe.js';
 import { sharedBench } from './support/shared.js';
 import { skip, start } from './support/studio.js';
 import { settled, until } from './support/waits.js';
 
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const bench = sharedBench(skip, start);
-
-/** @param options  of axe: which rules it tries */
-async function violations(page, options = {}) {
-  if (!(await page.evaluate(() => 'axe' in globalThis))) await page.evaluate(axe);
-  const found = await page.evaluate(`(async () => {
-    const options = ${JSON.stringify({ resultTypes: ['violations'], ...options })};
-    const { violations } = await axe.run(document, options);
-    return violations.map(({ id, nodes }) => id + ': ' + nodes.map(({ html }) => html.slice(0, 120)).join(' | '));
-  })()`);
-  return found;
-}
 
 test('where a word’s button goes that had the focus, the plate gets it', { skip }, async () => {
   const visit = await bench.open({ small: true });

@@ -3,7 +3,6 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { createRequire } from 'node:module';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -13,6 +12,7 @@ import { crc32, gunzipSync, gzipSync } from 'node:zlib';
 
 import * as fflate from 'fflate';
 
+import { violations } from './support/axe.js';
 import { overlaps } from './support/covered.js';
 import { sharedBench } from './support/shared.js';
 import { sliced } from './support/sliced.js';
@@ -20,7 +20,6 @@ import { fileAt, fileOf, inputs, skip, start } from './support/studio.js';
 import { until } from './support/waits.js';
 
 const bench = sharedBench(skip, start);
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const program = fileURLToPath(new URL('../../../build/release/sillon', import.meta.url));
 
 /** What the native program makes of a file. */
@@ -568,12 +567,7 @@ test('faces are chosen on the print itself, by pointer, and everything by keys',
 
   for (const way of ['One angle', 'By hand', 'Same as the plate', 'Picture']) {
     await view(visit).getByRole('radio', { name: way }).check();
-    if (way === 'One angle') await page.evaluate(axe);
-    const found = await page.evaluate(`(async () => {
-      const { violations } = await axe.run(document, { resultTypes: ['violations'] });
-      return violations.map(({ id, nodes }) => id + ': ' + nodes.map(({ html }) => html.slice(0, 120)).join(' | '));
-    })()`);
-    assert.deepEqual(found, [], way);
+    assert.deepEqual(await violations(page), [], way);
   }
 });
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { newPlate } from '../../src/model/defaults.js';
-import { croppedTo, scaledLayer, slid, wholePicture } from '../../src/model/layer-changes.js';
+import { croppedTo, refilled, scaledLayer, slid, wholePicture } from '../../src/model/layer-changes.js';
 import {
   boundsOf,
   contains,
@@ -19,7 +19,7 @@ import {
 } from '../../src/model/layer-frame.js';
 import { newLayer } from '../../src/model/layer-list.js';
 import type { Plate, PlateLayer } from '../../src/model/plate.js';
-import { snapped } from '../../src/model/snap.js';
+import { cornerSnapped, snapped } from '../../src/model/snap.js';
 import { chances } from './support/pictures.js';
 
 const page: Plate = { ...newPlate(), width: 100, height: 60 };
@@ -178,6 +178,45 @@ test('middles snap to those of others, the nearest line counts, and nothing happ
     new Set(all.guides.map(({ axis, at }) => `${axis} ${at}`)),
     new Set(['0 0', '0 50', '0 100', '1 0', '1 30', '1 60']),
   );
+});
+
+test('a corner that is resized snaps to the page’s edges and middle lines, straight away from the corner across', () => {
+  const free = cornerSnapped([49.3, 59.4], [100, 60], undefined, 1);
+  assert.deepEqual(free.corner, [50, 60]);
+  assert.deepEqual(free.guides, [
+    { axis: 0, at: 50 },
+    { axis: 1, at: 60 },
+  ]);
+  const kept = cornerSnapped([49.6, 24.8], [100, 60], [10, 5], 1); // two to one
+  near(kept.corner, [50, 25]);
+  assert.deepEqual(kept.guides, [{ axis: 0, at: 50 }]);
+  // The nearer of two lines, and a side that is level never meets a line that is.
+  near(cornerSnapped([50.6, 30.2], [100, 60], [20.6, 0.2], 1).corner, [50.4, 30]);
+  near(cornerSnapped([99.5, 20], [100, 60], [10, 20], 1).corner, [100, 20]);
+  assert.deepEqual(cornerSnapped([70, 20], [100, 60], [10, 5], 1), { corner: [70, 20], guides: [] });
+});
+
+// --- Files ----------------------------------------------------------------------------------------------------------------
+
+test('a file in the place of another leaves the layer as large as it was, and nothing is stretched', () => {
+  const wide = refilled(layer('picture', { size: [20, 0] }), frame({ size: [20, 20] }), 1.5);
+  assert.deepEqual(wide.size, [20, 20]);
+  near(
+    [...(wide.cropMin ?? []), ...(wide.cropMax ?? [])] as unknown as Point,
+    [1 / 6, 0, 5 / 6, 1] as unknown as Point,
+  );
+  const tall = refilled(layer('picture', { size: [20, 0] }), frame({ size: [20, 20] }), 0.5);
+  assert.deepEqual(
+    [tall.cropMin, tall.cropMax],
+    [
+      [0, 0.25],
+      [1, 0.75],
+    ],
+  );
+  // A drawing stays within the same circle.
+  assert.deepEqual(refilled(layer('drawing', { size: [40, 0] }), frame({ size: [40, 30] }), 0.75), { size: [30, 0] });
+  // What covers the page goes on doing so.
+  assert.deepEqual(refilled(layer('map', { cropMin: [0.1, 0] }), frame(), 3), { cropMin: [0, 0], cropMax: [1, 1] });
 });
 
 // --- Crops -----------------------------------------------------------------------------------------------------------------

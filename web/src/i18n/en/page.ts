@@ -434,6 +434,9 @@ export const words = {
   'problem.LeftOut': '{name} contains text or pictures, which were left out.',
   'hint.LeftOut':
     'Convert text to paths in the program that made the file, and open it again. Open pictures as separate files.',
+  'problem.OtherFont': 'The text in {name} is set in one of Sillon’s fonts instead of its own.',
+  'hint.OtherFont':
+    'To keep its letters, convert the text to paths in the program that made the file, and open it again.',
   'problem.DrawingTooMuch': 'The drawing has too much in it for a direction per colour.',
   'hint.DrawingTooMuch': 'Draw it with fewer elements, or use a picture of it.',
   'problem.BrokenProject': 'The project {name} could not be read.',

@@ -1,0 +1,37 @@
+// A file takes the place of another in a layer.
+import { refilled, uncropped } from '../model/layer-changes.js';
+import { isExample, type PlateLayer, type SourceFile } from '../model/plate.js';
+import type { Studio } from '../studio/studio.js';
+import { frameIn } from './arranging.js';
+
+const side = 100; // [mm] wide enough to tell proportions
+
+/** Width by height of what the engine finds in the layer's file.
+ * @returns undefined where it finds nothing, which is told where the plate is made */
+async function proportionOf(studio: Studio, layer: PlateLayer): Promise<number | undefined> {
+  const wide: PlateLayer = { ...layer, ...uncropped, size: [side, 0] };
+  try {
+    const boxes = await studio.services.layerBoxes({ ...studio.store.state.plate, layers: [wide] });
+    const [width, height] = boxes.get(layer.id)?.size ?? [0, 0];
+    return width > 0 && height > 0 ? width / height : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+/** An echo lies around the drawing of another layer: layers of other kinds that have the same file go with it. */
+export async function replaceFile(studio: Studio, layer: PlateLayer, file: SourceFile): Promise<void> {
+  const before = layer.file;
+  const proportion = await proportionOf(studio, { ...layer, file });
+  const { state } = studio.store;
+  const goes = ({ id, kind, file: theirs }: PlateLayer): boolean =>
+    id === layer.id || (before !== null && kind !== layer.kind && theirs?.id === before.id);
+  const filled = (one: PlateLayer): PlateLayer => ({
+    ...one,
+    file,
+    ...(before === null || proportion === undefined ? uncropped : refilled(one, frameIn(state, one), proportion)),
+    ...(before !== null && isExample(before) && { rotation: 0 }), // it was the example's that stood askew
+  });
+  studio.settle();
+  studio.change((plate) => ({ ...plate, layers: plate.layers.map((one) => (goes(one) ? filled(one) : one)) }));
+}

@@ -1,0 +1,72 @@
+// A row of the list is dragged to another place: the layers take their places as the hand goes, as one step of undo.
+import { raised } from '../model/layer-list.js';
+import type { Studio } from '../studio/studio.js';
+
+const begins = 4; // [CSS pixels] before which it is a click
+const gesture = 'layers.order';
+
+/** A mouse may take any part of a row; a finger takes the handle, as elsewhere it scrolls the panel. @returns the row's layer */
+export function rowTaken({ target, button, pointerType }: PointerEvent): number | undefined {
+  const part = (target as Element).closest(pointerType === 'mouse' ? '.grip, .row' : '.grip');
+  const id = part?.closest<HTMLElement>('li[data-layer]')?.dataset['layer'];
+  return button === 0 && id !== undefined ? Number(id) : undefined;
+}
+
+/** The list that has the rows. */
+interface RowList {
+  /** The rows as they lie now, the topmost layer's first. */
+  rows: () => readonly HTMLElement[];
+  /** @param held  the layer whose row a hand drags; undefined: it has let go */
+  hold: (held: number | undefined) => void;
+}
+
+function middleOf(row: HTMLElement): number {
+  const { top, bottom } = row.getBoundingClientRect();
+  return (top + bottom) / 2;
+}
+
+export function dragRow(studio: Studio, id: number, down: PointerEvent, list: RowList): void {
+  const isOwn = (row: HTMLElement): boolean => Number(row.dataset['layer']) === id;
+  const box = list.rows().find(isOwn)?.getBoundingClientRect();
+  const [height, grabbed] = box === undefined ? [0, 0] : [box.height, down.clientY - box.top];
+  const before = studio.store.state.plate.layers;
+  const dragging = new AbortController();
+  const { signal } = dragging;
+  let moved = false;
+  const onMove = ({ pointerId, clientY }: PointerEvent): void => {
+    if (pointerId !== down.pointerId || (!moved && Math.abs(clientY - down.clientY) < begins)) return;
+    if (!moved) {
+      moved = true;
+      studio.settle();
+      list.hold(id);
+    }
+    const rows = list.rows();
+    const own = rows.findIndex(isOwn);
+    const top = clientY - grabbed;
+    // A row goes past another once its nearer edge has passed the other's middle, on the way there as on the way back.
+    const above = rows.filter((row, k) => k !== own && middleOf(row) < (k < own ? top : top + height)).length;
+    studio.change((plate) => {
+      const from = plate.layers.findIndex((layer) => layer.id === id);
+      return raised(plate, id, plate.layers.length - 1 - above - from);
+    }, gesture);
+  };
+  const onEnd = ({ pointerId, type }: PointerEvent): void => {
+    if (pointerId !== down.pointerId) return;
+    // The click that follows a drag would choose a layer; it comes before anything else does.
+    setTimeout(() => {
+      dragging.abort();
+    });
+    if (!moved) return;
+    const { layers } = studio.store.state.plate;
+    if (type === 'pointercancel' || layers.every((layer, k) => layer === before[k])) studio.store.abandon();
+    studio.settle();
+    list.hold(undefined);
+  };
+  const onClick = (event: Event): void => {
+    if (moved) event.stopPropagation();
+  };
+  addEventListener('pointermove', onMove, { signal });
+  addEventListener('pointerup', onEnd, { signal });
+  addEventListener('pointercancel', onEnd, { signal });
+  addEventListener('click', onClick, { signal, capture: true });
+}
