@@ -92,6 +92,7 @@ test('reports and summaries have the declared fields, and no others', async () =
   const { toolpath, report } = await engine.generateToolpath({
     shape: { builtin: 'disc', size: [10, 10] },
     pictures: { files: [{ file }] },
+    layers: [{ kind: 'picture', file, size: [4, 4] }],
   });
   const { summary } = await engine.writeGcode(toolpath);
   const { membersOf } = declared();
