@@ -359,11 +359,13 @@ test('what of a drawing is not in its shape is told, and where a printer’s fil
   };
   const drawing = (content: string): File =>
     text('a.svg', `<svg viewBox="0 0 40 30"><rect width="40" height="30"/>${content}</svg>`);
-  for (const content of ['', '<text>a</text>', '<defs><text>a</text></defs>', '<image/>']) {
+  const onPath = '<text><textPath href="#a">a</textPath></text>';
+  const inArial = '<text y="20" font-family="Arial">a</text>';
+  for (const content of ['', onPath, `<defs>${onPath}</defs>`, '<image/>', '<text y="20">a</text>', inArial]) {
     const { opened } = await identify([drawing(content)], newPlate(), engine);
     await withFiles(newPlate(), opened, engine, tell);
   }
-  assert.deepEqual(told, ['LeftOut a.svg', 'LeftOut a.svg']);
+  assert.deepEqual(told, ['LeftOut a.svg', 'LeftOut a.svg', 'OtherFont a.svg']);
   await assert.rejects(identify([text('donor.gcode', 'G28')], newPlate(), engine), { code: 'PrinterFileHere' });
 });
 
