@@ -24,6 +24,7 @@
 #include "sillon/input/image_io.hpp"
 #include "sillon/input/plate_input.hpp"
 #include "sillon/input/read_input.hpp"
+#include "sillon/input/shaped_line.hpp"
 #include "sillon/text/qr_code.hpp"
 #include "sillon/text/text.hpp"
 

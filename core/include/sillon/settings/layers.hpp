@@ -65,8 +65,8 @@ struct Layer {
   bool visible = true;
   /// Middle of its box on the page, from the lower left corner [mm]; unset: the page's middle
   std::optional<Vec2> at;
-  /// Size of its box, before it turns [mm]. A side of 0 follows the content's proportions; without both,
-  /// contents have the size that contentSize gives.
+  /// Size of its box, before it turns [mm]. A side of 0 follows the content's proportions; without
+  /// both, contents have the size that contentSize gives.
   Vec2 size;
   double rotation = 0;  ///< counter-clockwise [degrees]
   bool mirror = false;  ///< left to right, before it turns
@@ -74,8 +74,8 @@ struct Layer {
   std::string maskFile;
   double soft = 0;   ///< width over which its directions turn into those below, about its edge [mm]
   double angle = 0;  ///< of its beads on the page, whatever the rotation [degrees]
-  /// Direction in the box behind letters, drawings and dark modules [degrees]; unset: what lies below shows
-  /// there, and light modules lie across the dark ones
+  /// Direction in the box behind letters, drawings and dark modules [degrees]; unset: what lies
+  /// below shows there, and light modules lie across the dark ones
   std::optional<double> ground;
   LayerFill fill = LayerFill::Angle;
   DirectionEncoding encoding = DirectionEncoding::Angle;  ///< of a map
