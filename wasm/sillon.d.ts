@@ -942,7 +942,8 @@ export interface Cycle {
 export interface Shape {
   page: [number, number];
   paths: { fillRule: 'nonzero' | 'evenodd'; rings: Float64Array[] }[];
-  /** Of the drawing, and not in the shape: text on paths or in scripts that no built-in font has, and pictures. */
+  /** Numbers of texts and pictures of the drawing that are not in the shape: text on paths, or in scripts that no built-in font
+   * has. */
   texts?: number;
   images?: number;
   /** Text of the drawing is set in built-in fonts, which stand in for its own. */

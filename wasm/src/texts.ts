@@ -14,20 +14,25 @@ interface Lettering {
   correction?: unknown;
 }
 
-/** Tells whether bytes are a drawing with <text>. */
-const hasText = (bytes: Uint8Array): boolean =>
-  /^[\s\u00EF\u00BB\u00BF]*<[^]*<(?:[\w-]+:)?text[\s>]/.test(new TextDecoder('latin1').decode(bytes));
+const latin = new TextDecoder('latin1');
 
-const withoutText = new WeakSet<Blob>();
+/** Tells whether bytes are a drawing with <text>. Photographs, which may be large, are told by their first bytes. */
+const hasText = (bytes: Uint8Array): boolean =>
+  /^[\s\u00EF\u00BB\u00BF]*</.test(latin.decode(bytes.subarray(0, 256))) &&
+  /<(?:[\w-]+:)?text[\s>]/.test(latin.decode(bytes));
+
+/** Lines that drawings ask for. A Blob cannot change, so that each is read once. */
+const linesOfBlobs = new WeakMap<Blob, string[]>();
 
 /** Others begin at once, so that calls enter the queue in their order. */
 export const needsTexts = ({ layers, shape }: Record<string, unknown>, files: Files): boolean => {
   if (layers !== undefined || (shape as { builtin?: unknown } | undefined)?.builtin === 'text') return true;
   const drawing = files['shape.file']?.value;
-  return drawing instanceof Blob ? !withoutText.has(drawing) : drawing instanceof Uint8Array && hasText(drawing);
+  if (drawing instanceof Blob) return linesOfBlobs.get(drawing)?.length !== 0;
+  return drawing instanceof Uint8Array && hasText(drawing);
 };
 
-/** The shape, and files of layers, which may be pictures. */
+/** Names of the shape and of files of layers, which may be pictures. */
 const drawingName = /^shape\.file$|^layers\[\d+\]\.(?:file|maskFile)$/;
 
 /** Makes the letters of one engine; what they need is loaded with the first of them. */
@@ -66,16 +71,19 @@ export class Texts {
   }
 
   async #addLinesOf(files: Files, drawing: Blob | Uint8Array): Promise<void> {
-    if (drawing instanceof Blob && withoutText.has(drawing)) return;
-    const bytes = drawing instanceof Blob ? new Uint8Array(await drawing.arrayBuffer()) : drawing;
-    if (!hasText(bytes)) {
-      if (drawing instanceof Blob) withoutText.add(drawing);
-      return;
-    }
-    for (const name of await this.#linesOf(bytes)) {
+    for (const name of await this.#linesIn(drawing)) {
       const [, font = '', line = ''] = /^line:([^\n]*)\n([^]*)$/.exec(name) ?? [];
       await this.#addLine(files, font, line);
     }
+  }
+
+  async #linesIn(drawing: Blob | Uint8Array): Promise<string[]> {
+    const known = drawing instanceof Blob ? linesOfBlobs.get(drawing) : undefined;
+    if (known !== undefined) return known;
+    const bytes = drawing instanceof Blob ? new Uint8Array(await drawing.arrayBuffer()) : drawing;
+    const lines = hasText(bytes) ? await this.#linesOf(bytes) : [];
+    if (drawing instanceof Blob) linesOfBlobs.set(drawing, lines);
+    return lines;
   }
 
   async #addCode(files: Files, text: string, correction: unknown): Promise<void> {

@@ -127,10 +127,14 @@ class Maker {
   /// here on nothing is.
   std::optional<Error> correctLayers() {
     const int rounds = correctionsOfLayers();
+    if (layers_.pictures.empty() || !makesSeen() || (rounds == 0 && !measures())) {
+      layOver(layers_, plate_.input);
+      return std::nullopt;
+    }
     LayerStack tried = layers_;
     ToolpathResult result = plate_.result;
     double highest = -1e9;
-    for (int round = 0; !layers_.pictures.empty() && makesSeen(); ++round) {
+    for (int round = 0;; ++round) {
       const LayerStack shown = tried;
       const auto seen = askForMissing(tried, result.toolpath, plate_.input.shape.page, plate_.pictures.roughness, run_);
       if (!seen) return seen.error();

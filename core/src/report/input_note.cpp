@@ -14,9 +14,9 @@ constexpr Sentence kSentences[] = {
     {"TextLeftOut",
      "text in the drawing is left out ({n} <text>); convert it to paths in the program that made the drawing"},
     {"TextInOtherFont",
-     "text in the drawing is set in a built-in font instead of its own; convert it to paths in the program that made "
+     "text in the drawing is set in a built-in font instead of its own; to keep its letters, convert it to paths in "
      "the "
-     "drawing to keep its letters"},
+     "program that made the drawing"},
     {"ImagesLeftOut",
      "pictures in the drawing are left out ({n} <image>); convert them to paths in the program that made the drawing"},
     {"SeveralColours",

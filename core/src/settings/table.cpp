@@ -778,8 +778,7 @@ constexpr Row kRows[] = {
       .choices = "up bed both"},
      {.label = "Side to show",
       .help = "Top: oriented layers on top. Bed: mirrored on the bed, base above. Both: both sides, for shapes "
-              "that are "
-              "their own mirror image",
+              "that are their own mirror image",
       .option = "--show"}},
     {{.section = Print, .key = "skirt", .type = Integer, .field = at<&PrintParams::skirt>, .low = 0, .high = 20},
      {.label = "Skirt loops", .help = "Loops around the plates that prime the nozzle", .option = "--skirt"}},
@@ -1244,8 +1243,7 @@ constexpr Row kRows[] = {
       .high = 100},
      {.label = "Fan, base layers",
       .help = "Fan speed on base layers above the first; negative values choose what the filament usually gets, "
-              "such as "
-              "100 for PLA, 50 for PETG and 10 for ABS"}},
+              "such as 100 for PLA, 50 for PETG and 10 for ABS"}},
     {{.section = Section::Printer,
       .key = "showFan",
       .type = Number,
@@ -1255,8 +1253,7 @@ constexpr Row kRows[] = {
       .high = 100},
      {.label = "Fan, oriented layers",
       .help = "Fan speed on oriented layers above the first; negative values choose what the filament usually "
-              "gets, such "
-              "as 100 for PLA, 50 for PETG and 10 for ABS"}},
+              "gets, such as 100 for PLA, 50 for PETG and 10 for ABS"}},
     {{.section = Section::Printer,
       .key = "minLayerTime",
       .type = Number,

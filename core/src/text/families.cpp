@@ -1,22 +1,16 @@
 #include <algorithm>
-#include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "input/svg.hpp"
+#include "input/svg/svg_reader.hpp"
 #include "sillon/text/text.hpp"
 #include "text/letters.hpp"
 
 namespace sillon {
 namespace {
-
-std::string lowered(std::string_view text) {
-  std::string copy(text);
-  for (char& c : copy) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return copy;
-}
 
 bool hasAny(const std::string& text, std::initializer_list<const char*> words) {
   return std::any_of(words.begin(), words.end(),
@@ -37,20 +31,19 @@ struct ChosenFont {
 };
 
 ChosenFont chosenFont(std::string_view families) {
-  constexpr std::string_view kAround = " \t\r\n\"'";
-  bool others = false;
-  for (std::string_view rest = families; !rest.empty();) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    std::string_view family = rest.substr(0, comma);
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
-    family.remove_prefix(std::min(family.find_first_not_of(kAround), family.size()));
-    family = family.substr(0, family.find_last_not_of(kAround) + 1);
+  ChosenFont chosen;
+  svg::split(families, ',', [&](std::string_view family) {
+    family = svg::trimmed(family);
+    if (family.size() > 1 && (family.front() == '"' || family.front() == '\''))
+      family = family.substr(1, family.size() - 2);
+    if (family.empty() || !chosen.name.empty()) return;
     for (const std::string_view font : builtinFonts()) {
-      if (lowered(font) == lowered(family)) return {font, others};
+      if (svg::lowered(font) == svg::lowered(family)) chosen.name = font;
     }
-    others = others || !family.empty();
-  }
-  return {lookAlike(lowered(families)), others};
+    chosen.instead = chosen.instead || chosen.name.empty();
+  });
+  if (chosen.name.empty()) chosen.name = lookAlike(svg::lowered(families));
+  return chosen;
 }
 
 }  // namespace

@@ -317,7 +317,8 @@ class Search {
 
   // A joint of rings only takes the place of another one between the same two; elsewhere it would add its two U-turns.
   [[nodiscard]] bool mayMeet(int s, int t) const {
-    const auto& [a, b] = std::pair(switches_[s], switches_[t]);
+    const Switch& a = switches_[s];
+    const Switch& b = switches_[t];
     const bool added = (a.ring >= 0 && !a.joint.on) || (b.ring >= 0 && !b.joint.on);
     return !added || (a.ring == b.ring && a.joint.on != b.joint.on);
   }

@@ -15,6 +15,7 @@ constexpr float kTurnCost = 0.3f;  ///< price of an added U-turn, to choose betw
 constexpr float kDearest = 1.5f;   ///< joint by the usual price of misalignment [mm]
 constexpr int kMostTurns = 1;      ///< added by a joint
 constexpr int kTurnsOfRings = 2;   ///< likewise, between rings
+
 // The point `steps` after one of the same curve, or before it.
 int stepped(const Beads& beads, const Joining& joining, int point, int steps) {
   const int curve = joining.curveOf(point);

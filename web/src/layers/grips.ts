@@ -24,7 +24,7 @@ const stem = 26; // [CSS pixels] of the knob that turns
 
 const arm = 44; // [CSS pixels] from the middle to the knob that turns waves
 
-/** What beside its frame decides on a layer's handles. */
+/** Facts beside a layer's frame that decide on its handles. */
 export interface Handles {
   cropping: boolean;
   /** The angle of waves, in the frame [degrees]; undefined: there are none. */

@@ -36,7 +36,7 @@ function assertNotBlank(greys, what) {
   );
 }
 
-/** What the page and the engine have against the plate; its printer is as for every other plate. */
+/** Complaints of the page and the engine about the plate; its printer is as for every other plate. */
 const said = (visit) =>
   visit.state(({ problem, notices, result, summary, layer, panel }) => ({
     problem: problem ?? null,

@@ -215,7 +215,7 @@ test('a file in the place of another leaves the layer as large as it was, and no
   );
   // A drawing stays within the same circle.
   assert.deepEqual(refilled(layer('drawing', { size: [40, 0] }), frame({ size: [40, 30] }), 0.75), { size: [30, 0] });
-  // What covers the page goes on doing so.
+  // A layer that covers the page goes on doing so.
   assert.deepEqual(refilled(layer('map', { cropMin: [0.1, 0] }), frame(), 3), { cropMin: [0, 0], cropMax: [1, 1] });
 });
 

@@ -275,11 +275,10 @@ class Drawing {
   // Elements not named here are not drawn: <defs>, <symbol>, <clipPath>, foreign ones, ...
   void draw(const Node& node, State state) {
     const std::string_view name = elementName(node);
-    const bool isText = name == "text";
-    const bool unread = (isText && !options_.letters) || name == "flowRoot" || name == "image";
+    const bool unread = name == "flowRoot" || name == "image";
     if (!isMeant(node)) return;
     if (name == "foreignObject") note("<foreignObject>");
-    if (!unread && !isText && name != "g" && name != "a" && name != "switch" && name != "svg" && name != "use" &&
+    if (!unread && name != "text" && name != "g" && name != "a" && name != "switch" && name != "svg" && name != "use" &&
         !isShape(name)) {
       return;
     }
@@ -538,8 +537,10 @@ class Drawing {
     const Matrix toUser = state.toWorld.inverse();
     state.limits.clear();
     const std::int64_t points = pointsLeft_;
+    const int texts = shape_.drawing.texts;
     const std::vector<Layer> layers = drawnAs(Reading::Outlines, [&] { drawContent(node, state); });
     pointsLeft_ = points;
+    shape_.drawing.texts = texts;
     Bounds box;
     for (const Layer& layer : layers) {
       for (const Ring& ring : layer.path.rings) {

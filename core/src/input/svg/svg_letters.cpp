@@ -1,9 +1,8 @@
 #include "input/svg/svg_letters.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <fast_float/fast_float.h>
 
 namespace sillon::svg {
 namespace {
@@ -33,13 +32,13 @@ std::size_t bytesOfLetter(std::string_view text) {
 }
 
 void setSize(std::string_view value, const PaintContext& context, double& size) {
-  double number = 0;
-  const auto [end, error] = fast_float::from_chars(value.data(), value.data() + value.size(), number);
-  if (error != std::errc{} || !(number > 0 && std::isfinite(number))) return;
-  const std::string unit = lowered(trimmed(value.substr(static_cast<std::size_t>(end - value.data()))));
+  std::string_view rest;
+  const std::optional<double> number = leadingNumber(value, rest);
+  if (!number) return;
+  const std::string unit = lowered(rest);
   const double inherited = size > 0 ? size : context.length("16px");
   const double share = unit == "em" ? 1 : unit == "ex" ? 0.5 : unit == "%" ? 0.01 : 0;
-  const double length = share > 0 ? number * share * inherited : context.length(value);
+  const double length = share > 0 ? *number * share * inherited : context.length(value);
   if (length > 0) size = length;
 }
 
@@ -161,7 +160,7 @@ Result<std::vector<PlacedLetter>> placeLetters(const std::vector<LetterRun>& run
     if (runs[k].y) pen.y = *runs[k].y;
     if (runs[k].x) pen.x = *runs[k].x;
     if (runs[k].x || runs[k].y || k == 0) {
-      // What is anchored ends before the next run with a place of its own.
+      // An anchored line ends before the next run with a place of its own.
       double width = widths[k];
       for (std::size_t next = k + 1; next < runs.size() && !runs[next].x && !runs[next].y; ++next)
         width += widths[next];

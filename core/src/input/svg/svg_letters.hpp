@@ -31,8 +31,7 @@ struct PlacedLetter {
 /// Collects the runs of a <text> element from left to right, and its white space as CSS's `normal` has it.
 class LetterRuns {
  public:
-  /// Adds the text of an element, which has attributes `x`, `y`, `dx`, `dy` of its own. \param isText  <text> or
-  /// <tspan>; others have no place.
+  /// Takes the attributes `x`, `y`, `dx` and `dy` of an element, whose text follows.
   void begin(const Node& node, Vec2 viewport, const UserUnits& units);
   void add(std::string_view text, const PaintState& paint, bool keepsSpaces);
   /// The runs without the spaces at the ends of lines.

@@ -16,17 +16,6 @@ namespace {
 
 constexpr std::uint64_t kBlack = 0, kWhite = 0xFFFFFF;
 
-// A number, and what follows it.
-std::optional<double> leadingNumber(std::string_view text, std::string_view& rest) {
-  text = trimmed(text);
-  if (startsWith(text, "+")) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
-  rest = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
-  return value;
-}
-
 // A number or a percentage of 1.
 std::optional<double> share(std::string_view text) {
   std::string_view rest;
@@ -171,6 +160,16 @@ void setStroke(const Style& style, const PaintContext& context, Stroke& stroke) 
 }
 
 }  // namespace
+
+std::optional<double> leadingNumber(std::string_view text, std::string_view& rest) {
+  text = trimmed(text);
+  if (startsWith(text, "+")) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
+  rest = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  return value;
+}
 
 Paint stopPaint(const Style& style, const Paint& current) {
   Paint paint = colorOf(style.value(Property::StopColor), current).value_or(Paint{});

@@ -265,6 +265,9 @@ void apply(const Style& style, const PaintContext& context, PaintState& state);
 /// Lays what an element declares of its letters over what it inherits.
 void applyLetters(const Style& style, const PaintContext& context, LetterStyle& letters);
 
+/// The finite number that a value begins with. \param[out] rest  the text after it, trimmed.
+std::optional<double> leadingNumber(std::string_view text, std::string_view& rest);
+
 /// The paint of a stop of a gradient.
 Paint stopPaint(const Style& style, const Paint& current);
 
