@@ -1,14 +1,24 @@
-// Letters and QR codes for the command line, which asks for them while it runs (cli/assemble.cpp).
+// The thread that makes letters and QR codes for the command line, which asks for them while it runs (cli/assemble.cpp).
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
+import { workerData, type MessagePort } from 'node:worker_threads';
+import { messageOf } from './errors.js';
 import { fontFiles } from './fonts.js';
 
 const engine = (name: string): string => fileURLToPath(new URL(`./engine/${name}`, import.meta.url));
 
 type Tools = typeof import('./text/text.js');
 
-export async function offerTexts(): Promise<void> {
+/** What the thread that asks and this one share. */
+export interface Asking {
+  port: MessagePort;
+  /** 1: the answer is there. */
+  answered: Int32Array;
+}
+export type Answer = { made: string } | { problem: string };
+
+async function maker(): Promise<(name: string) => string> {
   const script = new URL('./engine/text.js', import.meta.url).href;
   const { start, shapeLine, qrModules } = (await import(script)) as Tools;
   await start(() => readFile(engine('harfbuzz.wasm')));
@@ -22,7 +32,7 @@ export async function offerTexts(): Promise<void> {
     }
   };
   /** @param name  as core/src/text asks for it */
-  const made = (name: string): string => {
+  return (name) => {
     const [, kind, key = '', text = ''] = /^(line|qr):([^\n]*)\n([^]*)$/.exec(name) ?? [];
     if (kind === 'line') return JSON.stringify(shapeLine(fontOf(key), text));
     const code = qrModules(text, key as Parameters<typeof qrModules>[1]);
@@ -30,5 +40,23 @@ export async function offerTexts(): Promise<void> {
       ? ''
       : `${code.width} ${Array.from(code.samples, (module) => (module === 0 ? '#' : '.')).join('')}`;
   };
-  Object.assign(globalThis, { sillonMadeElsewhere: made });
 }
+
+const { port, answered } = workerData as Asking;
+let make: ReturnType<typeof maker> | undefined;
+
+async function answer(name: string): Promise<Answer> {
+  try {
+    return { made: (await (make ??= maker()))(name) };
+  } catch (problem) {
+    return { problem: messageOf(problem) };
+  }
+}
+
+port.on('message', (name: string) => {
+  void answer(name).then((answer) => {
+    port.postMessage(answer);
+    Atomics.store(answered, 0, 1);
+    Atomics.notify(answered, 0);
+  });
+});

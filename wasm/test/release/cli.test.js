@@ -1,7 +1,7 @@
 // npx sillon: the command line compiled for Node writes and says what the native program does.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
@@ -49,6 +49,40 @@ test('it writes the same files, bytes and all', () => {
   const [native, node] = written();
   assert.deepEqual(node, native);
   assert.ok(native.length >= 6, String(native));
+  for (const name of native) {
+    assert.ok(readFileSync(join(folders[0], name)).equals(readFileSync(join(folders[1], name))), name);
+  }
+});
+
+test('every command that reads a drawing or a project reads one with letters', () => {
+  const label =
+    '<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="30mm" viewBox="0 0 60 30"><rect x="2" y="2" ' +
+    'width="56" height="6"/><text x="30" y="24" font-family="Nunito" font-size="14" text-anchor="middle">Anna</text></svg>';
+  for (const folder of folders) {
+    writeFileSync(join(folder, 'label.svg'), label);
+    writeFileSync(
+      join(folder, 'letters.json'),
+      '{"sillon": 1, "shape": {"builtin": "text", "text": "Anna", "size": [60, 20]}}',
+    );
+  }
+  assert.match(same('shape', 'label.svg').stdout, /area 475\.05 mm2/);
+  const plate = ['generate', '--shape', 'rect', '--size', '70x40', '--layer'];
+  for (const words of [
+    ['shape', 'label.svg', '--json'],
+    ['generate', '--shape', 'label.svg', '--quiet', '--gcode', 'shape.gcode', '--project', 'shape.json'],
+    ['generate', 'shape.json', '--gcode', 'project.gcode'],
+    [...plate, '{"kind": "drawing", "file": "label.svg"}', '--gcode', 'drawn.gcode', '--project', 'drawn.json'],
+    [...plate, '{"kind": "text", "text": "Anna"}', '--gcode', 'text.gcode'],
+    [...plate, '{"kind": "qr", "text": "Anna", "size": [20, 20]}', '--gcode', 'code.gcode'],
+    ['generate', 'letters.json', '--gcode', 'letters.gcode'],
+    ['zones', '--shape', 'label.svg', '--output', 'shape.3mf'],
+    ['zones', 'drawn.json', '--output', 'drawn.3mf'],
+    ['calibrate', 'flow', 'drawn.json', '--output', 'flow.gcode'],
+  ]) {
+    assert.equal(same(...words).status, 0, words.join(' '));
+  }
+  const [native, node] = written();
+  assert.deepEqual(node, native);
   for (const name of native) {
     assert.ok(readFileSync(join(folders[0], name)).equals(readFileSync(join(folders[1], name))), name);
   }
