@@ -45,9 +45,16 @@ async function appWith(name, tools, files) {
   return app;
 }
 
+/** Letters and codes come by scripts and files of their own. */
 const makes = `
   const engine = await createEngine(options);
-  const { toolpath, report } = await engine.generateToolpath({ shape: { builtin: 'disc', size: [20, 20] } });
+  const { toolpath, report } = await engine.generateToolpath({
+    shape: { builtin: 'disc', size: [30, 30] },
+    layers: [
+      { kind: 'text', text: 'ANNA', textSize: 5, at: [15, 6] },
+      { kind: 'qr', text: 'x', size: [12, 12], at: [15, 18] },
+    ],
+  });
   const { blob } = await engine.writeGcode(toolpath, {}, { date: new Date(0) });
   engine.dispose();
   const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', await blob.arrayBuffer()));
