@@ -2,6 +2,17 @@
 # files; Debian's do not.
 if(NOT TARGET sillon::text)
   add_library(sillon::text INTERFACE IMPORTED GLOBAL)
+
+  # A program of ours starts where these libraries are not installed. The library alone takes what its user's linker would:
+  # a static archive need not fit into a plugin.
+  function(sillon_text_archive result name)
+    set(names ${name})
+    if(SILLON_CLI)
+      set(names ${CMAKE_STATIC_LIBRARY_PREFIX}${name}${CMAKE_STATIC_LIBRARY_SUFFIX} ${name})
+    endif()
+    find_library(${result} NAMES ${names} REQUIRED)
+  endfunction()
+
   function(sillon_text_library package target header library)
     find_package(${package} CONFIG QUIET)
     if(TARGET ${target})
@@ -11,11 +22,12 @@ if(NOT TARGET sillon::text)
       find_path(${library}_include NAMES ${header} PATH_SUFFIXES ${ARGN} HINTS ${folders} REQUIRED)
     else()
       find_path(${library}_include NAMES ${header} PATH_SUFFIXES ${ARGN} REQUIRED)
-      find_library(${library}_library NAMES ${library} REQUIRED)
+      sillon_text_archive(${library}_library ${library})
       target_link_libraries(sillon::text INTERFACE ${${library}_library})
     endif()
     target_include_directories(sillon::text SYSTEM INTERFACE ${${library}_include})
   endfunction()
+
   sillon_text_library(harfbuzz harfbuzz::harfbuzz hb.h harfbuzz harfbuzz)
   sillon_text_library(nayuki-qr-code-generator nayuki-qr-code-generator::nayuki-qr-code-generator qrcodegen.hpp qrcodegencpp
                       qrcodegen nayuki-qr-code-generator)
