@@ -4,6 +4,7 @@ import { createReadStream, realpathSync, statSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, resolve, sep } from 'node:path';
+import { pipeline } from 'node:stream';
 import { fileURLToPath } from 'node:url';
 import { parseArgs, promisify } from 'node:util';
 import { brotliCompress, constants } from 'node:zlib';
@@ -74,12 +75,15 @@ function compressor() {
   };
 }
 
-/** As many bytes as were announced, also of a file that changes meanwhile: one more would be taken for the next answer. */
+/** As many bytes as were announced, also of a file that changes meanwhile: one more would be taken for the next answer, and one
+ * less closes the connection. The file is closed whoever ends it, the visitor too. */
 function sendFile(file, size, response) {
   const stream = createReadStream(file, { end: size - 1 });
-  stream.on('error', () => response.destroy());
-  stream.on('end', () => stream.bytesRead < size && response.destroy());
-  stream.pipe(response);
+  const whole = async function* (source) {
+    yield* source;
+    if (stream.bytesRead < size) throw new Error(`${file} became shorter`);
+  };
+  pipeline(stream, whole, response, () => {}); // it has closed all three, and there is nobody left to tell
 }
 
 /** Answers requests for files; `missing` answers what is not there. */

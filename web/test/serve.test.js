@@ -2,19 +2,23 @@
 import assert from 'node:assert/strict';
 import {
   appendFileSync,
+  existsSync,
   mkdirSync,
   mkdtempSync,
   readFileSync,
+  readdirSync,
+  readlinkSync,
   rmSync,
   symlinkSync,
   truncateSync,
   writeFileSync,
 } from 'node:fs';
-import { Agent, request } from 'node:http';
+import { Agent, get, request } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { spawnSync } from 'node:child_process';
 import { after, before, test } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 
 import { contentSecurityPolicy, headers, isolation } from '../headers.js';
@@ -110,7 +114,7 @@ test('a file that grows or shrinks while it is sent spoils no other answer', asy
   const path = join(folder, 'dist/growing.png');
   const size = 16 << 20; // more than all buffers in between hold
   const agent = new Agent({ keepAlive: true, maxSockets: 1 });
-  const get = (onBegin) =>
+  const fetched = (onBegin) =>
     new Promise((done, failed) => {
       const { hostname, port } = new URL(site.origin);
       request({ hostname, port, path: '/growing.png', agent }, (response) => {
@@ -125,14 +129,47 @@ test('a file that grows or shrinks while it is sent spoils no other answer', asy
     });
   try {
     writeFileSync(path, Buffer.alloc(size));
-    assert.equal(await get(() => appendFileSync(path, 'more')), size);
-    assert.equal(await get(() => {}), size + 4);
-    assert.equal(await get(() => truncateSync(path, 10)), 'aborted');
-    assert.equal(await get(() => {}), 10);
+    assert.equal(await fetched(() => appendFileSync(path, 'more')), size);
+    assert.equal(await fetched(() => {}), size + 4);
+    assert.equal(await fetched(() => truncateSync(path, 10)), 'aborted');
+    assert.equal(await fetched(() => {}), 10);
   } finally {
     agent.destroy();
   }
 });
+
+const descriptors = '/proc/self/fd';
+test(
+  'downloads that visitors break off leave no file open',
+  { skip: !existsSync(descriptors) && `no ${descriptors}` },
+  async () => {
+    const path = join(folder, 'dist/long.png');
+    writeFileSync(path, Buffer.alloc(16 << 20)); // more than all buffers in between hold
+    // In one go: between listing and reading the listed descriptor of the list itself is closed again.
+    const open = () =>
+      readdirSync(descriptors).filter((name) => {
+        try {
+          return readlinkSync(join(descriptors, name)) === path;
+        } catch {
+          return false;
+        }
+      }).length;
+    const broken = () =>
+      new Promise((done, failed) => {
+        get(`${site.origin}/long.png`, (response) => {
+          response.once('data', () => response.destroy());
+          response.once('close', done);
+        }).on('error', failed);
+      });
+    let most = 0;
+    for (let k = 0; k < 150; k += 10) {
+      await Promise.all(Array.from({ length: 10 }, broken));
+      most = Math.max(most, open());
+    }
+    for (let k = 0; k < 1000 && open() > 0; k++) await wait(10);
+    assert.equal(open(), 0, `of 150 downloads; ${most} at a time`);
+  },
+);
 
 test('who takes Brotli gets it, of what it makes smaller; the same bytes come out', async () => {
   const text = `export const words = '${'groove '.repeat(1000)}';`;
