@@ -4,6 +4,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { c } from '../i18n/calibrate.js';
 import { t } from '../i18n/text.js';
+import { withSpool } from '../model/filaments.js';
 import { isAbort } from '../model/problem.js';
 import { choiceCards } from '../controls/cards.js';
 import { calibrationOf, costText, saveCalibration } from '../calibrate/prints.js';
@@ -242,9 +243,13 @@ export class FirstPrint extends DialogElement {
       return;
     }
     void studio.attempt(async () => {
-      const { printer } = this.state.plate;
+      const { printer, spool, pictures } = this.state.plate;
       await studio.services.openExample(coaster);
-      studio.change((plate) => ({ ...plate, printer }));
+      studio.change((plate) => ({
+        ...withSpool(plate, spool),
+        pictures: { ...plate.pictures, spool: pictures.spool },
+        printer,
+      }));
       await studio.save('gcode');
     });
   }

@@ -167,11 +167,8 @@ studio.services = {
   setRole: (index, role) => untried.during(() => opener.setRole(index, role)),
   openExample: (example) => opener.openExample(example),
   importPrinter: async (file) => {
-    const [{ readPrinter }, running] = await Promise.all([import('../print/printer-file.js'), engine.engine()]);
-    const { printer, told } = await readPrinter(file, running);
-    store.settle();
-    store.change((plate) => ({ ...plate, printer }));
-    for (const words of told) studio.notify(words);
+    const [{ importPrinter }, running] = await Promise.all([import('../print/printer-file.js'), engine.engine()]);
+    await importPrinter(studio, file, running);
   },
   newPlate: () => {
     show(newPlateOn(store.state.plate.printer), true);

@@ -571,7 +571,14 @@ export const de: Translation = {
   'printer.generic-centre': 'Allgemein, Nullpunkt in der Mitte',
   'printer.import': 'Aus einer Datei des Slicers …',
   'printer.imported': { one: '{name}: {n} Einstellung übernommen.', other: '{name}: {n} Einstellungen übernommen.' },
-  'printer.notRead': 'Nicht übernommen: {list}',
+  'printer.heats': 'Gedruckt wird {type} mit {nozzle} °C auf einem Bett von {bed} °C.',
+  'printer.keeps': 'Das Filament bleibt: {type} mit {nozzle} °C auf einem Bett von {bed} °C.',
+  'printer.heatsOther':
+    'Die Datei heizt die Düse auf {nozzle} °C und das Bett auf {bed} °C und sagt nicht, für welches Filament.',
+  'printer.takeHeat': '{nozzle} °C der Datei nehmen',
+  'printer.look': 'Bitte ansehen: {list}',
+  'filament.ofFile': '{type}, aus Ihrer Datei',
+  'filament.at': '{name} mit {n} °C',
   'printer.own': 'Eigener Drucker',
   'printer.ownNamed': '{name} (eigene Einstellungen)',
   'printer.ownStart': {

@@ -574,7 +574,14 @@ export const fr: Translation = {
   'printer.generic-centre': 'Générique, origine au centre',
   'printer.import': 'Depuis un fichier de votre slicer…',
   'printer.imported': { one: '{name} : {n} réglage repris.', other: '{name} : {n} réglages repris.' },
-  'printer.notRead': 'Non repris : {list}',
+  'printer.heats': 'Impression en {type} à {nozzle} °C, plateau à {bed} °C.',
+  'printer.keeps': 'Le filament reste : {type} à {nozzle} °C, plateau à {bed} °C.',
+  'printer.heatsOther':
+    'Le fichier chauffe la buse à {nozzle} °C et le plateau à {bed} °C, sans dire pour quel filament.',
+  'printer.takeHeat': 'Prendre les {nozzle} °C du fichier',
+  'printer.look': 'À vérifier : {list}',
+  'filament.ofFile': '{type}, de votre fichier',
+  'filament.at': '{name} à {n} °C',
   'printer.own': 'Imprimante personnelle',
   'printer.ownNamed': '{name} (réglages propres)',
   'printer.ownStart': {

@@ -22,6 +22,7 @@ import type { words as links } from './en/links.js';
 import type { words as looks } from './en/looks.js';
 import type { words as plates } from './en/plates.js';
 import type { words as presets } from './en/presets.js';
+import type { words as printer } from './en/printer.js';
 import type { words as problems } from './en/problems.js';
 import type { words as quality } from './en/quality.js';
 import type { words as rebrush } from './en/rebrush.js';
@@ -52,6 +53,7 @@ type Late =
   | typeof looks
   | typeof plates
   | typeof presets
+  | typeof printer
   | typeof problems
   | typeof quality
   | typeof reasons

@@ -2,7 +2,7 @@
 // heats a machine, temperatures, limits. None of it is used before the visitor has said so.
 import type { PrinterValues } from 'sillon';
 import { newPlate, printerDefaults } from './defaults.js';
-import { filaments } from './filaments.js';
+import { filamentOf, filaments, withFilament, withFilamentOf } from './filaments.js';
 import type { Plate } from './plate.js';
 import { isGeneric, ofFilament, profileOf, sameMachine, withAdvance } from './printers.js';
 import { withNozzle } from './settings.js';
@@ -44,7 +44,7 @@ const namesPrinter = (printer: PrinterValues): boolean => {
 };
 
 /** The plate on the visitor's machine, with the plate's filament and nozzle. */
-function onMachine(plate: Plate, own: PrinterValues): Plate {
+export function onMachine(plate: Plate, own: PrinterValues): Plate {
   const { pressureAdvance, setPressureAdvance } = own; // of that machine
   const filament = filamentIn(plate.printer);
   const printer = { ...structuredClone(own), ...filament, pressureAdvance, setPressureAdvance };
@@ -61,7 +61,10 @@ export function onOwnPrinter(plate: Plate, own: PrinterValues): Plate {
     return withoutBrought(stays ? plate : onMachine(plate, own));
   }
   const kept = filamentIn(isHot(printer) ? own : printer);
-  return { ...plate, printer: { ...structuredClone(own), ...kept, nozzle: printer.nozzle }, brought: printer };
+  return {
+    ...withFilamentOf(plate, { ...structuredClone(own), ...kept, nozzle: printer.nozzle }),
+    brought: printer,
+  };
 }
 
 /** A new plate on the visitor's own printer, with the beads that suit its nozzle. */
@@ -71,7 +74,7 @@ export function newPlateOn(own: PrinterValues): Plate {
 }
 
 export const useBrought = (plate: Plate): Plate =>
-  plate.brought === undefined ? plate : withoutBrought({ ...plate, printer: plate.brought });
+  plate.brought === undefined ? plate : withoutBrought(withFilamentOf(plate, plate.brought));
 
 export const withoutBrought = (plate: Plate): Plate => ('brought' in plate ? without(plate, 'brought') : plate);
 
@@ -92,7 +95,6 @@ export function toReview(printer: PrinterValues): string {
 
 /** The printer without what `toReview` shows. */
 export const withoutBlocks = (plate: Plate): Plate => {
-  const { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature } = printerDefaults;
-  const heat = isHot(plate.printer) ? { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature } : {};
-  return { ...plate, printer: { ...plate.printer, ...heat, startGcode: '', endGcode: '', anyTemperature: false } };
+  const printed = isHot(plate.printer) ? withFilament(plate, filamentOf(plate.pictures.spool).key) : plate;
+  return { ...printed, printer: { ...printed.printer, startGcode: '', endGcode: '', anyTemperature: false } };
 };

@@ -1,7 +1,7 @@
 // A short list of filaments: how they are printed, and how they look, which is the core's table of spools.
 import { spools } from './appearance.js';
-import type { OwnSpool, Plate } from './plate.js';
-import { withAdvance } from './printers.js';
+import type { Machine, OwnSpool, Plate } from './plate.js';
+import { filamentFamily, withAdvance } from './printers.js';
 import { without } from './without.js';
 
 /** Along, across. */
@@ -69,23 +69,49 @@ export function withSpool(plate: Plate, spool: OwnSpool | undefined): Plate {
   return spool === undefined ? changed : { ...changed, spool };
 }
 
+/** As it is usually printed. */
+export const heatFor = ({ nozzleTemperature, bedTemperature }: Filament) => ({
+  nozzleTemperature,
+  firstLayerNozzleTemperature: nozzleTemperature + 5,
+  bedTemperature,
+});
+
 /** The plate of another filament: its look, temperatures and weight. */
 export function withFilament(plate: Plate, key: FilamentKey): Plate {
-  const { type, density, nozzleTemperature, bedTemperature } = filamentOf(key);
+  const filament = filamentOf(key);
   const plainly = withSpool(plate, undefined);
   const changed = {
     ...plainly,
     pictures: { ...plainly.pictures, spool: key },
     printer: {
       ...without(plate.printer, 'filament'),
-      filamentType: type,
-      filamentDensity: density,
-      nozzleTemperature,
-      firstLayerNozzleTemperature: nozzleTemperature + 5,
-      bedTemperature,
+      filamentType: filament.type,
+      filamentDensity: filament.density,
+      ...heatFor(filament),
     },
   };
   return withAdvance(changed, plate);
+}
+
+/** The filament of the list that the plate is printed with; undefined: another, as from a file, or a spool of one's own. */
+export const listedFilament = ({ pictures, printer, spool }: Plate): Filament | undefined =>
+  filaments.find(
+    ({ key, type }) => spool === undefined && key === pictures.spool && type === printer.filamentType.toUpperCase(),
+  );
+
+export const filamentLike = (type: string): Filament | undefined =>
+  filaments.find((one) => one.type === filamentFamily(type));
+
+/** The plate on a printer that has its own filament: where that is of another family, the plate looks as one of the list does
+ * that is of this one. */
+export function withFilamentOf(plate: Plate, printer: Machine): Plate {
+  const family = filamentFamily(printer.filamentType);
+  const changed = { ...plate, printer };
+  const looks = plate.spool === undefined ? filamentOf(plate.pictures.spool).type : plate.printer.filamentType;
+  if (filamentFamily(looks) === family) return changed;
+  const plainly = withSpool(changed, undefined);
+  const { key } = filamentLike(family) ?? { key: plainly.pictures.spool };
+  return { ...plainly, pictures: { ...plainly.pictures, spool: key } };
 }
 
 const toLinear = (value: number): number => {

@@ -60,7 +60,7 @@ export const printers: readonly PrinterChoice[] = Object.entries(table.printers 
   .sort((a, b) => Number(isGeneric(b)) - Number(isGeneric(a)) || a.label.localeCompare(b.label, 'en'));
 
 /** As the core's `filamentFamily`: "PLA" for "PLA Silk" and "pla-cf". */
-const filamentFamily = (type: string): string => /^[A-Za-z]*/.exec(type)?.[0].toUpperCase() ?? '';
+export const filamentFamily = (type: string): string => /^[A-Za-z]*/.exec(type)?.[0].toUpperCase() ?? '';
 
 /** Pressure advance as the printer's maker sets it for the filament and the nozzle; off where none is known. */
 function makersAdvance(printer: PrinterValues): Pick<PrinterValues, 'pressureAdvance' | 'setPressureAdvance'> {

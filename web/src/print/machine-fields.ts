@@ -2,10 +2,11 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { filamentLabel, printerLabel } from '../i18n/say.js';
-import { t } from '../i18n/text.js';
+import { words } from '../i18n/en/printer.js';
+import { say, t } from '../i18n/text.js';
 import { countLines } from '../model/brought.js';
-import { filaments, withFilament, withSpool } from '../model/filaments.js';
-import type { OwnSpool } from '../model/plate.js';
+import { filaments, listedFilament, withFilament, withSpool } from '../model/filaments.js';
+import type { OwnSpool, Plate } from '../model/plate.js';
 import { printers, profileOf, withPrinter, type PrinterKey } from '../model/printers.js';
 import { spoolColour } from './spool.js';
 import { select } from '../controls/fields.js';
@@ -53,7 +54,7 @@ export function printerField(studio: Studio): TemplateResult {
     label: printerLabel(printer),
   }));
   if (current === undefined)
-    options.unshift({ value: '', label: name === '' ? t('printer.own') : t('printer.ownNamed', { name }) });
+    options.unshift({ value: '', label: name === '' ? t('printer.own') : say(words, 'printer.ownNamed', { name }) });
   return html`${select<PrinterKey>({
       id: 'printer',
       label: t('section.printer'),
@@ -70,14 +71,14 @@ export function printerField(studio: Studio): TemplateResult {
         if (file !== undefined) await studio.attempt(() => studio.services.importPrinter(file));
       }}
     >
-      ${t('printer.import')}
+      ${say(words, 'printer.import')}
     </button>
     ${
       startGcode === ''
-        ? html`<p class="note">${t('printer.start')}</p>`
+        ? html`<p class="note">${say(words, 'printer.start')}</p>`
         : current === undefined
           ? html`<p class="note">
-              ${t('printer.ownStart', { n: countLines(startGcode) })}
+              ${say(words, 'printer.ownStart', { n: countLines(startGcode) })}
               <button
                 type="button"
                 class="link"
@@ -92,14 +93,26 @@ export function printerField(studio: Studio): TemplateResult {
     }`;
 }
 
+/** The filament that is printed, in words that a temperature other than its usual one is a part of. */
+export function filamentName(plate: Plate): string {
+  const { filamentType: type, nozzleTemperature } = plate.printer;
+  if (plate.spool !== undefined) return [plate.spool.key, type].filter((word) => word !== '').join(', ');
+  const listed = listedFilament(plate);
+  if (listed === undefined) return say(words, 'filament.ofFile', { type: type || t('section.filament') });
+  const name = filamentLabel(listed);
+  return nozzleTemperature === listed.nozzleTemperature
+    ? name
+    : say(words, 'filament.at', { name, n: nozzleTemperature });
+}
+
 export function filamentField(studio: Studio): TemplateResult {
-  const { pictures, spool } = studio.store.state.plate;
-  const key = pictures.spool;
+  const { plate } = studio.store.state;
+  const { spool } = plate;
   const own = ownSpools(studio);
-  const chosen = filaments.find((filament) => filament.key === key) ?? filaments[0];
+  const chosen = listedFilament(plate);
   return html`<div class="field">
       <span class="name" id="filament-name">${t('section.filament')}</span>
-      <span class="note">${spool !== undefined ? spool.key : chosen === undefined ? '' : filamentLabel(chosen)}</span>
+      <span class="note">${filamentName(plate)}</span>
       <div class="wide swatches" role="radiogroup" aria-labelledby="filament-name">
         ${filaments.map(
           (filament) =>
@@ -108,7 +121,7 @@ export function filamentField(studio: Studio): TemplateResult {
                 type="radio"
                 name="filament"
                 aria-label=${filamentLabel(filament)}
-                .checked=${live(spool === undefined && filament.key === key)}
+                .checked=${live(filament === chosen)}
                 @change=${() => {
                   studio.change((plate) => withFilament(plate, filament.key));
                 }}
@@ -131,5 +144,5 @@ export function filamentField(studio: Studio): TemplateResult {
         )}
       </div>
     </div>
-    <p class="note">${t('filament.help')}</p>`;
+    <p class="note">${say(words, 'filament.help')}</p>`;
 }

@@ -1,20 +1,91 @@
-// A printer out of another program's file.
-import type { PrinterValues } from 'sillon';
-import type { StudioEngine } from '../engine/studio-engine.js';
+// A printer out of another program's file, with the filament that the file is for.
+import type { Engine, ImportedPrinter, PrinterValues } from 'sillon';
+import { words } from '../i18n/en/printer.js';
 import { importNoteText } from '../i18n/say-core.js';
-import { t } from '../i18n/text.js';
+import { say, t } from '../i18n/text.js';
+import { onMachine } from '../model/brought.js';
+import { printerDefaults } from '../model/defaults.js';
+import { filamentLike, heatFor, withFilamentOf } from '../model/filaments.js';
+import type { Plate } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
+import type { Studio } from '../studio/studio.js';
 
-type Engine = Awaited<ReturnType<StudioEngine['engine']>>;
+type Heat = Pick<PrinterValues, 'nozzleTemperature' | 'firstLayerNozzleTemperature' | 'bedTemperature'>;
 
-/** @returns words for what was read and what was not
- * @throws StudioError */
-export async function readPrinter(file: File, engine: Engine): Promise<{ printer: PrinterValues; told: string[] }> {
-  const { printer, read, notRead } = await engine.importPrinter(file).catch((error: unknown) => {
+/** As slicers, Cura and project files call them. */
+const names = {
+  type: ['filament_type', 'material_type', 'filamentType'],
+  nozzle: ['temperature', 'nozzle_temperature', 'material_print_temperature', 'nozzleTemperature'],
+};
+
+const heatOf = ({ nozzleTemperature, firstLayerNozzleTemperature, bedTemperature }: Heat): Heat => ({
+  nozzleTemperature,
+  firstLayerNozzleTemperature,
+  bedTemperature,
+});
+const sameHeat = (a: Heat, b: Heat): boolean => JSON.stringify(heatOf(a)) === JSON.stringify(heatOf(b));
+
+type Read = Pick<ImportedPrinter, 'printer' | 'read'>;
+
+const tells = ({ read }: Read, keys: readonly string[]): boolean => keys.some((key) => read.includes(key));
+
+/** The temperatures of the file; undefined: it tells none. */
+function heatIn(file: Read): Heat | undefined {
+  const heat = heatOf(file.printer);
+  if (tells(file, names.nozzle)) return heat;
+  if (sameHeat(heat, printerDefaults)) return undefined;
+  return { ...heat, nozzleTemperature: heat.firstLayerNozzleTemperature }; // a start block alone heats for the first layer
+}
+
+/** The plate on the printer of a file. Type and temperatures of a filament come together, and the plate looks like it; a file
+ * that tells but one of them leaves the plate's filament as it is.
+ * @returns the temperatures of such a file, as `other`, where they differ from the plate's */
+export function withImported(plate: Plate, file: Read): { plate: Plate; other: Heat | undefined } {
+  const { printer } = file;
+  const heat = heatIn(file);
+  if (tells(file, names.type)) {
+    const like = filamentLike(printer.filamentType);
+    if (heat !== undefined) return { plate: withFilamentOf(plate, { ...printer, ...heat }), other: undefined };
+    if (like !== undefined) {
+      return { plate: withFilamentOf(plate, { ...printer, ...heatFor(like) }), other: undefined };
+    }
+  }
+  const kept = onMachine({ ...plate, printer: { ...plate.printer, nozzle: printer.nozzle } }, printer);
+  return { plate: kept, other: heat === undefined || sameHeat(heat, kept.printer) ? undefined : heat };
+}
+
+/** Takes the printer of a file, and tells which filament is printed at which temperatures from now on.
+ * @throws StudioError PrinterFile; what the engine refuses */
+export async function importPrinter(studio: Studio, file: File, engine: Engine): Promise<void> {
+  const imported = await engine.importPrinter(file).catch((error: unknown) => {
     const { code, detail } = problemOf(error);
     throw code === 'InvalidFile' ? new StudioError('PrinterFile', { name: file.name }, detail) : error;
   });
-  const told = [t('printer.imported', { name: file.name, n: read.length })];
-  if (notRead.length > 0) told.push(t('printer.notRead', { list: notRead.map(importNoteText).join(' ') }));
-  return { printer, told };
+  const { read, notRead } = imported;
+  const { plate, other } = withImported(studio.store.state.plate, imported);
+  studio.settle();
+  studio.change(() => plate);
+  const { filamentType, nozzleTemperature: nozzle, bedTemperature: bed } = plate.printer;
+  const type = filamentType || t('section.filament');
+  const taken = other === undefined && tells(imported, names.type);
+  const text = [
+    say(words, 'printer.imported', { name: file.name, n: read.length }),
+    say(words, taken ? 'printer.heats' : 'printer.keeps', { type, nozzle, bed }),
+    ...(other === undefined
+      ? []
+      : [say(words, 'printer.heatsOther', { nozzle: other.nozzleTemperature, bed: other.bedTemperature })]),
+    ...(notRead.length === 0 ? [] : [say(words, 'printer.look', { list: notRead.map(importNoteText).join(' ') })]),
+  ].join(' ');
+  if (other === undefined) {
+    studio.notify(text);
+    return;
+  }
+  const take = {
+    label: say(words, 'printer.takeHeat', { nozzle: other.nozzleTemperature }),
+    run: () => {
+      studio.settle();
+      studio.change((now) => ({ ...now, printer: { ...now.printer, ...other } }));
+    },
+  };
+  studio.tell({ text, actions: [take], stays: true });
 }

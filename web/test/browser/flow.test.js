@@ -221,6 +221,12 @@ test('the printer comes from the owner’s own G-code, and a file that tells non
   const donor = fileURLToPath(new URL('../../../tests/fuzz/seeds/import/donor.gcode', import.meta.url));
   await take('donor.gcode', readFileSync(donor));
   await visit.until((state) => state.plate.printer.name === 'MK4S' && state.plate.printer.startGcode.includes('M862'));
+  // One message of all, and a filament that is named as it is heated.
+  const told = visit.page.locator('sillon-notices [role=status] .notice');
+  assert.equal(await told.count(), 1);
+  assert.match(await told.innerText(), /donor\.gcode: \d+ settings imported\. It prints PLA at 220 °C on a bed of 65/);
+  const name = visit.page.locator('sillon-print-panel .field:has(.swatches) .note');
+  assert.equal(await name.innerText(), 'Gold PLA at 220 °C');
   await visit.until((state) => state.summary !== undefined && state.progress === undefined);
   // A block that no profile has is shown before the first file with it.
   await visit.page.locator('[popovertarget=export]').click();
@@ -237,6 +243,17 @@ test('the printer comes from the owner’s own G-code, and a file that tells non
   await alert.waitFor();
   assert.match(await alert.innerText(), /song\.mp3 contains no printer settings/);
   assert.equal(await visit.state((state) => state.plate.printer.name), 'MK4S');
+  // A file that heats and does not say for which filament asks once, and nothing changes before it is answered.
+  await take(
+    'heats.gcode',
+    Buffer.from('G28\nM190 S80\nM109 S255\n;LAYER_CHANGE\nG1 X100 Y90 Z0.2\nG1 X130 E0.4\nM84\n'),
+  );
+  const answer = told.getByRole('button', { name: 'Take 255 °C of the file' });
+  await answer.waitFor();
+  assert.equal(await name.innerText(), 'Gold PLA at 220 °C');
+  await answer.click();
+  await visit.until(({ plate: { printer } }) => printer.nozzleTemperature === 255 && printer.bedTemperature === 80);
+  assert.equal(await name.innerText(), 'Gold PLA at 255 °C');
 });
 
 test('a short video of the light going round', { skip }, async () => {

@@ -314,15 +314,7 @@ export const words = {
 
   'printer.generic': 'Generic',
   'printer.generic-centre': 'Generic, origin in the centre',
-  'printer.import': 'From your slicer’s file…',
-  'printer.imported': { one: '{name}: {n} setting imported.', other: '{name}: {n} settings imported.' },
-  'printer.notRead': 'Not imported: {list}',
   'printer.own': 'Own printer',
-  'printer.ownNamed': '{name} (own settings)',
-  'printer.ownStart': {
-    one: 'Files begin with {n} line of start G-code of your own.',
-    other: 'Files begin with {n} lines of start G-code of your own.',
-  },
   'brought.title': 'Printer settings of this plate',
   'brought.what': 'This plate brings its own printer settings: {list}. They are not used. Your printer: {mine}.',
   'brought.name': '“{name}”',
@@ -333,13 +325,11 @@ export const words = {
   'brought.anyTemperature': 'no temperature limits',
   'brought.show': 'Show',
   'brought.keep': 'Keep mine',
-  'printer.start': 'The file homes, heats and primes in a plain way. Check it for your printer before the first print.',
   'filament.goldPla': 'Gold PLA',
   'filament.bluePla': 'Blue PLA',
   'filament.greyPla': 'Grey PLA',
   'filament.redPetg': 'Red PETG',
   'filament.clearPetg': 'Clear PETG',
-  'filament.help': 'Glossy filaments shimmer; matt ones do not. Gloss as measured on printed samples.',
 
   // --- Work -----------------------------------------------------------------------------------------------------------
   'job.loading': 'Loading the engine',
