@@ -2,11 +2,16 @@
 import { words } from '../i18n/en/files.js';
 import { say, t } from '../i18n/text.js';
 import { hasUnits } from '../files/open.js';
-import type { Opened } from '../model/file-role.js';
+import type { Opened, Role } from '../model/file-role.js';
+import { mostPictures } from '../model/lamp.js';
 import type { Studio } from '../studio/studio.js';
 
+/** Pictures in one of these roles could be seen under a lamp as well. */
+const seen: readonly Role[] = ['lamp', 'levels'];
+
 export async function tellOpened(studio: Studio, { source, role }: Opened): Promise<void> {
-  const { directions, width, height } = studio.store.state.plate;
+  const { opened, plate } = studio.store.state;
+  const { width, height } = plate;
   const drawn = role === 'shape' || (role === 'colours' && source.bytes.type === 'image/svg+xml');
   const unsaid = drawn && !(await hasUnits(source));
   const told = say(words, 'files.opened', { name: source.name, role: t(`role.${role}`) });
@@ -16,17 +21,22 @@ export async function tellOpened(studio: Studio, { source, role }: Opened): Prom
       studio.show('files');
     },
   };
-  const instead = {
-    label: say(words, 'files.instead'),
+  const both = {
+    label: say(words, 'files.both'),
     run: () => {
-      void studio.attempt(() => studio.services.setRole(0, 'lamp'));
+      void studio.attempt(async () => {
+        await studio.services.setRole(0, 'more');
+        const { directions } = studio.store.state.plate;
+        if (directions.kind === 'lamp') studio.showLamp(directions.pictures.length - 1);
+      });
     },
   };
-  const actions = role === 'more' ? [change, instead] : [change];
+  const replaced = opened?.before.directions;
+  const pictures = replaced?.kind === 'lamp' && seen.includes(role) ? replaced.pictures.length : mostPictures;
+  const actions = pictures < mostPictures ? [both, change] : [change];
   studio.tell({
     text: unsaid ? `${told} ${say(words, 'files.sized', { width, height })}` : told,
     actions,
     ofFiles: true,
   });
-  if (role === 'more' && directions.kind === 'lamp') studio.showLamp(directions.pictures.length - 1);
 }

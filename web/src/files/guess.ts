@@ -206,10 +206,8 @@ export function guessRoles(files: readonly Guessed[], plate: Plate): Role[] {
   const alone = filled('directions') === 0 && plain.includes(plate.directions.kind) && plate.strokes.length === 0;
   const shape = roles.indexOf('shape');
   if (alone && shape >= 0 && (files[shape]?.colours ?? 0) > 1) roles[shape] = 'colours';
-  // Each further picture gets a lamp of its own, as long as there is room for it.
-  const { directions } = plate;
-  let pictures =
-    directions.kind === 'lamp' && directions.pictures.length < mostPictures ? directions.pictures.length : 0;
+  // Pictures that come together get a lamp each, as long as there is room; one alone takes the place of those on the plate.
+  let pictures = 0;
   const taken = new Set<string>();
   return roles.map((role) => {
     const part = partOf(role);

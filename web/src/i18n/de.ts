@@ -269,7 +269,7 @@ export const de: Translation = {
   'files.opened': '{name}: {role}.',
   'files.sized': 'Eine Einheit fehlt; die Größe ist daher die der vorigen Platte: {width} × {height} mm.',
   'files.change': 'Ändern',
-  'files.instead': 'Stattdessen verwenden',
+  'files.both': 'Beide zeigen, die Lampe drehen',
   'verb.done': 'Fertig',
   'view.compare': 'Mit einfachem Zickzack vergleichen',
   'view.compare.help': 'Daneben dieselbe Form mit gewöhnlicher Füllung in 45°.',

@@ -268,7 +268,7 @@ export const fr: Translation = {
   'files.opened': '{name} : {role}.',
   'files.sized': 'Il ne dit pas d’unité : il est aussi grand que l’était la plaque, {width} × {height} mm.',
   'files.change': 'Changer',
-  'files.instead': 'L’utiliser à la place',
+  'files.both': 'Montrer les deux, tourner la lampe',
   'verb.done': 'Terminé',
   'view.compare': 'Comparer avec un zigzag ordinaire',
   'view.compare.help': 'À côté, la même forme avec le remplissage habituel à 45°.',

@@ -31,7 +31,7 @@ test('what a file is for can be changed after other changes, which stay', { skip
 test('what was said of files goes with them', { skip }, async () => {
   const visit = await dropped();
   await visit.drop([photo('second.png')]);
-  await visit.page.getByText('second.png: One more picture').waitFor();
+  await visit.page.getByText('second.png: Picture under a lamp').waitFor();
   assert.equal(await visit.button('Change').count(), 1);
   await visit.page.evaluate(() => document.querySelector('sillon-app').studio.services.newPlate());
   await visit.button('Change').waitFor({ state: 'detached' });
@@ -60,24 +60,30 @@ test('what was said of a file goes when something of another kind takes its plac
   await visit.until(({ plate }) => plate.shape.kind === 'rounded');
   assert.equal(await visit.button('Change').count(), 1);
   await visit.drop([photo('second.png')]);
-  await visit.button('Use it instead').waitFor();
+  await visit.button('Show both, turn the lamp').waitFor();
   await visit.section('Directions');
   await visit.page.getByRole('radio', { name: 'Waves' }).check();
-  await visit.button('Use it instead').waitFor({ state: 'detached' });
+  await visit.button('Show both, turn the lamp').waitFor({ state: 'detached' });
   await visit.page.keyboard.press('Control+z');
   await visit.until(({ plate, opened }) => plate.directions.kind === 'lamp' && opened === undefined);
 });
 
-test('a second picture is lit at once, names the plate, and can take the place of the first', { skip }, async () => {
-  const visit = await dropped();
-  await visit.drop([photo('second.png')]);
-  await visit.until(({ lamp }) => lamp === 1);
-  const names = ({ plate }) => [plate.name, ...plate.directions.pictures.map(({ file }) => file.name)];
-  assert.deepEqual(await visit.state(names), ['second', 'first.png', 'second.png']);
-  await visit.button('Use it instead').click();
-  await visit.until(({ plate, lamp }) => plate.directions.pictures.length === 1 && lamp === 0);
-  assert.deepEqual(await visit.state(names), ['second', 'second.png']);
-});
+test(
+  'a second picture takes the place of the first, and is shown beside it where that is asked for',
+  { skip },
+  async () => {
+    const visit = await dropped();
+    await visit.drop([photo('second.png')]);
+    const names = ({ plate }) => [plate.name, ...plate.directions.pictures.map(({ file }) => file.name)];
+    await visit.until(({ plate }) => plate.name === 'second');
+    assert.deepEqual(await visit.state(names), ['second', 'second.png']);
+    await visit.button('Show both, turn the lamp').click();
+    await visit.until(({ lamp }) => lamp === 1);
+    assert.deepEqual(await visit.state(names), ['second', 'first.png', 'second.png']);
+    const [one, other] = await visit.state(({ plate }) => plate.directions.pictures.map(({ lamp }) => lamp));
+    assert.notDeepEqual(one, other);
+  },
+);
 
 test('what is changed while a file is being read stays', { skip }, async () => {
   const visit = await bench.open({ small: true, fresh: true });
@@ -118,6 +124,7 @@ test('who tries other cards and comes back is asked for no file again', { skip }
   const visit = await dropped({ fresh: true });
   const { page } = visit;
   await visit.drop([photo('second.png')]);
+  await visit.button('Show both, turn the lamp').click();
   await visit.until(({ plate }) => plate.directions.pictures.length === 2);
   await page.evaluate(() => {
     globalThis.asked = 0;

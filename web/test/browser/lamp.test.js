@@ -76,6 +76,7 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
   await visit.until(({ result }) => result?.report.pictures?.[0].contrast > 5);
 
   await visit.drop([await second(visit.page)]);
+  await visit.button('Show both, turn the lamp').click();
   await visit.until('({ plate }) => plate.directions.pictures.length === 2');
   await visit.idle();
   assert.deepEqual(await visit.state(lamps), [

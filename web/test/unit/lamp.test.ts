@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { withFile } from '../../src/files/open.js';
-import { guessRoles } from '../../src/files/guess.js';
+import { type Guessed, guessRoles } from '../../src/files/guess.js';
 import { newFileDirections, newGenerator, newLampDirections, newPlate } from '../../src/model/defaults.js';
 import { withFilament } from '../../src/model/filaments.js';
 import { engineInput, sameToolpath } from '../../src/model/input.js';
@@ -33,9 +33,17 @@ test('a photograph is solved for the light on the screen, a second one for a lam
   assert.deepEqual([one.shape.kind, one.width, one.height], ['rectangle', 70, 52.5]);
   const photo = [{ name: 'dog.jpg', facts }];
   assert.deepEqual(guessRoles(photo, newPlate()), ['lamp']);
-  assert.deepEqual(guessRoles(photo, one), ['more']);
-  assert.deepEqual(guessRoles([{ name: 'x.png', facts: { ...facts, twoTones: true } }], one), ['more']);
-  assert.deepEqual(guessRoles(photo, plateOf([0, 45], [50, 45], [100, 45], [150, 45])), ['lamp']);
+  // Another picture takes the place of the first; it is added where that is asked for, or where both come together.
+  assert.deepEqual(guessRoles(photo, one), ['lamp']);
+  assert.deepEqual(guessRoles([{ name: 'x.png', facts: { ...facts, twoTones: true } }], one), ['levels']);
+  assert.deepEqual(guessRoles([...photo, ...photo], one), ['lamp', 'more']);
+  assert.deepEqual(
+    guessRoles(
+      Array.from({ length: 5 }, () => photo[0] as Guessed),
+      one,
+    ).slice(3),
+    ['more', 'none'],
+  );
 
   const two = withFile(one, dog, 'more', [100, 100]);
   assert.ok(two.directions.kind === 'lamp');

@@ -7,7 +7,7 @@ export const words = {
   'files.opened': '{name}: {role}.',
   'files.sized': 'It says no unit, so it is as large as the plate was: {width} × {height} mm.',
   'files.change': 'Change',
-  'files.instead': 'Use it instead',
+  'files.both': 'Show both, turn the lamp',
   'role.shape.help': 'Its outline is what gets filled.',
   'role.mask.help': 'Bright, opaque pixels are inside.',
   'role.lamp.help': 'The plate shows the picture while the lamp stands where it is on the screen.',
