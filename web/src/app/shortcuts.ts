@@ -17,6 +17,25 @@ export function typesText(event: Event): boolean {
   return target instanceof HTMLInputElement && ['text', 'number'].includes(target.type);
 }
 
+let pressed = false;
+for (const kind of ['pointerdown', 'pointerup', 'pointercancel'] as const) {
+  addEventListener(
+    kind,
+    () => {
+      pressed = kind === 'pointerdown';
+    },
+    true,
+  );
+}
+
+const hasPopover = (root: ParentNode): boolean =>
+  [...root.querySelectorAll('*')].some(
+    (one) => one.matches(':popover-open') || (one.shadowRoot !== null && hasPopover(one.shadowRoot)),
+  );
+
+/** Escape is the topmost thing's: a menu closes by it, and a hand that drags means its drag. */
+const escapes = (): boolean => !pressed && !hasPopover(document);
+
 /** @returns whether the key meant something. */
 export function onShortcut(studio: Studio, event: KeyboardEvent): boolean {
   const { state } = studio.store;
@@ -39,9 +58,11 @@ export function onShortcut(studio: Studio, event: KeyboardEvent): boolean {
   } else if (key === ',' || key === '.') {
     const by = key === ',' ? lightStep : -lightStep;
     studio.setLight({ azimuth: (state.light.azimuth + by + 360) % 360 });
-  } else if (key === 'escape' && state.reading !== undefined) state.reading.cancel();
-  else if (key === 'escape' && state.progress !== undefined) studio.services.cancel();
-  else if (key === 'escape' && state.tool !== 'pan') studio.setTool('pan');
+  } else if (key !== 'escape' || !escapes()) return false;
+  else if (state.cropping) studio.store.set({ cropping: false });
+  else if (state.reading !== undefined) state.reading.cancel();
+  else if (state.progress !== undefined) studio.services.cancel();
+  else if (state.tool !== 'pan') studio.setTool('pan');
   else return false;
   return true;
 }

@@ -33,8 +33,9 @@ export function dragRow(studio: Studio, id: number, down: PointerEvent, list: Ro
   const dragging = new AbortController();
   const { signal } = dragging;
   let moved = false;
+  let ended = false;
   const onMove = ({ pointerId, clientY }: PointerEvent): void => {
-    if (pointerId !== down.pointerId || (!moved && Math.abs(clientY - down.clientY) < begins)) return;
+    if (ended || pointerId !== down.pointerId || (!moved && Math.abs(clientY - down.clientY) < begins)) return;
     if (!moved) {
       moved = true;
       studio.settle();
@@ -50,17 +51,24 @@ export function dragRow(studio: Studio, id: number, down: PointerEvent, list: Ro
       return raised(plate, id, plate.layers.length - 1 - above - from);
     }, gesture);
   };
+  const end = (abandons: boolean): void => {
+    if (!moved || ended) return;
+    ended = true;
+    const { layers } = studio.store.state.plate;
+    if (abandons || layers.every((layer, k) => layer === before[k])) studio.store.abandon();
+    studio.settle();
+    list.hold(undefined);
+  };
   const onEnd = ({ pointerId, type }: PointerEvent): void => {
     if (pointerId !== down.pointerId) return;
     // The click that follows a drag would choose a layer; it comes before anything else does.
     setTimeout(() => {
       dragging.abort();
     });
-    if (!moved) return;
-    const { layers } = studio.store.state.plate;
-    if (type === 'pointercancel' || layers.every((layer, k) => layer === before[k])) studio.store.abandon();
-    studio.settle();
-    list.hold(undefined);
+    end(type === 'pointercancel');
+  };
+  const onKey = ({ key }: KeyboardEvent): void => {
+    if (key === 'Escape') end(true);
   };
   const onClick = (event: Event): void => {
     if (moved) event.stopPropagation();
@@ -68,5 +76,6 @@ export function dragRow(studio: Studio, id: number, down: PointerEvent, list: Ro
   addEventListener('pointermove', onMove, { signal });
   addEventListener('pointerup', onEnd, { signal });
   addEventListener('pointercancel', onEnd, { signal });
+  addEventListener('keydown', onKey, { signal });
   addEventListener('click', onClick, { signal, capture: true });
 }

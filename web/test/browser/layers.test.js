@@ -428,6 +428,16 @@ test('rows are dragged to other places, each time as one step of undo', { skip }
   assert.deepEqual(await namesIn(visit), [direction, border, pattern]);
   assert.equal(await undos(visit), before + 2);
   assert.equal(await visit.state(({ layer }) => layer), undefined);
+  // Escape means the drag: the row goes back where it was.
+  await pull(place, [x, top - 4]);
+  await page.keyboard.press('Escape');
+  assert.deepEqual(await namesIn(visit), [direction, border, pattern]);
+  await page.mouse.move(x, top + 4);
+  await page.mouse.up();
+  await settled(page);
+  assert.deepEqual(await namesIn(visit), [direction, border, pattern]);
+  assert.equal(await undos(visit), before + 2);
+  assert.equal(await visit.state(({ layer }) => layer), undefined);
   await page.mouse.click(...(await partOf(visit, pattern, '.row')));
   await visit.until((state) => state.layer === 2);
   await page.keyboard.press('Control+z');

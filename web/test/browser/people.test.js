@@ -203,6 +203,60 @@ test('keys alone reach everything that the plate needs', { skip }, async () => {
   await visit.until((state) => state.view === 'appearance');
 });
 
+test('Escape means the topmost open thing, and the work behind it goes on', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const { page } = visit;
+  await visit.idle();
+  await page.evaluate(() => {
+    const { studio } = document.querySelector('sillon-app');
+    globalThis.cancelled = 0;
+    studio.services.cancel = () => ++globalThis.cancelled;
+  });
+  const busy = () =>
+    page.evaluate(() => {
+      const progress = { job: 'making', stage: '', fraction: 0.5, secondsLeft: undefined };
+      document.querySelector('sillon-app').studio.store.set({ progress });
+    });
+  const cancelled = () => page.evaluate(() => globalThis.cancelled);
+  const escape = async (what) => {
+    await busy();
+    await page.keyboard.press('Escape');
+    assert.equal(await cancelled(), 0, what);
+  };
+  for (const name of ['menu', 'export']) {
+    await page.locator(`[popovertarget=${name}]`).click();
+    await page.locator(`#${name}:popover-open`).waitFor();
+    await escape(name);
+    await page.locator(`#${name}:popover-open`).waitFor({ state: 'detached' });
+  }
+  await page.locator('[popovertarget=menu]').click();
+  await page.locator('#menu').getByRole('combobox').first().focus();
+  await escape('a select in the menu');
+  await page.locator('#menu:popover-open').waitFor({ state: 'detached' });
+  await visit.section('Print');
+  await page.locator('#printer').focus();
+  await escape('a select');
+  for (const field of ['Base layers', 'Speed']) {
+    await page.getByRole('spinbutton', { name: field }).focus();
+    await page.keyboard.type('1');
+    await escape(field);
+  }
+  await visit.button('Share').click();
+  await page.getByRole('dialog').waitFor();
+  await escape('a dialog');
+  await page.getByRole('dialog').waitFor({ state: 'detached' });
+  const { x, y, width, height } = await visit.canvas();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await page.mouse.move(x + width / 2 + 30, y + height / 2, { steps: 3 });
+  await escape('a drag');
+  await page.mouse.up();
+  // Nothing is open any more.
+  await busy();
+  await page.keyboard.press('Escape');
+  assert.equal(await cancelled(), 1);
+});
+
 test('what opens while a sheet closes stays open', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.idle();
