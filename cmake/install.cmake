@@ -21,7 +21,7 @@ install(FILES ${PROJECT_BINARY_DIR}/sillonConfig.cmake ${PROJECT_BINARY_DIR}/sil
 file(RELATIVE_PATH SILLON_PC_TO_PREFIX /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 set(SILLON_PC_PRIVATE "")
 if(SILLON_TEXT)
-  set(SILLON_PC_PRIVATE "-lharfbuzz -lqrcodegencpp")
+  set(SILLON_PC_PRIVATE "-lharfbuzz -lqrcodegencpp -licuuc -licudata")
 endif()
 configure_file(cmake/sillon.pc.in ${PROJECT_BINARY_DIR}/sillon.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/sillon.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -130,7 +130,7 @@ const fonts = () =>
     });
 
 /** In dist/engine/text.js, which holds them though they are no dependencies of the package. */
-const textPackages = ['harfbuzzjs', 'nayuki-qr-code-generator'];
+const textPackages = ['bidi-js', 'harfbuzzjs', 'nayuki-qr-code-generator'];
 const onlyNamed = (names) => npmPackages(names).filter(({ name }) => names.includes(name.replace(/ [^ ]*$/, '')));
 
 // --- Products --------------------------------------------------------------------------------------------------------------

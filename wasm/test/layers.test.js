@@ -1,23 +1,38 @@
 // Layers of plates: what the package hands to the engine, and what it says where that cannot be.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 
 import { createEngine } from 'sillon';
 
-import { root } from './support/projects.js';
+import { nativeProgram, root } from './support/projects.js';
 
+const folder = mkdtempSync(join(tmpdir(), 'sillon-'));
 let engine;
 before(async () => {
   engine = await createEngine({ threads: 'off' });
 });
-after(() => engine.dispose());
+after(() => {
+  engine.dispose();
+  rmSync(folder, { recursive: true });
+});
 
 const shape = { builtin: 'rectangle', size: [60, 30] };
 const make = (...layers) => engine.generateToolpath({ shape, layers }, { spacing: 0.8 }, { measure: false });
 const place = (...layers) => engine.placeLayers({ shape, layers });
 const digest = async (...layers) => (await make(...layers)).report.digest;
+
+/** What the native program reports of these layers. */
+function native(...layers) {
+  const [project, report] = ['project.json', 'report.json'].map((name) => join(folder, name));
+  writeFileSync(project, JSON.stringify({ sillon: 1, shape, layers, toolpath: { spacing: 0.8 } }));
+  const { status, stderr } = spawnSync(nativeProgram, ['generate', project, '--report', report], { encoding: 'utf8' });
+  assert.equal(status, 0, stderr);
+  return JSON.parse(readFileSync(report, 'utf8'));
+}
 
 test('boxes of layers are told without a plate', async () => {
   const [letters, code, box] = await place(
@@ -62,6 +77,13 @@ test('text of drawings is set in built-in fonts, as the native program does', as
   assert.equal((await inside(drawing(text.replace('Caveat', 'Arial')))).otherFont, true);
   const layer = { kind: 'drawing', file: drawing(text), fill: 'along' };
   assert.notEqual(await digest(layer), await digest());
+});
+
+test('lines that run both ways are those of the native program', async () => {
+  for (const text of ['רחוב הרצל 12', 'Anna (א-ב) 3:4', '\u202BA 1,5% ב\u202C!', 'ב\t[A] 7']) {
+    const layer = { kind: 'text', font: 'Fredoka', text, textSize: 7, fill: 'across' };
+    assert.equal(await digest(layer), native(layer).digest, text);
+  }
 });
 
 test('the report tells how alike the pictures of layers are', async () => {

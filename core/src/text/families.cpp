@@ -49,7 +49,6 @@ ChosenFont chosenFont(std::string_view families) {
 }  // namespace
 
 Result<ShapedLine> shapeLineOfDrawing(const ReadInput& read, const std::string& families, const std::string& line) {
-  if (mixesSenses(line)) return mixedLine(line);
   const ChosenFont font = chosenFont(families);
   Result<ShapedLine> shaped = shapeLine(read, std::string(font.name), line);
   if (shaped) shaped.value().instead = font.instead;

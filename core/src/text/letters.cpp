@@ -1,7 +1,7 @@
 #include "text/letters.hpp"
 
 #include <cstdint>
-#include <utility>
+#include <string_view>
 
 #include "sillon/base/words.hpp"
 #include "sillon/text/text.hpp"
@@ -10,32 +10,12 @@
 namespace sillon {
 namespace {
 
-struct Letter {
-  std::uint32_t code = 0;
-  std::size_t bytes = 1;
-};
-
-/// The character that begins the text; a broken one is one byte long.
-Letter firstOf(std::string_view text) {
-  const auto at = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[k])); };
-  const std::uint32_t lead = at(0);
-  const std::size_t bytes = lead < 0x80 ? 1 : lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 1;
-  if (bytes == 1 || text.size() < bytes) return {lead, 1};
-  std::uint32_t code = lead & (0x7Fu >> bytes);
-  for (std::size_t k = 1; k < bytes; ++k) code = code << 6 | (at(k) & 0x3F);
-  return {code, bytes};
-}
-
-/// Hebrew, Arabic and the scripts between and beside them, with their presentation forms.
-bool runsToTheLeft(std::uint32_t code) {
-  return (code >= 0x590 && code <= 0x8FF) || (code >= 0xFB1D && code <= 0xFDFF) || (code >= 0xFE70 && code <= 0xFEFE) ||
-         (code >= 0x10800 && code <= 0x10FFF) || (code >= 0x1E800 && code <= 0x1EFFF);
-}
-
-/// Letters that run to the right; digits and signs follow what they stand beside.
-bool runsToTheRight(std::uint32_t code) {
-  const bool ascii = (code >= 'A' && code <= 'Z') || (code >= 'a' && code <= 'z');
-  return ascii || (code >= 0xC0 && code < 0x590) || (code >= 0x900 && code < 0x2000);
+/// The character that a text in UTF-8 begins with.
+std::uint32_t codeOf(std::string_view letter) {
+  const auto at = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(letter[k])); };
+  std::uint32_t code = letter.empty() ? 0 : letter.size() == 1 ? at(0) : at(0) & (0x7Fu >> letter.size());
+  for (std::size_t k = 1; k < letter.size(); ++k) code = code << 6 | (at(k) & 0x3F);
+  return code;
 }
 
 std::string hexOf(std::uint32_t code) {
@@ -69,30 +49,9 @@ Error tooDetailed(const std::string& font, std::size_t most) {
                                    " MiB of curves; take another font"};
 }
 
-Error missingLetter(const std::string& font, std::string_view line, std::size_t byte) {
-  const std::string_view rest = line.substr(byte < line.size() ? byte : 0);
-  const Letter letter = rest.empty() ? Letter{} : firstOf(rest);
-  return {ErrorCode::InvalidArgument, "the font " + inQuotes(font) + " has no letter for " +
-                                          inQuotes(std::string(rest.substr(0, letter.bytes))) + " (" +
-                                          hexOf(letter.code) + "); take a font that has it, or leave it out"};
-}
-
-Error mixedLine(std::string_view line) {
-  return {ErrorCode::InvalidArgument,
-          "the line " + inQuotes(line) +
-              " mixes scripts that run to the left and to the right; give each a line, or a "
-              "layer, of its own"};
-}
-
-bool mixesSenses(std::string_view line) {
-  bool left = false, right = false;
-  while (!line.empty()) {
-    const Letter letter = firstOf(line);
-    left = left || runsToTheLeft(letter.code);
-    right = right || runsToTheRight(letter.code);
-    line.remove_prefix(letter.bytes);
-  }
-  return left && right;
+Error missingLetter(const std::string& font, const std::string& letter) {
+  return {ErrorCode::InvalidArgument, "the font " + inQuotes(font) + " has no letter for " + inQuotes(letter) + " (" +
+                                          hexOf(codeOf(letter)) + "); take a font that has it, or leave it out"};
 }
 
 }  // namespace sillon

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 #include "sillon/base/result.hpp"
 
@@ -23,12 +22,7 @@ std::string nameOfLine(const std::string& font, const std::string& line);
 Error noFont(const std::string& font);
 /// \param most  bytes of path data.
 Error tooDetailed(const std::string& font, std::size_t most = kMostPathBytes);
-/// \param byte  in the line, where the letter begins that the font lacks.
-Error missingLetter(const std::string& font, std::string_view line, std::size_t byte);
-
-Error mixedLine(std::string_view line);
-
-/// Tells whether a line has letters of both senses, which one run of a shaper cannot order.
-bool mixesSenses(std::string_view line);
+/// \param letter  that the font lacks, in UTF-8.
+Error missingLetter(const std::string& font, const std::string& letter);
 
 }  // namespace sillon

@@ -1,4 +1,4 @@
-// Takes lines that JavaScript has shaped (wasm/src/shape-text.ts), by the same library: engines in browsers would be a
+// Takes lines that JavaScript has shaped (wasm/src/text/text.ts), by the same library: engines in browsers would be a
 // fifth larger with HarfBuzz in them, and most plates have no text.
 #include <cstddef>
 #include <utility>
@@ -18,7 +18,7 @@ Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, con
   if (!json.is_object() || json.contains("noFont")) return noFont(font);
   if (json.contains("unknownFont")) return unknownFont(font);
   if (json.contains("tooDetailed")) return tooDetailed(font);
-  if (json.contains("missing")) return missingLetter(font, line, json["missing"].get<std::size_t>());
+  if (json.contains("missing")) return missingLetter(font, json["missing"].get<std::string>());
   ShapedLine shaped;
   shaped.em = json["em"].get<double>();
   shaped.capHeight = json["capHeight"].get<double>();

@@ -1,8 +1,11 @@
 // Shapes lines by HarfBuzz. Engines in browsers have shape_line_elsewhere.cpp instead.
 #include <hb-ot.h>
 #include <hb.h>
+#include <unicode/ustring.h>
+#include <unicode/utf16.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +17,7 @@
 #include "sillon/text/text.hpp"
 #include "text/fonts.hpp"
 #include "text/letters.hpp"
+#include "text/text_runs.hpp"
 
 namespace sillon {
 namespace {
@@ -71,6 +75,33 @@ DrawFuncs pathWriter() {
   return funcs;
 }
 
+/// The letters of a line. Broken bytes are U+FFFD, control characters and separators of lines are spaces.
+std::u16string lettersOf(std::string_view line) {
+  std::u16string letters(line.size(), u'\0');
+  std::int32_t length = 0;
+  UErrorCode status = U_ZERO_ERROR;
+  const auto size = static_cast<std::int32_t>(line.size());
+  u_strFromUTF8WithSub(letters.data(), size, &length, line.data(), size, 0xFFFD, nullptr, &status);
+  letters.resize(static_cast<std::size_t>(length));
+  for (char16_t& letter : letters) {
+    const bool control = letter < 0x20 || (letter >= 0x7F && letter < 0xA0) || letter == 0x2028 || letter == 0x2029;
+    if (control) letter = u' ';
+  }
+  return letters;
+}
+
+/// The character that begins at a place, in UTF-8.
+std::string letterAt(std::u16string_view letters, std::size_t place) {
+  UChar32 code = 0;
+  U16_GET(letters.data(), 0, place, letters.size(), code);
+  char bytes[4];
+  std::int32_t length = 0;
+  const auto one = static_cast<UChar32>(code);
+  UBool failed = 0;
+  U8_APPEND(bytes, length, 4, one, failed);
+  return {bytes, static_cast<std::size_t>(length)};
+}
+
 /// Height of H, since what fonts tell of it may be a third off.
 double capHeightOf(hb_font_t* font, double em) {
   hb_codepoint_t glyph = 0;
@@ -103,33 +134,41 @@ Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, con
   shaped.em = hb_face_get_upem(face.get());
   shaped.capHeight = capHeightOf(shaper.get(), shaped.em);
 
+  const std::u16string letters = lettersOf(line);
   const Buffer buffer(hb_buffer_create());
-  hb_buffer_add_utf8(buffer.get(), line.data(), static_cast<int>(line.size()), 0, static_cast<int>(line.size()));
-  hb_buffer_guess_segment_properties(buffer.get());
-  hb_shape(shaper.get(), buffer.get(), nullptr, 0);
-  unsigned count = 0;
-  const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer.get(), &count);
-  const hb_glyph_position_t* places = hb_buffer_get_glyph_positions(buffer.get(), &count);
   const DrawFuncs writer = pathWriter();
   std::map<hb_codepoint_t, std::size_t> known;
   std::size_t length = 0;
-  for (unsigned k = 0; k < count; ++k) {
-    if (infos[k].codepoint == 0) return missingLetter(font, line, infos[k].cluster);
-    const auto [outline, fresh] = known.try_emplace(infos[k].codepoint, shaped.outlines.size());
-    if (fresh) {
-      std::string path;
+  for (const TextRun& run : textRuns(letters)) {
+    hb_buffer_reset(buffer.get());
+    hb_buffer_add_utf16(buffer.get(), reinterpret_cast<const std::uint16_t*>(letters.data()),
+                        static_cast<int>(letters.size()), static_cast<unsigned>(run.begin),
+                        static_cast<int>(run.end - run.begin));
+    hb_buffer_set_direction(buffer.get(), run.toLeft ? HB_DIRECTION_RTL : HB_DIRECTION_LTR);
+    hb_buffer_set_language(buffer.get(), hb_language_from_string("und", -1));  // not that of the system
+    hb_buffer_guess_segment_properties(buffer.get());
+    hb_shape(shaper.get(), buffer.get(), nullptr, 0);
+    unsigned count = 0;
+    const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer.get(), &count);
+    const hb_glyph_position_t* places = hb_buffer_get_glyph_positions(buffer.get(), &count);
+    for (unsigned k = 0; k < count; ++k) {
+      if (infos[k].codepoint == 0) return missingLetter(font, letterAt(letters, infos[k].cluster));
+      const auto [outline, fresh] = known.try_emplace(infos[k].codepoint, shaped.outlines.size());
+      if (fresh) {
+        std::string path;
 #if HB_VERSION_ATLEAST(7, 0, 0)
-      hb_font_draw_glyph(shaper.get(), infos[k].codepoint, writer.get(), &path);
+        hb_font_draw_glyph(shaper.get(), infos[k].codepoint, writer.get(), &path);
 #else
-      hb_font_get_glyph_shape(shaper.get(), infos[k].codepoint, writer.get(), &path);
+        hb_font_get_glyph_shape(shaper.get(), infos[k].codepoint, writer.get(), &path);
 #endif
-      length += path.size();
-      if (length > kMostPathBytes) return tooDetailed(font);
-      shaped.outlines.push_back(std::move(path));
+        length += path.size();
+        if (length > kMostPathBytes) return tooDetailed(font);
+        shaped.outlines.push_back(std::move(path));
+      }
+      shaped.letters.push_back({outline->second,
+                                {static_cast<double>(places[k].x_offset), static_cast<double>(places[k].y_offset)},
+                                static_cast<double>(places[k].x_advance)});
     }
-    shaped.letters.push_back({outline->second,
-                              {static_cast<double>(places[k].x_offset), static_cast<double>(places[k].y_offset)},
-                              static_cast<double>(places[k].x_advance)});
   }
   return shaped;
 }

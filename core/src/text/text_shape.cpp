@@ -129,7 +129,6 @@ Result<Shape> textShape(const Lettering& lettering, const ReadInput& read) {
   std::string_view rest = lettering.text;
   while (!rest.empty()) {
     const std::string line(nextLine(rest));
-    if (mixesSenses(line)) return mixedLine(line);
     Result<ShapedLine> shaped = shapeLine(read, lettering.font, line);
     if (!shaped) return shaped.error();
     lines.push_back(std::move(shaped).value());

@@ -2,6 +2,9 @@
 // (dist/engine/text.js), which only plates with texts or codes load.
 import * as hb from 'harfbuzzjs';
 import generator from 'nayuki-qr-code-generator';
+import { textRuns } from './text-runs.js';
+
+export { textRuns };
 
 // Its types are those of a CommonJS module, which it is not.
 const { QrCode } = generator as unknown as typeof generator.default;
@@ -53,32 +56,40 @@ export function shapeLine(file: Uint8Array, line: string): object {
   // No font has no glyphs; HarfBuzz makes an empty face of anything.
   if (face.referenceTable('maxp') === undefined || face.referenceTable('cmap') === undefined) return { noFont: true };
   const font = new hb.Font(face);
+  const letters = line.replace(/[\p{Cc}\u2028\u2029]/gu, ' ');
   const buffer = new hb.Buffer();
-  buffer.addText(line);
-  buffer.guessSegmentProperties();
-  hb.shape(font, buffer);
-  const places = buffer.getGlyphPositions();
   const known = new Map<number, number>();
-  const letters: number[][] = [];
+  const placed: number[][] = [];
   const outlines: string[] = [];
   let length = 0;
-  for (const [k, { codepoint: glyph, cluster }] of buffer.getGlyphInfos().entries()) {
-    if (glyph === 0) return { missing: new TextEncoder().encode(line.slice(0, cluster)).length };
-    let outline = known.get(glyph);
-    if (outline === undefined) {
-      outline = outlines.length;
-      known.set(glyph, outline);
-      const path: string[] = [];
-      writer ??= pathWriter();
-      font.drawGlyph(glyph, writer, path);
-      outlines.push(path.join(''));
-      length += outlines[outline]?.length ?? 0;
-      if (length > mostPathBytes) return { tooDetailed: true };
+  for (const { begin, end, toLeft } of textRuns(letters)) {
+    buffer.reset();
+    // The shaper looks at five letters on either side; the whole line would be copied for each run.
+    const before = Math.max(0, begin - 10);
+    buffer.addText(letters.slice(before, end + 10), begin - before, end - begin);
+    buffer.setDirection(toLeft ? hb.Direction.RTL : hb.Direction.LTR);
+    buffer.setLanguage('und');
+    buffer.guessSegmentProperties();
+    hb.shape(font, buffer);
+    const places = buffer.getGlyphPositions();
+    for (const [k, { codepoint: glyph, cluster }] of buffer.getGlyphInfos().entries()) {
+      if (glyph === 0) return { missing: String.fromCodePoint(letters.codePointAt(before + cluster) ?? 0) };
+      let outline = known.get(glyph);
+      if (outline === undefined) {
+        outline = outlines.length;
+        known.set(glyph, outline);
+        const path: string[] = [];
+        writer ??= pathWriter();
+        font.drawGlyph(glyph, writer, path);
+        outlines.push(path.join(''));
+        length += outlines[outline]?.length ?? 0;
+        if (length > mostPathBytes) return { tooDetailed: true };
+      }
+      const place = places[k];
+      placed.push([outline, place?.xOffset ?? 0, place?.yOffset ?? 0, place?.xAdvance ?? 0]);
     }
-    const place = places[k];
-    letters.push([outline, place?.xOffset ?? 0, place?.yOffset ?? 0, place?.xAdvance ?? 0]);
   }
-  return { em: face.upem, capHeight: capHeightOf(font, face.upem), letters, outlines };
+  return { em: face.upem, capHeight: capHeightOf(font, face.upem), letters: placed, outlines };
 }
 
 const levels = {

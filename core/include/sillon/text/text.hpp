@@ -19,7 +19,8 @@ namespace sillon {
 /// are offered. Built from core/data/fonts.
 std::span<const std::string_view> builtinFonts();
 
-/// Shapes one line: kerning, ligatures and joined scripts as the font has them.
+/// Shapes one line: kerning, ligatures and joined scripts as the font has them, and scripts of both
+/// senses in one line by the Unicode bidirectional algorithm. Tabs are spaces.
 /// \param font  one of builtinFonts(), or a file that `read` hands over.
 /// \return InvalidFile for what is no font; InvalidArgument for letters that the font lacks.
 Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font,
@@ -46,7 +47,7 @@ struct Lettering {
 
 /// The outlines of a text. Straight lines lie on a page as large as their ink; on a circle, the
 /// circle's middle is the page's. \return the errors of shapeLine; EmptyShape for spaces alone;
-/// InvalidArgument for a line that is longer than its circle, or that mixes scripts of both senses.
+/// InvalidArgument for a line that is longer than its circle.
 Result<Shape> textShape(const Lettering& lettering, const ReadInput& read);
 
 }  // namespace sillon
