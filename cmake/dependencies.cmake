@@ -4,6 +4,7 @@ if(NOT EMSCRIPTEN)
 endif()
 
 if(SILLON_TEXT)
+  include(cmake/harfbuzz.cmake)
   include(cmake/sillonText.cmake)
 endif()
 

@@ -1,24 +1,30 @@
+# The same bytes everywhere, from HarfBuzz too: no fused multiply-add. And sqrt is one instruction, whose value is the same.
+if(MSVC)
+  set(sillon_exact /fp:strict)
+else()
+  set(sillon_exact -ffp-contract=off -fno-math-errno)
+endif()
+# GCC's vectoriser multiplies and adds in one step, whatever -ffp-contract says, where the builder's flags allow the
+# processor to (-march=native, x86-64-v3): some moves of G-code would end 0.001 mm beside those of other machines.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|i.86)$")
+  set(sillon_unfused -mno-fma -mno-fma4 -mno-avx512f)
+endif()
 # Flags of every target of ours. Libraries come in as SYSTEM and see none of the warnings.
 add_library(sillon_flags INTERFACE)
 target_compile_features(sillon_flags INTERFACE cxx_std_20)
 if(MSVC)
-  target_compile_options(sillon_flags INTERFACE /W4 /fp:strict /utf-8)
+  target_compile_options(sillon_flags INTERFACE /W4 ${sillon_exact} /utf-8)
 else()
   target_compile_options(sillon_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion
     -Wno-sign-conversion # clang's -Wconversion holds it, GCC's does not: an index that is an int needs no cast
-    -ffp-contract=off   # same bytes everywhere: no fused multiply-add
-    -fno-math-errno     # sqrt becomes one instruction; its value does not change
+    ${sillon_exact}
     -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)  # asserts name files: the same bytes and sizes wherever it is built
   # Version 12 takes its own std::string for what it is not, wherever texts are put together.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(sillon_flags INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
   endif()
-  # GCC's vectoriser multiplies and adds in one step, whatever -ffp-contract says, where the builder's flags allow the
-  # processor to (-march=native, x86-64-v3): some moves of G-code would end 0.001 mm beside those of other machines.
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|i.86)$")
-    target_compile_options(sillon_flags INTERFACE -mno-fma -mno-fma4 -mno-avx512f)
-  endif()
+  target_compile_options(sillon_flags INTERFACE ${sillon_unfused})
   if(SILLON_WERROR)
     target_compile_options(sillon_flags INTERFACE -Werror)
   endif()

@@ -1,5 +1,5 @@
-# The target sillon::text: HarfBuzz, which shapes letters, ICU, which orders the runs of a line, and libqrcodegen, which makes
-# QR codes. Packages of vcpkg bring CMake files; Debian's do not.
+# The target sillon::text: HarfBuzz, which shapes letters, where it is no part of the library (SILLON_HARFBUZZ_INSIDE), ICU,
+# which orders the runs of a line, and libqrcodegen, which makes QR codes. Packages of vcpkg bring CMake files; Debian's do not.
 if(NOT TARGET sillon::text)
   add_library(sillon::text INTERFACE IMPORTED GLOBAL)
 
@@ -28,13 +28,17 @@ if(NOT TARGET sillon::text)
     target_include_directories(sillon::text SYSTEM INTERFACE ${${library}_include})
   endfunction()
 
-  sillon_text_library(harfbuzz harfbuzz::harfbuzz hb.h harfbuzz harfbuzz)
+  if(NOT SILLON_HARFBUZZ_INSIDE)
+    sillon_text_library(harfbuzz harfbuzz::harfbuzz hb.h harfbuzz harfbuzz)
+  endif()
   sillon_text_library(nayuki-qr-code-generator nayuki-qr-code-generator::nayuki-qr-code-generator qrcodegen.hpp qrcodegencpp
                       qrcodegen nayuki-qr-code-generator)
-  # Archives of ICU give the program what it asks for, 0.2 MB, and it needs none of the 31 MB of data. CMake's own module finds
+  # Archives of ICU give a program of ours what it asks for, 0.2 MB, and it needs none of the 31 MB of data. CMake's own module finds
   # ICU, and its targets would be unknown outside this folder.
   function(sillon_text_icu)
-    set(CMAKE_FIND_LIBRARY_SUFFIXES .a ${CMAKE_FIND_LIBRARY_SUFFIXES})
+    if(SILLON_CLI)
+      set(CMAKE_FIND_LIBRARY_SUFFIXES ${CMAKE_STATIC_LIBRARY_SUFFIX} ${CMAKE_FIND_LIBRARY_SUFFIXES})
+    endif()
     find_package(ICU REQUIRED COMPONENTS uc data)
     target_link_libraries(sillon::text INTERFACE ${ICU_LIBRARIES} ${CMAKE_DL_LIBS})
     target_include_directories(sillon::text SYSTEM INTERFACE ${ICU_INCLUDE_DIRS})

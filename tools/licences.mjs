@@ -30,14 +30,21 @@ const first = (paths) =>
     })
     .find((path) => existsSync(path));
 
-function part(name, licence, text) {
+/** @param from  { version, purl }, where it is known of which version it is */
+function part(name, licence, text, from = {}) {
   if (text === undefined || text.trim() === '')
     throw new Error(`no text of the licence of ${name} was found; it must go with what is built`);
-  return { name, licence, text };
+  return { name, licence, text, ...from };
 }
 
 /** MIT, as our own licence words it. */
 const mit = (holder) => read(at('LICENSE')).replace(/^Copyright .*$/m, holder);
+
+/** A value that a build folder was configured with. */
+function cached(folder, name) {
+  const cache = existsSync(at(`${folder}/CMakeCache.txt`)) ? read(at(`${folder}/CMakeCache.txt`)) : '';
+  return new RegExp(`^${name}:\\w+=(.*)$`, 'm').exec(cache)?.[1];
+}
 
 // --- Libraries of the core and of the command line -------------------------------------------------------------------------
 
@@ -56,12 +63,27 @@ function debianPackages() {
 /** By library, as our own list has it. */
 const licenceOf = (name) => new RegExp(`^\\| ${name} \\| ([^|]+) \\|`, 'm').exec(read(at('THIRD-PARTY.md')))?.[1] ?? '';
 
-function libraries({ program }) {
+/** HarfBuzz as ./dev builds it in, out of its sources; undefined: the system's. */
+function harfbuzz() {
+  const folder = cached('build/release', 'SILLON_HARFBUZZ');
+  if (!folder) return undefined;
+  const [, version] = /HB_VERSION_STRING "(.*)"/.exec(read(`${folder}/src/hb-version.h`));
+  const purl = `pkg:generic/harfbuzz@${version}`;
+  return part('harfbuzz', licenceOf('harfbuzz'), read(`${folder}/COPYING`), { version, purl });
+}
+
+/** What shapes texts and makes codes natively; JavaScript packages of their own do it elsewhere. */
+const textLibraries = ['harfbuzz', 'icu', 'nayuki-qr-code-generator'];
+
+function libraries({ program, text = false }) {
   const { dependencies, features } = JSON.parse(read(at('vcpkg.json')));
   const debian = debianPackages();
-  const ports = [...(program ? features.cli.dependencies : []), ...dependencies];
-  return ports.map((asked) => {
-    const port = asked.name ?? asked;
+  const ports = [...(program ? features.cli.dependencies : []), ...dependencies]
+    .map((asked) => asked.name ?? asked)
+    .filter((port) => text || !textLibraries.includes(port));
+  return ports.map((port) => {
+    const built = port === 'harfbuzz' ? harfbuzz() : undefined;
+    if (built) return built;
     const file = first([
       at(`build/release/vcpkg_installed/*/share/${port}/copyright`),
       `/usr/share/doc/${debian.get(port)}/copyright`,
@@ -73,8 +95,8 @@ function libraries({ program }) {
 // --- What the compiler for WebAssembly puts in -----------------------------------------------------------------------------
 
 function emscripten() {
-  const cache = existsSync(at('build/wasm/CMakeCache.txt')) ? read(at('build/wasm/CMakeCache.txt')) : '';
-  const folder = /^CMAKE_TOOLCHAIN_FILE:\w+=(.*)\/cmake\/Modules\/Platform\/Emscripten\.cmake$/m.exec(cache)?.[1];
+  const toolchain = cached('build/wasm', 'CMAKE_TOOLCHAIN_FILE') ?? '';
+  const folder = /(.*)\/cmake\/Modules\/Platform\/Emscripten\.cmake$/.exec(toolchain)?.[1];
   if (folder === undefined)
     throw new Error('build/wasm does not tell which Emscripten it is built by; ./dev build wasm makes it');
   const own = first([`${folder}/LICENSE`]);
@@ -114,7 +136,8 @@ function npmPackages(more = []) {
     .map(([path, { version, license }]) => {
       const name = path.slice('node_modules/'.length);
       const file = readdirSync(at(path)).find((entry) => /^licen[cs]e/i.test(entry));
-      return part(`${name} ${version}`, license, file ? read(at(join(path, file))) : elsewhere[name]?.());
+      const purl = `pkg:npm/${name.replace('@', '%40')}@${version}`;
+      return part(name, license, file ? read(at(join(path, file))) : elsewhere[name]?.(), { version, purl });
     });
 }
 
@@ -131,13 +154,13 @@ const fonts = () =>
 
 /** In dist/engine/text.js, which holds them though they are no dependencies of the package. */
 const textPackages = ['bidi-js', 'harfbuzzjs', 'nayuki-qr-code-generator'];
-const onlyNamed = (names) => npmPackages(names).filter(({ name }) => names.includes(name.replace(/ [^ ]*$/, '')));
+const onlyNamed = (names) => npmPackages(names).filter(({ name }) => names.includes(name));
 
 // --- Products --------------------------------------------------------------------------------------------------------------
 
 const studio = () => [...libraries({ program: false }), ...emscripten(), ...npmPackages(textPackages), ...fonts()];
 const products = {
-  native: () => [...libraries({ program: true }), ...fonts()],
+  native: () => [...libraries({ program: true, text: true }), ...fonts()],
   npm: () => [...libraries({ program: true }), ...emscripten(), ...onlyNamed(textPackages), ...fonts()],
   studio,
   site: () => [...studio(), ...onlyNamed(['minisearch'])],
@@ -146,22 +169,20 @@ const products = {
 /** @returns one text */
 export function licences(product) {
   const parts = products[product]();
-  const own = `Sillon: MIT\n\n${read(at('LICENSE'))}\n\nIt holds parts of:\n${parts.map(({ name, licence }) => `  ${name} (${licence})`).join('\n')}\n`;
-  return [own, ...parts.map(({ name, licence, text }) => `==== ${name} (${licence})\n\n${text}\n`)].join('\n');
+  const named = ({ name, version, licence }) => `${[name, version].filter(Boolean).join(' ')} (${licence})`;
+  const own = `Sillon: MIT\n\n${read(at('LICENSE'))}\n\nIt holds parts of:\n${parts.map((of) => `  ${named(of)}`).join('\n')}\n`;
+  return [own, ...parts.map((of) => `==== ${named(of)}\n\n${of.text}\n`)].join('\n');
 }
 
 /** @returns what software that compares parts with known weaknesses reads */
 export function sbom(product) {
   const { version } = JSON.parse(read(at('wasm/package.json')));
-  const components = products[product]().map(({ name, licence }) => {
-    const [, plain, number] = /^(\S.*?)(?: (\d[\w.-]*))?$/.exec(name);
-    return {
-      type: 'library',
-      name: plain,
-      ...(number === undefined ? {} : { version: number, purl: `pkg:npm/${plain.replace('@', '%40')}@${number}` }),
-      licenses: [{ license: { name: licence } }],
-    };
-  });
+  const components = products[product]().map(({ name, licence, text: _, ...from }) => ({
+    type: 'library',
+    name,
+    ...from,
+    licenses: [{ license: { name: licence } }],
+  }));
   const main = { type: 'application', name: 'sillon', version, licenses: [{ license: { id: 'MIT' } }] };
   return `${JSON.stringify({ bomFormat: 'CycloneDX', specVersion: '1.5', version: 1, metadata: { component: main }, components }, null, 2)}\n`;
 }

@@ -2,9 +2,18 @@
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
-import { dirname, join } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
@@ -21,6 +30,8 @@ const named = (pattern) => {
   return join(made, names[0]);
 };
 const unpack = (archive) => run('cmake', '-E', 'tar', 'xf', archive);
+/** HarfBuzz's own, which is a text of its own in the module. */
+const versionInside = (module) => /\0(\d+\.\d+\.\d+)\0/.exec(readFileSync(module, 'latin1'))[1];
 const hashOf = (file) => `sha384-${createHash('sha384').update(readFileSync(file)).digest('base64')}`;
 
 test('the archive of the program holds a program that runs, an example, links that lead somewhere, and all licences', () => {
@@ -38,10 +49,46 @@ test('the archive of the program holds a program that runs, an example, links th
   }
   const { components } = JSON.parse(readFileSync(join(folder, inside, 'sbom.cdx.json'), 'utf8'));
   assert.ok(components.some(({ name }) => name === 'eigen3'));
+  const shaper = components.find(({ name }) => name === 'harfbuzz');
+  assert.equal(shaper.version, versionInside(join(root, 'node_modules/harfbuzzjs/dist/harfbuzz.wasm')));
   const licences = readFileSync(join(folder, inside, 'THIRD-PARTY-LICENCES'), 'utf8');
   for (const name of ['cli11', 'eigen3', 'fast-float', 'nlohmann-json', 'rapidxml', 'stb']) {
     assert.ok(licences.includes(`==== ${name} `), name);
   }
+});
+
+/** A program for Linux may ask for these, which every distribution has, and for nothing else. */
+const everywhere = /^(?:linux-vdso|ld-linux[\w-]*|lib(?:c|m|gcc_s|stdc\+\+))\.so[.\d]*$/;
+const onLinux = process.platform === 'linux' ? false : 'libraries are looked up by ldd, on Linux';
+test('the program makes letters and codes in a root that holds the C++ runtime alone', { skip: onLinux }, (context) => {
+  const archive = named(/^sillon-[\d.]+-linux-\w+\.tar\.gz$/);
+  const inside = join(folder, 'empty');
+  mkdirSync(inside);
+  run('tar', 'xzf', archive, '--strip-components=1', '-C', inside);
+  const libraries = run('ldd', join(inside, 'sillon'))
+    .trim()
+    .split('\n')
+    .map((line) => /^\s*(?:(\S+) => )?(\S+)/.exec(line));
+  assert.deepEqual(
+    libraries.map(([, name, path]) => basename(name ?? path)).filter((name) => !everywhere.test(name)),
+    [],
+  );
+  if (process.getuid() !== 0) {
+    context.diagnostic('not run in an empty root, which takes the rights of root');
+    return;
+  }
+  for (const [, , path] of libraries.filter(([, , path]) => path.startsWith('/'))) {
+    mkdirSync(join(inside, dirname(path)), { recursive: true });
+    copyFileSync(path, join(inside, path));
+  }
+  const text = { kind: 'text', text: 'AV', size: [20, 8], at: [12, 8] };
+  const code = { kind: 'qr', text: 'sillon', size: [14, 14], at: [32, 8] };
+  writeFileSync(
+    join(inside, 'plate.json'),
+    JSON.stringify({ sillon: 1, shape: { builtin: 'rectangle', size: [40, 16] }, layers: [text, code] }),
+  );
+  run('chroot', inside, '/sillon', 'generate', '/plate.json', '--gcode', '/plate.gcode', '--preview', '/plate.png', '--quiet');
+  assert.match(run('chroot', inside, '/sillon', 'check', '/plate.gcode'), /no fault|0 errors|no errors/i);
 });
 
 test('the package installs without network, makes a plate and has the hashes that are told', () => {
