@@ -37,7 +37,6 @@ using sillon::Result;
 /// A name in the scene, seen from the working directory.
 /// \param up  how many folders above may hold it, where the scene's own does not.
 std::string fromFolder(const fs::path& folder, const std::string& name, int up) {
-  if (name.empty()) return name;
   const fs::path beside = folder / pathOf(name);
   std::error_code error;
   fs::path above = folder;
@@ -51,7 +50,6 @@ std::string fromFolder(const fs::path& folder, const std::string& name, int up) 
 
 /// A name on the command line, seen from a folder.
 std::string seenFrom(const fs::path& folder, const std::string& name) {
-  if (name.empty()) return name;
   std::error_code error;
   const fs::path relative = fs::proximate(pathOf(name), folder, error);
   return error ? name : nameOf(relative);
@@ -69,14 +67,27 @@ std::optional<std::string> otherThanJson(std::string_view text) {
   return std::nullopt;
 }
 
-/// The files that a layer names.
-std::vector<std::string*> filesOf(sillon::Layer& layer) {
-  std::vector<std::string*> files;
-  for (std::string* name : {&layer.file, &layer.maskFile, &layer.font}) {
-    const bool named = name == &layer.font ? sillon::isFontFile(*name) : !name->empty();
-    if (named) files.push_back(name);
+/// The fields that name a project's files, in the order in which it has them. \param project  a Project, const or not
+template <class OneProject>
+auto fileFields(OneProject& project) {
+  std::vector<decltype(&project.shapeFile)> fields;
+  const auto add = [&](auto& name) {
+    if (!name.empty()) fields.push_back(&name);
+  };
+  const auto addFont = [&](auto& name) {
+    if (sillon::isFontFile(name)) fields.push_back(&name);
+  };
+  add(project.shapeFile);
+  addFont(project.shapeFont);
+  add(project.directionFile);
+  add(project.modeFile);
+  for (auto& picture : project.pictures.files) add(picture.file);
+  for (auto& layer : project.layers) {
+    add(layer.file);
+    add(layer.maskFile);
+    addFont(layer.font);
   }
-  return files;
+  return fields;
 }
 
 /// Letters and codes that core leaves to others (core/src/text): the command line for Node has them from JavaScript.
@@ -113,14 +124,7 @@ Result<Project> loadProject(const std::string& path) {
   // The repository of the paper keeps its scenes in folders, and names their files from its root. Only their keys set
   // both.
   const int up = read.unitlessIsMm && read.ignorePaint ? 3 : 0;
-  read.shapeFile = fromFolder(folder, read.shapeFile, up);
-  if (sillon::isFontFile(read.shapeFont)) read.shapeFont = fromFolder(folder, read.shapeFont, up);
-  read.directionFile = fromFolder(folder, read.directionFile, up);
-  read.modeFile = fromFolder(folder, read.modeFile, up);
-  for (sillon::LampPicture& picture : read.pictures.files) picture.file = fromFolder(folder, picture.file, up);
-  for (sillon::Layer& layer : read.layers) {
-    for (std::string* name : filesOf(layer)) *name = fromFolder(folder, *name, up);
-  }
+  for (std::string* name : fileFields(read)) *name = fromFolder(folder, *name, up);
   return project;
 }
 
@@ -137,14 +141,7 @@ Result<sillon::InputFile> readInputFile(const std::string& name, const std::stri
 
 std::vector<std::string> inputFiles(const Project& project) {
   std::vector<std::string> files;
-  for (const std::string* name : {&project.shapeFile, &project.directionFile, &project.modeFile}) {
-    if (!name->empty()) files.push_back(*name);
-  }
-  if (sillon::isFontFile(project.shapeFont)) files.push_back(project.shapeFont);
-  for (const sillon::LampPicture& picture : project.pictures.files) files.push_back(picture.file);
-  for (sillon::Layer layer : project.layers) {
-    for (const std::string* name : filesOf(layer)) files.push_back(*name);
-  }
+  for (const std::string* name : fileFields(project)) files.push_back(*name);
   return files;
 }
 
@@ -152,14 +149,7 @@ std::string projectFor(const Project& project, const std::string& path) {
   std::error_code error;
   const fs::path folder = fs::absolute(pathOf(path), error).parent_path();
   Project written = project;
-  written.shapeFile = seenFrom(folder, project.shapeFile);
-  if (sillon::isFontFile(written.shapeFont)) written.shapeFont = seenFrom(folder, project.shapeFont);
-  written.directionFile = seenFrom(folder, project.directionFile);
-  written.modeFile = seenFrom(folder, project.modeFile);
-  for (sillon::LampPicture& picture : written.pictures.files) picture.file = seenFrom(folder, picture.file);
-  for (sillon::Layer& layer : written.layers) {
-    for (std::string* name : filesOf(layer)) *name = seenFrom(folder, *name);
-  }
+  for (std::string* name : fileFields(written)) *name = seenFrom(folder, *name);
   return sillon::writeProject(written);
 }
 

@@ -1,6 +1,7 @@
 // sillon generate: a plate, as G-code, drawing, report and pictures.
 #include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,6 +32,7 @@ struct Arguments {
   std::function<bool(const std::string&)> given;  ///< whether an option is
   int threads = 1;
   bool quiet = false;
+  bool listFiles = false;
 };
 
 /// A scene comes first; pictures are each seen under a lamp, before those that are named so.
@@ -79,16 +81,27 @@ Result<Outcome> prepare(const Arguments& arguments, sillon::Project project, Job
   return Outcome{std::move(files).value(), std::move(text)};
 }
 
+/// All files that are read for a plate, but for the scene.
+std::vector<std::string> filesBesideScene(const Arguments& arguments, const sillon::Project& project) {
+  std::vector<std::string> files = inputFiles(project);
+  for (const std::string* name : {&arguments.project.pictures.spoolsFile, &arguments.outputs.container}) {
+    if (!name->empty()) files.push_back(*name);
+  }
+  return files;
+}
+
 /// Refuses what can be known to be wrong before the work begins.
 std::optional<Error> checkPaths(const Arguments& arguments, const sillon::Project& project) {
   const OutputPaths& outputs = arguments.outputs;
   const std::size_t pictures = project.pictures.files.size();
-  std::vector<std::string> inputs = inputFiles(project);
-  for (const std::string* name :
-       {&arguments.project.scene, &arguments.project.pictures.spoolsFile, &outputs.container}) {
-    if (!name->empty()) inputs.push_back(*name);
+  const std::vector<std::string> names = outputNames(outputs, pictures);
+  std::vector<std::string> inputs = filesBesideScene(arguments, project);
+  if (!arguments.project.scene.empty()) inputs.push_back(arguments.project.scene);
+  if (auto problem = checkOutputs(names, inputs)) return problem;
+  if (arguments.listFiles && !names.empty()) {
+    return Error{ErrorCode::InvalidArgument,
+                 "--list-files makes no plate for \"" + names[0] + "\"; it must be given without files to write"};
   }
-  if (auto problem = checkOutputs(outputNames(outputs, pictures), inputs)) return problem;
   if (!outputs.container.empty() && outputs.gcode.empty()) {
     return Error{ErrorCode::InvalidArgument,
                  "--container is \"" + outputs.container + "\"; it must be given with --gcode"};
@@ -111,6 +124,10 @@ int run(Arguments& arguments) {
   if (!project) return fail(project.error());
   job.pictureOptions = arguments.project.pictures;
   if (const auto problem = checkPaths(arguments, project.value())) return fail(*problem);
+  if (arguments.listFiles) {
+    const nlohmann::json files = filesBesideScene(arguments, project.value());
+    return answer(files.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  }
   const Result<Outcome> made = prepare(arguments, std::move(project).value(), job, run.context());
   if (made && made.value().files.empty() && job.bodyRefused) return fail(*job.bodyRefused);
   const int code = commit(made, run);
@@ -148,7 +165,8 @@ void addPrint(Options& options, Arguments& arguments) {
        {"fit", "also scaled down, if it does not fit otherwise"}});
 }
 
-void addOutputs(Options& options, OutputPaths& outputs) {
+void addOutputs(Options& options, Arguments& arguments) {
+  OutputPaths& outputs = arguments.outputs;
   options.group("Output");
   options.text("--gcode", "F", "G-code; packed if F ends in .gcode.3mf (Bambu Lab), .bgcode (Prusa) or .gz",
                outputs.gcode);
@@ -163,6 +181,8 @@ void addOutputs(Options& options, OutputPaths& outputs) {
   options.text("--view", "F", "picture of directions for <sillon-view> on web pages, PNG", outputs.view);
   options.text("--body", "F", "base layers as a solid for a slicer: STL, or 3MF if F ends in .3mf", outputs.body);
   options.text("--project", "F", "everything needed to repeat the plate, JSON", outputs.project);
+  options.flag("--list-files", "make nothing; print the files that the plate is made of, but for the scene, as JSON",
+               arguments.listFiles);
 }
 
 Action add(Options& options) {
@@ -174,7 +194,7 @@ Action add(Options& options) {
   addPictures(options, arguments->project.pictures);
   addToolpath(options, changes);
   addPrint(options, *arguments);
-  addOutputs(options, arguments->outputs);
+  addOutputs(options, *arguments);
   options.settings(changes, [](const sillon::Setting&) { return true; });
   options.group("Run");
   options.threads(arguments->threads);

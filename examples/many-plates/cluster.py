@@ -4,7 +4,7 @@
   examples/many-plates/cluster.py PROJECTS PLATES
 
 Run again, it does only what is missing or failed. RAY_ADDRESS names the cluster (default: one node, this machine). SILLON is the
-program on every node (sillon), and PICTURE the width of the pictures in pixels (800).
+program here and on every node (sillon), and PICTURE the width of the pictures in pixels (800).
 """
 import json
 import os
@@ -16,51 +16,62 @@ import tempfile
 import ray
 
 SILLON = os.environ.get("SILLON", "sillon")
+SILLON = os.path.abspath(SILLON) if os.sep in SILLON else SILLON  # it runs in other folders than this
 PICTURE = os.environ.get("PICTURE", "800")
-OUTPUTS = {"--gcode": ".gcode", "--preview": ".png", "--report": ".json"}  # the report last: where it is, the plate is complete
+REPORT = ".report.json"  # kept last: where it is, the plate is complete
+OUTPUTS = {"--gcode": ".gcode", "--preview": ".png", "--report": REPORT}
 WINDOW = 64  # plates under way: enough for every node, few enough to hold the files of all of them in memory
+
+
+class Refused(Exception):
+    """Why no plate is made of a project, in a sentence."""
+
+
+def sillon(folder, *arguments, **environment):
+    """What the program prints. Raises Refused with what it says is wrong."""
+    try:
+        run = subprocess.run([SILLON, *arguments], cwd=folder, capture_output=True, encoding="utf-8", errors="replace",
+                             env=os.environ | environment)
+    except OSError as error:
+        raise Refused(f"{SILLON} does not start on {os.uname().nodename}: {error}") from error
+    if run.returncode != 0:
+        raise Refused(run.stderr.strip() or f"{SILLON} ended with {run.returncode}")
+    return run.stdout
 
 
 @ray.remote(num_cpus=1, max_retries=3)
 def make(name, inputs, date):
-    """Makes one plate in a folder of its own. Returns its name, its files by suffix, and the error's sentence or None."""
+    """Makes one plate in a folder of its own. Returns its files by suffix, or the sentence of what is wrong."""
     with tempfile.TemporaryDirectory() as folder:
+        home = pathlib.Path(folder, "in")
         for path, content in inputs.items():
-            file = pathlib.Path(folder, "in", path)
+            file = home / path
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_bytes(content)
-        command = [SILLON, "generate", f"in/{name}.json", "--threads", "1", "--quiet", "--preview-width", PICTURE]
+        command = ["generate", f"{name}.json", "--threads", "1", "--quiet", "--preview-width", PICTURE]
         for option, suffix in OUTPUTS.items():
-            command += [option, f"out{suffix}"]
+            command += [option, f"../out{suffix}"]
         try:
-            run = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=os.environ | date)
-        except OSError as error:
-            return name, {}, f"{SILLON} does not start on {os.uname().nodename}: {error}"
-        if run.returncode != 0:
-            return name, {}, run.stderr.strip() or f"{SILLON} ended with {run.returncode}"
-        return name, {suffix: pathlib.Path(folder, f"out{suffix}").read_bytes() for suffix in OUTPUTS.values()}, None
-
-
-def named_files(value, folder):
-    """The files of the folder that a project names, by their paths in it."""
-    if isinstance(value, dict):
-        value = list(value.values())
-    if isinstance(value, list):
-        return set().union(*(named_files(part, folder) for part in value))
-    if not isinstance(value, str) or value == "" or "\0" in value:
-        return set()
-    file = (folder / value).resolve()
-    return {value} if file.is_relative_to(folder) and file.is_file() else set()
+            sillon(home, *command, **date)
+        except Refused as error:
+            return str(error)
+        return {suffix: pathlib.Path(folder, f"out{suffix}").read_bytes() for suffix in OUTPUTS.values()}
 
 
 def inputs_of(project):
-    """The project and the files that it names. What cannot be read is left to the program, which says why."""
-    content = project.read_bytes()
-    try:
-        names = named_files(json.loads(content), project.parent)
-    except (ValueError, OSError):
-        names = set()
-    return {name: (project.parent / name).read_bytes() for name in names} | {project.name: content}
+    """The project and the files that the program would read for it, by their paths from the project's folder. What is not
+    there is left to the program, which says so. Raises Refused of a file that a node could not put where the project names it."""
+    folder = project.parent
+    if not project.is_file():
+        raise Refused("it is no file")
+    names = {project.name}
+    for name in json.loads(sillon(folder, "generate", project.name, "--list-files")):
+        if os.path.isabs(name) or os.path.normpath(name).split(os.sep)[0] == os.pardir:
+            raise Refused(f'it names "{name}", which travels to no node; a file must lie in the folder of projects or below, '
+                          "and be named from there")
+        if (folder / name).is_file():
+            names.add(name)
+    return {name: (folder / name).read_bytes() for name in names}
 
 
 def keep(plates, name, files):
@@ -68,32 +79,48 @@ def keep(plates, name, files):
         part = plates / f"{name}{suffix}.part"
         part.write_bytes(content)
         part.replace(plates / f"{name}{suffix}")
+    (plates / f"{name}.err").unlink(missing_ok=True)
 
 
 def main(projects, plates):
-    projects, plates = pathlib.Path(projects).resolve(), pathlib.Path(plates)
+    projects, plates = pathlib.Path(projects).resolve(), pathlib.Path(plates).resolve()
+    if projects == plates:
+        sys.exit(f"{plates} holds the projects; the plates need a folder of their own")
+    wanted = sorted(projects.glob("*.json"))
+    if not wanted:
+        sys.exit(f"there is no project (*.json) in {projects}")
     plates.mkdir(parents=True, exist_ok=True)
-    todo = [file for file in sorted(projects.glob("*.json")) if not (plates / file.name).exists()]
+    todo = [file for file in wanted if not (plates / f"{file.stem}{REPORT}").exists()]
     date = {key: os.environ[key] for key in ["SOURCE_DATE_EPOCH"] if key in os.environ}
-    under_way, failed = {}, 0
+    under_way, failed = {}, []
+
+    def fail(name, error):
+        failed.append(name)
+        sentence = (str(error).strip() or repr(error)).splitlines()[0]
+        (plates / f"{name}.err").write_text(f"{sentence}\n", encoding="utf-8", errors="backslashreplace")
+        print(f"{name}: {sentence}", file=sys.stderr)
+
+    # Whatever is wrong with one project, the others are made.
     while todo or under_way:
         while todo and len(under_way) < WINDOW:
             project = todo.pop(0)
-            under_way[make.remote(project.stem, inputs_of(project), date)] = project.stem
+            try:
+                under_way[make.remote(project.stem, inputs_of(project), date)] = project.stem
+            except Exception as error:
+                fail(project.stem, error)
+        if not under_way:
+            break
         [done], _ = ray.wait(list(under_way), num_returns=1)
         name = under_way.pop(done)
         try:
-            _, files, error = ray.get(done)
-        except ray.exceptions.RayError as lost:  # tried on other nodes, three times
-            files, error = {}, str(lost).strip().splitlines()[0]
-        if error is None:
-            keep(plates, name, files)
-            (plates / f"{name}.err").unlink(missing_ok=True)
-        else:
-            failed += 1
-            (plates / f"{name}.err").write_text(f"{error}\n")
-            print(f"{name}: {error}", file=sys.stderr)
-    print(f"{len(list(plates.glob('*.gcode')))} plates made, {failed} failed: {plates}")
+            made = ray.get(done)  # tried on other nodes, three times, where its own was lost
+            if isinstance(made, str):
+                raise Refused(made)
+            keep(plates, name, made)
+        except Exception as error:
+            fail(name, getattr(error, "cause", None) or error)  # Ray's own words of a fault begin with a list of calls
+    made = sum((plates / f"{file.stem}{REPORT}").exists() for file in wanted)
+    print(f"{made} plates made, {len(failed)} failed: {plates}")
     return 2 if failed else 0
 
 

@@ -1029,6 +1029,29 @@ TEST_CASE("a project written elsewhere repeats the plate") {
   CHECK(Json::parse(readAll(folder.at("out/p.json")))["directions"]["file"] == "../in/lines.png");
 }
 
+TEST_CASE("the files of a plate are listed, and nothing is made") {
+  Folder folder;
+  folder.write(
+      "in/p.json",
+      R"({"sillon": 1, "shape": {"file": "a.svg"}, "directions": {"file": "sub/d.png"}, "modes": {"file": "/m.png"},
+               "layers": [{"kind": "text", "text": "A", "textSize": 9, "font": "own.ttf", "mask": "inside", "maskFile": "k.svg"},
+                          {"kind": "text", "text": "A", "textSize": 9, "font": "Caveat"},
+                          {"kind": "drawing", "file": "../e.svg", "size": [9, 9]}]})");
+  // None of them is there.
+  const Run listed = folder.run("generate in/p.json --list-files");
+  CAPTURE(listed.err);
+  CHECK(listed.code == 0);
+  CHECK(listed.out == R"(["in/a.svg","in/sub/d.png","/m.png","in/k.svg","in/own.ttf","in/../e.svg"])"
+                      "\n");
+  // Options and their files, too.
+  folder.picture("face.png", 8, 8, [](int, int) { return 200; });
+  CHECK(folder.run("generate face.png --modes m.png --shape disc --list-files").out == R"(["m.png","face.png"])"
+                                                                                       "\n");
+  CHECK(folder.run("generate --shape disc --list-files").out == "[]\n");
+  checkRefused(folder, "generate in/p.json --list-files --svg p.svg",
+               "--list-files makes no plate for \"p.svg\"; it must be given without files to write");
+}
+
 TEST_CASE("a picture is shown under the lamp that is asked for, and judged from the G-code") {
   const Folder folder;
   folder.picture("disc.png", 60, 40, [](int column, int row) {

@@ -35,6 +35,12 @@ project d -1
 
 expect 2 "$here/run" nowhere plates
 grep -q 'there is no folder nowhere' said || fail "the missing folder is not named: $(cat said)"
+# One folder for both, by whatever name: nothing is made, so nothing may be counted.
+ln -s projects same
+expect 2 "$here/run" projects same
+expect 2 "$here/table" projects projects/
+grep -q 'holds the projects; the plates need a folder of their own' said || fail "one folder for both is told as: $(cat said)"
+[ "$(ls projects)" = "$(printf 'a.json\nb c.json\nd.json')" ] || fail "one folder for both has left files: $(ls projects)"
 
 # A project at fault: the others are made, its sentence is in the table.
 expect 2 "$here/run" projects plates
@@ -45,6 +51,11 @@ for file in plates/a.gcode "plates/b c.gcode" "plates/b c.png"; do
   [ -s "$file" ] || fail "$file is missing"
 done
 [ ! -e plates/d.gcode ] || fail "a plate at fault has left a file"
+# Only a report tells of a plate.
+cp projects/d.json plates/d.report.json
+expect 2 "$here/table" projects plates
+grep -q '2 plates made, 1 missing' said || fail "a project in a report's place counts as a plate: $(cat said)"
+grep -q '^"d","no".*size.*-1' plates/report.csv || fail "a project in a report's place hides what is wrong"
 
 # Run again, only what failed is tried.
 project d 16
@@ -61,7 +72,7 @@ done
 
 # Stopped in the middle of the list, as if the machine had gone down: the log says how far it came.
 mkdir stopped
-cp plates/projects.txt plates/a.json stopped
+cp plates/projects.txt plates/a.report.json stopped
 awk 'NR == 1 || $1 == 1' plates/jobs.log >stopped/jobs.log
 expect 0 "$here/run" projects stopped
 grep -q '4 plates made, 0 missing' said || fail "after a stop it said $(cat said)"
