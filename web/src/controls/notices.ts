@@ -6,13 +6,9 @@ import { t } from '../i18n/text.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import { same } from '../model/problem.js';
-import type { exactWords } from '../i18n/say-problem.js';
 import type { Notice, Shown } from '../studio/shown.js';
 
-let exact: typeof exactWords | undefined;
-const loadExact = async (): Promise<void> => {
-  exact = (await import('../i18n/say-problem.js')).exactWords;
-};
+const loadExact = () => import('../i18n/say-problem.js');
 
 /** In English the page says many problems in the engine's own words: those are no details. */
 const sameWords = (one: string, other: string): boolean => lettersOf(one) === lettersOf(other);
@@ -189,7 +185,8 @@ export class Notices extends StudioElement {
 
   /** @param ofPlate  the engine's, which another try may mend */
   #problem(problem: NonNullable<Notice['problem']>, close: () => void, ofPlate: boolean): TemplateResult {
-    const told = this.lazy(loadExact) ? exact?.(problem) : undefined;
+    // The words for a part that could not be fetched are here: theirs could not be fetched either.
+    const told = problem.code === 'PartMissing' ? undefined : this.lazy(loadExact, true)?.exactWords(problem);
     const { message, hint, detail } = { ...problemWords(problem), ...told };
     // What the page has no words for the engine says in one sentence: which setting, and by how much.
     const named = told === undefined && (problem.code === 'InvalidArgument' || problem.code === 'DoesNotFit');

@@ -1,7 +1,7 @@
 // The studio's side of a frame: waits for one host, checks who it is, and answers what it asks for, one request after the
 // other. Nothing is done before the handshake, and everything that comes is taken as typed by a stranger.
 import { wholeWords } from '../i18n/say-problem.js';
-import { threadsWords } from '../i18n/say.js';
+import { threadsWords } from '../i18n/say-threads.js';
 import { Unfit } from '../model/check.js';
 import type { Opening } from '../model/file-role.js';
 import { isAbort, problemOf, StudioError, type Failure, type Problem } from '../model/problem.js';

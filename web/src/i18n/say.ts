@@ -1,5 +1,5 @@
 // Words for the data of the model: settings, problems, verdicts, warnings of the engine.
-import type { EngineInfo, PrinterValues } from 'sillon';
+import type { PrinterValues } from 'sillon';
 import type { Filament } from '../model/filaments.js';
 import { countLines, unusualHeat } from '../model/brought.js';
 import { profileOf, type PrinterChoice } from '../model/printers.js';
@@ -108,18 +108,4 @@ export function progressWords({ job, stage, secondsLeft }: Progress): ProgressWo
     stage: hasText(id) ? t(id) : stage,
     left: secondsLeft === undefined ? '' : t('progress.left', { time: formatDuration(secondsLeft) }),
   };
-}
-
-/** Of the chip that tells how many threads work. @param asked  what the engine was started with */
-export function threadsWords(
-  { threads, reasonCode }: EngineInfo,
-  asked: 'auto' | 'off' | number,
-): { count: string; why: string } {
-  const count = t('threads.count', { n: threads });
-  if (threads > 1) return { count, why: '' };
-  if (asked === 'off') return { count, why: t('threads.off') };
-  if (reasonCode === '') return { count, why: t('threads.one') };
-  if (reasonCode === 'GivenUp') return { count, why: t('threads.givenUp') };
-  const framed = globalThis.parent !== (globalThis.window as typeof globalThis.window | undefined);
-  return { count, why: t(framed ? 'threads.frame' : 'threads.isolation') };
 }

@@ -1,7 +1,7 @@
 // What to know before printing: one sentence per measure, how wide the beads are, and places to look at.
 import { css, html, nothing, svg, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { threadsWords } from '../i18n/say.js';
+import { threadsWords } from '../i18n/say-threads.js';
 import { verdictText } from '../i18n/say-verdict.js';
 import { words } from '../i18n/en/quality.js';
 import { formatNumber, say, t } from '../i18n/text.js';

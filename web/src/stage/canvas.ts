@@ -1,6 +1,6 @@
 // The plate on its bench: drawn by the renderer, moved by hand, wheel and keys, combed by brushes; rulers along two sides.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import type { Conflict, Shape } from 'sillon';
+import type { Shape } from 'sillon';
 import { customElement, query } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { appearance } from '../model/appearance.js';
@@ -33,6 +33,8 @@ const armLength = 600; // [mm]
 const handLength = 350; // of a phone
 
 const loadDivider = (): Promise<unknown> => import('../controls/divider.js');
+const loadAhead = () => import('../views/ahead.js');
+const loadConflict = () => import('../views/conflict.js');
 
 @customElement('sillon-canvas')
 export class PlateCanvas extends StudioElement implements Stage {
@@ -110,7 +112,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     this.studio.stage = this;
     this.#motion = new MovingLight(this.studio);
     try {
-      this.#renderer = createRenderer(this.drawing);
+      this.#renderer = createRenderer(this.drawing, this.lazy);
     } catch (error) {
       this.studio.fail(problemOf(error instanceof StudioError ? error : new StudioError('NoWebGl', {}, String(error))));
     }
@@ -185,12 +187,12 @@ export class PlateCanvas extends StudioElement implements Stage {
   }
 
   protected override updated(): void {
-    if (this.#over() !== undefined && this.lazy(loadDivider)) this.#redraw();
+    this.#told = ''; // what is drawn may ask anew for a part that could not be fetched
+    this.#redraw();
   }
 
   protected override onState(now: Readonly<Shown>, before: Readonly<Shown>): void {
     const { plate } = now;
-    this.#meetLayers(now);
     if (now.result !== before.result && now.result?.coarse === true) this.#previewCame = performance.now();
     // Undone, cleared, or another tool: what is drawn next must not take the place of an earlier stroke.
     if (this.#points !== undefined && (plate.strokes.at(-1) !== this.#stroke || now.tool !== before.tool)) this.#lift();
@@ -213,11 +215,9 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   /** Once there are any to arrange. */
   #layers: LayerStage | undefined;
-  #layersWanted = false;
 
-  #meetLayers({ panel }: Readonly<Shown>): void {
-    if (panel !== 'layers' || this.#layersWanted) return;
-    this.#layersWanted = true;
+  #loadLayers = async (): Promise<void> => {
+    const { LayerStage } = await import('../layers/stage.js');
     const view = {
       toPage: (place: Place): readonly [number, number] => {
         const { x, y } = this.#toPage(place);
@@ -226,17 +226,8 @@ export class PlateCanvas extends StudioElement implements Stage {
       toScreen: ([x, y]: readonly [number, number]): Place => this.#toScreen({ x, y }),
       scale: () => this.camera.scale / devicePixelRatio,
     };
-    void this.studio.attempt(async () => {
-      try {
-        const { LayerStage } = await import('../layers/stage.js');
-        this.#layers = new LayerStage(this.studio, view, this.#redraw);
-        this.#redraw();
-      } catch (error) {
-        this.#layersWanted = false;
-        throw error;
-      }
-    });
-  }
+    this.#layers = new LayerStage(this.studio, view, this.#redraw);
+  };
 
   // --- Drawing ----------------------------------------------------------------------------------------------------------
 
@@ -249,6 +240,7 @@ export class PlateCanvas extends StudioElement implements Stage {
   };
 
   #draw(now: number): void {
+    if (this.state.panel === 'layers') this.lazy(this.#loadLayers);
     const wait = this.#motion.move(now);
     clearTimeout(this.#flipTimer);
     this.#drawScene();
@@ -305,17 +297,8 @@ export class PlateCanvas extends StudioElement implements Stage {
   #strokes(): Overlay['strokes'] {
     const { plate, result, view } = this.state;
     if (result === undefined || result.plate.strokes === plate.strokes || view === 'directions') return undefined;
-    if (this.#ahead === undefined) {
-      this.#ahead = () => undefined;
-      void this.studio.attempt(async () => {
-        this.#ahead = (await import('../views/ahead.js')).strokesAhead;
-        this.#redraw();
-      });
-    }
-    return this.#ahead(plate, result.plate);
+    return this.lazy(loadAhead)?.strokesAhead(plate, result.plate);
   }
-
-  #ahead: ((plate: Plate, made: Plate) => Overlay['strokes']) | undefined;
 
   /** Until there are beads. */
   #shimmer(): Overlay['shimmer'] {
@@ -349,17 +332,8 @@ export class PlateCanvas extends StudioElement implements Stage {
   #conflict(): OffscreenCanvas | undefined {
     const { result, lamp } = this.state;
     if (result?.conflict === undefined) return undefined;
-    if (this.#tinted === undefined) {
-      this.#tinted = () => undefined;
-      void this.studio.attempt(async () => {
-        this.#tinted = (await import('../views/conflict.js')).conflictPicture;
-        this.#redraw();
-      });
-    }
-    return this.#tinted(result.conflict, lamp);
+    return this.lazy(loadConflict)?.conflictPicture(result.conflict, lamp);
   }
-
-  #tinted: ((conflict: Conflict, picture: number) => OffscreenCanvas | undefined) | undefined;
 
   #bitmap: ImageBitmap | undefined;
   #bitmapOf: Blob | undefined;

@@ -287,8 +287,9 @@ export class Studio {
     this.tell({ text, actions });
   }
 
-  fail(problem: Problem): void {
-    this.tell({ text: '', problem });
+  /** @returns the number of what stands there now */
+  fail(problem: Problem): number {
+    return this.tell({ text: '', problem });
   }
 
   dismiss(id: number): void {
@@ -306,21 +307,27 @@ export class Studio {
     }
   }
 
-  tell(words: Omit<Notice, 'id'>): void {
-    const { problem } = this.store.state;
-    if (problem !== undefined && words.problem !== undefined && same(problem, words.problem)) return; // it stands there already
+  /** @returns the number of the notice, by which it is dismissed; 0: the plate's problem says it */
+  tell(words: Omit<Notice, 'id'>): number {
+    const { problem: told } = words;
+    const { problem, notices, dialog } = this.store.state;
+    if (told !== undefined) {
+      if (problem !== undefined && same(problem, told)) return 0;
+      const standing = notices.find((notice) => notice.problem !== undefined && same(notice.problem, told));
+      // Sheets show only what is told while they are open.
+      if (standing !== undefined && dialog === undefined) return standing.id;
+    }
     const id = this.#nextNotice++;
-    const others = this.store.state.notices.filter(
-      (notice) => notice.problem === undefined || words.problem === undefined,
-    );
+    const others = notices.filter((notice) => notice.problem === undefined || told === undefined);
     const all = [...others, { id, ...words }];
     const latest = all.filter(({ stays }) => !stays).slice(-3);
     this.store.set({ notices: all.filter((notice) => notice.stays || latest.includes(notice)) });
-    if (words.problem !== undefined || words.stays) return;
+    if (told !== undefined || words.stays) return id;
     const shownFor = words.actions?.length ? offerFor : noticeFor;
     setTimeout(() => {
       this.dismiss(id);
     }, shownFor);
+    return id;
   }
 
   /** @param opened  undefined: another plate, of other files; what was offered for those before would be done to these */

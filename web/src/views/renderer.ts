@@ -112,8 +112,9 @@ function boxOf(data: Float32Array, first: number, count: number): Run['box'] {
 
 const comparing = ({ compare, wipe }: Scene): boolean => compare || wipe !== undefined;
 
-/** @throws Error where there is no WebGL2. */
-export function createRenderer(canvas: HTMLCanvasElement): Renderer {
+/** @param lazy  fetches a part when it is first asked for; without it nothing is compared, and no delays are shown
+ * @throws Error where there is no WebGL2. */
+export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Promise<void>) => unknown): Renderer {
   const context = canvas.getContext('webgl2', { antialias: false, alpha: true, preserveDrawingBuffer: false });
   if (context === null) throw new Error('this browser has no WebGL2');
   const gl = context;
@@ -173,11 +174,13 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
   let zigzag: (typeof import('./zigzag.js'))['zigzag'] | undefined;
   async function loadZigzag(): Promise<void> {
     ({ zigzag } = await import('./zigzag.js'));
+    redraw();
   }
 
   let delaysOf: (typeof import('./delays.js'))['delaysOf'] | undefined;
   async function loadDelays(): Promise<void> {
     ({ delaysOf } = await import('./delays.js'));
+    redraw();
   }
 
   function delayedOf(toolpath: Toolpath, speed: number): Delayed | undefined {
@@ -273,11 +276,11 @@ export function createRenderer(canvas: HTMLCanvasElement): Renderer {
     if (scene.toolpath === undefined) return;
     const { compare, wipe, page } = scene;
     const other = comparing(scene) ? zigzagOf(scene.toolpath) : undefined;
-    if (comparing(scene) && other === undefined) void loadZigzag().then(redraw);
+    if (comparing(scene) && other === undefined) lazy?.(loadZigzag);
     // By powers of two, not to begin anew with every step of a zoom; what is played grows point by point.
     const byDelay = scene.view === 'toolpath' && scene.colourBy === 'delay';
     const late = byDelay ? delayedOf(scene.toolpath, scene.feed.shown) : undefined;
-    if (byDelay && late === undefined) void loadDelays().then(redraw);
+    if (byDelay && late === undefined) lazy?.(loadDelays);
     const tolerance = scene.progress < 1 || late !== undefined ? 0 : 2 ** Math.floor(Math.log2(unseen / camera.scale));
     const shown = late?.toolpath ?? scene.toolpath;
     const beads = beadsOf(other === undefined ? [shown] : [shown, other], tolerance, late);

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { linksOf, readAddresses } from '../../../tools/addresses.mjs';
 import { sharedBench } from './support/shared.js';
 import { skip, start } from './support/studio.js';
-import { until } from './support/waits.js';
+import { settled, until } from './support/waits.js';
 
 const bench = sharedBench(skip, start);
 
@@ -52,6 +52,74 @@ test(
     await until(() => visit.page.evaluate(() => globalThis.old === undefined).catch(() => false), 'the page anew');
   },
 );
+
+test('a section that cannot be fetched is asked for ever more rarely, and fills once it can be', { skip }, async () => {
+  // Its waits end when the test says so.
+  const prepare = () => {
+    const { setTimeout } = globalThis;
+    globalThis.rests = [];
+    globalThis.setTimeout = (run, wait, ...more) =>
+      globalThis.holds && [1000, 2000, 4000].includes(wait)
+        ? globalThis.rests.push({ run, wait })
+        : setTimeout(run, wait, ...more);
+  };
+  const visit = await bench.open({ small: true, fresh: true, prepare });
+  const { page } = visit;
+  await visit.idle();
+  const asked = [];
+  await page.route(/assets\//, (route) => {
+    asked.push(new URL(route.request().url()).pathname);
+    return route.fulfill({ status: 404 });
+  });
+  await page.evaluate(() => (globalThis.holds = true));
+  await visit.section('Shape');
+  const alert = page.locator('sillon-notices .problem');
+  await alert.getByText('A part of the page could not be loaded.').waitFor();
+  const frames = () =>
+    page.evaluate(async () => {
+      for (let k = 0; k < 30; ++k) await new Promise((resolve) => requestAnimationFrame(resolve));
+    });
+  const waits = () => page.evaluate(() => globalThis.rests.map(({ wait }) => wait));
+  const again = () => page.evaluate(() => globalThis.rests.at(-1).run());
+  const tries = () => asked.filter((name) => name.includes('/shape-panel-')).length;
+  await frames();
+  const [first] = asked;
+  assert.match(first, /shape-panel/);
+  assert.ok(asked.length < 5, `${asked.length} requests`); // with what the section itself imports
+  for (const [k, list] of [[1000], [1000, 2000], [1000, 2000, 4000]].entries()) {
+    await until(async () => (await waits()).length === list.length, `rest ${k}`);
+    await frames();
+    assert.deepEqual(await waits(), list);
+    assert.equal(tries(), k + 1);
+    if (list.length < 3) await again();
+  }
+  assert.equal(await alert.count(), 1);
+  await page.unroute(/assets\//);
+  await again();
+  await page.locator('sillon-shape-panel').getByText('Heart', { exact: true }).first().waitFor();
+  await until(async () => (await alert.count()) === 0, 'the notice gone');
+});
+
+test('why the engine refuses a plate is told without the words that cannot be fetched', { skip }, async () => {
+  const visit = await bench.open({ small: true, fresh: true });
+  const { page } = visit;
+  await visit.idle();
+  let asked = 0;
+  await page.route(/assets\/say-problem-/, (route) => {
+    ++asked;
+    return route.fulfill({ status: 404 });
+  });
+  await page.evaluate(() => {
+    const values = { reason: 'SettingOutOfRange', setting: 'toolpath.spacing', value: 90, low: 0.05, high: 20 };
+    document.querySelector('sillon-app').studio.fail({ code: 'InvalidArgument', values, detail: 'spacing is 90' });
+  });
+  const alert = page.locator('sillon-notices .problem');
+  await alert.getByText('spacing is 90').waitFor();
+  for (let k = 0; k < 2; ++k) await page.evaluate((k) => document.querySelector('sillon-app').studio.notify(`${k}`), k);
+  await settled(page);
+  assert.equal(await alert.getByText('spacing is 90').isVisible(), true);
+  assert.ok(asked >= 1 && asked <= 3, `${asked} requests`);
+});
 
 test(
   'the first G-code tells once that nothing was tried on a printer yet, and offers the first print',

@@ -20,9 +20,9 @@ import {
   problemWords,
   progressWords,
   settingLabel,
-  threadsWords,
   valueText,
 } from '../../src/i18n/say.js';
+import { threadsWords } from '../../src/i18n/say-threads.js';
 import {
   formatBytes,
   formatDuration,

@@ -1,0 +1,17 @@
+// Words for how many threads the engine works with.
+import type { EngineInfo } from 'sillon';
+import { t } from './text.js';
+
+/** Of the chip that tells how many threads work. @param asked  what the engine was started with */
+export function threadsWords(
+  { threads, reasonCode }: EngineInfo,
+  asked: 'auto' | 'off' | number,
+): { count: string; why: string } {
+  const count = t('threads.count', { n: threads });
+  if (threads > 1) return { count, why: '' };
+  if (asked === 'off') return { count, why: t('threads.off') };
+  if (reasonCode === '') return { count, why: t('threads.one') };
+  if (reasonCode === 'GivenUp') return { count, why: t('threads.givenUp') };
+  const framed = globalThis.parent !== (globalThis.window as typeof globalThis.window | undefined);
+  return { count, why: t(framed ? 'threads.frame' : 'threads.isolation') };
+}
