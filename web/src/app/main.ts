@@ -4,6 +4,7 @@ import { spoken } from '../i18n/languages.js';
 import { languageFor, say, setLanguage, t } from '../i18n/text.js';
 import directionsWorker from '../generators/directions.worker.ts?worker&url';
 import { createRasteriser } from '../generators/rasteriser.js';
+import type { Room } from '../generators/room.js';
 import { loadEngine } from '../engine/load.js';
 import { StudioEngine } from '../engine/studio-engine.js';
 import type { Autosave, Kept, Opened } from '../files/autosave.js';
@@ -70,16 +71,11 @@ const rasteriser = createRasteriser(
   },
   () => startWorker(directionsWorker, 'directions'),
 );
-const pipeline = new Pipeline(
-  store,
-  engine,
-  rasteriser,
-  () => startWorker(marksWorker, 'marks'),
-  async (plate) => {
-    const [{ shapeRoom }, running] = await Promise.all([import('../generators/shape-room.js'), engine.engine()]);
-    return shapeRoom(plate, running);
-  },
-);
+async function shapeRoom(plate: Plate): Promise<Room> {
+  const [made, running] = await Promise.all([import('../generators/shape-room.js'), engine.engine()]);
+  return made.shapeRoom(plate, running);
+}
+const pipeline = new Pipeline(store, engine, rasteriser, () => startWorker(marksWorker, 'marks'), shapeRoom);
 /** Of the studio itself at once; in a frame none until a host says so. */
 let autosave: Autosave | undefined;
 
@@ -226,6 +222,8 @@ studio.services = {
     const [{ layerBoxes }, running] = await Promise.all([import('../engine/layer-boxes.js'), engine.engine()]);
     return layerBoxes(plate, running);
   },
+  freePlace: async (plate, taken, wanted) =>
+    (await import('../generators/free-place.js')).freePlaceOn(plate, shapeRoom(plate), taken, wanted),
   async handDirections(strokes, box, angle) {
     const { handRaster } = await import('../rebrush/hand.js');
     return handRaster(strokes, box, angle, fineResolution);

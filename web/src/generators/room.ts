@@ -16,31 +16,36 @@ export interface Place {
   y: number;
 }
 
-/** The largest box of these proportions that lies inside, no larger than wanted; where there are several, nearest to the middle
- * of the page. @param wide, tall  as wanted, shares of the page; one texel is left around it */
-export function placeIn(wide: number, tall: number, { width, height, inside }: Room): Place {
-  // Sums over all texels above and to the left: a box is inside where its sum is its area.
+/** Adds up any box of a picture. @returns the sum of so many columns and rows from a place on */
+export function adder(values: Uint8Array, { width, height }: Size) {
+  // Sums over all texels above and to the left.
   const stride = width + 1;
   const sums = new Uint32Array(stride * (height + 1));
   for (let row = 0; row < height; ++row) {
     for (let column = 0, line = 0; column < width; ++column) {
-      line += inside[row * width + column] as number;
+      line += values[row * width + column] as number;
       sums[(row + 1) * stride + column + 1] = (sums[row * stride + column + 1] as number) + line;
     }
   }
+  return (column: number, row: number, columns: number, rows: number): number => {
+    const [top, low] = [row * stride + column, (row + rows) * stride + column];
+    return (
+      (sums[low + columns] as number) - (sums[low] as number) - (sums[top + columns] as number) + (sums[top] as number)
+    );
+  };
+}
+
+/** The largest box of these proportions that lies inside, no larger than wanted; where there are several, nearest to the middle
+ * of the page. @param wide, tall  as wanted, shares of the page; one texel is left around it */
+export function placeIn(wide: number, tall: number, { width, height, inside }: Room): Place {
+  const sum = adder(inside, { width, height }); // a box is inside where its sum is its area
   const find = (scale: number): Place | undefined => {
     const [columns, rows] = [Math.ceil(wide * scale * width) + 2, Math.ceil(tall * scale * height) + 2];
     let best: Place | undefined;
     let nearest = Infinity;
     for (let row = 0; row + rows <= height; ++row) {
       for (let column = 0; column + columns <= width; ++column) {
-        const [top, low] = [row * stride + column, (row + rows) * stride + column];
-        const sum =
-          (sums[low + columns] as number) -
-          (sums[low] as number) -
-          (sums[top + columns] as number) +
-          (sums[top] as number);
-        if (sum < rows * columns) continue;
+        if (sum(column, row, columns, rows) < rows * columns) continue;
         const [x, y] = [(column + columns / 2) / width, (row + rows / 2) / height];
         const away = Math.hypot(x - 0.5, ((y - 0.5) * height) / width);
         if (away >= nearest) continue;

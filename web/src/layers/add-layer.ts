@@ -1,24 +1,38 @@
 // New layers: of a kind, or of a file whose bytes tell what it is.
 import { l } from '../i18n/layers.js';
 import { StudioError } from '../model/problem.js';
-import { isFontFile, mostLayers, newLayer, nextLayerId, withLayer } from '../model/layer-list.js';
+import type { Point } from '../model/layer-frame.js';
+import {
+  duplicated,
+  isFontFile,
+  layerOf,
+  middleOf,
+  mostLayers,
+  newLayer,
+  nextLayerId,
+  withLayer,
+} from '../model/layer-list.js';
 import { needsFile, type LayerKind, type LayerValues } from '../model/layers.js';
-import type { Plate, SourceFile } from '../model/plate.js';
+import type { Plate, PlateLayer, SourceFile } from '../model/plate.js';
+import { without } from '../model/without.js';
 import type { Studio } from '../studio/studio.js';
+import { withPlaces } from './placing.js';
 
 export const drawingFiles = '.svg,.png,.jpg,.jpeg,image/*';
 export const pictureFiles = '.png,.jpg,.jpeg,image/*';
 export const fontFiles = '.ttf,.otf';
 
-/** Puts layers on top, as one step of undo, and chooses the last. @returns whether there was room for all of them */
-function put(studio: Studio, made: (plate: Plate) => readonly LayerValues[]): boolean {
-  const { plate } = studio.store.state;
-  const values = made(plate);
-  if (plate.layers.length + values.length > mostLayers) {
+/** Puts layers on top, as one step of undo, and chooses the last.
+ * @param at  where a hand has put the first [mm]; undefined: where there is room
+ * @returns whether a plate can have all of them */
+async function put(studio: Studio, made: (plate: Plate) => readonly LayerValues[], at?: Point): Promise<boolean> {
+  const wanted = made(studio.store.state.plate);
+  if (wanted.length === 0) return false;
+  const values = await withPlaces(studio, wanted, at);
+  if (studio.store.state.plate.layers.length + values.length > mostLayers) {
     studio.notify(l('full', { n: mostLayers }));
     return false;
   }
-  if (values.length === 0) return false;
   studio.settle();
   studio.change((now) => values.reduce(withLayer, now));
   studio.store.set({ layer: nextLayerId(studio.store.state.plate) - 1, cropping: false, tool: 'pan' });
@@ -71,12 +85,29 @@ export async function oneFile(studio: Studio, files: readonly File[], accept: st
 /** A layer for each of the files: drawings, pictures, and texts in fonts of one's own. */
 export async function addFiles(studio: Studio, files: readonly File[]): Promise<void> {
   const found = await readAll(studio, files);
-  put(studio, (plate) =>
+  await put(studio, (plate) =>
     found.map(({ file, isFont }) => {
       if (isFont) return newLayer(plate, 'text', { font: file });
       return newLayer(plate, isDrawing(file) ? 'drawing' : 'picture', { file });
     }),
   );
+}
+
+/** A copy of a layer above it, where there is room. */
+export async function duplicate(studio: Studio, layer: PlateLayer): Promise<void> {
+  const [values] = await withPlaces(studio, [
+    { ...without(layer, 'id'), at: middleOf(studio.store.state.plate, layer) },
+  ]);
+  const { plate } = studio.store.state;
+  const next = nextLayerId(plate);
+  if (values === undefined || layerOf(plate, layer.id) === undefined) return; // it has gone meanwhile
+  if (plate.layers.length >= mostLayers) {
+    studio.notify(l('full', { n: mostLayers }));
+    return;
+  }
+  studio.settle();
+  studio.change((now) => duplicated(now, layer.id, values));
+  studio.store.set({ layer: next, cropping: false });
 }
 
 /** @returns whether there is one more */

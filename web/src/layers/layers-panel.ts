@@ -6,10 +6,10 @@ import { icon } from '../controls/icons.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { l, layerLabel, layerName } from '../i18n/layers.js';
 import { t } from '../i18n/text.js';
-import { changeLayer, duplicated, layerOf, nextLayerId, raised, withoutLayer } from '../model/layer-list.js';
+import { changeLayer, layerOf, raised, withoutLayer } from '../model/layer-list.js';
 import { completeLayers, lackOf, type LayerKind } from '../model/layers.js';
 import type { Plate, PlateLayer } from '../model/plate.js';
-import { addFiles, addLayer } from './add-layer.js';
+import { addFiles, addLayer, duplicate } from './add-layer.js';
 import { frameIn } from './arranging.js';
 import { followBoxes } from './boxes.js';
 import { kindIcon, layerIcon } from './icons.js';
@@ -153,7 +153,8 @@ export class LayersPanel extends StudioElement {
     </li>`;
   }
 
-  #actions({ id }: PlateLayer, name: string): TemplateResult {
+  #actions(layer: PlateLayer, name: string): TemplateResult {
+    const { id } = layer;
     const { layers } = this.state.plate;
     const action = (
       what: 'up' | 'down' | 'duplicate' | 'delete',
@@ -177,11 +178,7 @@ export class LayersPanel extends StudioElement {
     return html`<div class="actions">
       ${action('up', layerIcon('up', 16), layers.at(-1)?.id === id, raise(1))}
       ${action('down', layerIcon('down', 16), layers[0]?.id === id, raise(-1))}
-      ${action('duplicate', icon('copy', 16), false, () => {
-        const next = nextLayerId(this.state.plate);
-        this.#change((plate) => duplicated(plate, id));
-        if (layerOf(this.state.plate, next) !== undefined) this.studio.store.set({ layer: next, cropping: false });
-      })}
+      ${action('duplicate', icon('copy', 16), false, () => void duplicate(this.studio, layer))}
       ${action('delete', icon('bin', 16), false, () => {
         this.#remove(id);
       })}

@@ -35,7 +35,8 @@ function sizeOf(layer: PlateLayer, page: Point, known: KnownBox | undefined): Po
   const [width, height] = layer.size;
   if (layer.kind === 'text') {
     const factor = known === undefined ? layer.textSize : grown(layer, known.layer);
-    const [wide, tall] = known?.size ?? [3, 1];
+    const lines = layer.text.split('\n');
+    const [wide, tall] = known?.size ?? [Math.max(...lines.map(({ length }) => length)), lines.length];
     return [factor * wide, factor * tall];
   }
   const [wide, tall] = known?.size ?? (fillsPage(layer) ? page : [1, 1]);

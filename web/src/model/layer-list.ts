@@ -101,17 +101,11 @@ export function raised(plate: Plate, id: number, by: number): Plate {
   return { ...plate, layers };
 }
 
-const beside = 3; // [mm] copies lie so far to the right and below
-
-/** The plate with a copy above a layer, whose id was `nextLayerId`; the same plate where there is no room for it. */
-export function duplicated(plate: Plate, id: number): Plate {
-  const from = plate.layers.findIndex((layer) => layer.id === id);
-  const layer = plate.layers[from];
-  if (layer === undefined || plate.layers.length >= mostLayers) return plate;
-  const [x, y] = middleOf(plate, layer);
-  const copy: PlateLayer = { ...layer, id: nextLayerId(plate), at: [x + beside, y - beside] };
-  return { ...plate, layers: [...plate.layers.slice(0, from + 1), copy, ...plate.layers.slice(from + 1)] };
-}
+/** The plate with a copy above a layer, whose id was `nextLayerId`. @param values  of the copy */
+export const duplicated = (plate: Plate, id: number, values: LayerValues): Plate => ({
+  ...plate,
+  layers: plate.layers.flatMap((layer) => (layer.id === id ? [layer, { ...values, id: nextLayerId(plate) }] : [layer])),
+});
 
 /** The place that a layer's box, or its circle, lies about. */
 export function middleOf(plate: PageParts, { at }: Pick<PlateLayer, 'at'>): [number, number] {

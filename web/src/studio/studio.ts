@@ -7,6 +7,7 @@ import { t } from '../i18n/text.js';
 import { toReview, useBrought, withoutBrought } from '../model/brought.js';
 import { homeLight, isOwnPicture, lampsOf } from '../model/lamp.js';
 import { showsPictures } from '../model/layers.js';
+import type { FreePlace, Taken, Wanted } from '../model/free-place.js';
 import { nothingLeft, type Left } from '../model/left.js';
 import { pageOf, type Plate, type Stroke } from '../model/plate.js';
 import type { Seen } from '../model/doubts.js';
@@ -79,6 +80,8 @@ export interface Services {
   directions(): Promise<DirectionRaster>;
   /** The box in which the engine puts each layer that lacks nothing, by its id. */
   layerBoxes(plate: Plate): Promise<ReadonlyMap<number, PlacedLayer>>;
+  /** Where a new box lies free on the plate. */
+  freePlace(plate: Plate, taken: readonly Taken[], wanted: Wanted): Promise<FreePlace>;
   /** Of a sliced print, on a box of the bed: strokes in mm on the bed, and an angle elsewhere [degrees]. */
   handDirections(strokes: readonly Stroke[], box: Box, angle: number): Promise<DirectionRaster>;
   /** What a start or end block would do, line by line. */

@@ -313,6 +313,31 @@ test('files that are dropped on the panel become layers, and elsewhere what they
   assert.equal((await layers(visit)).length, 3);
 });
 
+test('new layers and copies lie beside those that are there, inside the shape', { skip }, async () => {
+  const visit = await open();
+  const { page } = visit;
+  for (const kind of ['Text', 'Text']) await add(visit, kind);
+  await page.getByRole('button', { name: /^Duplicate/ }).click();
+  await visit.until(({ plate, layer }) => plate.layers.length === 3 && layer === 3);
+  const found = await layers(visit);
+  assert.equal(found[0].at, null); // the first lies in the middle
+  const boxes = found.map(({ kind, at, text, textSize, size }) => ({
+    at: at ?? [12, 12],
+    size: kind === 'text' ? [text.length * textSize, textSize] : [size[0], size[0]],
+  }));
+  boxes.forEach((one, k) => {
+    const far = Math.hypot(...[0, 1].map((side) => Math.abs(one.at[side] - 12) + one.size[side] / 2));
+    assert.ok(far <= 12.1, JSON.stringify(one));
+    for (const other of boxes.slice(k + 1)) {
+      const apart = Math.max(
+        ...[0, 1].map((side) => Math.abs(one.at[side] - other.at[side]) - (one.size[side] + other.size[side]) / 2),
+      );
+      assert.ok(apart > 0, JSON.stringify([one, other]));
+    }
+  });
+  assert.deepEqual(visit.problems, []);
+});
+
 test('a picture is cropped where it lies, and what is cut off is seen', { skip }, async () => {
   const visit = await open();
   const { page } = visit;
