@@ -178,15 +178,24 @@ Result<std::string> packedAs(const std::string& path, std::string gcode) {
   return gcode;
 }
 
-std::string packageWarning(const std::string& path, sillon::GcodeFlavor flavor) {
-  if (!endsWith(path, ".gcode.3mf") || flavor == sillon::GcodeFlavor::Bambu) return {};
-  return ".gcode.3mf is for Bambu Lab printers, which must not run the G-code of other printers";
+std::optional<Error> packageProblem(const std::string& path, sillon::GcodeFlavor flavor, const std::string& command,
+                                    const std::string& container) {
+  if (!endsWith(path, ".gcode.3mf") || flavor == sillon::GcodeFlavor::Bambu) return std::nullopt;
+  const std::string donor = container.empty() ? "your.gcode.3mf" : container;
+  const bool plate = command == "generate";
+  return Error{
+      ErrorCode::InvalidArgument,
+      "\"" + path +
+          "\" is for a Bambu Lab printer, but the project's printer is not; take the printer from a file of your "
+          "slicer, \"sillon import " +
+          donor + " > mine.json\", and go on with \"sillon " + command + " mine.json ..." +
+          (plate ? " --gcode " : " -o ") + path + (plate ? " --container " + donor : "") + "\""};
 }
 
 namespace {
 
 /// The G-code in the kind of file that its name asks for.
-Result<std::string> packed(std::string gcode, const OutputPaths& paths, sillon::GcodeFlavor flavor) {
+Result<std::string> packed(std::string gcode, const OutputPaths& paths) {
   if (paths.container.empty()) return packedAs(paths.gcode, std::move(gcode));
   const bool package = endsWith(paths.gcode, ".gcode.3mf");
   const bool binary = endsWith(paths.gcode, ".bgcode");
@@ -202,12 +211,6 @@ Result<std::string> packed(std::string gcode, const OutputPaths& paths, sillon::
                                                  " must both be .gcode.3mf or both .bgcode"};
   }
   if (container.value().plates > 1) return severalPlates(paths.container, container.value().plates);
-  if (package && flavor != sillon::GcodeFlavor::Bambu) {
-    return Error{ErrorCode::InvalidArgument,
-                 "--container " + paths.container +
-                     " is for a Bambu Lab printer, but the project's printer is not; take it from that file with "
-                     "sillon import"};
-  }
   return sillon::writeGcodeContainer(container.value(), std::move(gcode));
 }
 
@@ -220,7 +223,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
   if (!paths.gcode.empty()) {
     Result<std::string> text = gcodeText(job, run);
     if (!text) return text.error();
-    text = packed(std::move(text).value(), paths, project.printer.flavor);
+    text = packed(std::move(text).value(), paths);
     if (!text) return text.error();
     files.push_back({paths.gcode, std::move(text).value()});
   }
@@ -300,10 +303,6 @@ std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& f
   if (plate.delay) out += delayLine(*plate.delay);
   for (const OutputFile& file : files) out += "wrote      " + file.path + " (" + sizeText(file.bytes.size()) + ")\n";
   const std::vector<sillon::Warning> warnings = plate.warnings();
-  for (const OutputFile& file : files) {
-    const std::string warning = packageWarning(file.path, plate.project.printer.flavor);
-    if (!warning.empty()) out += "warning    " + warning + "\n";
-  }
   for (const sillon::Warning& warning : warnings) {
     out += "warning    " + warning.message + "\n";
   }

@@ -46,8 +46,10 @@ std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictu
 /// InvalidArgument for a .3mf that would be taken for a model; TooLarge as packing does.
 sillon::Result<std::string> packedAs(const std::string& path, std::string gcode);
 
-/// Why a file of this name should not be printed; empty if nothing speaks against it.
-std::string packageWarning(const std::string& path, sillon::GcodeFlavor flavor);
+/// Refuses a .gcode.3mf for a printer that reads none. \param command  that would make it: "generate", "calibrate
+/// flow". \param container  the slicer's file; empty: none is given.
+std::optional<sillon::Error> packageProblem(const std::string& path, sillon::GcodeFlavor flavor,
+                                            const std::string& command, const std::string& container = {});
 
 /// Makes every output; fills job.bodyRefused, and what the plate tells of its G-code.
 sillon::Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run);

@@ -142,8 +142,9 @@ export interface Engine {
    * finding per line and code, in the order of the lines.
    * @param flavor only tells which commands are unknown (default 'marlin'); errors are the same for every machine. */
   examineBlock(block: string, flavor?: Printer['flavor'], options?: RunOptions): Promise<GcodeFinding[]>;
-  /** G-code as the .gcode.3mf that Bambu printers take: a zip with the file, its MD5, picture, time and filament. Not tried
-   * on a printer. importPrinter and checkGcode read such files, and .bgcode. */
+  /** G-code as the .gcode.3mf that Bambu printers take: a zip with the file, its MD5, picture, time and filament, by the
+   * number that the file loads. Not tried on a printer. importPrinter and checkGcode read such files, and .bgcode.
+   * @throws `InvalidArgument` for other printers' G-code and for several filaments, `TooLarge`. */
   packGcode(file: Bytes, options?: RunOptions): Promise<Blob>;
 
   /** The top and bottom surfaces of a file that PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio or Cura sliced:

@@ -205,6 +205,9 @@ Result<Outcome> makePrint(const Arguments& arguments, const sillon::Project& pro
     if (!name->empty()) inputs.push_back(*name);
   }
   if (const auto problem = checkOutputs(outputs, inputs)) return *problem;
+  if (auto problem = packageProblem(arguments.out, project.printer.flavor, "calibrate " + arguments.kind)) {
+    return *std::move(problem);
+  }
   const std::vector<std::string>& kinds = sillon::calibrationKinds();
   const auto kind =
       static_cast<sillon::CalibrationKind>(std::find(kinds.begin(), kinds.end(), arguments.kind) - kinds.begin());
@@ -244,8 +247,6 @@ Result<Outcome> makePrint(const Arguments& arguments, const sillon::Project& pro
     return Outcome{std::move(files), tableJson(arguments.kind, plate, summary.value(), findings), true};
   }
   std::string out = table(plate, summary.value());
-  const std::string package = packageWarning(arguments.out, plate.printer.flavor);
-  if (!package.empty()) out += "warning  " + package + "\n";
   for (const sillon::Warning& warning : summary.value().warnings) {
     out += "note     " + warning.message + "\n";
   }

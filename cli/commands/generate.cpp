@@ -106,6 +106,9 @@ std::optional<Error> checkPaths(const Arguments& arguments, const sillon::Projec
     return Error{ErrorCode::InvalidArgument,
                  "--container is \"" + outputs.container + "\"; it must be given with --gcode"};
   }
+  if (auto problem = packageProblem(outputs.gcode, project.printer.flavor, "generate", outputs.container)) {
+    return problem;
+  }
   if (!outputs.conflict.empty() && pictures < 2) {
     return Error{ErrorCode::InvalidArgument,
                  "--conflict is \"" + outputs.conflict + "\"; it must be given with two pictures or more"};

@@ -15,11 +15,13 @@ cp "$root"/examples/inputs/{moon,sun}.png "$root"/tests/fuzz/seeds/rebrush/prusa
 printf '%s' '{"version": 1, "spools": {"mine": {"colour": [1, 2, 3], "fine": {"nozzleSide": [9, 16], "bedSide": [2, 9]}}}}' \
   >spools.json
 
+printf '%s' '{"sillon": 1, "printer": {"flavor": "bambu", "startGcode": "G28\nM190 S60\nM109 S220\n"}}' >bambu.json
+
 # Calls of `new` tried, evenly spread, and of the last ones, where files are written | files made in out/ | command, in
 # which THREADS is 1 or 2. A file "=NAME" is changed in place. What makes no file tells on stdout.
 commands='
 90 60 | plate.gcode plate.json plate.svg | generate --shape disc --size 6 --threads THREADS --gcode out/plate.gcode --report out/plate.json --svg out/plate.svg
-30 60 | a.gcode.3mf a.png a-2.png c.png c-2.png v.png b.3mf p.json | generate --shape disc --size 5 --spacing 0.8 --layer-height 0.2 --threads THREADS --picture moon.png --picture sun.png --gcode out/a.gcode.3mf --preview out/a.png --preview-width 32 --conflict out/c.png --view out/v.png --body out/b.3mf --project out/p.json
+30 60 | a.gcode.3mf a.png a-2.png c.png c-2.png v.png b.3mf p.json | generate bambu.json --shape disc --size 5 --spacing 0.8 --layer-height 0.2 --threads THREADS --picture moon.png --picture sun.png --gcode out/a.gcode.3mf --preview out/a.png --preview-width 32 --conflict out/c.png --view out/v.png --body out/b.3mf --project out/p.json
 30 0 | | generate --shape disc --size 6 --threads THREADS --quiet
 20 60 | flow.gcode flow.png | calibrate flow --printer prusa-mini -o out/flow.gcode --preview out/flow.png --preview-width 32
 10 40 | layer.bgcode | calibrate width --printer prusa-mini --json -o out/layer.bgcode

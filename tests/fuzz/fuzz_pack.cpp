@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 #include "sillon/export/gcode_archive.hpp"
@@ -10,10 +11,11 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sillon;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const auto packed = packGcode(bytes);
-  if (!packed) std::abort();  // only sizes are refused
-  const auto back = unpackGcode(packed.value());
-  if (!back || back.value() != bytes) std::abort();
+  const std::string bambu = "; HEADER_BLOCK_START\n" + std::string(bytes);
+  const auto packed = packGcode(bambu);
+  if (!packed && packed.error().message.empty()) std::abort();
+  const auto back = packed ? unpackGcode(packed.value()) : bambu;
+  if (!back || back.value() != bambu) std::abort();
   if (!readGcodeContainer(packBinaryGcode(bytes).value())) std::abort();
   const auto container = readGcodeContainer(std::string(bytes));
   if (!container && container.error().message.empty()) std::abort();

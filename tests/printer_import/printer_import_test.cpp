@@ -623,9 +623,9 @@ TEST_CASE("of several filaments a donor's is the one that it prints with") {
   CHECK(bambu.maxFlow == 12);
   CHECK(bambu.filamentDensity == 1.27);
   CHECK(bambu.machineAcceleration == 5000);  // of a mode, not of a filament
-  // Its job has one filament, which is the first.
+  // Its number stays: the package that it came in lists it by that.
   CHECK(bambu.startGcode ==
-        "G28\nM190 S{first_layer_bed_temperature}\nM620 S0A\nM109 S{first_layer_temperature}\nT0\nM621 S0A\nT1000\n");
+        "G28\nM190 S{first_layer_bed_temperature}\nM620 S1A\nM109 S{first_layer_temperature}\nT1\nM621 S1A\nT1000\n");
   CHECK(bambu.endGcode == "M620 S255\nM84\n");
   const Printer other = imported(start + layer + "; printer_model = Changer\n" + settings).printer;
   CHECK(other.nozzleTemperature == 250);

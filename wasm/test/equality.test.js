@@ -1,7 +1,7 @@
 // Same input, same bytes: the package against the native program, with and without threads.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -87,7 +87,9 @@ test('a base layer across the beads is that of the native program, byte for byte
 });
 
 test('packed G-code is that of the native program, and both read it', async () => {
-  const path = join(root, 'examples/strokes.json');
+  const path = join(folder, 'bambu.json');
+  const printer = { flavor: 'bambu', startGcode: 'G28\nM190 S60\nM620 S2A\nT2\nM621 S2A\nM109 S220\n' };
+  writeFileSync(path, JSON.stringify({ sillon: 1, shape: { builtin: 'disc', size: [12, 12] }, printer }));
   const packed = join(folder, 'plate.gcode.3mf');
   const args = ['generate', path, '--gcode', packed, '--quiet'];
   const { status, stderr } = spawnSync(nativeProgram, args, { env: { ...process.env, SOURCE_DATE_EPOCH: '0' } });

@@ -192,6 +192,7 @@ const cases = {
     [() => engine.packGcode(7), 'InvalidArgument', /^file is 7/],
     [() => engine.packGcode(new Uint8Array(0)), 'InvalidFile', /^file is empty/],
     [() => engine.packGcode(new Blob([])), 'InvalidFile', /^file is empty/],
+    [() => engine.packGcode(new Blob(['G28\n'])), 'InvalidArgument', /^the G-code is not for a Bambu Lab printer/],
     [() => engine.writeBaseBody(square, {}, { base: 0 }), 'InvalidArgument', /^base is 0; it must be at least 1/],
     [() => engine.writeBaseBody(square, {}, { layerHeight: 9 }), 'InvalidArgument', /^print\.layerHeight is 9 mm/],
     [() => engine.writeBaseBody(square, {}, {}, { format: 'obj' }), 'InvalidArgument', /^format is "obj"; .*"stl"/],

@@ -105,15 +105,16 @@ for (const threads of [1, 2]) {
 
     test('the last G-code is checked and packed where it was written', async () => {
       const { toolpath } = await engine.generateToolpath(disc(12));
-      const { blob } = await engine.writeGcode(toolpath, {}, { date });
-      const check = await engine.checkGcode(blob, {});
+      const bambu = { flavor: 'bambu', startGcode: 'G28\nM190 S60\nM109 S220\n' };
+      const { blob } = await engine.writeGcode(toolpath, bambu, { date });
+      const check = await engine.checkGcode(blob, bambu);
       const packed = await textOf(await engine.packGcode(blob));
       assert.deepEqual(
         calls.slice(2).map((call) => call.file.value),
         [undefined, undefined],
       );
       const own = new Uint8Array(await blob.arrayBuffer());
-      assert.deepEqual(await engine.checkGcode(own, {}), check);
+      assert.deepEqual(await engine.checkGcode(own, bambu), check);
       assert.equal(await textOf(await engine.packGcode(own)), packed);
       assert.ok(check.moves > 100);
     });

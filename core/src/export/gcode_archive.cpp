@@ -13,6 +13,7 @@
 #include "base/numbers.hpp"
 #include "export/packing.hpp"
 #include "export/zip.hpp"
+#include "sillon/settings/presets.hpp"
 
 namespace sillon {
 namespace {
@@ -54,16 +55,24 @@ std::optional<std::uint64_t> secondsOf(std::string_view gcode) {
   return text.empty() ? std::nullopt : std::optional(toldSeconds(text));
 }
 
-std::string sliceInfo(std::string_view gcode) {
+std::string sliceInfo(std::string_view gcode, int filament) {
   std::string out = std::string(kXml) + "<config>\n  <plate>\n" + metadata("index", "1");
   out += metadata("nozzle_diameters", toldValue(gcode, "nozzle_diameter"));
   out += metadata("prediction", std::to_string(secondsOf(gcode).value_or(0)));
   out += metadata("weight", weightOf(gcode));
   out += metadata("outside", "false") + metadata("support_used", "false") + metadata("label_object_enabled", "false");
   const std::string colour = toldValue(gcode, "filament_colour");
-  return out + "    <filament id=\"1\" tray_info_idx=\"\" type=\"" + toldValue(gcode, "filament_type") + "\" color=\"" +
-         (colour.empty() ? "#FFFFFF" : colour) + "\" used_m=\"" + metresOf(gcode) + "\" used_g=\"" + weightOf(gcode) +
-         "\"/>\n  </plate>\n</config>\n";
+  return out + "    <filament id=\"" + std::to_string(filament + 1) + "\" tray_info_idx=\"\" type=\"" +
+         toldValue(gcode, "filament_type") + "\" color=\"" + (colour.empty() ? "#FFFFFF" : colour) + "\" used_m=\"" +
+         metresOf(gcode) + "\" used_g=\"" + weightOf(gcode) + "\"/>\n  </plate>\n</config>\n";
+}
+
+// Bambu's printers and slicers have a block of their own at the head. Orca writes it for all printers.
+bool isForBambu(std::string_view gcode) {
+  if (gcode.substr(0, kTold).find("; HEADER_BLOCK_START") == std::string_view::npos) return false;
+  const std::optional<PrinterProfile> known = profileOf(toldValue(gcode, "printer_model"));
+  const std::string dialect = toldValue(gcode, "gcode_flavor");
+  return known ? known->printer.flavor == GcodeFlavor::Bambu : dialect.empty() || dialect == "marlin";
 }
 
 double rounded(double value) { return std::round(value * 1000) / 1000; }
@@ -73,7 +82,7 @@ OrderedJson corners(const Bounds& box) {
 }
 
 // What the printer's screen and the slicers read of a plate: where it lies.
-std::string plateInfo(std::string_view gcode) {
+std::string plateInfo(std::string_view gcode, int filament) {
   OrderedJson object = OrderedJson::object();
   const Bounds box = printedBox({gcode});
   const Bounds shown = box.empty() ? Bounds{{0, 0}, {0, 0}} : box;
@@ -83,7 +92,7 @@ std::string plateInfo(std::string_view gcode) {
   OrderedJson root = OrderedJson::object();
   root["bbox_all"] = corners(shown);
   root["bbox_objects"] = OrderedJson::array({object});
-  root["first_extruder"] = 0;
+  root["first_extruder"] = filament;
   root["is_seq_print"] = false;
   root["nozzle_diameter"] = plainNumber(toldValue(gcode, "nozzle_diameter")).value_or(0.4);
   root["version"] = 2;
@@ -122,25 +131,6 @@ int widthOfPng(std::string_view png) {
   return width;
 }
 
-/// Some bytes of a text.
-struct Place {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
-
-/// Finds the value of `name="..."`, the first after `from` and before `to`; both ends are 0 where there is none.
-Place attribute(std::string_view xml, std::string_view before, std::string_view name, std::size_t from,
-                std::size_t to) {
-  std::size_t at = xml.find(before, from);
-  if (at == std::string::npos || at >= to) return {};
-  at = xml.find(std::string(name) + "=\"", at + before.size());
-  if (at == std::string::npos || at >= to) return {};
-  at += name.size() + 2;
-  const std::size_t end = xml.find('"', at);
-  if (end == std::string::npos || end >= to) return {};
-  return {at, end};
-}
-
 /// Puts another value there; an empty one changes nothing.
 void replaceAttribute(std::string& xml, std::string_view before, std::string_view name, const std::string& value,
                       std::size_t from, std::size_t& to) {
@@ -161,12 +151,17 @@ std::string newPrediction(std::string_view old, std::string_view before, std::st
   return fixed(std::max(0.0, *told + more), 0);
 }
 
+// The part of slice_info.config that is about a plate; empty without one.
+Place partOf(std::string_view xml, std::string_view plate) {
+  const std::size_t from = xml.find("<metadata key=\"index\" value=\"" + std::string(plate) + "\"");
+  if (from == std::string::npos) return {};
+  return {from, std::min(xml.find("</plate>", from), xml.size())};
+}
+
 // Time and weight of the plate, where the new file tells others than the old one.
 std::string newSliceInfo(std::string xml, std::string_view plate, std::string_view before, std::string_view after) {
-  const std::string index = "<metadata key=\"index\" value=\"" + std::string(plate) + "\"/>";
-  const std::size_t from = xml.find(index);
-  if (from == std::string::npos) return xml;
-  std::size_t to = std::min(xml.find("</plate>", from), xml.size());
+  auto [from, to] = partOf(xml, plate);
+  if (to == 0) return xml;
   constexpr std::string_view kPrediction = "<metadata key=\"prediction\"";
   const Place old = attribute(xml, kPrediction, "value", from, to);
   const std::string told = xml.substr(old.begin, old.end - old.begin);
@@ -223,6 +218,19 @@ std::string toldPart(const std::vector<std::string_view>& parts, std::size_t siz
 
 Result<std::string> packGcode(std::string_view gcode) {
   if (const auto problem = tooLargeToPack(gcode.size(), ".gcode.3mf")) return *problem;
+  if (!isForBambu(gcode)) {
+    return Error{
+        ErrorCode::InvalidArgument,
+        "the G-code is not for a Bambu Lab printer, and others read no .gcode.3mf; take the printer from a file "
+        "of your own slicer (sillon import your.gcode.3mf), or write plain G-code"};
+  }
+  const std::vector<int> loaded = loadedFilaments({gcode});
+  if (loaded.size() > 1) {
+    return Error{ErrorCode::InvalidArgument, "the G-code loads " + std::to_string(loaded.size()) +
+                                                 " filaments, and a new .gcode.3mf lists one; take the printer from a "
+                                                 "file that was sliced with one filament"};
+  }
+  const int filament = loaded.empty() ? 0 : loaded.front();
   const std::vector<ToldPicture> pictures = toldPictures(gcode);
   const std::string png = nearestPng(pictures, 4096);
   Zip zip;
@@ -245,13 +253,13 @@ Result<std::string> packGcode(std::string_view gcode) {
               "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n"
               " <Relationship Target=\"/Metadata/plate_1.gcode\" Id=\"rel-1\" "
               "Type=\"http://schemas.bambulab.com/package/2021/gcode\"/>\n</Relationships>\n");
-  zip.add("Metadata/slice_info.config", sliceInfo(gcode));
+  zip.add("Metadata/slice_info.config", sliceInfo(gcode, filament));
   if (!png.empty()) {
     zip.add("Metadata/plate_1.png", png);
     zip.add("Metadata/plate_1_small.png", nearestPng(pictures, kSmallPicture));
     zip.add("Metadata/plate_no_light_1.png", png);
   }
-  zip.add("Metadata/plate_1.json", plateInfo(gcode));
+  zip.add("Metadata/plate_1.json", plateInfo(gcode, filament));
   zip.add("Metadata/plate_1.gcode.md5", md5(gcode));
   zip.add("Metadata/plate_1.gcode", gcode);
   return zip.finish();
@@ -348,6 +356,24 @@ std::optional<Error> writeGcodeContainer(const GcodeContainer& container, const 
       before.empty() != after.empty() ||
       (!after.empty() && std::max(length(before.min - after.min), length(before.max - after.max)) > kMoved);
 
+  const auto unpacked = [&](const std::string& name) -> Result<std::string> {
+    for (const ZipEntry& entry : directory.value().entries) {
+      if (entry.name == name) return unpackEntry(file, entry, kMostMetadata);
+    }
+    return std::string();
+  };
+  const Result<std::string> info = unpacked(std::string(folder) + "slice_info.config");
+  if (!info) return info.error();
+  const Result<std::string> plateJson = unpacked(std::string(path) + ".json");
+  if (!plateJson) return plateJson.error();
+  const Place part = partOf(info.value(), index);
+  const std::string_view xml = info.value();
+  const PlateLists lists{part.end == 0 ? xml : xml.substr(part.begin, part.end - part.begin), plateJson.value()};
+  if (auto error = packageDisagrees(lists, {loadedFilaments({container.gcode}), container.gcode},
+                                    {loadedFilaments(gcode), told})) {
+    return error;
+  }
+
   std::vector<std::string> made(directory.value().entries.size());
   std::vector<std::vector<std::string_view>> contents(made.size());
   for (std::size_t k = 0; k < made.size(); ++k) {
@@ -366,11 +392,9 @@ std::optional<Error> writeGcodeContainer(const GcodeContainer& container, const 
       const std::string png = nearestPng(pictures, old ? widthOfPng(old.value()) : kSmallPicture);
       if (!png.empty()) other = png;
     } else if (is(folder, "slice_info.config") || (moved && is(path, ".json"))) {
-      const Result<std::string> old = unpackEntry(file, entry, kMostMetadata);
-      if (!old) return old.error();
-      other = entry.name.ends_with(".json") ? newPlateInfo(old.value(), after)
-                                            : newSliceInfo(old.value(), index, container.gcode, told);
-      if (*other == old.value()) other.reset();
+      const std::string& old = entry.name.ends_with(".json") ? plateJson.value() : info.value();
+      other = &old == &info.value() ? newSliceInfo(old, index, container.gcode, told) : newPlateInfo(old, after);
+      if (*other == old) other.reset();
     }
     if (!other) continue;
     made[k] = std::move(*other);

@@ -61,7 +61,7 @@ std::optional<double> word(std::string_view line, char letter) {
 
 }  // namespace
 
-std::string toldValue(std::string_view gcode, std::string_view key, std::string_view before) {
+std::string toldValue(std::string_view gcode, std::string_view key, std::string_view before, std::size_t item) {
   const std::string_view parts[] = {gcode.substr(gcode.size() - std::min(gcode.size(), kTold)), gcode.substr(0, kTold)};
   for (const std::string_view part : parts) {
     for (const char* joint : {" = ", " : ", ": "}) {
@@ -69,9 +69,15 @@ std::string toldValue(std::string_view gcode, std::string_view key, std::string_
       const std::size_t at = part.rfind(wanted);
       if (at == std::string_view::npos) continue;
       std::string out;
-      for (const char c : part.substr(at + wanted.size(), 60)) {
-        if (c == '\n' || c == '\r' || c == ';' || c == ',') break;
-        if (isPlain(c)) out += c;
+      std::size_t read = 0;
+      for (const char c : part.substr(at + wanted.size(), 60 * (item + 1))) {
+        if (c == '\n' || c == '\r') break;
+        if (c == ';' || c == ',') {
+          if (read++ == item) break;
+          out.clear();
+        } else if (isPlain(c)) {
+          out += c;
+        }
       }
       return out;
     }

@@ -1,6 +1,7 @@
 // The state of a machine while it reads G-code.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -213,6 +214,20 @@ inline std::optional<bool> toolChangeMark(const GcodeParts& parts) {
   if (!begins && !command.is('M', 621)) return std::nullopt;
   const std::size_t word = command.rest.find_first_not_of(" \t");
   return word != std::string_view::npos && command.rest[word] == 'S' ? std::optional(begins) : std::nullopt;
+}
+
+/// The tool or filament that a line of code chooses, from 0: T2, and M620 S2A, M621 S2A or M1020 S2 of Bambu's
+/// printers, whose numbers from 255 on are no filaments.
+inline std::optional<int> chosenFilament(std::string_view code) {
+  constexpr int kNoFilament = 255;
+  if (code.empty() || (code[0] != 'T' && !code.starts_with("M62") && !code.starts_with("M1020"))) return std::nullopt;
+  const GcodeCommand command = commandOf(code);
+  int number = command.letter == 'T' && command.sub == 0 ? command.code : -1;
+  if (command.is('M', 620) || command.is('M', 621) || command.is('M', 1020)) {
+    const GcodeWords words = wordsOf(command.rest);
+    if (words.has('S')) number = static_cast<int>(std::clamp<double>(words.at('S'), -1, kNoFilament));
+  }
+  return number >= 0 && number < kNoFilament ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace sillon

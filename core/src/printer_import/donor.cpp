@@ -115,14 +115,6 @@ bool replaceArea(std::string& line) {
   return true;
 }
 
-/// The tool that a line chooses; Bambu's have numbers of their own from 255 on.
-std::optional<int> toolOf(std::string_view line) {
-  constexpr int kMostTools = 16;
-  const GcodeCommand command = commandOf(codeOf(line));
-  const bool chooses = command.letter == 'T' && command.code >= 0 && command.code < kMostTools;
-  return chooses ? std::optional<int>(command.code) : std::nullopt;
-}
-
 /// How a file counts its filament. Its firmware is not known yet, so that G90 and G91 mean nothing for it.
 struct Filament {
   bool absolute = false;  ///< where neither M82 nor M83 says so
@@ -200,7 +192,6 @@ class Donor {
   void startBlock(std::string_view block);
   void startLine(std::string_view whole);
   void lookAt(std::string_view code);
-  [[nodiscard]] std::string ofThisJob(std::string_view code) const;
   void templateFilament(const GcodeCheck& check);
   void endLine(std::string_view code, bool shown);
   void note(std::string_view code, std::initializer_list<std::pair<const char*, std::string>> values = {}) {
@@ -219,6 +210,7 @@ class Donor {
   bool tellsBlocks_ = false;
   std::string template_;  // of the start block, as the slicer was told it
   int tool_ = 0;          // of its first bead
+  int chosen_ = 0;        // tool, at the end of the start block
   Bounds beads_;
   double advance_ = 0;    // [s], of the start block
   std::string flowLine_;  // that leaves another flow than 100 %, in the start block
@@ -261,20 +253,7 @@ void Donor::startBlock(std::string_view block) {
     if (!comment && !isOfOldPrint(codeOf(line))) out_.printer.startGcode.append(line).append("\n");
   }
   lines(block.substr(said.end));
-
-  int chosen = 0;
-  for (std::string_view rest = block; !rest.empty();) chosen = toolOf(nextLine(rest)).value_or(chosen);
-  if (tool_ != chosen) startLine("T" + std::to_string(tool_));  // behind the first mark
-}
-
-// Of a job for Bambu's machines filaments are counted anew; that of ours is the first.
-std::string Donor::ofThisJob(std::string_view code) const {
-  std::string line(code);
-  if (tool_ == 0 || out_.printer.flavor != GcodeFlavor::Bambu) return line;
-  const std::string number = std::to_string(tool_);
-  if (line == "T" + number) return "T0";
-  const bool changes = isCommand(code, "M620") || isCommand(code, "M621");
-  return changes && code.substr(4) == " S" + number + "A" ? line.substr(0, 4) + " S0A" : line;
+  if (tool_ != chosen_) startLine("T" + std::to_string(tool_));  // behind the first mark
 }
 
 // Areas of the old plate become those of the new one; all other words of such a line are the printer's and stay.
@@ -283,7 +262,7 @@ void Donor::startLine(std::string_view whole) {
   const std::string_view code = plain;
   const std::string_view indentation = indentationOf(whole);
   if (code.empty() || isOfOldPrint(code)) return;
-  std::string line = ofThisJob(code);
+  std::string line(code);
   if (isCommand(code, "M555")) {
     line = withValues(std::move(line), {{'X', "{first_layer_print_min[0]}"},
                                         {'Y', "{first_layer_print_min[1]}"},
@@ -380,7 +359,7 @@ void Donor::endLine(std::string_view code, bool shown) {
   const bool counted = donor_.absoluteE;
   const auto move = run(donor_, code);
   if (!shown || isOfOldPrint(code)) return;
-  std::string line = ofThisJob(code);
+  std::string line(code);
   run(ours_, code);
   // Ours has counted other filament, and begins with M83.
   if (isMove(code) && hasWord(code, 'E')) {
@@ -421,14 +400,17 @@ void Donor::scan(std::string_view text) {
     const std::string_view whole = trimmed(nextLine(rest));
     if (whole.empty()) continue;
     if (whole[0] == ';') {
-      if (firstLayer_ == std::string_view::npos && isLayerMark(whole)) firstLayer_ = at;
+      if (firstLayer_ == std::string_view::npos && isLayerMark(whole)) {
+        firstLayer_ = at;
+        chosen_ = tool;
+      }
       comment(whole);
       continue;
     }
     numbered_ = numbered_ || (whole[0] == 'N' && whole.size() > 1 && whole[1] >= '0' && whole[1] <= '9');
     const std::string other = isSpelled(whole) ? std::string() : spelled(whole);
     const std::string_view line = other.empty() ? whole : std::string_view(other);
-    if (line[0] == 'T') tool = toolOf(line).value_or(tool);
+    tool = chosenFilament(line).value_or(tool);
     const double pushed = filament.take(line);
     const bool bead = pushed > 0 && isMove(line) && (hasWord(line, 'X') || hasWord(line, 'Y'));
     if (bead) {
@@ -552,6 +534,12 @@ std::optional<Error> Donor::read(std::string_view text) {
   if (lastBead_ <= firstLayer_) return invalidFile("the G-code extrudes nothing after its first layer mark");
 
   takeOwnSettings();
+  // Their machines cut, draw back and flush between two filaments, in code that stands behind the start block.
+  if (tool_ != chosen_ && out_.printer.flavor == GcodeFlavor::Bambu) {
+    return invalidFile("its start block loads filament " + std::to_string(chosen_ + 1) +
+                       ", but its first bead is of filament " + std::to_string(tool_ + 1) +
+                       "; slice the donor with one filament");
+  }
   if (auto error = guessBed()) return error;
   if (auto error = weighFilament(text)) return error;
   startBlock(text.substr(0, firstLayer_));

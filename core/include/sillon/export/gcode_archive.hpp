@@ -37,7 +37,9 @@ Result<GcodeContainer> readGcodeContainer(std::string file);
 /// MD5, its pictures, time, weight, and its box where that is another by more than 0.5 mm. A
 /// .bgcode keeps its other blocks, but for figures of the same names; its G-code is written plain,
 /// without MeatPack or compression. A .gz keeps its header.
-/// \return as readGcodeContainer, of the container's own file; TooLarge above 1 GiB.
+/// \return as readGcodeContainer, of the container's own file; InvalidArgument where the lists of a
+/// .gcode.3mf and the G-code name different filaments, which a printer would feed at the wrong
+/// heat; TooLarge above 1 GiB.
 Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::string gcode);
 
 /// The same in pieces: of a text and of a .gcode.3mf neither the new text nor the new file is held.
@@ -50,8 +52,10 @@ Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::st
 
 /// Packs G-code into a new .gcode.3mf, uncompressed. It holds Metadata/plate_1.gcode, its MD5 that
 /// the firmware checks, its box, the file's PNG thumbnails and what its own comments say of time
-/// and filament. The same bytes for the same file. Not tried on a printer.
-/// \return TooLarge above 1 GiB.
+/// and filament, which it lists by the number that the G-code loads. The same bytes for the same
+/// file. Not tried on a printer.
+/// \return InvalidArgument for G-code of other printers than Bambu's, and for one that loads
+/// several filaments; TooLarge above 1 GiB.
 Result<std::string> packGcode(std::string_view gcode);
 
 /// A new .bgcode: the file's settings, figures and thumbnails as blocks of their own, then its

@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/json.hpp"
+#include "base/lines.hpp"
+#include "export/packing.hpp"
+#include "gcode_reader/machine.hpp"
+
+namespace sillon {
+namespace {
+
+/// A filament that a package lists.
+struct Listed {
+  int number = 0;  ///< from 0
+  std::string_view type;
+};
+
+std::vector<Listed> listedIn(std::string_view plate) {
+  std::vector<Listed> listed;
+  for (std::size_t at = plate.find("<filament "); at != std::string_view::npos; at = plate.find("<filament ", at + 1)) {
+    const std::string_view tag = plate.substr(at, plate.find('>', at) - at);
+    const auto value = [tag](const char* name) {
+      const Place place = attribute(tag, "<filament", name, 0, tag.size());
+      return tag.substr(place.begin, place.end - place.begin);
+    };
+    const std::optional<double> id = plainNumber(value(" id"));  // not that of group_id
+    if (id && *id >= 1 && *id < 255) listed.push_back({static_cast<int>(*id) - 1, value(" type")});
+  }
+  return listed;
+}
+
+bool has(const std::vector<int>& numbers, int number) {
+  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+}
+
+/// "filaments 1 and 3": people count from 1.
+std::string named(const std::vector<int>& numbers) {
+  if (numbers.empty()) return "no filament";
+  std::string out = numbers.size() == 1 ? "filament " : "filaments ";
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    out += (k == 0 ? "" : k + 1 < numbers.size() ? ", " : " and ") + std::to_string(numbers[k] + 1);
+  }
+  return out;
+}
+
+/// PLA of "PLA-CF" and of "pla": its kind decides how hot it may be fed.
+std::string family(std::string_view type) {
+  std::string out;
+  for (const char c : type) {
+    const char upper = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    if (upper < 'A' || upper > 'Z') break;
+    out += upper;
+  }
+  return out;
+}
+
+Error disagree(const std::string& package, const std::string& gcode) {
+  return {
+      ErrorCode::InvalidArgument,
+      "the .gcode.3mf is for " + package + ", but the G-code for " + gcode +
+          "; both must come from one file of your slicer, sliced with one filament: import the printer from it anew"};
+}
+
+}  // namespace
+
+Place attribute(std::string_view xml, std::string_view before, std::string_view name, std::size_t from,
+                std::size_t to) {
+  std::size_t at = xml.find(before, from);
+  if (at == std::string::npos || at >= to) return {};
+  at = xml.find(std::string(name) + "=\"", at + before.size());
+  if (at == std::string::npos || at >= to) return {};
+  at += name.size() + 2;
+  const std::size_t end = xml.find('"', at);
+  if (end == std::string::npos || end >= to) return {};
+  return {at, end};
+}
+
+std::vector<int> loadedFilaments(const std::vector<std::string_view>& gcode) {
+  std::vector<int> loaded;
+  for (std::string_view part : gcode) {
+    while (!part.empty()) {
+      const std::string_view line = nextLine(part);
+      const std::size_t first = line.find_first_not_of(" \t");
+      if (first == std::string_view::npos || (line[first] != 'T' && line[first] != 'M' && line[first] != 'N')) continue;
+      const std::optional<int> filament = chosenFilament(partsOf(line).code);
+      if (filament && !has(loaded, *filament)) loaded.push_back(*filament);
+    }
+  }
+  std::sort(loaded.begin(), loaded.end());
+  return loaded;
+}
+
+std::optional<Error> packageDisagrees(const PlateLists& lists, const FilamentsOfGcode& before,
+                                      const FilamentsOfGcode& after) {
+  const std::vector<Listed> entries = listedIn(lists.sliceInfo);
+  std::vector<int> listed;
+  for (const Listed& entry : entries) listed.push_back(entry.number);
+  // Whoever began with all of its filaments and goes on with some would have the printer ask for spools in vain.
+  const bool all = std::all_of(before.loaded.begin(), before.loaded.end(), [&](int n) { return has(after.loaded, n); });
+  const bool known = std::all_of(after.loaded.begin(), after.loaded.end(), [&](int n) { return has(listed, n); });
+  if (!all || !known) return disagree(named(listed), named(after.loaded));
+  if (after.loaded.size() != 1) return std::nullopt;
+
+  const int only = after.loaded.front();
+  const nlohmann::json plate = nlohmann::json::parse(lists.plateInfo, nullptr, false);
+  for (const char* key : {"first_extruder", "filament_ids"}) {
+    if (!plate.is_object() || !plate.contains(key)) continue;
+    std::vector<int> told;
+    for (const nlohmann::json& number : plate[key]) {  // of a single value: this one
+      if (number.is_number_integer() && number >= 0 && number < 255) told.push_back(number.get<int>());
+    }
+    if (!told.empty() && !has(told, only)) return disagree(named(told), named(after.loaded));
+  }
+  const auto type = [only](const FilamentsOfGcode& gcode) {
+    return toldValue(gcode.text, "filament_type", "\n", static_cast<std::size_t>(only));
+  };
+  const std::string was = family(type(before));
+  const std::string is = family(type(after));
+  for (const Listed& entry : entries) {
+    if (entry.number != only || was.empty() || is.empty() || is == was || is == family(entry.type)) continue;
+    return disagree(std::string(entry.type), type(after));
+  }
+  return std::nullopt;
+}
+
+}  // namespace sillon
