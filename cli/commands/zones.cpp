@@ -29,7 +29,7 @@ struct Arguments {
   std::string body;   ///< STL; empty: a prism of the shape
   double height = 2;  ///< of that prism [mm]
   sillon::ZoneParams params;
-  sillon::ZoneLayers layers;
+  double layerHeight = 0.2;  ///< [mm]
   int threads = 1;
 };
 
@@ -84,7 +84,7 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
   const Result<sillon::DirectionZones> zones =
       sillon::directionZones(seen, input.value().directions, arguments.params, run);
   if (!zones) return zones.error();
-  Result<sillon::ZonePackage> package = sillon::zones3mf(body, zones.value(), corner, arguments.layers);
+  Result<std::string> package = sillon::zones3mf(body, zones.value(), corner, arguments.layerHeight);
   if (!package) return package.error();
 
   std::string out;
@@ -100,19 +100,21 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
     out += "warning the body has " + plural(open, "open edge") +
            "; slicers may find no layers in it, so repair it first\n";
   }
-  if (!package.value().everySlopeTurned) {
-    out +=
-        "note   the body has too many levels to turn the lines on every slope; use fewer zones, or a body with fewer "
-        "triangles\n";
-  }
   char line[160];
+  if (const std::size_t count = zones.value().zones.size(); count < static_cast<std::size_t>(arguments.params.most)) {
+    const bool narrow = static_cast<std::size_t>(zones.value().found) > count;
+    std::snprintf(line, sizeof line, narrow ? "others are narrower than %g mm (--least)" : "no more directions differ",
+                  arguments.params.least);
+    out +=
+        "note   " + plural(count, "zone") + " instead of " + std::to_string(arguments.params.most) + ": " + line + "\n";
+  }
   for (const sillon::DirectionZone& zone : zones.value().zones) {
     std::snprintf(line, sizeof line, "zone   %6.1f degrees %9.1f mm2\n", zone.degrees, zone.areaMm2);
     out += line;
   }
   std::snprintf(line, sizeof line, "off    %.1f degrees on average from the directions that were given\n",
                 zones.value().error);
-  return Outcome{{{arguments.out, std::move(package).value().bytes}}, out + line};
+  return Outcome{{{arguments.out, std::move(package).value()}}, out + line};
 }
 
 int run(Arguments& arguments) {
@@ -141,9 +143,7 @@ Action add(Options& options) {
   for (const char* other : {"--height", "--shape", "--size"}) options.excludes("--body", other);
   options.number("--zones", "N", "most directions, 2 to 12 [6]", arguments->params.most);
   options.number("--least", "MM", "narrowest place of a zone, 0.5 to 100 [3]", arguments->params.least);
-  options.number("--layer-height", "MM", "layer height in your slicer's profile [0.2]", arguments->layers.height);
-  options.number("--first-layer-height", "MM", "first layer height in your slicer's profile [0.2]",
-                 arguments->layers.firstHeight);
+  options.number("--layer-height", "MM", "layer height that the slicer is told [0.2]", arguments->layerHeight);
   options.settings(arguments->project.changes, isOfInput);
   options.group("Run");
   options.threads(arguments->threads);
@@ -156,12 +156,11 @@ const Command zonesCommand{
     "zones",
     "cut the directions into zones of straight lines, for any slicer",
     "[SCENE.json]",
-    "--output --body --shape --size --directions --angle --picture --lamp --zones --layer-height --first-layer-height",
+    "--output --body --shape --size --directions --angle --picture --lamp --zones --layer-height",
     "Examples:\n"
     "  sillon zones --shape badge.svg --directions waves.png -o badge.3mf\n"
     "  sillon zones --body part.stl --picture face.png --lamp 60 -o part.3mf\n\n"
-    "Open the file in PrusaSlicer, OrcaSlicer or Bambu Studio and slice it with the layer heights given here: slicers "
-    "turn their lines by 90 degrees on every other layer.",
+    "Open the file in PrusaSlicer, OrcaSlicer or Bambu Studio, choose the printer and slice.",
     add};
 
 }  // namespace cli

@@ -250,17 +250,18 @@ TEST_CASE("what makes no zones is refused") {
   CHECK(directionZones(Shape{{}, {10, 10}}, map, {}, run).error().code == ErrorCode::EmptyShape);
   for (const double height : {0.0, 0.04, 5001.0, HUGE_VAL, std::nan("")}) CHECK_FALSE(prismOf(shape, height));
   const DirectionZones zones = zonesOf(shape, map);
-  CHECK_FALSE(zones3mf({}, zones, {}, {}));
-  CHECK_FALSE(zones3mf(prismOf(shape, 1).value(), zones, {HUGE_VAL, 0}, {}));
+  CHECK_FALSE(zones3mf({}, zones, {}, 0.2));
+  CHECK_FALSE(zones3mf(prismOf(shape, 1).value(), zones, {HUGE_VAL, 0}, 0.2));
   Mesh torn = prismOf(shape, 1).value();
   torn.triangles[3][1] = 99;
-  CHECK(zones3mf(torn, zones, {}, {}).error().message == "a triangle has corner 99; the mesh has 8 points");
+  CHECK(zones3mf(torn, zones, {}, 0.2).error().message == "a triangle has corner 99; the mesh has 8 points");
   CHECK_FALSE(writeStl(torn));
   CHECK_FALSE(write3mf(torn));
   torn.triangles[3][1] = 0;
   torn.points[0][2] = std::nan("");
   CHECK(writeStl(torn).error().message == "a point of the mesh is not finite");
-  CHECK_FALSE(zones3mf(prismOf(shape, 1).value(), zones, {}, {0, 0.2}));
+  CHECK(zones3mf(prismOf(shape, 1).value(), zones, {}, 0).error().message ==
+        "layer height is 0 mm; it must be 0.01 to 2 mm");
 }
 
 TEST_CASE("zones can be cancelled at any time, and tell their progress") {
@@ -287,9 +288,9 @@ TEST_CASE("zones can be cancelled at any time, and tell their progress") {
 TEST_CASE("the 3MF holds closed volumes, one behind the other, with the angles that slicers need") {
   const Shape shape = makeDisc(30).value();
   const DirectionZones zones = zonesOf(shape, rings(), 4);
-  for (const double height : {1.0, 1.2}) {  // five layers, and six: slicers turn their lines on every other one
-    const std::string package = zones3mf(prismOf(shape, height).value(), zones, {20, 30}, {0.2, 0.2}).value().bytes;
-    CHECK(package == zones3mf(prismOf(shape, height).value(), zones, {20, 30}, {0.2, 0.2}).value().bytes);
+  for (const double height : {1.0, 1.2}) {  // five layers, and six: slicers turn most patterns on every other one
+    const std::string package = zones3mf(prismOf(shape, height).value(), zones, {20, 30}, 0.2).value();
+    CHECK(package == zones3mf(prismOf(shape, height).value(), zones, {20, 30}, 0.2).value());
     const std::string config = partOf(package, "Metadata/Slic3r_PE_model.config");
     const std::string model = partOf(package, "3D/3dmodel.model");
     const auto first = valuesOf(config, "firstid=\"");
@@ -313,82 +314,65 @@ TEST_CASE("the 3MF holds closed volumes, one behind the other, with the angles t
       CHECK(open == 0);
     }
     const auto fill = valuesOf(config, "key=\"fill_angle\" value=\"");
-    const auto top = valuesOf(config, "key=\"top_layer_direction\" value=\"");
     REQUIRE(fill.size() == 4);
-    for (std::size_t k = 0; k < 4; ++k) {
-      CHECK(std::stod(top[k]) == Approx(zones.zones[k].degrees));
-      CHECK(between(std::stod(fill[k]), zones.zones[k].degrees + (height > 1.1 ? 90 : 0)) < 0.01);
+    for (std::size_t k = 0; k < 4; ++k) CHECK(std::stod(fill[k]) == Approx(zones.zones[k].degrees));
+    for (const char* key : {"infill_direction", "solid_infill_direction", "top_layer_direction"}) {
+      CHECK(valuesOf(config, "key=\"" + std::string(key) + "\" value=\"") == fill);
     }
-    CHECK(valuesOf(config, "key=\"solid_infill_direction\" value=\"") == fill);
-  }
-  // Steps whose tops lie on an odd and on an even layer have slabs of their own.
-  Mesh steps = boxMesh({0, 0, 0}, {10, 10, 1});
-  const Mesh upper = boxMesh({10, 0, 0}, {20, 10, 2});
-  for (auto triangle : upper.triangles) {
-    for (std::uint32_t& point : triangle) point += 8;
-    steps.triangles.push_back(triangle);
-  }
-  steps.points.insert(steps.points.end(), upper.points.begin(), upper.points.end());
-  const std::string config = partOf(
-      zones3mf(steps, zonesOf(makeRectangle({20, 10}).value(), uniformDirection(20).value()), {}, {}).value().bytes,
-      "Metadata/Slic3r_PE_model.config");
-  CHECK(valuesOf(config, "key=\"fill_angle\" value=\"") == std::vector<std::string>{"20", "110"});
-  // A body whose triangles face inwards is printed all the same.
-  for (auto& triangle : steps.triangles) std::swap(triangle[1], triangle[2]);
-  CHECK(
-      partOf(
-          zones3mf(steps, zonesOf(makeRectangle({20, 10}).value(), uniformDirection(20).value()), {}, {}).value().bytes,
-          "Metadata/Slic3r_PE_model.config") == config);
-  // In the middle of a layer the highest top ends below it.
-  for (const auto& [height, angle] : {std::pair(1.9, "20"), {2.1, "110"}, {3.1, "20"}}) {
-    const Shape shape = makeRectangle({20, 10}).value();
-    const std::string told = partOf(
-        zones3mf(prismOf(shape, height).value(), zonesOf(shape, uniformDirection(20).value()), {}, {}).value().bytes,
-        "Metadata/Slic3r_PE_model.config");
-    CHECK(valuesOf(told, "key=\"fill_angle\" value=\"") == std::vector<std::string>{angle});
+    for (const char* key : {"top_fill_pattern", "top_surface_pattern"}) {
+      CHECK(valuesOf(config, "key=\"" + std::string(key) + "\" value=\"") ==
+            std::vector<std::string>(4, "alignedrectilinear"));
+    }
   }
 }
 
 TEST_CASE("zones reach as deep as solid layers below each level top, and no deeper") {
   const Mesh tall = prismOf(makeDisc(20).value(), 10).value();
-  const std::vector<Slab> one = slabsOf(tall, {0.2, 0.2}, 100).list;
+  const std::vector<Slab> one = slabsOf(tall, 0.2, 100);
   REQUIRE(one.size() == 1);
   CHECK(one[0].bottom == Approx(7.8));  // ten layers below the one of the top
   CHECK(one[0].top == Approx(11));
-  CHECK(one[0].turned);  // its 50th layer
-  const std::vector<Slab> thick = slabsOf(tall, {0.4, 0.6}, 100).list;
+  const std::vector<Slab> thick = slabsOf(tall, 0.4, 100);
   REQUIRE(thick.size() == 1);
-  CHECK(thick[0].bottom == Approx(10 - 9 * 0.4).epsilon(0.03));  // eight
-  const std::vector<Slab> thin = slabsOf(prismOf(makeDisc(20).value(), 1).value(), {0.2, 0.2}, 100).list;
+  CHECK(thick[0].bottom == Approx(10 - 9 * 0.4));  // eight
+  const std::vector<Slab> thin = slabsOf(prismOf(makeDisc(20).value(), 1).value(), 0.2, 100);
   REQUIRE(thin.size() == 1);
   CHECK(thin[0].bottom == Approx(-1));
-  CHECK_FALSE(thin[0].turned);
+
+  // Two steps, of which the lower is in the middle of a layer wherever that begins.
+  Mesh steps = boxMesh({0, 0, 0}, {10, 10, 4.1});
+  const Mesh upper = boxMesh({10, 0, 0}, {20, 10, 12});
+  for (auto triangle : upper.triangles) {
+    for (std::uint32_t& point : triangle) point += 8;
+    steps.triangles.push_back(triangle);
+  }
+  steps.points.insert(steps.points.end(), upper.points.begin(), upper.points.end());
+  const std::vector<Slab> two = slabsOf(steps, 0.2, 100);
+  REQUIRE(two.size() == 2);
+  CHECK(two[0].bottom <= 4.1 - 2.2);
+  CHECK(two[0].top >= 4.1);
+  CHECK(two[0].top <= 4.3);
+  CHECK(two[1].bottom == Approx(9.8));
+  CHECK(slabsOf(steps, 0.2, 1).size() == 1);
+  CHECK(slabsOf(steps, 0.2, 1)[0].bottom < 0);
+  // A body whose triangles face inwards is printed all the same.
+  for (auto& triangle : steps.triangles) std::swap(triangle[1], triangle[2]);
+  CHECK(slabsOf(steps, 0.2, 100).size() == 2);
 }
 
-TEST_CASE("each layer of a gentle slope is turned by itself, walls are not seen") {
+TEST_CASE("zones follow a gentle slope all the way, and no wall") {
   const auto wedge = [](double rise) {
-    Mesh mesh = boxMesh({0, 0, 0}, {40, 20, 3});
+    Mesh mesh = boxMesh({0, 0, 0}, {40, 20, 10});
     for (auto& point : mesh.points) point[2] += point[2] > 0 && point[0] > 0 ? rise : 0;
     return mesh;
   };
-  const ZoneLayers layers{0.2, 0.3};
-  const std::vector<Slab> slabs = slabsOf(wedge(4), layers, 1000).list;  // a layer each 2 mm
-  int seen = 0;
-  for (int layer = 14; layer < 34; ++layer) {
-    const double middle = 0.3 + 0.2 * (layer - 0.5);
-    for (const Slab& slab : slabs) {
-      if (!(middle > slab.bottom && middle < slab.top)) continue;
-      ++seen;
-      CHECK(slab.turned == (layer % 2 != 0));
-      if (layer > 14 && layer < 33) CHECK(slab.top - slab.bottom == Approx(0.2));
-    }
-  }
-  CHECK(seen == 20);
-  CHECK(slabsOf(wedge(4), layers, 1000).complete);
-  const Slabs few = slabsOf(wedge(4), layers, 1);
-  CHECK(few.list.size() == 1);
-  CHECK_FALSE(few.complete);
-  CHECK(slabsOf(wedge(30), layers, 1000).list.size() == 1);  // its steps are 0.27 mm wide
+  const std::vector<Slab> slope = slabsOf(wedge(4), 0.2, 100);  // a layer each 2 mm
+  REQUIRE(slope.size() == 1);
+  CHECK(slope[0].bottom == Approx(7.8).epsilon(0.03));
+  CHECK(slope[0].top == Approx(15));
+  const std::vector<Slab> wall = slabsOf(wedge(30), 0.2, 100);  // its steps are 0.27 mm wide
+  REQUIRE(wall.size() == 1);
+  CHECK(wall[0].bottom == Approx(37.8));
 }
 
 TEST_CASE("STL is read as bytes and as text, and bodies are seen from above") {
@@ -432,7 +416,7 @@ TEST_CASE("STL is read as bytes and as text, and bodies are seen from above") {
   CHECK_FALSE(silhouetteOf(boxMesh({0, 0, 0}, {0, 5, 5}), corner));
 }
 
-TEST_CASE("prusa-slicer lays the zones along their angles, to one degree") {
+TEST_CASE("prusa-slicer lays the zones along their angles, to one degree, whatever its layers are") {
   if (std::system("command -v prusa-slicer >/dev/null 2>&1") != 0) {
     std::puts("skipped: zones that prusa-slicer slices; it is not installed");
     return;
@@ -444,13 +428,24 @@ TEST_CASE("prusa-slicer lays the zones along their angles, to one degree") {
   const DirectionZones zones = zonesOf(shape, rings(), 6);
   Mesh slope = boxMesh({0, 0, 0}, {60, 60, 3});
   for (auto& point : slope.points) point[2] += point[2] > 0 && point[0] > 0 ? 2 : 0;
-  for (const auto& [name, body] : {std::pair("five layers", prismOf(shape, 1).value()),
-                                   {"six layers", prismOf(shape, 1.2).value()},
-                                   {"a slope", slope}}) {
-    const std::string package = zones3mf(body, zones, {0, 0}, {0.2, 0.2}).value().bytes;
+  struct Case {
+    const char* name;
+    Mesh body;
+    double layer;
+    double first;
+  };
+  const Case cases[] = {{"five layers", prismOf(shape, 1).value(), 0.2, 0.2},
+                        {"six layers", prismOf(shape, 1.2).value(), 0.2, 0.2},
+                        {"a first layer of 0.35 mm", prismOf(shape, 2).value(), 0.2, 0.35},
+                        {"a first layer of 0.4 mm", prismOf(shape, 2).value(), 0.16, 0.4},
+                        {"a slope", slope, 0.2, 0.2},
+                        {"a slope on a first layer of 0.3 mm", slope, 0.2, 0.3}};
+  for (const Case& one : cases) {
+    CAPTURE(one.name);
+    const std::string package = zones3mf(one.body, zones, {0, 0}, one.layer).value();
     std::ofstream(folder / "zones.3mf", std::ios::binary) << package;
-    const std::string command = "prusa-slicer --export-gcode --layer-height 0.2 --first-layer-height 0.2 --center " +
-                                std::string("100,100 --output ") + (folder / "zones.gcode").string() + " " +
+    const std::string command = "prusa-slicer --export-gcode --first-layer-height " + std::to_string(one.first) +
+                                " --center 100,100 --output " + (folder / "zones.gcode").string() + " " +
                                 (folder / "zones.3mf").string() + " >/dev/null 2>&1";
     REQUIRE(std::system(command.c_str()) == 0);
     std::ifstream in(folder / "zones.gcode");
@@ -478,7 +473,8 @@ TEST_CASE("prusa-slicer lays the zones along their angles, to one degree") {
     CHECK(all > 5000);
     CHECK(wrong == 0);
     for (const double mm : laid) CHECK(mm > 500);
-    std::printf("prusa-slicer, %s: %.0f mm of straight top lines, %.0f mm off their zone's angle\n", name, all, wrong);
+    std::printf("prusa-slicer, %s: %.0f mm of straight top lines, %.0f mm off their zone's angle\n", one.name, all,
+                wrong);
   }
   fs::remove_all(folder);
 }

@@ -45,11 +45,9 @@ FlatBody flatZone(const DirectionZone& zone) {
 
 }  // namespace
 
-Result<ZonePackage> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, const ZoneLayers& layers) {
-  for (const double height : {layers.height, layers.firstHeight}) {
-    if (!(height >= 0.01 && height <= 2)) {
-      return Error{ErrorCode::InvalidArgument, outOfRange("layer height", height, " mm", "0.01 to 2 mm")};
-    }
+Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, double layerHeight) {
+  if (!(layerHeight >= 0.01 && layerHeight <= 2)) {
+    return Error{ErrorCode::InvalidArgument, outOfRange("layer height", layerHeight, " mm", "0.01 to 2 mm")};
   }
   if (body.triangles.empty()) return Error{ErrorCode::InvalidArgument, "the body has no triangles"};
   if (std::string defect = meshDefect(body); !defect.empty()) {
@@ -70,28 +68,23 @@ Result<ZonePackage> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2
     }
     triangles += 2 * (flat.triangulation.triangles.size() + flat.points.size());
   }
-  const Slabs slabs =
-      slabsOf(body, layers, std::max<std::size_t>(1, kMostTriangles / std::max<std::size_t>(1, triangles)));
+  const std::vector<Slab> slabs =
+      slabsOf(body, layerHeight, std::max<std::size_t>(1, kMostTriangles / std::max<std::size_t>(1, triangles)));
   for (std::size_t k = 0; k < flats.size(); ++k) {
-    const double degrees = zones.zones[k].degrees;
-    for (const bool turned : {false, true}) {
-      Volume volume{"zone " + decimal(degrees, 1), mesh.triangles.size(), 0, {}, true};
-      for (const Slab& slab : slabs.list) {
-        if (slab.turned == turned)
-          addPrism(flats[k].triangulation, flats[k].points, offset, slab.bottom, slab.top, mesh);
-      }
-      if (mesh.triangles.size() == volume.first) continue;
-      volume.last = mesh.triangles.size() - 1;
-      const double given = std::fmod(degrees + (turned ? 90 : 0), 180);
-      for (const char* key : {"fill_angle", "infill_direction", "solid_infill_direction"}) {
-        volume.settings += metadata("volume", key, decimal(given, 1));
-      }
-      volume.settings += metadata("volume", "top_layer_direction", decimal(degrees, 1));
-      for (const char* key : {"top_fill_pattern", "top_surface_pattern"}) {
-        volume.settings += metadata("volume", key, "monotonic");
-      }
-      volumes.push_back(std::move(volume));
+    const std::string degrees = decimal(zones.zones[k].degrees, 1);
+    Volume volume{"zone " + degrees, mesh.triangles.size(), 0, {}, true};
+    for (const Slab& slab : slabs) {
+      addPrism(flats[k].triangulation, flats[k].points, offset, slab.bottom, slab.top, mesh);
     }
+    volume.last = mesh.triangles.size() - 1;
+    for (const char* key : {"fill_angle", "infill_direction", "solid_infill_direction", "top_layer_direction"}) {
+      volume.settings += metadata("volume", key, degrees);
+    }
+    // Other patterns turn by 90 degrees on every other layer, and nobody but the slicer knows on which one a top lies.
+    for (const char* key : {"top_fill_pattern", "top_surface_pattern"}) {
+      volume.settings += metadata("volume", key, "alignedrectilinear");
+    }
+    volumes.push_back(std::move(volume));
   }
 
   const std::string model = std::string(kXml) +
@@ -104,7 +97,7 @@ Result<ZonePackage> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2
                             " <build>\n  <item objectid=\"1\" printable=\"1\"/>\n </build>\n</model>\n";
 
   std::string config = std::string(kXml) + "<config>\n <object id=\"1\" instances_count=\"1\">\n";
-  config += metadata("object", "name", "zones") + metadata("object", "layer_height", decimal(layers.height, 3));
+  config += metadata("object", "name", "zones") + metadata("object", "layer_height", decimal(layerHeight, 3));
   for (const Volume& volume : volumes) {
     config += "  <volume firstid=\"" + std::to_string(volume.first) + "\" lastid=\"" + std::to_string(volume.last) +
               "\">\n" + metadata("volume", "name", volume.name);
@@ -117,7 +110,7 @@ Result<ZonePackage> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2
   addPackageParts(zip);
   zip.add("3D/3dmodel.model", model);
   zip.add("Metadata/Slic3r_PE_model.config", config);
-  return ZonePackage{zip.finish(), slabs.complete};
+  return zip.finish();
 }
 
 }  // namespace sillon

@@ -47,24 +47,17 @@ void spreadLabels(std::vector<std::int32_t>& label, const std::vector<char>& whe
 /// \param zone  of each cell, 0 to count - 1, row 0 below; zones that meet in a corner only are parted there.
 std::vector<std::vector<Ring>> zoneOutlines(std::vector<std::int32_t> zone, int count, const Grid& grid);
 
-// The heights at which zones turn a slicer's lines.
+// The heights at which zones set a slicer's lines.
 
-/// Layers that follow each other and whose tops need angles of one kind.
 struct Slab {
-  double bottom = 0;    ///< [mm]
-  double top = 0;       ///< [mm]
-  bool turned = false;  ///< the slicer adds 90 degrees on the layer of the top
+  double bottom = 0;  ///< [mm]
+  double top = 0;     ///< [mm]
 };
 
-struct Slabs {
-  std::vector<Slab> list;
-  bool complete = true;  ///< false: some that are needed are missing, as there may be no more
-};
-
-/// From the bottom up: the layers below each level top, as deep as the solid layers of usual settings, and each layer
-/// of slopes that are gentle enough to show lines. What lies between them is left to the slicer. The highest and lowest
-/// slab go on beyond the body.
-/// \param most  slabs, at least 1; where there would be more, slopes go without, then the highest top decides for all.
-Slabs slabsOf(const Mesh& body, const ZoneLayers& layers, std::size_t most);
+/// From the bottom up: as deep as the solid layers of usual settings below each level top and each slope that is gentle
+/// enough to show lines. What lies between them is left to the slicer. The highest and lowest slab go on beyond the
+/// body. \param layerHeight  [mm], > 0. \param most  slabs, at least 1; where there would be more, one reaches through
+/// the whole body.
+std::vector<Slab> slabsOf(const Mesh& body, double layerHeight, std::size_t most);
 
 }  // namespace sillon

@@ -77,6 +77,7 @@ Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& di
   if (run.cancelled()) return cancelledRun();
   spreadLabels(label, std::vector<char>(label.size(), 1), picture.grid);
   DirectionZones out;
+  out.found = static_cast<int>(chosen.size());
   std::vector<double> areas(chosen.size(), 0);
   double all = 0;
   for (std::size_t k = 0; k < label.size(); ++k) {

@@ -30,6 +30,7 @@ struct DirectionZone {
 /// Together they cover the page and a border of 1 mm; no two overlap.
 struct DirectionZones {
   std::vector<DirectionZone> zones;  ///< by angle
+  int found = 0;  ///< directions that differ, of which the zones are those with wide enough places
   double error = 0;  ///< mean angle between the map and the zones, over the shape [degrees]
 };
 
@@ -40,28 +41,16 @@ struct DirectionZones {
 Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& directions,
                                       const ZoneParams& params, const RunContext& run);
 
-/// Layers as the slicer will cut the body.
-struct ZoneLayers {
-  double height = 0.2;       ///< [mm], 0.01..2
-  double firstHeight = 0.2;  ///< [mm], 0.01..2
-};
-
-struct ZonePackage {
-  std::string bytes;  ///< of the 3MF
-  /// False: slopes, or lower tops, are left to the slicer, as there are too many
-  bool everySlopeTurned = true;
-};
-
-/// Makes a 3MF of the body and one modifier per zone. Each modifier has the angle that makes the
-/// slicer's top lines run along its zone: fill_angle (PrusaSlicer), solid_infill_direction and
-/// infill_direction (OrcaSlicer, Bambu Studio), to which they add 90 degrees on every other layer,
-/// and top_layer_direction (OrcaSlicer from 2.4.2), to which nothing is added. In PrusaSlicer's
-/// form, which all three open. Zones reach 2 mm or 8 layers below each level top, which gets its
-/// own angles, and through gentle slopes layer by layer, up to 400,000 triangles in all.
-/// \param corner  of the zones' page on the bed [mm].
-/// \return InvalidArgument or TooLarge.
-Result<ZonePackage> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner,
-                             const ZoneLayers& layers);
+/// Makes a 3MF of the body and one modifier per zone. Each modifier has the angle of its zone:
+/// fill_angle (PrusaSlicer), infill_direction (Bambu Studio, OrcaSlicer), solid_infill_direction
+/// and top_layer_direction (OrcaSlicer), and for tops the pattern "aligned rectilinear", whose
+/// lines all three slicers lay in that direction on every layer. In PrusaSlicer's form, which all
+/// three open. Zones reach 2 mm or 8 layers below each level top and each gentle slope; where that
+/// takes more than 400,000 triangles, through the whole body. \param corner  of the zones' page on
+/// the bed [mm]. \param layerHeight  that the slicer is told [mm], 0.01..2. \return InvalidArgument
+/// or TooLarge.
+Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner,
+                             double layerHeight);
 
 /// The shape less its holes in height: a prism from the bed up.
 /// \param height  [mm], 0.05..5000.
