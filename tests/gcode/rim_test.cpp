@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/signed_distance.hpp"
@@ -160,4 +163,42 @@ TEST_CASE("a rim as wide as the plate fills it, and one thinner than a line is o
   CHECK(linesOf(job) > 12);
   job.params.rimWidth = 0.1;
   CHECK(linesOf(job) == 2);
+}
+
+TEST_CASE("between the loops of a rim the nozzle stays off the face, but for one short way to each hole") {
+  Job job = frame();
+  job.shape.paths[0].rings.push_back({{23, 5}, {23, 15}, {27, 15}, {27, 5}});
+  job.params.rim = 5;
+  const ReadFile file = checkFile(job, job.write());
+  const Outline border = resolveOutline(job.shape).value();
+  const BorderIndex index = buildBorderIndex(border, {{-1, -1}, 0.2, 160, 110}, RunContext(1)).value();
+  const double face = job.params.layerHeight * (job.params.base + job.params.layers);
+  std::map<std::int64_t, double> crossed;  // by height [mm]
+  for (const ReadMove& travel : file.travels) {
+    const double z = double(travel.z) / 1000 - job.printer.lift;
+    if (z < face + 1.5 * job.params.layerHeight || z > face + 5.5 * job.params.layerHeight) continue;
+    const int steps = static_cast<int>(travel.length() / 0.1) + 1;
+    for (int k = 0; k < steps; ++k) {
+      const double share = (k + 0.5) / steps;
+      const Vec2 p{(double(travel.x0) + share * double(travel.x1 - travel.x0)) / 1000 - 50,
+                   (double(travel.y0) + share * double(travel.y1 - travel.y0)) / 1000 - 60};
+      const bool seen = !index.outside(p) && std::abs(index.nearest(p).distance) > job.params.rimWidth;
+      crossed[travel.z] += seen ? travel.length() / steps : 0;
+    }
+  }
+  REQUIRE(crossed.size() >= 4);
+  // From the outline to a hole are 5 mm, and 3 mm to the next one, less the rims on both sides.
+  for (const auto& layer : crossed) {
+    CAPTURE(layer.first);
+    CHECK(layer.second < 2.6 + 0.6 + 0.5);
+  }
+  // Neighbouring layers begin elsewhere, so that seams make no line.
+  std::set<std::pair<std::int64_t, std::int64_t>> starts;
+  int layer = 0;
+  for (const ReadPath& path : file.paths) {
+    if (path.role != kRim || path.layer == layer) continue;
+    layer = path.layer;
+    starts.insert({path.moves.front().x0, path.moves.front().y0});
+  }
+  CHECK(starts.size() == 5);
 }

@@ -69,10 +69,19 @@ void addPurge(GcodeJob& job, const Bounds& box, const Printer& printer, const Pr
 std::optional<Error> addBrim(GcodeJob& job, const Shape& shape, PointUm offset, const Printer& printer,
                              const PrintParams& params);
 
-/// Loops along the border and its holes, from there inwards, which stand on the oriented layers. \return
-/// InvalidArgument if no line fits into the shape, EmptyShape, TooLarge.
+/// Loops along the border and its holes, from there inwards, which stand on the oriented layers. All of one border come
+/// before those of the next. \return InvalidArgument if no line fits into the shape, EmptyShape, TooLarge.
 std::optional<Error> addRim(GcodeJob& job, const Shape& body, PointUm offset, const Printer& printer,
                             const PrintParams& params);
+
+/// The loop of a rim's borders that is nearest to a place; null without any.
+const BeadPath* loopNearest(const std::vector<std::vector<BeadPath>>& rim, PointUm at);
+
+/// Places on the way to a loop of the rim, as strings would be seen to cross the finished face: along the loop that the
+/// nozzle stands at, over to the other where the two are close, and along that; by way of a third loop where less of
+/// the face is crossed so. Empty: straight on. \param at  place of the nozzle. \param start  where the loop begins.
+std::vector<PointUm> wayAlong(const BeadPath& from, PointUm at, const BeadPath& via, const BeadPath& to,
+                              std::size_t start);
 
 // The plain layers below the toolpath.
 

@@ -52,7 +52,7 @@ struct GcodeJob {
   std::vector<BeadPath> across;                ///< of the base layer next to the cycles; empty where it is as others
   std::vector<BeadPath> bedAcross;             ///< next to the bed's cycles, likewise; ShowSide::Both
   std::vector<BeadPath> cycles;                ///< of oriented layers, widths within 0.6..1.6 nozzle
-  std::vector<BeadPath> rim;                   ///< of each layer above the oriented ones
+  std::vector<std::vector<BeadPath>> rim;      ///< of each layer above the oriented ones: the loops of each border
   std::vector<BeadPath> bedCycles;             ///< of oriented layers below the base, mirrored; ShowSide::Both
   std::vector<PointUm> copies{{}};             ///< where each plate stands, from the first
   std::vector<PlacedPatch> patches;            ///< instead of cycles, on the layers above the base

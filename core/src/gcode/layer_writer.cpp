@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "base/numbers.hpp"
+#include "gcode/base_layers.hpp"
 #include "gcode/file_comments.hpp"
 #include "printer/dialect.hpp"
 #include "sillon/settings/presets.hpp"
@@ -15,6 +17,8 @@ constexpr double kFastest = 1.5;     // [speed], of narrow beads with constantFl
 constexpr double kSlowestPace = 5;   // [mm/s], slower nozzles drop more than they lay
 constexpr double kSeamStep = 0.382;  // golden section: seams of neighbouring layers lie far apart
 
+std::size_t toSeam(std::size_t count) { return static_cast<std::size_t>(kSeamStep * static_cast<double>(count)); }
+
 }  // namespace
 
 void LayerWriter::write(const FileLayer& layer) {
@@ -22,6 +26,7 @@ void LayerWriter::write(const FileLayer& layer) {
   nozzle_.restartAxis();
   const bool begins = layer.index == 0;
   if (begins) {
+    rimEnd_ = nullptr;
     if (layer.copy > 0) endObject(nozzle_.out(), job_, printer_.flavor, layer.copy - 1);
     nozzle_.standAt(job_.copies[layer.copy]);
     if (layer.copy > 0) nozzle_.passOver(layerTop(params_, layerCount(params_) - 1));
@@ -34,7 +39,7 @@ void LayerWriter::write(const FileLayer& layer) {
     paths(job_.brim, kBrimRole, params_.baseFlow, layer);
   }
   if (layer.rim) {
-    paths(job_.rim, kRimRole, params_.baseFlow, layer);
+    rim(layer);
   } else if (layer.oriented && !job_.patches.empty()) {
     patches(layer);
   } else if (layer.oriented) {
@@ -88,8 +93,7 @@ void LayerWriter::setMachine(const FileLayer& layer) {
 
 void LayerWriter::paths(const std::vector<BeadPath>& paths, const Role& role, double flow, const FileLayer& layer) {
   if (paths.empty()) return;
-  MotionLimits limits = layerLimits(layer, flow);
-  limits.speed = std::max(limits.speed * pace_[kindOf(layer)], std::min(limits.speed, kSlowestPace));
+  MotionLimits limits = pacedLimits(layer, flow);
   if (params_.constantFlow && layer.oriented && !layer.first) evenFlow(limits, job_.spacing);
   const bool oriented = &role == &kOrientedRole;  // the skirt of an oriented first layer is not
   limits.coast = oriented ? params_.coast : 0;
@@ -104,12 +108,26 @@ void LayerWriter::paths(const std::vector<BeadPath>& paths, const Role& role, do
       // begins there, and others elsewhere.
       const bool kept = oriented && path.beginsUnseen;
       const bool seen = layer.onBed || layer.index == layersBelowRim(params_) - 1;
-      const auto step = static_cast<std::size_t>(kSeamStep * static_cast<double>(count));
-      const std::size_t chosen = static_cast<std::size_t>(layer.turn + (kept ? 1 : 0)) * step % count;
+      const std::size_t chosen = static_cast<std::size_t>(layer.turn + (kept ? 1 : 0)) * toSeam(count) % count;
       start = kept && seen ? 0 : path.seams.empty() ? chosen : path.seams[chosen];
     }
-    lay(path, start, limits, layer.height, layer.top, oriented);
+    lay(path, start, limits, layer, oriented);
     if (nozzle_.out().failed()) return;
+  }
+}
+
+// Layers take the borders there and back, so that each begins where the one below it ends.
+void LayerWriter::rim(const FileLayer& layer) {
+  const MotionLimits limits = pacedLimits(layer, params_.baseFlow);
+  writeRole(nozzle_.out(), kRimRole);
+  const std::size_t count = job_.rim.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    for (const BeadPath& path : job_.rim[layer.turn % 2 == 0 ? k : count - 1 - k]) {
+      const auto turn = static_cast<std::size_t>(layer.turn) * toSeam(path.seams.size());
+      lay(path, path.seams[turn % path.seams.size()], limits, layer, false);
+      if (nozzle_.out().failed()) return;
+      rimEnd_ = &path;
+    }
   }
 }
 
@@ -123,26 +141,38 @@ void LayerWriter::patches(const FileLayer& layer) {
     if (patch.how.speed > 0) limits.speed = patch.how.speed;
     if (patch.how.constantFlow) evenFlow(limits, patch.how.spacing);
     for (const BeadPath& path : patch.paths) {
-      lay(path, 0, limits, layer.height, layer.top, true);
+      lay(path, 0, limits, layer, true);
       if (nozzle_.out().failed()) return;
     }
   }
 }
 
-// Goes there, lays the bead, leaves it. \param top  where the nozzle runs [mm]. \param oriented  neither base nor
-// skirt.
-void LayerWriter::lay(const BeadPath& path, std::size_t start, const MotionLimits& limits, double height, double top,
+// Goes there, lays the bead, leaves it. \param oriented  neither base nor skirt.
+void LayerWriter::lay(const BeadPath& path, std::size_t start, const MotionLimits& limits, const FileLayer& layer,
                       bool oriented) {
   const Motion& motion = plans_.of(path, start, limits);
-  nozzle_.approach(motion.points.front(), top);
-  nozzle_.bead(motion, limits.flow, height);
+  std::vector<PointUm> way;
+  if (layer.rim) {
+    const PointUm at = nozzle_.at();
+    const BeadPath* from = rimEnd_ != nullptr ? rimEnd_ : loopNearest(job_.rim, at);
+    way = wayAlong(*from, at, job_.rim.front().back(), path, start);
+  }
+  way.push_back(motion.points.front());
+  nozzle_.approach(way, layer.top);
+  nozzle_.bead(motion, limits.flow, layer.height);
   if (nozzle_.out().failed()) return;
-  nozzle_.leave(motion, limits.speed, top, limits.scarf > 0 && path.closed);
+  nozzle_.leave(motion, limits.speed, layer.top, limits.scarf > 0 && path.closed);
   if (!oriented) return;
   for (const double piece : motion.lengths) oriented_.all += piece;
   oriented_.flowSlowed += motion.flowSlowedMm;
   oriented_.segmentSlowed += motion.segmentSlowedMm;
   oriented_.curveSlowed += motion.curveSlowedMm;
+}
+
+MotionLimits LayerWriter::pacedLimits(const FileLayer& layer, double flow) const {
+  MotionLimits limits = layerLimits(layer, flow);
+  limits.speed = std::max(limits.speed * pace_[kindOf(layer)], std::min(limits.speed, kSlowestPace));
+  return limits;
 }
 
 MotionLimits LayerWriter::layerLimits(const FileLayer& layer, double flow) const {

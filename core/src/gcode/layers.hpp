@@ -67,9 +67,10 @@ class LayerWriter {
   void announce(const FileLayer& layer);
   void setMachine(const FileLayer& layer);
   void paths(const std::vector<BeadPath>& paths, const Role& role, double flow, const FileLayer& layer);
+  void rim(const FileLayer& layer);
   void patches(const FileLayer& layer);
-  void lay(const BeadPath& path, std::size_t start, const MotionLimits& limits, double height, double top,
-           bool oriented);
+  void lay(const BeadPath& path, std::size_t start, const MotionLimits& limits, const FileLayer& layer, bool oriented);
+  [[nodiscard]] MotionLimits pacedLimits(const FileLayer& layer, double flow) const;
   [[nodiscard]] MotionLimits layerLimits(const FileLayer& layer, double flow) const;
   void evenFlow(MotionLimits& limits, double spacing) const;
   [[nodiscard]] double firstAcceleration() const;
@@ -80,6 +81,7 @@ class LayerWriter {
   MotionPlans& plans_;
   Nozzle& nozzle_;
   Paces pace_;
+  const BeadPath* rimEnd_ = nullptr;  // loop of the rim that the nozzle stands at
   OrientedLength oriented_;
 };
 

@@ -22,7 +22,7 @@ struct BeadPath {
   std::vector<PointUm> points;
   std::vector<double> widths;        ///< one per point [mm], > 0
   bool closed = false;               ///< a segment leads from the last point back to the first
-  std::vector<std::uint32_t> seams;  ///< points where a closed path may begin unseen, ascending; empty: any
+  std::vector<std::uint32_t> seams;  ///< points where a closed path may begin unseen; empty: any
   bool beginsUnseen = false;         ///< the first point is at the border
 };
 

@@ -73,9 +73,15 @@ void Nozzle::unretract() {
   retracted_ = 0;
 }
 
-void Nozzle::approach(PointUm target, double top) {
+void Nozzle::approach(const std::vector<PointUm>& way, double top) {
   moveZ(std::max(top, clearance_) + printer_.lift);
-  travel(target + shift_, printer_.travelSpeed);
+  std::vector<PointUm> points{at_};
+  for (const PointUm point : way) {
+    if (point + shift_ != points.back()) points.push_back(point + shift_);
+  }
+  if (points.size() > 1) seconds_ += travelSeconds(points, printer_.travelSpeed, machineLimits());
+  if (points.size() == 1) points.push_back(at_);  // a host sees where it begins
+  for (std::size_t k = 1; k < points.size(); ++k) moveTo(points[k], printer_.travelSpeed);
   moveZ(top);
   clearance_ = 0;
   unretract();

@@ -30,8 +30,8 @@ class Nozzle {
   void moveZ(double z);
   void travel(PointUm target, double speed);
   /// Over what stands in the way, down to a layer, with filament at the tip.
-  /// \param target  of the first copy. \param top  of the layer [mm].
-  void approach(PointUm target, double top);
+  /// \param way  of the first copy, up to where a bead begins. \param top  of the layer [mm].
+  void approach(const std::vector<PointUm>& way, double top);
   /// One path of beads of the first copy, from its first point. \param height  of the layer [mm].
   void bead(const Motion& motion, double flow, double height);
   /// Retract, wipe back along the path, lift: the nozzle leaves the plate clean and never crosses it low.
@@ -57,6 +57,8 @@ class Nozzle {
 
   /// What the printer allows without beads.
   [[nodiscard]] MotionLimits machineLimits() const;
+  /// Its place over the first copy, whichever is printed.
+  [[nodiscard]] PointUm at() const { return at_ - shift_; }
   [[nodiscard]] double z() const { return static_cast<double>(z_) / 1000; }
   [[nodiscard]] double seconds() const { return seconds_; }
   [[nodiscard]] double filamentMm() const { return static_cast<double>(filamentWritten_) / 1e5; }

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/numbers.hpp"
 #include "gcode/base_layers.hpp"
@@ -11,8 +14,149 @@ namespace {
 
 constexpr double kInset = 0.02;  // [mm], more than loops are off their distance: no bead may stick out
 constexpr int kMaxLoops = 1000;
+constexpr double kStraight = 5;      // [mm] that the nozzle goes straight: from one loop to its neighbour
+constexpr std::size_t kSought = 16;  // places around a loop from which its closest point to another is sought
+constexpr std::size_t kSeams = 21;   // places around a border at which its layers begin in turn
+
+std::size_t nearestPoint(const BeadPath& path, PointUm p) {
+  const auto distance = [p](PointUm a) { return dot(wide(a - p), wide(a - p)); };
+  const auto nearest = std::min_element(path.points.begin(), path.points.end(),
+                                        [&](PointUm a, PointUm b) { return distance(a) < distance(b); });
+  return static_cast<std::size_t>(nearest - path.points.begin());
+}
+
+// From a point to the nearest place of a closed line [mm].
+double distanceTo(const BeadPath& loop, PointUm point) {
+  const Vec2 p = mm(point);
+  double least = std::numeric_limits<double>::infinity();
+  Vec2 a = mm(loop.points.back());
+  for (const PointUm next : loop.points) {
+    const Vec2 b = mm(next);
+    const Vec2 d = b - a;
+    const double share = dot(d, d) > 0 ? std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0) : 0;
+    least = std::min(least, length(p - a - share * d));
+    a = b;
+  }
+  return least;
+}
+
+// The shorter way around a loop from one of its points to another, both included.
+void addAlong(const BeadPath& loop, std::size_t from, std::size_t to, std::vector<PointUm>& way) {
+  const std::size_t count = loop.points.size();
+  double forward = 0;
+  double all = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double piece = lengthMm(loop.points[(k + 1) % count] - loop.points[k]);
+    all += piece;
+    if ((k + count - from) % count < (to + count - from) % count) forward += piece;
+  }
+  const std::size_t step = 2 * forward <= all ? 1 : count - 1;
+  for (std::size_t k = from; k != to; k = (k + step) % count) way.push_back(loop.points[k]);
+  way.push_back(loop.points[to]);
+}
+
+// Points at which two loops are closest.
+struct Crossing {
+  std::size_t leave = 0;
+  std::size_t enter = 0;
+  double length = std::numeric_limits<double>::infinity();  // [mm]
+};
+
+Crossing crossing(const BeadPath& from, const BeadPath& to) {
+  Crossing best;
+  for (std::size_t k = 0; k < kSought; ++k) {
+    Crossing one;
+    one.leave = nearestPoint(from, to.points[k * to.points.size() / kSought]);
+    one.enter = nearestPoint(to, from.points[one.leave]);
+    one.leave = nearestPoint(from, to.points[one.enter]);
+    one.length = lengthMm(to.points[one.enter] - from.points[one.leave]);
+    if (one.length < best.length) best = one;
+  }
+  return best;
+}
+
+// All loops of one border stand together, each next to the one before it, and begin beside it: between two loops lies
+// no way over the face.
+std::vector<std::vector<BeadPath>> byBorder(std::vector<BeadPath> loops, double step) {
+  constexpr double kBeside = 1.1;  // [step]
+  const std::size_t count = loops.size();
+  std::vector<std::vector<std::size_t>> inner(count);
+  std::vector<std::size_t> borders;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::size_t outer = k;  // those that are nearer to the border come first, the last ones are the nearest
+    while (outer-- > 0 && distanceTo(loops[outer], loops[k].points.front()) > kBeside * step) continue;
+    std::vector<std::uint32_t>& seams = loops[k].seams;
+    if (outer >= count) {
+      borders.push_back(k);
+      for (std::size_t i = 0; i < kSeams; ++i) {
+        seams.push_back(static_cast<std::uint32_t>(i * loops[k].points.size() / kSeams));
+      }
+      continue;
+    }
+    inner[outer].push_back(k);
+    for (const std::uint32_t seam : loops[outer].seams) {
+      seams.push_back(static_cast<std::uint32_t>(nearestPoint(loops[k], loops[outer].points[seam])));
+    }
+  }
+  std::vector<Bounds> boxes(count);
+  for (const std::size_t border : borders) {
+    for (const PointUm p : loops[border].points) boxes[border].add(mm(p));
+  }
+  const auto wide = [&](std::size_t a, std::size_t b) { return length(boxes[a].size()) < length(boxes[b].size()); };
+  auto next = std::max_element(borders.begin(), borders.end(), wide);
+  std::vector<std::vector<BeadPath>> out;
+  while (!borders.empty()) {
+    const Vec2 at = 0.5 * (boxes[*next].min + boxes[*next].max);
+    std::vector<std::size_t> open{*next};
+    borders.erase(next);
+    std::vector<BeadPath>& border = out.emplace_back();
+    while (!open.empty()) {
+      const std::size_t loop = open.back();
+      open.pop_back();
+      open.insert(open.end(), inner[loop].rbegin(), inner[loop].rend());
+      border.push_back(std::move(loops[loop]));
+    }
+    const auto away = [&](std::size_t k) { return length(0.5 * (boxes[k].min + boxes[k].max) - at); };
+    next = std::min_element(borders.begin(), borders.end(),
+                            [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
+  }
+  return out;
+}
 
 }  // namespace
+
+const BeadPath* loopNearest(const std::vector<std::vector<BeadPath>>& rim, PointUm at) {
+  const BeadPath* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<BeadPath>& border : rim) {
+    const double away = distanceTo(border.front(), at);
+    if (away >= least) continue;
+    least = away;
+    nearest = &border.front();
+  }
+  return nearest;
+}
+
+std::vector<PointUm> wayAlong(const BeadPath& from, PointUm at, const BeadPath& via, const BeadPath& to,
+                              std::size_t start) {
+  std::vector<PointUm> way;
+  if (lengthMm(to.points[start] - at) <= kStraight) return way;
+  Crossing last = crossing(from, to);
+  std::size_t begin = nearestPoint(from, at);
+  const BeadPath* leaves = &from;
+  const Crossing there = crossing(from, via);
+  const Crossing back = crossing(via, to);
+  if (there.length + back.length < last.length) {
+    addAlong(from, begin, there.leave, way);
+    begin = there.enter;
+    leaves = &via;
+    last = back;
+  }
+  addAlong(*leaves, begin, last.leave, way);
+  addAlong(to, last.enter, start, way);
+  way.pop_back();
+  return way;
+}
 
 std::optional<Error> addRim(GcodeJob& job, const Shape& body, PointUm offset, const Printer& printer,
                             const PrintParams& params) {
@@ -21,10 +165,12 @@ std::optional<Error> addRim(GcodeJob& job, const Shape& body, PointUm offset, co
   const int count = std::clamp(static_cast<int>(std::lround(params.rimWidth / line)), 1, kMaxLoops);
   const Result<std::vector<Polyline>> loops = offsetLoops(body, -line / 2 - kInset, -line, count);
   if (!loops) return loops.error();
+  std::vector<BeadPath> paths;
   for (const Polyline& loop : loops.value()) {
     BeadPath path = placed(loop, offset, line, true);
-    if (path.points.size() >= 3) job.rim.push_back(std::move(path));
+    if (path.points.size() >= 3) paths.push_back(std::move(path));
   }
+  job.rim = byBorder(std::move(paths), line);
   if (!job.rim.empty()) return std::nullopt;
   return Error{ErrorCode::InvalidArgument, "print.rim is " + std::to_string(params.rim) +
                                                ", but the shape is too thin for lines of " + decimal(line, 3) +
