@@ -297,6 +297,14 @@ TEST_CASE("text of a drawing is set in the font that it names, or in one that st
             .drawing.texts == 1);
 }
 
+TEST_CASE("a line tells the heights of its font") {
+  const ShapedLine line = shapeLine(kNoFiles, "Nunito", "a").value();
+  CHECK(line.em == 1000);
+  CHECK(line.xHeight == 484);
+  CHECK(line.ascent == 1011);
+  CHECK(line.descent == 353);
+}
+
 TEST_CASE("lines of a drawing are named as shapeLine asks for them elsewhere") {
   CHECK(linesOfDrawing(
             "<svg width='9' height='9'><text font-family='Caveat'>a <tspan>b</tspan></text><text>c</text></svg>") ==

@@ -22,6 +22,9 @@ Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, con
   ShapedLine shaped;
   shaped.em = json["em"].get<double>();
   shaped.capHeight = json["capHeight"].get<double>();
+  shaped.xHeight = json["xHeight"].get<double>();
+  shaped.ascent = json["ascent"].get<double>();
+  shaped.descent = json["descent"].get<double>();
   for (const Json& letter : json["letters"]) {
     shaped.letters.push_back(
         {letter[0].get<std::size_t>(), {letter[1].get<double>(), letter[2].get<double>()}, letter[3].get<double>()});

@@ -111,6 +111,16 @@ double capHeightOf(hb_font_t* font, double em) {
   return drawn ? -extents.height : kUsualCapHeight * em;
 }
 
+/// The heights that set the base lines of drawings.
+void measure(hb_font_t* font, ShapedLine& shaped) {
+  hb_position_t height = 0;
+  hb_font_extents_t extents{};
+  if (hb_ot_metrics_get_position(font, HB_OT_METRICS_TAG_X_HEIGHT, &height) != 0) shaped.xHeight = height;
+  if (hb_font_get_h_extents(font, &extents) == 0) return;
+  shaped.ascent = extents.ascender;
+  shaped.descent = -extents.descender;
+}
+
 }  // namespace
 
 Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, const std::string& line) {
@@ -133,6 +143,7 @@ Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, con
   ShapedLine shaped;
   shaped.em = hb_face_get_upem(face.get());
   shaped.capHeight = capHeightOf(shaper.get(), shaped.em);
+  measure(shaper.get(), shaped);
 
   const std::u16string letters = lettersOf(line);
   const Buffer buffer(hb_buffer_create());

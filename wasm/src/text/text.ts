@@ -50,6 +50,12 @@ function capHeightOf(font: hb.Font, em: number): number {
   return height > 0 ? height : usualCapHeight * em;
 }
 
+/** The heights that set the base lines of drawings. */
+function heightsOf(font: hb.Font) {
+  const { ascender, descender } = font.hExtents();
+  return { xHeight: font.getMetricPosition(hb.MetricsTag.X_HEIGHT) ?? 0, ascent: ascender, descent: -descender };
+}
+
 /** The shaped line that core/src/text/shape_line_elsewhere.cpp reads. */
 export function shapeLine(file: Uint8Array, line: string): object {
   const face = new hb.Face(new hb.Blob(file));
@@ -89,7 +95,7 @@ export function shapeLine(file: Uint8Array, line: string): object {
       placed.push([outline, place?.xOffset ?? 0, place?.yOffset ?? 0, place?.xAdvance ?? 0]);
     }
   }
-  return { em: face.upem, capHeight: capHeightOf(font, face.upem), letters: placed, outlines };
+  return { em: face.upem, capHeight: capHeightOf(font, face.upem), ...heightsOf(font), letters: placed, outlines };
 }
 
 const levels = {

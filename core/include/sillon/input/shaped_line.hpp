@@ -20,6 +20,9 @@ struct ShapedLine {
   };
   double em = 1000;      ///< font units per em
   double capHeight = 0;  ///< of the font
+  double xHeight = 0;    ///< of the font, as it says itself
+  double ascent = 0;     ///< of the font above the base line
+  double descent = 0;    ///< of the font below the base line, > 0
   bool instead = false;  ///< its font stands in for one that is not at hand
   std::vector<Letter> letters;
   std::vector<std::string> outlines;  ///< path data of SVG
