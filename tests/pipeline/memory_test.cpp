@@ -1,4 +1,5 @@
-// What a plate takes of memory while it is made: docs/internals/performance.md promises a bound per cell.
+// What a plate takes of memory while it is made, for which docs/internals/performance.md promises a bound per cell, and
+// what reading a drawing takes.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -6,8 +7,10 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <string>
 
 #include "geometry/signed_distance.hpp"
+#include "input/svg.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "support/scenes.hpp"
 
@@ -103,4 +106,39 @@ TEST_CASE("a session keeps at most 45 bytes a cell, and an edit peaks no higher 
   most = held.load();
   REQUIRE(session.generateToolpath(input, {}, run).ok());
   CHECK(static_cast<double>(most - before) / cells <= 120);
+}
+
+TEST_CASE("the letters of a drawing share the style and the outlines in which they are set") {
+  constexpr std::size_t kLetters = 5000;
+  std::string places, dashes;
+  for (std::size_t k = 0; k < kLetters; ++k) places += std::to_string(k % 90) + " ";
+  for (int k = 0; k < 1000; ++k) dashes += "9 ";
+  SvgOptions options;
+  std::size_t lists = 0;
+  options.letters.choose = [&](std::string_view families) {
+    lists += families.size();
+    return DrawingFont{"One", false};
+  };
+  options.letters.shape = [](const DrawingFont&, const std::string& line) -> Result<ShapedLine> {
+    ShapedLine shaped;
+    shaped.outlines = {"M0 0H500V700H0Z" + std::string(10'000, ' ')};
+    shaped.letters.assign(line.size(), {0, {}, 600});
+    return shaped;
+  };
+  const auto takes = [&](const std::string& text) {
+    const std::string drawing = "<svg width='99mm' height='99mm' viewBox='0 0 99 99'>" + text + "</svg>";
+    const std::size_t before = held;
+    most = before;
+    const auto shape = readSvg(drawing, options);
+    REQUIRE(shape.ok());
+    CHECK(shape.value().paths.size() == kLetters);
+    return most - before;
+  };
+  const std::string families(200'000, 'a');
+  CHECK(takes("<text y='20' font-family='" + families + "' x='" + places + "'>" + std::string(kLetters, 'A') +
+              "</text>") < 10e6);
+  CHECK(lists <= families.size());
+  std::string parts;
+  for (std::size_t k = 0; k < kLetters; ++k) parts += "<tspan x='" + std::to_string(k % 90) + "'>A</tspan>";
+  CHECK(takes("<text y='20' stroke-dasharray='" + dashes + "'>" + parts + "</text>") < 10e6);
 }

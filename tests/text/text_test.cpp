@@ -263,9 +263,9 @@ TEST_CASE("QR codes have their three finders and grow with the text") {
 }
 
 TEST_CASE("text of a drawing is set in the font that it names, or in one that stands in for it") {
-  const ShapeLetters letters = [](const std::string& families, const std::string& line) {
-    return shapeLineOfDrawing(kNoFiles, families, line);
-  };
+  const ShapeLetters letters{fontOfDrawing, [](const DrawingFont& font, const std::string& line) {
+                               return shapeLineOfDrawing(kNoFiles, font, line);
+                             }};
   const auto drawing = [&](const std::string& attributes, const std::string& text = "Sillon") {
     const auto shape =
         readSvg("<svg width='99mm' height='50mm' viewBox='0 0 99 50'><text x='5' y='30' font-size='10' " + attributes +
@@ -310,4 +310,9 @@ TEST_CASE("lines of a drawing are named as shapeLine asks for them elsewhere") {
             "<svg width='9' height='9'><text font-family='Caveat'>a <tspan>b</tspan></text><text>c</text></svg>") ==
         std::vector<std::string>{"line:Caveat\na ", "line:Caveat\nb", "line:Nunito\nc"});
   CHECK(linesOfDrawing("no drawing").empty());
+  const std::string many(60'000, 'a');
+  CHECK(linesOfDrawing("<svg width='9' height='9'><text>" + many + "</text></svg>").size() == 1);
+  CHECK(linesOfDrawing("<svg width='9' height='9'><text>a</text><text>" + many + "</text><text>b" + many +
+                       "</text></svg>")
+            .empty());
 }

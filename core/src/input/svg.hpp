@@ -30,17 +30,19 @@ struct SvgOptions {
 /// fill-rule, display, visibility, clip-path, mask (by luminance or alpha: black hides, all else shows), overflow,
 /// transform with transform-origin and transform-box, from attributes, `style` and `<style>` rules that select by
 /// names, classes and ids, and by what lies in what; `var()` by its fallback, namespaces, entities of the DOCTYPE; text
-/// where SvgOptions::letters draws it, but for text on paths, textLength and rotate. Not read, and told by
-/// Shape::drawing: other text, images, `<foreignObject>`, markers, filters, patterns (they count as solid),
-/// gradients in masks, animation, sizes of shapes in CSS, shapes of clip-path and pictures of mask in CSS, custom
-/// properties, `calc()`, transforms in space, other selectors, nested rules, `@media` and the like, `pathLength`. A
-/// broken attribute is an error that names its element and line: half a drawing would be printed unnoticed.
+/// where SvgOptions::letters draws it, with places, shifts and turns of each letter, anchors, base lines, spacing,
+/// lines along it and white space as in browsers. Not read, and told by Shape::drawing: text on paths, textLength, all
+/// else that changes or moves letters (weight, slant, small capitals, direction, ...), images, `<foreignObject>`,
+/// markers, filters, patterns (they count as solid), gradients in masks, animation, sizes of shapes in CSS, shapes of
+/// clip-path and pictures of mask in CSS, custom properties, `calc()`, transforms in space, other selectors, nested
+/// rules, `@media` and the like, `pathLength`. A broken attribute is an error that names its element and line: half a
+/// drawing would be printed unnoticed.
 ///
 /// \param text  the whole file, UTF-8, up to 64 MiB; hostile input ends in an error, never in a crash or a hang.
 /// \return points in mm, y up, snapped to 1 nm so that every platform reads the same bytes.
 ///   InvalidFile (what, where), EmptyShape (no area, or all of it off the page), InvalidArgument (tolerance, width),
-///   TooLarge (page over 100000 mm, more than 2 million points, elements nested deeper than 200, `<use>`, clipping or
-///   rules without measure).
+///   TooLarge (page over 100000 mm, more than 2 million points or 100,000 bytes of letters, elements nested deeper than
+///   200, `<use>`, clipping or rules without measure).
 Result<Shape> readSvg(std::string_view text, const SvgOptions& options = {});
 
 }  // namespace sillon

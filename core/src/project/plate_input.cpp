@@ -52,8 +52,9 @@ Result<Shape> drawingFrom(const ReadInput& read, const std::string& name, const 
   const auto* text = std::get_if<std::string>(&file.value());
   if (text != nullptr && looksLikeSvg(*text, name)) {
     SvgOptions svg = options.svg;
-    svg.letters = [&read](const std::string& families, const std::string& line) {
-      return shapeLineOfDrawing(read, families, line);
+    svg.letters.choose = fontOfDrawing;
+    svg.letters.shape = [&read](const DrawingFont& font, const std::string& line) {
+      return shapeLineOfDrawing(read, font, line);
     };
     return readSvg(*text, svg);
   }

@@ -25,20 +25,22 @@ std::string_view lookAlike(const std::string& families) {
   return builtinFonts().front();
 }
 
-struct ChosenFont {
-  std::string_view name;
-  bool instead = false;  ///< of one that the families name before it
-};
+bool isSameName(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char one, char other) { return svg::lower(one) == svg::lower(other); });
+}
 
-ChosenFont chosenFont(std::string_view families) {
-  ChosenFont chosen;
+}  // namespace
+
+DrawingFont fontOfDrawing(std::string_view families) {
+  DrawingFont chosen;
   svg::split(families, ',', [&](std::string_view family) {
     family = svg::trimmed(family);
     if (family.size() > 1 && (family.front() == '"' || family.front() == '\''))
       family = family.substr(1, family.size() - 2);
     if (family.empty() || !chosen.name.empty()) return;
     for (const std::string_view font : builtinFonts()) {
-      if (svg::lowered(font) == svg::lowered(family)) chosen.name = font;
+      if (isSameName(font, family)) chosen.name = font;
     }
     chosen.instead = chosen.instead || chosen.name.empty();
   });
@@ -46,11 +48,8 @@ ChosenFont chosenFont(std::string_view families) {
   return chosen;
 }
 
-}  // namespace
-
-Result<ShapedLine> shapeLineOfDrawing(const ReadInput& read, const std::string& families, const std::string& line) {
-  const ChosenFont font = chosenFont(families);
-  Result<ShapedLine> shaped = shapeLine(read, std::string(font.name), line);
+Result<ShapedLine> shapeLineOfDrawing(const ReadInput& read, const DrawingFont& font, const std::string& line) {
+  Result<ShapedLine> shaped = shapeLine(read, font.name, line);
   if (shaped) shaped.value().instead = font.instead;
   return shaped;
 }
@@ -58,12 +57,18 @@ Result<ShapedLine> shapeLineOfDrawing(const ReadInput& read, const std::string& 
 std::vector<std::string> linesOfDrawing(std::string_view svg) {
   std::vector<std::string> lines;
   SvgOptions options;
-  options.letters = [&](const std::string& families, const std::string& line) -> Result<ShapedLine> {
-    const std::string name = nameOfLine(std::string(chosenFont(families).name), line);
-    if (std::find(lines.begin(), lines.end(), name) == lines.end()) lines.push_back(name);
-    return ShapedLine{};
+  options.letters.choose = fontOfDrawing;
+  options.letters.shape = [&](const DrawingFont& font, const std::string& line) -> Result<ShapedLine> {
+    lines.push_back(nameOfLine(font.name, line));  // each is asked for once
+    ShapedLine shown;                              // a drawing that shows nothing would be read again
+    shown.letters.emplace_back();
+    shown.outlines.emplace_back("M0 0H1V1Z");
+    return shown;
   };
-  static_cast<void>(readSvg(svg, options));
+  const Result<Shape> read = readSvg(svg, options);
+  // These letters may lie beside what the real ones show. Of what is refused for another reason nothing needs to be
+  // shaped.
+  if (!read && read.error().code != ErrorCode::EmptyShape) lines.clear();
   return lines;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sillon/base/result.hpp"
@@ -28,9 +29,17 @@ struct ShapedLine {
   std::vector<std::string> outlines;  ///< path data of SVG
 };
 
-/// Shapes one line of a drawing.
-/// \param families  as in CSS's `font-family`: names between commas, the first one preferred.
-using ShapeLetters =
-    std::function<Result<ShapedLine>(const std::string& families, const std::string& line)>;
+/// The font in which letters of a drawing are set.
+struct DrawingFont {
+  std::string name;
+  bool instead = false;  ///< it stands in for one that is not at hand
+};
+
+/// Sets the letters of a drawing.
+struct ShapeLetters {
+  /// \param families  as in CSS's `font-family`: names between commas, the first one preferred.
+  std::function<DrawingFont(std::string_view families)> choose;
+  std::function<Result<ShapedLine>(const DrawingFont& font, const std::string& line)> shape;
+};
 
 }  // namespace sillon

@@ -26,14 +26,16 @@ std::span<const std::string_view> builtinFonts();
 Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font,
                              const std::string& line);
 
-/// Shapes one line of a drawing in the built-in font that its families name first, or else in one
-/// that looks alike.
+/// The built-in font that families name first, or else one that looks alike.
 /// \param families  as in CSS's `font-family`.
-Result<ShapedLine> shapeLineOfDrawing(const ReadInput& read, const std::string& families,
+DrawingFont fontOfDrawing(std::string_view families);
+
+/// Shapes one line of a drawing.
+Result<ShapedLine> shapeLineOfDrawing(const ReadInput& read, const DrawingFont& font,
                                       const std::string& line);
 
 /// Names under which engines in browsers ask `read` for the lines of a drawing's text: shapeLine
-/// has them from JavaScript. Empty for what is no drawing.
+/// has them from JavaScript. Empty for what is no drawing, or has more letters than readSvg takes.
 std::vector<std::string> linesOfDrawing(std::string_view svg);
 
 /// Letters to draw.

@@ -44,7 +44,7 @@ Result<Shape> readSvg(std::string_view text, const SvgOptions& options) {
   if (text.size() > kMaxBytes) {
     return Error{ErrorCode::TooLarge, "The SVG file is larger than 64 MiB"};
   }
-  std::string buffer, expanded;
+  std::string buffer, expanded, spaced;
   const auto document = std::make_unique<rapidxml::xml_document<>>();  // 64 KiB: too large for small stacks
   const Node* current = nullptr;
   try {
@@ -52,7 +52,8 @@ Result<Shape> readSvg(std::string_view text, const SvgOptions& options) {
     if (text.find('\0') != std::string_view::npos) refuse("the file is not UTF-8 text");
     expanded = withEntities(text, kMaxBytes);
     if (!expanded.empty()) text = expanded;
-    checkNesting(text);
+    spaced = checkNesting(text);
+    if (!spaced.empty()) text = spaced;
     buffer = text;
     document->parse<rapidxml::parse_validate_closing_tags>(buffer.data());
     Node* root = document->first_node();

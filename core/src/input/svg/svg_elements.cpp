@@ -21,10 +21,9 @@
 namespace sillon::svg {
 namespace {
 
-constexpr double kMaxPage = 1e5;               // [mm]
-constexpr double kFaint = 0.5;                 // opacity: the second tones of icons have 0.2 to 0.4
-constexpr std::int64_t kMaxLetters = 100'000;  // bytes of them in a drawing, which <use> may repeat
-constexpr double kLeastFaint = 0.005;          // of the shape: less is no tone that would be missed
+constexpr double kMaxPage = 1e5;       // [mm]
+constexpr double kFaint = 0.5;         // opacity: the second tones of icons have 0.2 to 0.4
+constexpr double kLeastFaint = 0.005;  // of the shape: less is no tone that would be missed
 
 struct State {
   Matrix toWorld = Matrix::Identity();
@@ -74,8 +73,9 @@ class Drawing {
   Drawing(const SvgOptions& options, const Node*& current)
       : options_(options),
         current_(current),
-        units_{options.unitlessIsMm ? 1 : kMmPerPx},
-        reading_(options.ignorePaint ? Reading::Outlines : Reading::Painted) {}
+        units_{options.unitlessIsMm ? 1 : kMmPerPx, options.unitlessIsMm ? 16 * kMmPerPx : 16},
+        reading_(options.ignorePaint ? Reading::Outlines : Reading::Painted),
+        shaper_(options_.letters) {}
 
   Shape read(const Node& root) {
     current_ = &root;
@@ -90,6 +90,7 @@ class Drawing {
     }
 
     State state;
+    state.paint = initialPaint();
     toPage_ = matrix(units_.mm * scale, 0, 0, -units_.mm * scale, 0, shape_.page.y);
     const Vec2 size = page * (1 / units_.mm);
     state.viewport = size;
@@ -107,8 +108,8 @@ class Drawing {
       throw Refused{ErrorCode::EmptyShape,
                     painted_ ? "all that is painted lies off the page or is clipped away; \"paint\": \"ignore\" takes "
                                "outlines whatever their paint and place"
-                             : "the drawing has no area to fill; it needs paths, basic shapes or lines with a stroke "
-                               "(text and images do not count)"};
+                             : "the drawing has no area to fill; it needs paths, basic shapes, lines with a stroke or "
+                               "text that can be set in a built-in font (images and text on a path do not count)"};
     }
     shape_.drawing.faintMm2 = reading_ == Reading::Painted ? faintArea() : 0;
     for (Layer& layer : layers_) shape_.paths.push_back(std::move(layer.path));
@@ -144,8 +145,8 @@ class Drawing {
     const auto side = [&](const char* name) -> std::optional<double> {
       const std::optional<Length> length = lengthOf(root, name);
       if (!length || length->percent) return std::nullopt;
-      if (length->mmPerUnit > 0) shape_.drawing.pixels = length->mmPerUnit == kMmPerPx;
-      const double mm = length->value * (length->mmPerUnit > 0 ? length->mmPerUnit : units_.mm);
+      if (length->unit.mm > 0 || length->unit.ems > 0) shape_.drawing.pixels = length->unit.mm == kMmPerPx;
+      const double mm = units_.of(length->value, length->unit) * units_.mm;
       checkPageSide(name, mm, attribute(root, name).value_or(""));
       return mm;
     };
@@ -176,7 +177,7 @@ class Drawing {
     work_.spend(node);
     const Style style = styleSheet_.styleOf(node, work_);
     if (style.word(Property::Display) == "none") return false;
-    apply(style, contextOf(state), state.paint);
+    applyTo(state.paint, node, style, state.viewport);
     state.toWorld = state.toWorld * transformOf(node, style, state);
     noteUnread(node, style, state);
     if (reading_ == Reading::Outlines) return true;
@@ -191,7 +192,7 @@ class Drawing {
     if (text.empty()) return Matrix::Identity();
     const bool isCss = style.isCss(Property::Transform);
     try {
-      CssLengths css{units_, state.viewport};
+      CssLengths css{unitsOf(state.paint), state.viewport};
       Vec2 corner;
       if (style.word(Property::TransformBox) == "fill-box") {
         const Bounds box = userBox(node, state);
@@ -248,12 +249,37 @@ class Drawing {
     return found == byId_.end() || elementName(*found->second) != kind ? nullptr : found->second;
   }
 
-  // For as long as `state` is.
-  PaintContext contextOf(const State& state) {
-    const double diagonal = std::sqrt(dot(state.viewport, state.viewport) / 2);
-    return {
-        [this, &state](std::string_view id) { return serverPaint(id, byId_, styleSheet_, state.paint.color, work_); },
-        [this, diagonal](std::string_view text) { return units_.ofStyle(text, diagonal); }};
+  // What nothing declares.
+  PaintState initialPaint() {
+    PaintState paint;
+    paint.letters.size = units_.em;
+    paint.letters.font = fontOf("");
+    return paint;
+  }
+
+  // Lengths of an element.
+  [[nodiscard]] UserUnits unitsOf(const PaintState& paint) const { return {units_.mm, paint.letters.size}; }
+
+  // Elements with the same families follow each other, and a list of them may be long.
+  const DrawingFont& fontOf(std::string_view families) {
+    if (options_.letters.choose && (font_.name.empty() || families != families_)) {
+      font_ = options_.letters.choose(families);
+      families_ = families;
+    }
+    return font_;
+  }
+
+  // Lays what an element declares over what it inherits.
+  void applyTo(PaintState& paint, const Node& node, const Style& style, Vec2 viewport) {
+    const double diagonal = std::sqrt(dot(viewport, viewport) / 2);
+    const PaintContext context{
+        [&](std::string_view id) { return serverPaint(id, byId_, styleSheet_, paint.color, work_); },
+        [&](std::string_view text) { return unitsOf(paint).ofStyle(text, diagonal); },
+        [&](std::string_view families) { return fontOf(families); }};
+    if (const auto space = attribute(node, "xml:space")) paint.letters.keepsSpaces = *space == "preserve";
+    apply(style, context, paint);
+    const std::string_view name = elementName(node);
+    if (name == "text" || name == "tspan") raiseLetters(style, context, paint.letters);
   }
 
   void drawRoot(const Node& root, State state, const std::optional<ViewBox>& box) {
@@ -318,15 +344,16 @@ class Drawing {
 
   // A nested <svg> or a <symbol>. \param use  the element that shows it and may give another size, or null.
   void drawViewport(const Node& node, State state, const Node* use) {
+    const UserUnits units = unitsOf(state.paint);
     const auto side = [&](const char* name, double full) {
-      if (use && lengthOf(*use, name)) return units_.of(*use, name, full, full);
-      return units_.of(node, name, full, full);
+      if (use && lengthOf(*use, name)) return units.of(*use, name, full, full);
+      return units.of(node, name, full, full);
     };
     const Vec2 size{side("width", state.viewport.x), side("height", state.viewport.y)};
     if (size.x < 0 || size.y < 0) refuse("width and height must not be negative");
     if (size.x == 0 || size.y == 0) return;
-    const double x = units_.of(node, "x", state.viewport.x, 0);
-    const double y = units_.of(node, "y", state.viewport.y, 0);
+    const double x = units.of(node, "x", state.viewport.x, 0);
+    const double y = units.of(node, "y", state.viewport.y, 0);
     state.toWorld = state.toWorld * shifted(x, y);
     state.viewport = size;
     const std::string overflow = styleSheet_.styleOf(node, work_).word(Property::Overflow);
@@ -351,8 +378,8 @@ class Drawing {
     if (std::find(uses_.begin(), uses_.end(), &shown) != uses_.end()) {
       refuse("href is " + quoted(target) + ", which shows itself again");
     }
-    const double x = units_.of(node, "x", state.viewport.x, 0);
-    const double y = units_.of(node, "y", state.viewport.y, 0);
+    const double x = unitsOf(state.paint).of(node, "x", state.viewport.x, 0);
+    const double y = unitsOf(state.paint).of(node, "y", state.viewport.y, 0);
     state.toWorld = state.toWorld * shifted(x, y);
 
     uses_.push_back(&shown);
@@ -367,8 +394,8 @@ class Drawing {
 
   void drawShape(const Node& node, const State& state) {
     Outliner out(state.toWorld, options_.tolerance, pointsLeft_);
-    if (!outlineShape(out, node, state.viewport, units_)) return;
-    if (state.paint.strokeAlpha() >= kFaintest && !state.paint.line.dashes.empty() && attribute(node, "pathLength")) {
+    if (!outlineShape(out, node, state.viewport, unitsOf(state.paint))) return;
+    if (state.paint.strokeAlpha() >= kFaintest && state.paint.line.dashes && attribute(node, "pathLength")) {
       note("pathLength");
     }
     paint(out, state.paint, state);
@@ -376,54 +403,43 @@ class Drawing {
 
   // Letters that cannot be drawn are told as text that is left out.
   void drawText(const Node& node, const State& state) {
-    LetterRuns collected;
-    if (!options_.letters || !collectLetters(node, state, collected)) return noteMedium(false, state);
-    const std::vector<LetterRun> runs = collected.take();
-    const ShapeLetters shape = [&](const std::string& families, const std::string& line) -> Result<ShapedLine> {
-      lettersLeft_ -= std::ssize(line);
-      if (lettersLeft_ < 0) refuseTooLarge("the drawing has more than " + std::to_string(kMaxLetters) + " letters");
-      Result<ShapedLine> shaped = options_.letters(families, line);
-      shape_.drawing.otherFont = shape_.drawing.otherFont || (shaped.ok() && shaped.value().instead);
-      return shaped;
-    };
-    const Result<std::vector<PlacedLetter>> letters = placeLetters(runs, shape, units_);
-    if (!letters) return noteMedium(false, state);
-    for (const PlacedLetter& letter : letters.value()) {
+    LetterRuns letters(lettersLeft_);
+    if (!options_.letters.shape || !collectLetters(node, state, letters)) return noteMedium(false, state);
+    const std::vector<LetterRun> runs = letters.take(state.viewport);
+    const Result<std::vector<PlacedLetter>> placed = placeLetters(runs, letters.styles(), shaper_);
+    if (!placed) return noteMedium(false, state);
+    for (const PaintState& style : letters.styles()) noteLetters(style);
+    for (const PlacedLetter& letter : placed.value()) {
       Outliner out(state.toWorld * letter.place, options_.tolerance, pointsLeft_);
-      drawPath(out, letter.outline);
-      paint(out, runs[letter.run].paint, state);
+      drawPath(out, *letter.outline);
+      paint(out, letters.styles()[letter.style], state);
     }
+    shape_.drawing.otherFont = shape_.drawing.otherFont || shaper_.tookOtherFont();
   }
 
   // False where a part of the text lies on a path.
-  bool collectLetters(const Node& node, const State& state, LetterRuns& runs) {
+  bool collectLetters(const Node& node, const State& state, LetterRuns& letters) {
     if (attribute(node, "textLength")) note("textLength");
-    if (attribute(node, "rotate")) note("rotate");
-    runs.begin(node, state.viewport, units_);
-    const bool keepsSpaces = spaceOf(node) == "preserve";
+    letters.open(node, unitsOf(state.paint));
     for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
       if (child->type() == rapidxml::node_data || child->type() == rapidxml::node_cdata) {
-        runs.add({child->value(), child->value_size()}, state.paint, keepsSpaces);
+        letters.add({child->value(), child->value_size()}, state.paint);
       } else if (child->type() == rapidxml::node_element) {
         const std::string_view name = elementName(*child);
         if (name == "textPath") return false;
         if ((name != "tspan" && name != "a") || !isMeant(*child)) continue;
-        if (hasSpaceBefore(*child)) runs.add(" ", state.paint, keepsSpaces);
         State inside = state;
-        if (!enter(*child, inside)) continue;
-        inside.paint.letters.hang = state.paint.letters.hang;
-        if (!collectLetters(*child, inside, runs)) return false;
+        if (enter(*child, inside) && !collectLetters(*child, inside, letters)) return false;
       }
     }
+    letters.close();
     return true;
   }
 
-  // `xml:space` of the element, or of the nearest around it.
-  static std::string_view spaceOf(const Node& node) {
-    for (const Node* at = &node; at; at = at->parent()) {
-      if (const auto space = attribute(*at, "xml:space")) return *space;
-    }
-    return "default";
+  void noteLetters(const PaintState& style) {
+    if (!style.visible) return;
+    if (!styleSheet_.unreadOfLetters().empty()) note("CSS " + styleSheet_.unreadOfLetters());
+    for (const std::string_view name : unreadOf(style.letters)) note(std::string(name));
   }
 
   // Shows an outline as its paint says.
@@ -567,12 +583,12 @@ class Drawing {
 
   // What an element inherits where it stands.
   PaintState inheritedBy(const Node& node, const State& state) {
-    PaintState paint;
+    PaintState paint = initialPaint();
     if (const Node* parent = node.parent(); parent && parent->type() == rapidxml::node_element) {
       paint = inheritedBy(*parent, state);
     }
     work_.spend(node);
-    apply(styleSheet_.styleOf(node, work_), contextOf(state), paint);
+    applyTo(paint, node, styleSheet_.styleOf(node, work_), state.viewport);
     paint.opacity = 1;
     return paint;
   }
@@ -606,11 +622,12 @@ class Drawing {
 
   void addMask(const Node& mask, const Node& node, State& state) {
     const Matrix frame = unitsOf(mask, "maskUnits", true, node, state);
-    const auto units = attribute(mask, "maskUnits");
-    const bool byBox = !units || trimmed(*units) == "objectBoundingBox";
+    const auto frameUnits = attribute(mask, "maskUnits");
+    const bool byBox = !frameUnits || trimmed(*frameUnits) == "objectBoundingBox";
     const Vec2 full = byBox ? Vec2{1, 1} : state.viewport;
-    const Vec2 corner{units_.of(mask, "x", full.x, -0.1 * full.x), units_.of(mask, "y", full.y, -0.1 * full.y)};
-    const Vec2 size{units_.of(mask, "width", full.x, 1.2 * full.x), units_.of(mask, "height", full.y, 1.2 * full.y)};
+    const UserUnits units = unitsOf(state.paint);
+    const Vec2 corner{units.of(mask, "x", full.x, -0.1 * full.x), units.of(mask, "y", full.y, -0.1 * full.y)};
+    const Vec2 size{units.of(mask, "width", full.x, 1.2 * full.x), units.of(mask, "height", full.y, 1.2 * full.y)};
     State inside = stateInside(mask, unitsOf(mask, "maskContentUnits", false, node, state), state);
     uses_.push_back(&mask);
     const Style style = styleSheet_.styleOf(mask, work_);
@@ -643,6 +660,9 @@ class Drawing {
   std::vector<const Node*> uses_;  // targets being shown, outermost first
   std::int64_t pointsLeft_ = kMaxPoints;
   std::int64_t lettersLeft_ = kMaxLetters;
+  std::string families_;  // for which font_ was chosen
+  DrawingFont font_;
+  LetterShaper shaper_;
   Work work_;
 };
 

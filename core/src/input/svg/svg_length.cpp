@@ -10,20 +10,21 @@
 #include <fast_float/fast_float.h>
 
 namespace sillon::svg {
-std::optional<double> mmPerUnit(std::string_view unit) {
-  static constexpr std::array<std::pair<std::string_view, double>, 11> kUnits{{{"", 0},
-                                                                               {"px", kMmPerPx},
-                                                                               {"mm", 1},
-                                                                               {"cm", 10},
-                                                                               {"q", 0.25},
-                                                                               {"in", 25.4},
-                                                                               {"pt", 25.4 / 72},
-                                                                               {"pc", 25.4 / 6},
-                                                                               {"em", 16 * kMmPerPx},
-                                                                               {"rem", 16 * kMmPerPx},
-                                                                               {"ex", 8 * kMmPerPx}}};
-  for (const auto& [name, mm] : kUnits) {
-    if (name == unit) return mm;
+
+std::optional<Unit> unitOf(std::string_view unit) {
+  static constexpr std::array<std::pair<std::string_view, Unit>, 11> kUnits{{{"", {}},
+                                                                             {"px", {kMmPerPx}},
+                                                                             {"mm", {1}},
+                                                                             {"cm", {10}},
+                                                                             {"q", {0.25}},
+                                                                             {"in", {25.4}},
+                                                                             {"pt", {25.4 / 72}},
+                                                                             {"pc", {25.4 / 6}},
+                                                                             {"em", {0, 1}},
+                                                                             {"rem", {16 * kMmPerPx}},
+                                                                             {"ex", {0, 0.5}}}};
+  for (const auto& [name, known] : kUnits) {
+    if (name == unit) return known;
   }
   return std::nullopt;
 }
@@ -38,11 +39,11 @@ std::optional<Length> lengthOf(const Node& node, const char* name) {
     length.percent = true;
     return length;
   }
-  const auto unit = mmPerUnit(lowered(reader.rest()));
+  const auto unit = unitOf(lowered(reader.rest()));
   if (!unit) {
     refuse(std::string(name) + " is " + quoted(*text) + "; known units are mm, cm, in, pt, pc, px, Q, em, ex and %");
   }
-  length.mmPerUnit = *unit;
+  length.unit = *unit;
   return length;
 }
 
@@ -50,7 +51,7 @@ double UserUnits::of(const Node& node, const char* name, double full, double mis
   const std::optional<Length> length = lengthOf(node, name);
   if (!length) return missing;
   if (length->percent) return length->value / 100 * full;
-  return length->mmPerUnit > 0 ? length->value * length->mmPerUnit / mm : length->value;
+  return of(length->value, length->unit);
 }
 
 double UserUnits::positive(const Node& node, const char* name, double full, double missing) const {
@@ -75,9 +76,8 @@ double UserUnits::ofStyle(std::string_view text, double full) const {
   if (error != std::errc{} || !std::isfinite(value)) return kNone;
   const std::string unit = lowered(text.substr(static_cast<std::size_t>(end - text.data())));
   if (unit == "%") return value / 100 * full;
-  const auto known = mmPerUnit(unit);
-  if (!known) return kNone;
-  return *known > 0 ? value * *known / mm : value;
+  const auto known = unitOf(unit);
+  return known ? of(value, *known) : kNone;
 }
 
 }  // namespace sillon::svg

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "input/svg/svg_path.hpp"
@@ -13,46 +16,95 @@
 
 namespace sillon::svg {
 
+inline constexpr std::int64_t kMaxLetters = 100'000;  ///< bytes of them in a drawing, which <use> may repeat
+
 /// Letters of one style, at a place of their own or behind the run before them.
 struct LetterRun {
   std::string text;
-  PaintState paint;
+  std::size_t style = 0;       ///< index in LetterRuns::styles()
   std::optional<double> x, y;  ///< [user units]
   Vec2 shift;                  ///< dx and dy [user units]
+  double turn = 0;             ///< about the place of its one letter [degrees]
 };
 
-/// A letter's outline in the element's user units.
+/// The outline of a letter, or of a line under, through or above letters, in the element's user units.
 struct PlacedLetter {
-  std::string outline;  ///< path data, in font units, y up
-  Matrix place;         ///< from font units to user units
-  std::size_t run = 0;
+  const std::string* outline;  ///< path data, in font units, y up
+  Matrix place;                ///< from font units to user units
+  std::size_t style = 0;       ///< index in LetterRuns::styles()
 };
 
-/// Collects the runs of a <text> element from left to right, and its white space as CSS's `normal` has it.
+/// Collects the letters of a <text> element from left to right, and its white space as CSS has it.
 class LetterRuns {
  public:
-  /// Takes the attributes `x`, `y`, `dx` and `dy` of an element, whose text follows.
-  void begin(const Node& node, Vec2 viewport, const UserUnits& units);
-  void add(std::string_view text, const PaintState& paint, bool keepsSpaces);
-  /// The runs without the spaces at the ends of lines.
-  std::vector<LetterRun> take();
+  /// \param lettersLeft  bytes of letters that the whole drawing may still have.
+  explicit LetterRuns(std::int64_t& lettersLeft) : lettersLeft_(lettersLeft) {}
+
+  /// Begins an element, whose attributes `x`, `y`, `dx`, `dy` and `rotate` count for the letters up to its close().
+  /// \param units  with the em of the element.
+  void open(const Node& node, const UserUnits& units);
+  void close();
+  /// Adds text of the innermost open element. Throws Refused: the drawing has too many letters.
+  void add(std::string_view text, const PaintState& paint);
+  /// The runs without the space at the end. \param viewport  what percentages refer to. Throws Refused.
+  std::vector<LetterRun> take(Vec2 viewport);
+  /// One for each element that has letters.
+  [[nodiscard]] const std::vector<PaintState>& styles() const { return styles_; }
 
  private:
-  void push(std::string text, const PaintState& paint);
-  void trim();
+  // A letter that attributes can place.
+  struct Letter {
+    std::size_t begin;  // in text_
+    std::size_t style;
+    std::optional<double> x, y;
+    Vec2 shift;
+    double turn = 0;
+  };
+  struct Element {
+    const Node* node;
+    UserUnits units;
+    std::size_t begin, end;  // of its letters
+    std::size_t style;       // kNoStyle: it has no letters of its own
+  };
 
-  std::vector<LetterRun> runs_;
-  std::vector<double> xs_, ys_;  ///< places of the letters that come next
-  Vec2 shift_;
-  std::size_t next_ = 0;
-  bool afterSpace_ = true;  ///< a further space shows nothing
+  void place(const Element& element, Vec2 viewport);
+
+  std::int64_t& lettersLeft_;
+  std::string text_;
+  std::vector<Letter> letters_;
+  std::vector<Element> elements_;    // those around before those within
+  std::vector<std::size_t> inside_;  // which of them are open, outermost first
+  std::vector<PaintState> styles_;
+  bool afterSpace_ = true;  // a further space shows nothing
 };
 
-/// Tells whether white space before a child, which the parser drops where it stands alone, separates words.
-bool hasSpaceBefore(const Node& child);
+/// Shapes lines, each of them once. Outlines are kept once, too: each of 100,000 letters may be a line of its own.
+class LetterShaper {
+ public:
+  explicit LetterShaper(const ShapeLetters& shape) : shape_(shape) {}
 
-/// Lays the runs out. \return an error of `shape`.
-Result<std::vector<PlacedLetter>> placeLetters(const std::vector<LetterRun>& runs, const ShapeLetters& shape,
-                                               const UserUnits& units);
+  /// Outlines [k] is that of letters[k].
+  struct Line {
+    ShapedLine line;
+    std::vector<const std::string*> outlines;
+  };
+  /// \return an error of the function given.
+  Result<const Line*> of(const DrawingFont& font, const std::string& text);
+  /// Whether the font of a line stood in for its own.
+  [[nodiscard]] bool tookOtherFont() const { return tookOtherFont_; }
+
+ private:
+  const ShapeLetters& shape_;
+  std::unordered_map<std::string, Line> lines_;
+  std::unordered_set<std::string> outlines_;
+  bool tookOtherFont_ = false;
+};
+
+/// Lays the runs out. \return an error of `shaper`.
+Result<std::vector<PlacedLetter>> placeLetters(const std::vector<LetterRun>& runs,
+                                               const std::vector<PaintState>& styles, LetterShaper& shaper);
+
+/// Properties that change or move letters and are not read.
+std::vector<std::string_view> unreadOf(const LetterStyle& letters);
 
 }  // namespace sillon::svg

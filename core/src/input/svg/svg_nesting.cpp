@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "input/svg/svg_reader.hpp"
 
@@ -15,10 +17,11 @@ class NestingCheck {
  public:
   explicit NestingCheck(std::string_view text) : text_(text) {}
 
-  void run() {
-    int depth = 0;
+  std::vector<std::size_t> run() {
+    int depth = 0, textDepth = kMaxDepth + 1;
     while ((at_ = text_.find('<', at_)) != std::string_view::npos) {
       const std::string_view rest = text_.substr(at_);
+      if (depth >= textDepth) noteSpace();
       if (startsWith(rest, "<!--")) {
         skipPast("-->", 4);
       } else if (startsWith(rest, "<![CDATA[")) {
@@ -30,17 +33,35 @@ class NestingCheck {
         skipDoctype();
       } else if (startsWith(rest, "</")) {
         skipPast(">", 2);
-        --depth;
+        if (--depth < textDepth) textDepth = kMaxDepth + 1;
       } else {
-        ++at_;
-        if (skipTag() && ++depth > kMaxDepth) {
+        const std::size_t name = ++at_;
+        if (!skipTag()) continue;
+        if (++depth > kMaxDepth) {
           refuseTooLarge("the file nests elements deeper than " + std::to_string(kMaxDepth) + " levels");
         }
+        if (isText(text_.substr(name, at_ - name))) textDepth = std::min(depth, textDepth);
       }
     }
+    return std::move(spaces_);
   }
 
  private:
+  // Tells whether a tag is that of a <text>, with whatever prefix.
+  static bool isText(std::string_view tag) {
+    tag = tag.substr(0, tag.find_first_of(" \t\n\r>"));
+    return tag == "text" || tag.ends_with(":text");
+  }
+
+  // Notes white space that stands alone between two tags. Where it can, at a place that ends no line.
+  void noteSpace() {
+    std::size_t begin = at_;
+    while (begin > 0 && isSpace(text_[begin - 1])) --begin;
+    if (begin == at_ || begin == 0 || text_[begin - 1] != '>') return;
+    const std::size_t inLine = text_.substr(begin, at_ - begin).find_first_not_of("\r\n");
+    spaces_.push_back(inLine == std::string_view::npos ? begin : begin + inLine);
+  }
+
   [[nodiscard]] char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
 
   [[noreturn]] void malformed(const std::string& problem) const {
@@ -104,10 +125,20 @@ class NestingCheck {
 
   std::string_view text_;
   std::size_t at_ = 0;
+  std::vector<std::size_t> spaces_;
 };
 
 }  // namespace
 
-void checkNesting(std::string_view text) { NestingCheck(text).run(); }
+std::string checkNesting(std::string_view text) {
+  const std::vector<std::size_t> spaces = NestingCheck(text).run();
+  std::string out;
+  std::size_t from = 0;
+  for (const std::size_t space : spaces) {
+    out.append(text, from, space - from) += "&#32;";
+    from = space + 1;
+  }
+  return spaces.empty() ? out : out.append(text, from, std::string_view::npos);
+}
 
 }  // namespace sillon::svg

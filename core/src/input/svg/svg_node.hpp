@@ -51,7 +51,9 @@ void resolveNamespaces(Node& root);
 inline constexpr int kMaxDepth = 200;  ///< of elements, <use> counted in: each level costs stack
 
 /// Throws Refused: no well-formed XML, or nested deeper than kMaxDepth.
-void checkNesting(std::string_view text);
+/// \return the text with references for the white space that stands alone between tags in a <text>, which RapidXML
+/// would drop although it separates words; empty: there is none.
+std::string checkNesting(std::string_view text);
 
 // The elements of a drawing, from the root downwards, as areas.
 

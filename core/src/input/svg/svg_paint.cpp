@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -115,7 +116,7 @@ void setRule(const std::string& word, FillRule& rule) {
   if (word == "nonzero") rule = FillRule::NonZero;
 }
 
-void setDashes(std::string_view value, const PaintContext& context, std::vector<double>& dashes) {
+void setDashes(std::string_view value, const PaintContext& context, Stroke::Dashes& dashes) {
   if (value.empty() || lowered(value) == "inherit") return;
   std::vector<double> read;
   double sum = 0;
@@ -137,7 +138,7 @@ void setDashes(std::string_view value, const PaintContext& context, std::vector<
     const std::vector<double> again = read;
     read.insert(read.end(), again.begin(), again.end());
   }
-  dashes = std::move(read);
+  dashes = read.empty() ? nullptr : std::make_shared<const std::vector<double>>(std::move(read));
 }
 
 void setStroke(const Style& style, const PaintContext& context, Stroke& stroke) {
@@ -190,8 +191,9 @@ std::string_view urlOf(std::string_view value) {
 
 void apply(const Style& style, const PaintContext& context, PaintState& state) {
   state.strokeScales = true;
-  state.letters.hang = 0;
+  state.letters.aligned.reset();
   if (style.empty()) return;
+  applyLetters(style, context, state.letters);  // the others may be in ems
   setPaint(style.value(Property::Color), context, state.color, Paint{}, state.color);
   setPaint(style.value(Property::Fill), context, state.color, Paint{}, state.fill);
   setPaint(style.value(Property::Stroke), context, state.color, Paint{0}, state.stroke);
@@ -207,7 +209,6 @@ void apply(const Style& style, const PaintContext& context, PaintState& state) {
   setRule(style.word(Property::FillRule), state.fillRule);
   setRule(style.word(Property::ClipRule), state.clipRule);
   setStroke(style, context, state.line);
-  applyLetters(style, context, state.letters);
 }
 
 }  // namespace sillon::svg

@@ -20,15 +20,20 @@ namespace sillon::svg {
 
 inline constexpr double kMmPerPx = 25.4 / 96;
 
+/// One of a length's units: user units where all is 0.
+struct Unit {
+  double mm = 0;
+  double ems = 0;
+};
+
 struct Length {
   double value = 0;
-  double mmPerUnit = 0;  ///< 0: user units
+  Unit unit;
   bool percent = false;
 };
 
-/// The unit of a CSS length, in lower case; 0: no unit, user units. Nothing for an unknown one. em and ex: of a 16 px
-/// font.
-std::optional<double> mmPerUnit(std::string_view unit);
+/// The unit of a CSS length, in lower case. Nothing for an unknown one. ex: half an em; rem: of a 16 px font.
+std::optional<Unit> unitOf(std::string_view unit);
 
 /// Nothing for a missing attribute and for "auto". Throws Refused: an unknown unit.
 std::optional<Length> lengthOf(const Node& node, const char* name);
@@ -36,6 +41,11 @@ std::optional<Length> lengthOf(const Node& node, const char* name);
 /// Lengths in user units of the drawing. Throws Refused where an attribute cannot be read.
 struct UserUnits {
   double mm = kMmPerPx;  ///< of one
+  double em = 16;        ///< size of the letters where the length stands
+
+  [[nodiscard]] double of(double value, const Unit& unit) const {
+    return unit.mm > 0 ? value * unit.mm / mm : unit.ems > 0 ? value * unit.ems * em : value;
+  }
 
   /// \param full  100 % in user units
   [[nodiscard]] double of(const Node& node, const char* name, double full, double missing) const;
@@ -153,9 +163,11 @@ struct Stroke {
   double width = 1;
   StrokeCap cap = StrokeCap::Butt;
   StrokeJoin join = StrokeJoin::Miter;
-  double miterLimit = 4;       ///< >= 1
-  std::vector<double> dashes;  ///< dash, gap, dash, ...; each >= 0, an even number; empty: solid
-  double dashOffset = 0;       ///< where in the pattern a line begins
+  double miterLimit = 4;  ///< >= 1
+  /// Dash, gap, dash, ...; each >= 0, an even number. They are shared by all elements that inherit them.
+  using Dashes = std::shared_ptr<const std::vector<double>>;
+  Dashes dashes;          ///< null: solid
+  double dashOffset = 0;  ///< where in the pattern a line begins
 };
 
 /// The area that a stroke covers, to be filled by nonzero winding: no part of a ring runs against the others, so that

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include <Eigen/LU>
@@ -81,7 +82,12 @@ Track reversed(Track track) {
 // The pieces of a track that its dashes cover.
 class Dashes {
  public:
-  Dashes(const Stroke& stroke, std::int64_t& pointsLeft) : stroke_(stroke), pointsLeft_(pointsLeft) {}
+  /// \param period  the sum of the stroke's dashes, of which there are some.
+  Dashes(const Stroke& stroke, double period, std::int64_t& pointsLeft)
+      : dashes_(*stroke.dashes), pointsLeft_(pointsLeft) {
+    start_ = std::fmod(stroke.dashOffset, period);
+    if (start_ < 0) start_ += period;
+  }
 
   std::vector<Track> cut(const Track& track) {
     startPattern();
@@ -100,8 +106,8 @@ class Dashes {
           add(p, 0);
           finish();
         }
-        index_ = (index_ + 1) % stroke_.dashes.size();
-        left_ = stroke_.dashes[index_];
+        index_ = (index_ + 1) % dashes_.size();
+        left_ = dashes_[index_];
         if (on()) add(p, 0);
         if (--pointsLeft_ < 0) refusePoints();
       }
@@ -116,15 +122,12 @@ class Dashes {
   [[nodiscard]] bool on() const { return index_ % 2 == 0; }
 
   void startPattern() {
-    double period = 0;
-    for (const double dash : stroke_.dashes) period += dash;
-    double offset = std::fmod(stroke_.dashOffset, period);
-    if (offset < 0) offset += period;
+    double offset = start_;
     index_ = 0;
-    while (offset > 0 && offset >= stroke_.dashes[index_] && index_ + 1 < stroke_.dashes.size()) {
-      offset -= stroke_.dashes[index_++];
+    while (offset > 0 && offset >= dashes_[index_] && index_ + 1 < dashes_.size()) {
+      offset -= dashes_[index_++];
     }
-    left_ = std::max(0.0, stroke_.dashes[index_] - offset);
+    left_ = std::max(0.0, dashes_[index_] - offset);
   }
 
   void add(Vec2 p, char smooth) {
@@ -138,7 +141,8 @@ class Dashes {
     piece_ = {};
   }
 
-  const Stroke& stroke_;
+  const std::vector<double>& dashes_;
+  double start_ = 0;  // where in the pattern a line begins
   std::int64_t& pointsLeft_;
   std::vector<Track> pieces_;
   Track piece_;
@@ -312,17 +316,17 @@ std::vector<Ring> strokeRings(const std::vector<Line>& lines, const Stroke& stro
   if (!(scale * stroke.width > 1e-6) || !(scale < 1e9)) return rings;
   const Matrix toUser = toWorld.inverse();
   double period = 0;
-  for (const double dash : stroke.dashes) period += dash;
-  const bool dashed = period * scale > kShortest;  // finer ones are as good as solid
-  Dashes dashes(stroke, pointsLeft);
+  for (const double dash : stroke.dashes ? *stroke.dashes : std::vector<double>{}) period += dash;
+  std::optional<Dashes> dashes;  // finer ones are as good as solid
+  if (period * scale > kShortest) dashes.emplace(stroke, period, pointsLeft);
   Walker walker(stroke, toWorld, tolerance, pointsLeft);
   for (const Line& line : lines) {
     const Track track = trackOf(line, toUser, stroke.cap);
-    if (!dashed) {
+    if (!dashes) {
       walker.walk(track, rings);
       continue;
     }
-    for (const Track& piece : dashes.cut(track)) walker.walk(piece, rings);
+    for (const Track& piece : dashes->cut(track)) walker.walk(piece, rings);
   }
   return rings;
 }

@@ -97,11 +97,22 @@ bool Style::unreadMoves() const {
 }
 
 bool Style::setsLettersOnly() const {
-  constexpr std::array kOfLetters{Property::DominantBaseline, Property::Font,          Property::FontFamily,
-                                  Property::FontSize,         Property::LetterSpacing, Property::TextAnchor};
+  constexpr std::array kOfLetters{
+      Property::AlignmentBaseline, Property::BaselineShift, Property::DominantBaseline, Property::Font,
+      Property::FontFamily,        Property::FontSize,      Property::LetterSpacing,    Property::TextAnchor,
+      Property::TextDecoration,    Property::WhiteSpace,    Property::WordSpacing,      Property::TextDecorationLine};
+  const auto isIn = [](const auto& list, Property property) {
+    return std::find(list.begin(), list.end(), property) != list.end();
+  };
   return unread_.empty() && std::all_of(declared_.begin(), declared_.end(), [&](const auto& one) {
-           return std::find(kOfLetters.begin(), kOfLetters.end(), one.first) != kOfLetters.end();
+           return isIn(kOfLetters, one.first) || isIn(kUnreadOfLetters, one.first);
          });
+}
+
+std::size_t Style::cost() const {
+  std::size_t sum = 0;
+  for (const auto& [property, declared] : declared_) sum += declared.value.size();
+  return sum / 4;  // a copy is quick
 }
 
 void Style::declare(std::string_view declarations, std::int64_t weight) {
@@ -176,7 +187,7 @@ void StyleSheet::noteAtRule(std::string_view head, std::string_view body) {
   const std::size_t open = body.find('{');
   Style probe;
   if (open != std::string_view::npos) probe.declare(body.substr(open + 1, body.find('}', open) - open - 1), 0);
-  if (!probe.setsLettersOnly()) note(name);
+  note(name, probe.setsLettersOnly());
 }
 
 Style StyleSheet::styleOf(const Node& node, Work& work) const {
@@ -187,18 +198,22 @@ Style StyleSheet::styleOf(const Node& node, Work& work) const {
     if (found == kPropertyNames.end()) continue;
     style.set(static_cast<Property>(found - kPropertyNames.begin()), {a->value(), a->value_size()}, 0);
   }
-  if (!rules_.empty()) match(node, style);
+  if (!rules_.empty()) match(node, style, work);
   for (const auto& [selector, declared] : nested_) {
-    if (selector.fits(node, work)) style.add(declared);
+    if (!selector.fits(node, work)) continue;
+    work.spendOnRules(declared.cost());
+    style.add(declared);
   }
   style.declare(attribute(node, "style").value_or(""), kStyleAttribute);
   return style;
 }
 
-void StyleSheet::match(const Node& node, Style& style) const {
+void StyleSheet::match(const Node& node, Style& style, Work& work) const {
   const auto look = [&](const std::string& selector) {
     const auto found = rules_.find(selector);
-    if (found != rules_.end()) style.add(found->second);
+    if (found == rules_.end()) return;
+    work.spendOnRules(found->second.cost());
+    style.add(found->second);
   };
   const std::string name(elementName(node));
   look("*");
@@ -230,7 +245,7 @@ void StyleSheet::addRule(std::string_view selectors, std::string_view body) {
     if (text.empty() || std::any_of(kOfUse.begin(), kOfUse.end(), isIn)) return;
     const std::optional<Selector> selector = Selector::read(text);
     if (!selector) {
-      if (!probe.setsLettersOnly()) note(text);
+      note(text, probe.setsLettersOnly());
       return;
     }
     Style style = probe;
@@ -246,8 +261,9 @@ void StyleSheet::addRule(std::string_view selectors, std::string_view body) {
   });
 }
 
-void StyleSheet::note(std::string_view what) {
-  if (unread_.empty()) unread_ = quoted(what);
+void StyleSheet::note(std::string_view what, bool lettersOnly) {
+  std::string& unread = lettersOnly ? unreadOfLetters_ : unread_;
+  if (unread.empty()) unread = quoted(what);
 }
 
 }  // namespace sillon::svg

@@ -16,6 +16,7 @@
 #include "input/svg/svg_path.hpp"
 #include "input/svg/svg_work.hpp"
 #include "sillon/geometry/shape.hpp"
+#include "sillon/input/shaped_line.hpp"
 
 namespace sillon::svg {
 
@@ -49,11 +50,14 @@ struct Selector {
 
 /// In the order of kPropertyNames.
 enum class Property : std::size_t {
+  AlignmentBaseline,
   Animation,
   AnimationName,
+  BaselineShift,
   ClipPath,
   ClipRule,
   Color,
+  Direction,
   Display,
   DominantBaseline,
   Fill,
@@ -62,7 +66,21 @@ enum class Property : std::size_t {
   Filter,
   Font,
   FontFamily,
+  FontFeatureSettings,
+  FontKerning,
   FontSize,
+  FontSizeAdjust,
+  FontStretch,
+  FontStyle,
+  FontVariant,
+  FontVariantAlternates,
+  FontVariantCaps,
+  FontVariantEastAsian,
+  FontVariantLigatures,
+  FontVariantNumeric,
+  FontVariantPosition,
+  FontVariationSettings,
+  FontWeight,
   LetterSpacing,
   Marker,
   MarkerEnd,
@@ -83,17 +101,32 @@ enum class Property : std::size_t {
   StrokeOpacity,
   StrokeWidth,
   TextAnchor,
+  TextDecoration,
+  TextDecorationLine,
+  TextDecorationStyle,
+  TextDecorationThickness,
+  TextShadow,
+  TextTransform,
+  TextUnderlineOffset,
+  TextUnderlinePosition,
   Transform,
   TransformBox,
   TransformOrigin,
+  UnicodeBidi,
   VectorEffect,
   Visibility,
+  WhiteSpace,
+  WordSpacing,
+  WritingMode,
 };
-inline constexpr std::array<std::string_view, 39> kPropertyNames{"animation",
+inline constexpr std::array<std::string_view, 68> kPropertyNames{"alignment-baseline",
+                                                                 "animation",
                                                                  "animation-name",
+                                                                 "baseline-shift",
                                                                  "clip-path",
                                                                  "clip-rule",
                                                                  "color",
+                                                                 "direction",
                                                                  "display",
                                                                  "dominant-baseline",
                                                                  "fill",
@@ -102,7 +135,21 @@ inline constexpr std::array<std::string_view, 39> kPropertyNames{"animation",
                                                                  "filter",
                                                                  "font",
                                                                  "font-family",
+                                                                 "font-feature-settings",
+                                                                 "font-kerning",
                                                                  "font-size",
+                                                                 "font-size-adjust",
+                                                                 "font-stretch",
+                                                                 "font-style",
+                                                                 "font-variant",
+                                                                 "font-variant-alternates",
+                                                                 "font-variant-caps",
+                                                                 "font-variant-east-asian",
+                                                                 "font-variant-ligatures",
+                                                                 "font-variant-numeric",
+                                                                 "font-variant-position",
+                                                                 "font-variation-settings",
+                                                                 "font-weight",
                                                                  "letter-spacing",
                                                                  "marker",
                                                                  "marker-end",
@@ -123,11 +170,23 @@ inline constexpr std::array<std::string_view, 39> kPropertyNames{"animation",
                                                                  "stroke-opacity",
                                                                  "stroke-width",
                                                                  "text-anchor",
+                                                                 "text-decoration",
+                                                                 "text-decoration-line",
+                                                                 "text-decoration-style",
+                                                                 "text-decoration-thickness",
+                                                                 "text-shadow",
+                                                                 "text-transform",
+                                                                 "text-underline-offset",
+                                                                 "text-underline-position",
                                                                  "transform",
                                                                  "transform-box",
                                                                  "transform-origin",
+                                                                 "unicode-bidi",
                                                                  "vector-effect",
-                                                                 "visibility"};
+                                                                 "visibility",
+                                                                 "white-space",
+                                                                 "word-spacing",
+                                                                 "writing-mode"};
 
 constexpr std::string_view nameOf(Property property) { return kPropertyNames[static_cast<std::size_t>(property)]; }
 
@@ -167,6 +226,8 @@ class Style {
   [[nodiscard]] bool empty() const { return declared_.empty() && unread_.empty(); }
   /// Tells whether nothing changes but letters, of which most drawings have none.
   [[nodiscard]] bool setsLettersOnly() const;
+  /// What it costs to lay this over an element, in bytes that are read.
+  [[nodiscard]] std::size_t cost() const;
   /// Adds to the weight of all that is declared.
   void raise(std::int64_t weight);
 
@@ -194,17 +255,20 @@ class StyleSheet {
   [[nodiscard]] Style styleOf(const Node& node, Work& work) const;
   /// The first selector or at-rule, in quotes, that is not read and may change what is shown; empty: all is read.
   [[nodiscard]] const std::string& unread() const { return unread_; }
+  /// The same of those that change letters alone.
+  [[nodiscard]] const std::string& unreadOfLetters() const { return unreadOfLetters_; }
 
  private:
   void addRule(std::string_view selectors, std::string_view body);
   void noteAtRule(std::string_view head, std::string_view body);
-  void note(std::string_view what);
-  void match(const Node& node, Style& style) const;
+  void note(std::string_view what, bool lettersOnly = false);
+  void match(const Node& node, Style& style, Work& work) const;
 
   std::unordered_map<std::string, Style> rules_;    // whose selector is *, a name, .class, #id, name.class, name#id
   std::vector<std::pair<Selector, Style>> nested_;  // of other selectors
   std::int64_t order_ = 0;
   std::string unread_;
+  std::string unreadOfLetters_;
 };
 
 // The paint of an element, as far as it matters where one bead is like the next: whether it is seen at all,
@@ -225,13 +289,51 @@ inline constexpr std::uint64_t kOther = 0x1000000;
 /// Nobody sees less. Drawing programs lay it over whole pages, to catch clicks.
 inline constexpr double kFaintest = 0.02;
 
+/// Properties that change or move letters and are told where they are not what letters are without them.
+inline constexpr std::array kUnreadOfLetters{Property::Direction,
+                                             Property::FontFeatureSettings,
+                                             Property::FontKerning,
+                                             Property::FontSizeAdjust,
+                                             Property::FontStretch,
+                                             Property::FontStyle,
+                                             Property::FontVariant,
+                                             Property::FontVariantAlternates,
+                                             Property::FontVariantCaps,
+                                             Property::FontVariantEastAsian,
+                                             Property::FontVariantLigatures,
+                                             Property::FontVariantNumeric,
+                                             Property::FontVariantPosition,
+                                             Property::FontVariationSettings,
+                                             Property::FontWeight,
+                                             Property::TextDecorationStyle,
+                                             Property::TextDecorationThickness,
+                                             Property::TextShadow,
+                                             Property::TextTransform,
+                                             Property::TextUnderlineOffset,
+                                             Property::TextUnderlinePosition,
+                                             Property::UnicodeBidi,
+                                             Property::WritingMode};
+
+/// Lines of a font, one of which lies on the place of the letters.
+enum class BaseLine : unsigned char { Alphabetic, Middle, Central, Hanging, Mathematical, Above, Below };
+
+enum class LetterCase : unsigned char { AsWritten, Upper, Lower };
+
 /// Letters of a text, in user units.
 struct LetterStyle {
-  double size = 0;       ///< of the em; 0: 16 px
-  std::string families;  ///< as in CSS
-  double anchor = 0;     ///< share of a line that lies before its place: 0 start, 0.5 middle, 1 end
-  double spacing = 0;    ///< added between letters
-  double hang = 0;       ///< of the line below its place, in heights of capitals; not inherited
+  double size = 16;  ///< of the em
+  DrawingFont font;
+  double anchor = 0;       ///< share of a line that lies before its place: 0 start, 0.5 middle, 1 end
+  double spacing = 0;      ///< added between letters
+  double wordSpacing = 0;  ///< added to spaces
+  BaseLine baseLine = BaseLine::Alphabetic;
+  std::optional<BaseLine> aligned;  ///< of the element alone, instead of baseLine
+  double raise = 0;                 ///< above the line, by all elements from the <text> downwards
+  double raiseInHeights = 0;        ///< the same, where it is in heights of a font whose em is 1
+  LetterCase letterCase = LetterCase::AsWritten;
+  bool keepsSpaces = false;
+  bool underlined = false, overlined = false, struckThrough = false;
+  std::uint32_t unread = 0;  ///< bits, in the order of kUnreadOfLetters
 };
 
 /// Inherited from element to element, but for `opacity`, which is the product of all around, and `strokeScales`.
@@ -257,6 +359,7 @@ struct PaintState {
 struct PaintContext {
   std::function<std::optional<Paint>(std::string_view id)> server;  ///< a gradient or pattern; nothing: it is neither
   std::function<double(std::string_view)> length;                   ///< in user units; NaN: not a length
+  std::function<DrawingFont(std::string_view families)> font;
 };
 
 /// Lays the declarations of an element over what it inherits. As in CSS, a value that cannot be read counts as missing.
@@ -264,6 +367,8 @@ void apply(const Style& style, const PaintContext& context, PaintState& state);
 
 /// Lays what an element declares of its letters over what it inherits.
 void applyLetters(const Style& style, const PaintContext& context, LetterStyle& letters);
+/// Raises the letters of an element of a text as its `baseline-shift` says.
+void raiseLetters(const Style& style, const PaintContext& context, LetterStyle& letters);
 
 /// The finite number that a value begins with. \param[out] rest  the text after it, trimmed.
 std::optional<double> leadingNumber(std::string_view text, std::string_view& rest);

@@ -31,9 +31,9 @@ double withUnit(Reader& reader, double value, double full, const UserUnits& unit
   if (unit == "rad") return value * 180 / std::numbers::pi;
   if (unit == "turn") return value * 360;
   if (unit == "grad") return value * 0.9;
-  const std::optional<double> mm = mmPerUnit(unit);
-  if (!mm) reader.fail("a known unit");
-  return value * *mm / units.mm;
+  const std::optional<Unit> known = unitOf(unit);
+  if (!known) reader.fail("a known unit");
+  return units.of(value, *known);
 }
 
 double tangent(double degrees) { return std::tan(degrees / 180 * std::numbers::pi); }
