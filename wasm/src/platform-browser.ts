@@ -67,11 +67,11 @@ function ownFiles(): EngineFiles {
   return addressed(beside);
 }
 
-async function fetchFile(url: string): Promise<Uint8Array<ArrayBuffer>> {
+async function fetchFile(url: string, cache: RequestCache = 'default'): Promise<Uint8Array<ArrayBuffer>> {
   if (url.startsWith('data:')) return decodeData(url); // which policies may forbid to fetch
   let response: Response;
   try {
-    response = await fetch(url);
+    response = await fetch(url, { cache });
   } catch (problem) {
     throw new SillonError('LoadFailed', `${url} could not be fetched: ${messageOf(problem)}`);
   }
@@ -93,24 +93,37 @@ function isOwn(url: string): boolean {
   return origin === self.origin && origin !== 'null';
 }
 
-const blobOf = (script: string): string => URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
+const textOf = async (url: string, cache?: RequestCache): Promise<string> =>
+  new TextDecoder().decode(await fetchFile(url, cache));
 
-/** An address that a worker may be started from; a blob's as a classic worker: Chromium starts no module workers from
- * blobs in frames of opaque origin. */
-async function startable(url: string): Promise<string> {
-  if (isOwn(url)) return url;
-  const text = new TextDecoder().decode(await fetchFile(url));
-  return blobOf(text.replace(/\bexport\s*\{\s*\};?/, '')); // the compiler's mark of a module
+/** Without what only modules may have: Chromium starts no module workers from blobs in frames of opaque origin. */
+const classic = (module: string, url: string): string =>
+  module.replace(/\bexport\s*(\{\s*\}|default \w+);?/, '').replaceAll('import.meta.url', JSON.stringify(url));
+
+const blobOf = (...script: string[]): string => URL.createObjectURL(new Blob(script, { type: 'text/javascript' }));
+
+interface Scripts extends ThreadScripts {
+  script: string;
 }
 
-/** Threads have a script of their own. From Emscripten 3.1.58 on it is empty, and they are module workers of the main one:
- * in Chromium's frames of opaque origin none can start, and one thread works. */
-async function startableThreads({ script, threadScript }: EngineFiles['mt']): Promise<ThreadScripts> {
-  if (isOwn(threadScript)) return { threadScript, mainScript: script };
-  const text = new TextDecoder().decode(await fetchFile(threadScript));
-  const startsMain = text === '' && !isOwn(script);
-  const mainScript = startsMain ? blobOf(`export { default } from ${JSON.stringify(script)};`) : script;
-  return { threadScript: blobOf(text), mainScript };
+/** Blobs that start workers without a server, by the address of their engine: workers end with a call that is stopped, and
+ * when they rest. undefined: none can be used here. */
+const held = new Map<string, Scripts | undefined>();
+
+/** Of an engine's scripts, itself first. */
+const addressesOf = ({ worker, st, mt }: EngineFiles, threads: number): [string, ...string[]] =>
+  threads > 1 ? [mt.script, worker, mt.threadScript] : [st.script, worker];
+
+/** Policies let blobs import nothing, so each has the engine in it. From Emscripten 3.1.58 on threads have no script of their
+ * own and are module workers of the engine's. */
+async function hold(addresses: [string, ...string[]], cache?: RequestCache): Promise<void> {
+  const [engine = '', own = '', thread = ''] = await Promise.all(addresses.map((url) => textOf(url, cache)));
+  const first = `${classic(engine, addresses[0])}\n`;
+  held.set(addresses[0], {
+    script: blobOf(first, classic(own, '')),
+    threadScript: blobOf(first, thread.replaceAll('import(', '(async () => ({ default: createSillon }))(')),
+    mainScript: blobOf(engine),
+  });
 }
 
 /** Why a worker failed. Browsers do not say what kept its script from being loaded. */
@@ -136,15 +149,21 @@ export const browser: Platform = {
     return 'this page is not cross-origin isolated (headers COOP and COEP), so threads cannot share memory';
   },
 
+  forget(files, threads) {
+    const [engine, ...others] = addressesOf(files, threads);
+    const used = held.get(engine) !== undefined && [engine, ...others].every(isOwn);
+    if (used) held.set(engine, undefined);
+    else held.delete(engine);
+    return used;
+  },
+
   async startWorker(files, threads, _memory, events) {
-    const script = await startable(files.worker);
-    const threadScripts: ThreadScripts =
-      threads > 1 ? await startableThreads(files.mt) : { threadScript: '', mainScript: '' };
-    const forgetBlobs = (): void => {
-      for (const url of [script, threadScripts.threadScript, threadScripts.mainScript]) {
-        if (url.startsWith('blob:')) URL.revokeObjectURL(url);
-      }
-    };
+    const addresses = addressesOf(files, threads);
+    const [engine] = addresses;
+    const own = addresses.every(isOwn);
+    if (!own && !held.has(engine)) await hold(addresses);
+    const { threadScript, script: mainScript } = files.mt;
+    const { script, ...threadScripts } = held.get(engine) ?? { script: files.worker, threadScript, mainScript };
     let worker: Worker;
     try {
       worker = new Worker(script, { type: script.startsWith('blob:') ? 'classic' : 'module', name: 'sillon' });
@@ -152,7 +171,8 @@ export const browser: Platform = {
       throw new SillonError('LoadFailed', `${files.worker} could not be started as a worker: ${messageOf(problem)}`);
     }
     worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
-      if (data.type === 'started') forgetBlobs();
+      // What has just been loaded browsers have still.
+      if (data.type === 'started' && !held.has(engine)) hold(addresses, 'force-cache').catch(() => undefined);
       events.onMessage(data);
     };
     worker.onerror = (event) => {
@@ -169,7 +189,6 @@ export const browser: Platform = {
       hold() {}, // pages do not end by themselves
       end() {
         worker.terminate();
-        forgetBlobs();
       },
     };
   },

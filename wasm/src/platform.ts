@@ -14,6 +14,9 @@ export interface Platform {
   compile?(wasm: string): Promise<WebAssembly.Module>;
   /** A file as it can be posted to a worker. @throws SillonError InvalidFile */
   portable?(file: Blob, name: string): Promise<Uint8Array>;
+  /** After a start that failed: what was kept for it is not used again, as where a policy forbids it.
+   * @returns whether anything was kept, so that another start may go better */
+  forget?(files: EngineFiles, threads: number): boolean;
   /** @param memory  of its JavaScript, where a worker's can be limited [MiB]
    * @throws SillonError LoadFailed */
   startWorker(files: EngineFiles, threads: number, memory: number, events: WorkerEvents): Promise<EngineWorker>;

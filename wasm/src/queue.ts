@@ -218,6 +218,7 @@ export class Queue {
       return session;
     } catch (problem) {
       this.#closeSession();
+      if (!this.#disposed && this.platform.forget?.(this.files, threads) === true) return this.#openSession(threads);
       if (threads === 1 || this.#disposed) throw problem;
       this.#useOneThread(messageOf(problem));
       return this.#openSession(1);

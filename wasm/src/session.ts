@@ -105,7 +105,7 @@ export class Session {
 
   /** Stops the running call. Messages do not get into a worker that computes: it sees a byte of shared memory. A worker
    * that does not answer, or shares none, is ended, which browsers may take two seconds for; a new one from the compiled
-   * module is ready in 40 ms. */
+   * module and the scripts that the page holds is ready in 40 ms, with its server or without. */
   cancel(): void {
     const waiting = this.#waiting;
     if (waiting === undefined) return;

@@ -134,6 +134,7 @@ interface Scope {
   onmessage: ((event: { data: ToWorker }) => void) | null;
   postMessage(message: FromWorker, transfer: ArrayBuffer[]): void;
   Worker: typeof Worker;
+  createSillon?: Glue['default'];
 }
 const scope = globalThis as unknown as Scope;
 
@@ -235,6 +236,9 @@ function startThreadsAsModules(): void {
 }
 
 async function importGlue(url: string): Promise<Glue> {
+  // Scripts that the page has kept hold the engine.
+  const { createSillon } = scope;
+  if (createSillon !== undefined) return { default: createSillon };
   try {
     return (await import(/* @vite-ignore */ /* webpackIgnore: true */ url)) as Glue;
   } catch (problem) {

@@ -105,6 +105,46 @@ describe('Chromium', { skip: lacking('Chromium') }, () => {
     });
   }
 
+  /** @param gone  the server is, once the engine has made a plate */
+  const edited = async (headers, threads, gone, elsewhere) => {
+    const site = await serveSite(headers);
+    const other = elsewhere && (await serveSite(elsewhere));
+    const page = await browser.playwright.newPage();
+    const ask = async (task, args) => {
+      const { value, error } = await page.evaluate(([task, args]) => globalThis.attempt(task, args), [task, args]);
+      assert.equal(error, undefined, error?.message);
+      return value;
+    };
+    try {
+      await page.goto(site.page);
+      const assetBase = other && `${other.origin}/sillon/dist/engine`;
+      const loaded = await ask('load', { options: { threads, ...(other && { assetBase }) } });
+      assert.equal(loaded.threads, threads === 'off' ? 1 : threads);
+      if (gone) for (const one of [site, other]) one?.close();
+      assert.deepEqual(await ask('edit'), { ...loaded, findings: 0 });
+    } finally {
+      await page.close();
+      for (const one of [site, other]) one?.close();
+    }
+  };
+
+  for (const [kind, threads, elsewhere] of [
+    ['isolated', 2],
+    ['isolated', 'off'],
+    ['plain', 'off'],
+    ['strict', 2],
+    ['strictElsewhere', 2, 'isolatedShared'],
+  ]) {
+    const place = elsewhere === undefined ? '' : ', engine from another origin';
+    test(`an engine that has made a plate needs its server no more: ${kind} page, threads ${threads}${place}`, () =>
+      edited(headerSets[kind], threads, true, headerSets[elsewhere]));
+  }
+
+  test('a policy that forbids to hold scripts as blobs: the server is asked for them again', () => {
+    const policy = headerSets.strict['Content-Security-Policy'].replace(' blob:', '');
+    return edited({ ...headerSets.strict, 'Content-Security-Policy': policy }, 2, false);
+  });
+
   for (const threads of ['off', 'auto']) {
     test(`the page's thread goes on while a plate is made, threads: ${threads}`, async (t) => {
       const page = await browser.playwright.newPage();

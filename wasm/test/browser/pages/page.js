@@ -8,9 +8,18 @@ const endless = [
   { shape: { builtin: 'rounded', size: [200, 200] }, directions: { angle: 30 } },
   { spacing: 0.2, sweepsPerLevel: 1000, relaxationRounds: 100 },
 ];
+const lettered = [
+  {
+    shape: { builtin: 'disc', size: [30, 30] },
+    layers: [
+      { kind: 'text', text: 'ANNA', textSize: 5, at: [15, 6] },
+      { kind: 'qr', text: 'x', size: [12, 12], at: [15, 18] },
+    ],
+  },
+];
 const small = [{ shape: { builtin: 'disc', size: [10, 10] } }, {}, { measure: false }];
 
-const tasks = { plate, plateInWorker, plateInFrame, coldPlate, abort, work };
+const tasks = { plate, plateInWorker, plateInFrame, coldPlate, abort, work, load, edit };
 
 /** A task's value, or what is to be seen of its error: errors lose their fields on the way out of a page. */
 globalThis.attempt = async (name, args) => {
@@ -98,6 +107,39 @@ async function abort({ options }) {
   await unfinished.catch(() => undefined);
   globalThis.kept = engine;
   return { ...engine.info, outcome, atOnce, digest: report.digest };
+}
+
+/** A plate with letters and a code, by an engine that is kept and rests at once, and the scripts that it holds from then on. */
+async function load({ options }) {
+  const engine = await start({ options: { ...options, idleTimeout: 0 } });
+  globalThis.kept = engine;
+  const { report } = await engine.generateToolpath(...lettered);
+  // By whoever holds them: the worker itself is no fetch.
+  const holds = () =>
+    performance
+      .getEntriesByType('resource')
+      .some(
+        ({ initiatorType, name, responseEnd }) => initiatorType === 'fetch' && /worker\.js$/.test(name) && responseEnd,
+      );
+  while (!holds()) await new Promise((resolve) => setTimeout(resolve, 20));
+  return { ...engine.info, digest: report.digest };
+}
+
+/** Ten hasty edits of it, each of which stops the one before; then a call that another worker starts for. */
+async function edit() {
+  const engine = globalThis.kept;
+  for (let k = 0; k < 10; ++k) {
+    const controller = new AbortController();
+    const { signal } = controller;
+    const onProgress = () => controller.abort();
+    const stopped = engine.generateToolpath(...endless, { measure: false, signal, onProgress });
+    const name = await stopped.then(String, (problem) => problem.name);
+    if (name !== 'AbortError') throw new Error(`edit ${k}: ${name}`);
+    await engine.generateToolpath(...small);
+  }
+  const { report } = await engine.generateToolpath(...lettered);
+  const findings = await engine.examineBlock('G28');
+  return { ...engine.info, digest: report.digest, findings: findings.length };
 }
 
 /** A large job, to its end. */
