@@ -1,7 +1,6 @@
 // Letters and QR codes of a plate, made before its call: the engine asks for them as for files.
 import { SillonError, messageOf } from './errors.js';
 import { fontFiles } from './fonts.js';
-import { importScript } from './import-script.js';
 import type { Platform } from './platform.js';
 import type { EngineFiles, Files } from './protocol.js';
 
@@ -106,6 +105,7 @@ export class Texts {
     if (address !== undefined) {
       let bytes = this.#fonts.get(font);
       if (bytes === undefined) this.#fonts.set(font, (bytes = this.#platform.read(address)));
+      bytes.catch(() => this.#fonts.delete(font)); // the next call tries again
       return bytes;
     }
     const given = files[font]?.value;
@@ -116,7 +116,7 @@ export class Texts {
   async #start(): Promise<Tools> {
     const { script, wasm } = this.#files.text;
     try {
-      const tools = (await importScript(script)) as Tools;
+      const tools = (await import(/* @vite-ignore */ /* webpackIgnore: true */ script)) as Tools;
       await tools.start(() => this.#platform.read(wasm));
       return tools;
     } catch (problem) {

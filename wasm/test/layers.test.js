@@ -1,13 +1,15 @@
 // Layers of plates: what the package hands to the engine, and what it says where that cannot be.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 
 import { createEngine } from 'sillon';
 
+import { copyEngine } from './support/engine-copy.js';
+import { engineFolder } from './support/pages.js';
 import { nativeProgram, root } from './support/projects.js';
 
 const folder = mkdtempSync(join(tmpdir(), 'sillon-'));
@@ -111,6 +113,22 @@ test('a font as bytes makes the letters of the built-in one', async () => {
   assert.equal(await digest({ ...text, font }), builtin);
   assert.equal(await digest({ ...text, font: new Blob([font]) }), builtin);
   assert.notEqual(await digest({ ...text, font: 'Caveat' }), builtin);
+});
+
+test('a font that could not be loaded is loaded by the next call', async () => {
+  const copy = copyEngine({ 'nunito.ttf': null });
+  const other = await createEngine({ threads: 'off', assetBase: copy.folder });
+  try {
+    const plate = { shape, layers: [{ kind: 'text', text: 'A' }] };
+    const lacks = { code: 'LoadFailed', message: /nunito\.ttf could not be read/ };
+    for (let k = 0; k < 2; ++k) await assert.rejects(other.generateToolpath(plate), lacks);
+    copyFileSync(join(engineFolder, 'nunito.ttf'), join(copy.folder, 'nunito.ttf'));
+    const { report } = await other.generateToolpath(plate, { spacing: 0.8 }, { measure: false });
+    assert.equal(report.digest, await digest(...plate.layers));
+  } finally {
+    other.dispose();
+    copy.remove();
+  }
 });
 
 test('drawings come as text or as bytes', async () => {
