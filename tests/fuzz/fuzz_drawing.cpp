@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 #include "input/svg.hpp"
@@ -13,6 +14,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     sillon::SvgOptions options;
     options.ignorePaint = ignorePaint;
     options.tolerance = 0.1;  // as many points as need be, and more drawings in the same time
+    options.letters.choose = [](std::string_view families) {
+      return sillon::DrawingFont{std::string(families.substr(0, 1)), families.empty()};
+    };
+    options.letters.shape = [](const sillon::DrawingFont&,
+                               const std::string& line) -> sillon::Result<sillon::ShapedLine> {
+      if (line.find('?') != std::string::npos) return sillon::Error{sillon::ErrorCode::InvalidArgument, "no letter"};
+      sillon::ShapedLine shaped;
+      shaped.xHeight = shaped.ascent = 500;
+      shaped.outlines = {"M0 0H500V700H0Z"};
+      shaped.letters.assign(line.size(), {0, {}, 600});
+      return shaped;
+    };
     const auto shape = sillon::readSvg({reinterpret_cast<const char*>(data), size}, options);
     if (!shape) {
       if (shape.error().message.empty()) std::abort();
