@@ -193,7 +193,7 @@ void apply(const Style& style, const PaintContext& context, PaintState& state) {
   state.strokeScales = true;
   state.letters.aligned.reset();
   if (style.empty()) return;
-  applyLetters(style, context, state.letters);  // the others may be in ems
+  if (style.setsLetters()) applyLetters(style, context, state.letters);  // the others may be in ems
   setPaint(style.value(Property::Color), context, state.color, Paint{}, state.color);
   setPaint(style.value(Property::Fill), context, state.color, Paint{}, state.fill);
   setPaint(style.value(Property::Stroke), context, state.color, Paint{0}, state.stroke);

@@ -43,6 +43,21 @@ std::string withFallbacks(std::string value) {
   return value;
 }
 
+constexpr bool isOfLetters(Property property) {
+  constexpr auto kOfLetters = [] {
+    std::array<bool, kPropertyNames.size()> of{};
+    for (const Property read :
+         {Property::AlignmentBaseline, Property::BaselineShift, Property::DominantBaseline, Property::Font,
+          Property::FontFamily, Property::FontSize, Property::LetterSpacing, Property::TextAnchor,
+          Property::TextDecoration, Property::TextDecorationLine, Property::WhiteSpace, Property::WordSpacing}) {
+      of[static_cast<std::size_t>(read)] = true;
+    }
+    for (const Property unread : kUnreadOfLetters) of[static_cast<std::size_t>(unread)] = true;
+    return of;
+  }();
+  return kOfLetters[static_cast<std::size_t>(property)];
+}
+
 // Whether a list of media names those on which drawings are looked at.
 bool isForScreens(std::string_view media) {
   bool found = trimmed(media).empty();
@@ -96,17 +111,13 @@ bool Style::unreadMoves() const {
   return unread_ == "offset-path" || unread_ == "rotate" || unread_ == "scale" || unread_ == "translate";
 }
 
+bool Style::setsLetters() const {
+  return std::any_of(declared_.begin(), declared_.end(), [](const auto& one) { return isOfLetters(one.first); });
+}
+
 bool Style::setsLettersOnly() const {
-  constexpr std::array kOfLetters{
-      Property::AlignmentBaseline, Property::BaselineShift, Property::DominantBaseline, Property::Font,
-      Property::FontFamily,        Property::FontSize,      Property::LetterSpacing,    Property::TextAnchor,
-      Property::TextDecoration,    Property::WhiteSpace,    Property::WordSpacing,      Property::TextDecorationLine};
-  const auto isIn = [](const auto& list, Property property) {
-    return std::find(list.begin(), list.end(), property) != list.end();
-  };
-  return unread_.empty() && std::all_of(declared_.begin(), declared_.end(), [&](const auto& one) {
-           return isIn(kOfLetters, one.first) || isIn(kUnreadOfLetters, one.first);
-         });
+  return unread_.empty() &&
+         std::all_of(declared_.begin(), declared_.end(), [](const auto& one) { return isOfLetters(one.first); });
 }
 
 std::size_t Style::cost() const {

@@ -224,6 +224,8 @@ class Style {
   void declare(std::string_view declarations, std::int64_t weight);
   void add(const Style& other);
   [[nodiscard]] bool empty() const { return declared_.empty() && unread_.empty(); }
+  /// Tells whether anything changes of letters.
+  [[nodiscard]] bool setsLetters() const;
   /// Tells whether nothing changes but letters, of which most drawings have none.
   [[nodiscard]] bool setsLettersOnly() const;
   /// What it costs to lay this over an element, in bytes that are read.
