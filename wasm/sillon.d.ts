@@ -979,7 +979,9 @@ export interface Report {
   threads: number;
   /** Equal digests mean equal plates, on every platform. */
   digest: string;
-  /** Of the drawing, its pictures and the path. Those of the print stand in `GcodeSummary.warnings`. */
+  /** What was taken for granted of the drawings of the shape and of visible layers, or left out of them. */
+  notes: DrawingNote[];
+  /** Of these drawings, the pictures and the path. Those of the print stand in `GcodeSummary.warnings`. */
   warnings: GcodeWarning[];
 
   lengthMm?: number;
@@ -1043,6 +1045,15 @@ export interface GcodeSummary {
   /** Of oriented beads that `curveAcceleration` slows. */
   curveSlowedMm: number;
   warnings: GcodeWarning[];
+}
+
+export interface DrawingNote {
+  /** As `core/src/report/input_note.cpp` lists them: `TextLeftOut`, `SeveralColours` … */
+  code: string;
+  /** `layer`, from 1, where it is about a layer's drawing or mask, and the words in braces of `message`'s pattern. */
+  values: Record<string, number | string>;
+  /** One English sentence. */
+  message: string;
 }
 
 /** What the user should know of a plate, or of a file that was written. */

@@ -96,6 +96,15 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
       out += "warning " + warning.message + "\n";
     }
   }
+  for (std::size_t k = 0; k < project.layers.size(); ++k) {
+    if (!project.layers[k].visible) continue;
+    for (const sillon::DrawingFacts& drawing : layers.value().placed[k].drawings) {
+      for (const sillon::InputNote& note : sillon::layerNotes(drawing, k + 1)) out += "note   " + note.message + "\n";
+      for (const sillon::Warning& warning : sillon::drawingWarnings(drawing, k + 1)) {
+        out += "warning " + warning.message + "\n";
+      }
+    }
+  }
   if (const std::size_t open = sillon::openEdges(body); open > 0) {
     out += "warning the body has " + plural(open, "open edge") +
            "; slicers may find no layers in it, so repair it first\n";

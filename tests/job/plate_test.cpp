@@ -37,6 +37,11 @@ Result<InputFile> readFile(const std::string& name, const std::string& /*what*/)
         R"(<svg viewBox="0 0 60 60"><rect width="60" height="60"/><text y="30" font-family="Arial">a</text>)"
         R"(<text><textPath>b</textPath></text></svg>)"));
   }
+  if (name == "spaced.svg") {
+    return InputFile(
+        std::string(R"(<svg width="10mm" height="10mm" viewBox="0 0 10 10"><rect width="12" height="9" fill="red"/>)"
+                    R"(<circle r="3"/><text y="8" textLength="9">a</text></svg>)"));
+  }
   return Error{ErrorCode::InvalidFile, "there is no " + name};
 }
 
@@ -363,4 +368,45 @@ TEST_CASE("what was taken for granted of the input is told as a code, its values
   CHECK(std::string(notes[2].code) == "TextInOtherFont");
   project.pageWidth = 20;
   CHECK(made(project, options).notes().size() == 2);
+}
+
+TEST_CASE("drawings and masks of visible layers tell what that of the shape would, with the layer's number") {
+  Project project = disc();
+  project.layers.resize(3);
+  for (Layer& layer : project.layers) {
+    layer.kind = LayerKind::Drawing;
+    layer.file = "spaced.svg";
+  }
+  project.layers[0].visible = false;
+  project.layers[2].kind = LayerKind::Direction;
+  project.layers[2].mask = LayerMask::Inside;
+  project.layers[2].maskFile = "text.svg";
+  PlateOptions options;
+  options.measure = false;
+  const Plate plate = made(project, options);
+  std::string told;
+  for (const InputNote& note : plate.notes()) told += std::string(note.code) + ": " + note.message + "\n";
+  CHECK(
+      told ==
+      "SeveralColours: layer 2: the drawing has several colours, all printed as one solid; the studio gives each a "
+      "direction of its own\n"
+      "TextLeftOut: layer 3: text in the drawing is left out (1 <text>); convert it to paths in the program that made "
+      "the drawing\n"
+      "TextInOtherFont: layer 3: text in the drawing is set in a built-in font instead of its own; to keep its "
+      "letters, "
+      "convert it to paths in the program that made the drawing\n");
+  std::vector<std::string> warned;
+  for (const Warning& warning : plate.warnings()) {
+    if (!has(warningName(warning.code), "Drawing")) continue;
+    REQUIRE(warning.value("layer") != nullptr);
+    CHECK(warning.value("layer")->number == 2);
+    warned.push_back(warning.message);
+  }
+  REQUIRE(warned.size() == 2);
+  CHECK(has(warned[0], "layer 2: "));
+  CHECK(has(warned[0], "lie off its page"));
+  CHECK(has(warned[1], "layer 2: these parts of the drawing are not read: textLength"));
+  const std::string report = reportJson(plate.report());
+  CHECK(has(report, R"("notes": [{"code":"SeveralColours","values":{"layer":2.0},"message":"layer 2: the drawing has)"));
+  CHECK(has(report, R"({"code":"TextLeftOut","values":{"n":1.0,"layer":3.0},)"));
 }

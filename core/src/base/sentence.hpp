@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -59,6 +60,13 @@ std::string filled(const Sentence& sentence, const Values& values) {
     rest.remove_prefix(close + 1);
   }
   return out.append(rest);
+}
+
+/// Makes a warning or a note about the one drawing of a plate one about that of a layer. \param layer  number, from 1
+template <class Told>
+void tellOfLayer(Told& told, std::size_t layer) {
+  told.values.emplace_back("layer", static_cast<double>(layer));
+  told.message = "layer " + std::to_string(layer) + ": " + told.message;
 }
 
 /// \param sentences  a list that has the code

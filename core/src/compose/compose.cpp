@@ -53,6 +53,11 @@ PlacedLayer placedLayer(LayerKind kind, const ReadLayer& layer, double spacing) 
     shape.page = placed.size;
     placed.thin = thinShare(shape, spacing);
   }
+  if (layer.content.shape) placed.drawings.push_back(layer.content.shape->drawing);
+  if (layer.content.mask) {
+    placed.drawings.push_back(layer.content.mask->drawing);
+    placed.drawings.back().severalColours = false;  // a mask shows none
+  }
   return placed;
 }
 

@@ -202,6 +202,15 @@ class Maker {
   LayerStack layers_;
 };
 
+/// Calls body(drawing, number) for what was read of the drawings of visible layers, whose numbers begin with 1.
+template <class Body>
+void forDrawings(const Plate& plate, const Body& body) {
+  for (std::size_t k = 0; k < plate.layers.size(); ++k) {
+    if (!plate.project.layers[k].visible) continue;
+    for (const DrawingFacts& drawing : plate.layers[k].drawings) body(drawing, k + 1);
+  }
+}
+
 }  // namespace
 
 Result<Plate> makePlate(Project project, const ReadInput& read, const PlateOptions& options, const RunContext& run) {
@@ -213,11 +222,22 @@ Result<Plate> makePlate(Project project, const ReadInput& read, const PlateOptio
   return plate;
 }
 
-std::vector<InputNote> Plate::notes() const { return inputNotes(project, input.shape.drawing); }
+std::vector<InputNote> Plate::notes() const {
+  std::vector<InputNote> all = inputNotes(project, input.shape.drawing);
+  forDrawings(*this, [&](const DrawingFacts& drawing, std::size_t layer) {
+    const std::vector<InputNote> more = layerNotes(drawing, layer);
+    all.insert(all.end(), more.begin(), more.end());
+  });
+  return all;
+}
 
 std::vector<Warning> Plate::warnings() const {
   std::vector<Warning> all = plateWarnings(input.shape.drawing, result.apart, pictureFacts(pictures, shown), measures,
                                            input.shape.page, result.toolpath.spacing);
+  forDrawings(*this, [&](const DrawingFacts& drawing, std::size_t layer) {
+    const std::vector<Warning> more = drawingWarnings(drawing, layer);
+    all.insert(all.end(), more.begin(), more.end());
+  });
   for (std::size_t k = 0; k < layers.size(); ++k) {
     if (!project.layers[k].visible || layers[k].thin < kMuchThin) continue;
     all.push_back({WarningCode::ThinLetters,
@@ -237,6 +257,7 @@ Report Plate::report() const {
   out.fromGcode = judgedByGcode;
   if (gcode) out.print = {gcode->seconds, gcode->filamentMm, gcode->filamentGrams};
   out.delay = delay;
+  out.notes = notes();
   out.warnings = warnings();
   return out;
 }

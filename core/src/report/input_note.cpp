@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/sentence.hpp"
+#include "report/told_json.hpp"
 
 namespace sillon {
 namespace {
@@ -25,27 +26,44 @@ constexpr Sentence kSentences[] = {
      "nothing in the drawing is filled, so its lines are the shape; shape.paint ignore (--paint ignore) fills them"},
 };
 
+void add(std::vector<InputNote>& notes, const char* code, std::vector<NamedValue> values = {}) {
+  std::string message = filled(sentenceOf(kSentences, code), values);
+  notes.push_back({code, std::move(values), std::move(message)});
+}
+
+// What of a drawing is not shown as it was drawn, whatever becomes of it.
+void addLost(const DrawingFacts& drawing, std::vector<InputNote>& notes) {
+  if (drawing.texts > 0) add(notes, "TextLeftOut", {{"n", static_cast<double>(drawing.texts)}});
+  if (drawing.otherFont) add(notes, "TextInOtherFont");
+  if (drawing.images > 0) add(notes, "ImagesLeftOut", {{"n", static_cast<double>(drawing.images)}});
+  if (drawing.severalColours) add(notes, "SeveralColours");
+}
+
 }  // namespace
 
 std::span<const Sentence> inputNoteSentences() { return kSentences; }
 
 std::vector<InputNote> inputNotes(const Project& project, const DrawingFacts& drawing) {
   std::vector<InputNote> notes;
-  const auto note = [&](const char* code, std::vector<NamedValue> values = {}) {
-    std::string message = filled(sentenceOf(kSentences, code), values);
-    notes.push_back({code, std::move(values), std::move(message)});
-  };
   const bool asDrawn = !project.shapeFile.empty() && project.pageWidth == 0;
-  if (drawing.pixels && asDrawn) note("DrawingInPixels");
+  if (drawing.pixels && asDrawn) add(notes, "DrawingInPixels");
   if (project.shapeFile.empty() ? project.builtinSize.x == 0 : asDrawn && !drawing.svg) {
-    note("NoSize", {{"setting", std::string(project.shapeFile.empty() ? "shape.size" : "shape.pageWidth")}});
+    add(notes, "NoSize", {{"setting", std::string(project.shapeFile.empty() ? "shape.size" : "shape.pageWidth")}});
   }
-  if (drawing.texts > 0) note("TextLeftOut", {{"n", static_cast<double>(drawing.texts)}});
-  if (drawing.otherFont) note("TextInOtherFont");
-  if (drawing.images > 0) note("ImagesLeftOut", {{"n", static_cast<double>(drawing.images)}});
-  if (drawing.severalColours) note("SeveralColours");
-  if (drawing.linesOnly) note("LinesAsShape");
+  addLost(drawing, notes);
+  if (drawing.linesOnly) add(notes, "LinesAsShape");
   return notes;
+}
+
+std::vector<InputNote> layerNotes(const DrawingFacts& drawing, std::size_t layer) {
+  std::vector<InputNote> notes;
+  addLost(drawing, notes);
+  for (InputNote& note : notes) tellOfLayer(note, layer);
+  return notes;
+}
+
+std::string notesJson(const std::vector<InputNote>& notes) {
+  return toldJson(notes, [](const InputNote& note) { return note.code; });
 }
 
 }  // namespace sillon

@@ -202,6 +202,7 @@ std::string reportJson(const Report& report) {
   if (!report.layerPictures.empty()) object.add("layerPictures", layerPicturesJson(report.layerPictures));
   if (report.print) object.add("print", printJson(*report.print));
   if (report.delay) object.add("neighbourDelay", delayJson(*report.delay));
+  object.add("notes", notesJson(report.notes));
   object.add("warnings", warningsJson(report.warnings));
   return object.text() + "\n";
 }

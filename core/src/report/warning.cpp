@@ -6,10 +6,9 @@
 #include <string_view>
 #include <utility>
 
-#include "base/json.hpp"
-#include "base/numbers.hpp"
 #include "base/sentence.hpp"
 #include "base/sort_key.hpp"
+#include "report/told_json.hpp"
 
 namespace sillon {
 namespace {
@@ -156,6 +155,12 @@ std::vector<Warning> drawingWarnings(const DrawingFacts& drawing) {
   return warnings;
 }
 
+std::vector<Warning> drawingWarnings(const DrawingFacts& drawing, std::size_t layer) {
+  std::vector<Warning> warnings = drawingWarnings(drawing);
+  for (Warning& warning : warnings) tellOfLayer(warning, layer);
+  return warnings;
+}
+
 std::vector<Warning> pictureWarnings(const std::vector<PictureFacts>& pictures) {
   constexpr double kRecognised = 0.7;
   std::vector<Warning> warnings;
@@ -194,17 +199,7 @@ std::vector<Warning> plateWarnings(const DrawingFacts& drawing, const std::vecto
 }
 
 std::string warningsJson(const std::vector<Warning>& warnings) {
-  std::string list;
-  for (const Warning& warning : warnings) {
-    std::string values;
-    for (const NamedValue& value : warning.values) {
-      values += (values.empty() ? "" : ",") + jsonString(value.name) + ":" +
-                (value.text.empty() ? jsonNumber(value.number) : jsonString(value.text));
-    }
-    list += (list.empty() ? "" : ",") + ("{\"code\":" + jsonString(warningName(warning.code))) + ",\"values\":{" +
-            values + "},\"message\":" + jsonString(warning.message) + "}";
-  }
-  return "[" + list + "]";
+  return toldJson(warnings, [](const Warning& warning) { return warningName(warning.code); });
 }
 
 }  // namespace sillon

@@ -1162,6 +1162,7 @@ export const de: Translation = {
   'warning.DrawingUnread':
     'Diese Teile der Zeichnung werden nicht gelesen: {what}. Vergleiche die Platte mit dem, was Bildbetrachter zeigen, oder wandle die Zeichnung in Pfade um.',
   'warning.EndHot': 'Der End-G-Code lässt eine Heizung an; M104 S0, M140 S0 und M141 S0 schalten die Heizungen aus.',
+  'check.ofLayer': 'Ebene {layer}: {what}',
   'check.place': 'Zeile {line}: {what}',
   'check.places': 'Zeile {line} und {n} weitere: {what}',
   'finding.never': '{command} gehört nicht in eine Druckdatei.',

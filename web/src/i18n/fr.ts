@@ -1177,6 +1177,7 @@ export const fr: Translation = {
   'warning.DrawingUnread':
     'Ces parties du dessin ne sont pas lues : {what}. Comparez la plaque à ce que montrent les visionneuses, ou convertissez le dessin en tracés.',
   'warning.EndHot': 'Le G-code de fin laisse un élément chauffant allumé ; M104 S0, M140 S0 et M141 S0 les éteignent.',
+  'check.ofLayer': 'Calque {layer} : {what}',
   'check.place': 'Ligne {line} : {what}',
   'check.places': 'Ligne {line} et {n} autres : {what}',
   'finding.never': '{command} n’a pas sa place dans un fichier d’impression.',

@@ -29,8 +29,14 @@ export const importNoteText = ({ code, values, message }: ImportNote): string =>
   sentence(importNotes, `note.${code}`, values) ?? message;
 
 /** A warning of GcodeSummary in the page's language. */
-export const warningText = ({ code, values, message }: GcodeWarning): string =>
-  sentence(warnings, `warning.${code}`, values) ?? message;
+export function warningText({ code, values, message }: GcodeWarning): string {
+  const { layer, ...own } = values;
+  // Those about drawings do not say whose drawing it is.
+  if (layer === undefined || !code.startsWith('Drawing'))
+    return sentence(warnings, `warning.${code}`, values) ?? message;
+  const what = sentence(warnings, `warning.${code}`, own);
+  return what === undefined ? message : say(problems, 'check.ofLayer', { what, layer });
+}
 
 /** A reason why a plate is refused, which may be a warning's; undefined: its sentence is made elsewhere. */
 export const reasonText = (reason: string, values: Values): string | undefined =>

@@ -377,6 +377,8 @@ test('what the engine says is told with its values, as the language writes them,
     values: { block: 'printer.endGcode', z: 5.5, height: 5.6 },
     message: '',
   } as const;
+  const ofLayer = { code: 'DrawingUnread', values: { what: 'rotate', layer: 2 }, message: '' } as const;
+  assert.match(warningText(ofLayer), /^Layer 2: These parts of the drawing .* rotate/);
   assert.match(warningText(reset), /^Pressure advance is 0\.035 after/);
   assert.match(warningText(held), /^Speed is 300 mm\/s; .* “Machine speed limit”, 200\.$/);
   for (const tag of spoken) {
@@ -459,6 +461,7 @@ const good: Report = {
   peakBytes: 0,
   threads: 1,
   digest: '',
+  notes: [],
   warnings: [],
   lengthMm: 24_000,
   alignment: -0.99,

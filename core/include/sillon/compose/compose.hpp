@@ -27,6 +27,8 @@ struct PlacedLayer {
   /// Share of letters or of a drawing that is narrower than two beads, 0..1
   double thin = 0;
   std::optional<Error> problem;  ///< its content cannot be made; the box is what it asks for
+  /// What was read of its letters or drawing, and of its mask
+  std::vector<DrawingFacts> drawings = {};
 };
 
 /// A picture under its lamp, as it is solved for in a window of the page.

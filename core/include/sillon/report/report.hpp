@@ -11,6 +11,7 @@
 #include "sillon/look/inversion.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
+#include "sillon/report/input_note.hpp"
 #include "sillon/report/warning.hpp"
 #include "sillon/settings/project.hpp"
 
@@ -60,6 +61,7 @@ struct Report {
   bool fromGcode = false;  ///< the pictures were judged by the G-code, not by the toolpath
   std::optional<PrintTotals> print;     ///< none: left out
   std::optional<NeighbourDelay> delay;  ///< none: left out
+  std::vector<InputNote> notes;         ///< on the drawings of the shape and of layers
   std::vector<Warning> warnings;
 };
 

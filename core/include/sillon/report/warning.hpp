@@ -77,6 +77,9 @@ std::span<const Sentence> warningSentences();
 
 /// Warnings about a drawing, whatever becomes of it.
 std::vector<Warning> drawingWarnings(const DrawingFacts& drawing);
+/// The same about the drawing of a layer, or its mask. \param layer  number, from 1; a value of
+/// each warning.
+std::vector<Warning> drawingWarnings(const DrawingFacts& drawing, std::size_t layer);
 
 /// Makes the warnings about pictures. They tell those of one tone, and the one that is shown least
 /// if its r is below 0.7, at which few recognise it: as one direction per place has to show

@@ -1,6 +1,7 @@
 // Details of problems beyond their codes, their places in files, and what a file is read back as.
 
 export const words = {
+  'check.ofLayer': 'Layer {layer}: {what}',
   'check.place': 'Line {line}: {what}',
   'check.places': 'Line {line} and {n} more: {what}',
   'problem.emptyFile': '{name} is empty.',
