@@ -45,6 +45,15 @@ test('the first view fits its budget', (t) => {
   assert.ok(total <= budget, `${total} bytes; the budget is ${budget}`);
 });
 
+test('the guide tells how large the scripts of the elements are', () => {
+  const guide = readFileSync(fileURLToPath(new URL('../../docs/guide/embedding.md', import.meta.url)), 'utf8');
+  for (const name of ['sillon-studio', 'sillon-view']) {
+    const told = new RegExp(`\\(#${name}\\).* (\\d+) KB of script`).exec(guide)?.[1];
+    const size = gzipSync(readFileSync(join(dist, `embed/${name}.js`)), { level: 9 }).length;
+    assert.equal(told, (size / 1024).toFixed(), name);
+  }
+});
+
 test('neither the engine nor another language is part of the first view', () => {
   const text = firstView()
     .map((file) => readFileSync(file, 'utf8'))
