@@ -8,7 +8,8 @@ import '../directions/directions-panel.js';
 import { StudioElement } from '../controls/element.js';
 import './header.js';
 import { icon, type IconName } from '../controls/icons.js';
-import { offers, ownControls, type Dialog } from '../studio/shown.js';
+import type { Handed, PointerPlace } from './take-in.js';
+import { composes, offers, ownControls, type Dialog } from '../studio/shown.js';
 import { onShortcut, typesText } from './shortcuts.js';
 import '../stage/stage.js';
 import './welcome.js';
@@ -36,6 +37,8 @@ const loadDialog: Record<Dialog, () => Promise<unknown>> = {
   first: () => import('./first-print.js'),
 };
 
+const loadTargets = (): Promise<unknown> => import('./drop-targets.js');
+
 /** Sections that no first visit begins with. */
 const loadPanel: Record<string, () => Promise<unknown>> = {
   own: () => import('./own-panel.js'),
@@ -47,6 +50,9 @@ const loadPanel: Record<string, () => Promise<unknown>> = {
 };
 
 const addresses = 'text/uri-list';
+const plainText = 'text/plain';
+
+const isSvgText = (text: string): boolean => /^\s*(<\?xml[^>]*>\s*)?(<!--.*?-->\s*)*<svg[\s>]/s.test(text);
 
 /** Chromium's. */
 interface Handing {
@@ -120,26 +126,6 @@ export class App extends StudioElement {
       }
       .grip {
         display: none;
-      }
-      .drop {
-        position: fixed;
-        inset: 0;
-        z-index: 10;
-        display: grid;
-        place-content: center;
-        justify-items: center;
-        gap: 8px;
-        margin: 14px;
-        border: 2px dashed var(--accent);
-        border-radius: 14px;
-        background: color-mix(in srgb, var(--surface) 92%, transparent);
-        text-align: center;
-        pointer-events: none;
-      }
-      .drop b {
-        font-size: var(--display);
-        font-weight: 600;
-        letter-spacing: -0.02em;
       }
       @media (max-width: 980px) {
         .panel {
@@ -246,13 +232,7 @@ export class App extends StudioElement {
         <sillon-stage role="main" .studio=${this.studio}></sillon-stage>
       </div>
       ${this.#dialog()}
-      ${
-        dropping
-          ? html`<div class="drop" role="status">
-              ${icon('download', 40)}<b>${t('drop.now')}</b><span class="note">${t('drop.help')}</span>
-            </div>`
-          : nothing
-      }
+      ${dropping && this.lazy(loadTargets) ? html`<sillon-drop .studio=${this.studio}></sillon-drop>` : nothing}
     `;
   }
 
@@ -329,6 +309,7 @@ export class App extends StudioElement {
     addEventListener('dragover', this.#onDragOver);
     addEventListener('drop', this.#onDrop);
     addEventListener('paste', this.#onPaste);
+    addEventListener('pointermove', this.#onPointer);
     addEventListener('keydown', this.#onKey);
   }
 
@@ -337,15 +318,29 @@ export class App extends StudioElement {
     removeEventListener('dragover', this.#onDragOver);
     removeEventListener('drop', this.#onDrop);
     removeEventListener('paste', this.#onPaste);
+    removeEventListener('pointermove', this.#onPointer);
     removeEventListener('keydown', this.#onKey);
   }
 
-  #onDragOver = (event: DragEvent): void => {
+  /** Of the pointer, on the page: what is pasted may be meant for that place. */
+  #pointer: PointerPlace | undefined;
+
+  #onPointer = ({ clientX, clientY }: PointerEvent): void => {
+    this.#pointer = { clientX, clientY };
+  };
+
+  /** Whether a drag brings something that the page takes. */
+  #brings(event: DragEvent, ...kinds: string[]): boolean {
     const { types } = event.dataTransfer ?? {};
-    const files = types?.includes('Files');
-    if (!files && (!types?.includes(addresses) || typesText(event))) return;
+    return types?.includes('Files') === true || (!typesText(event) && kinds.some((kind) => types?.includes(kind)));
+  }
+
+  #texts = (): string[] => (composes(this.state) ? [plainText] : []);
+
+  #onDragOver = (event: DragEvent): void => {
+    if (!this.#brings(event, addresses, ...this.#texts())) return;
     event.preventDefault(); // else the browser would leave the page for the file
-    if (!files || !this.#takesFiles()) return;
+    if (!this.#brings(event, ...this.#texts()) || !this.#takesFiles()) return;
     // Leaving and entering come for every element; no news for a moment means that the files are gone.
     clearTimeout(this.#leaving);
     this.#leaving = setTimeout(() => {
@@ -355,54 +350,35 @@ export class App extends StudioElement {
   };
 
   #onDrop = (event: DragEvent): void => {
-    if (event.dataTransfer === null) return;
-    const address = typesText(event) ? '' : event.dataTransfer.getData(addresses);
-    const files = event.dataTransfer.files.length > 0;
-    if (!files && address === '') return;
+    const { dataTransfer } = event;
+    if (dataTransfer === null || !this.#brings(event, addresses, ...this.#texts())) return;
     event.preventDefault();
+    const onShape = this.renderRoot.querySelector('sillon-drop')?.isShape(event) ?? false;
     this.studio.store.set({ dropping: false });
     if (!this.#takesFiles()) return;
-    if (files) void this.#openDropped(event.dataTransfer);
-    else this.#openAddress(address);
+    // Of a project, the browser may lend what it takes to save it back in its place; it is gone with the event.
+    const { files, items } = dataTransfer;
+    const [item] = items as unknown as Iterable<Handing>;
+    const handle = files.length === 1 ? item?.getAsFileSystemHandle?.().catch(() => null) : undefined;
+    this.#take(dataTransfer, dataTransfer.getData(addresses), { at: event, onShape, handle });
   };
 
-  /** Of a project, the browser may lend what it takes to save it back in its place; it is gone with the event. */
-  async #openDropped({ files, items }: DataTransfer): Promise<void> {
-    const dropped = [...files];
-    const [item] = items as unknown as Iterable<Handing>;
-    const handle = dropped.length === 1 ? item?.getAsFileSystemHandle?.().catch(() => null) : undefined;
-    const [found, [file]] = [await handle, dropped];
-    if (file !== undefined && found?.kind === 'file') this.studio.handles.set(file, found);
-    await this.#open(dropped);
-  }
-
-  /** No plate changes behind a sheet. */
-  async #open(files: readonly File[]): Promise<void> {
-    this.studio.show(undefined);
-    await this.studio.open(files);
-  }
-
-  #openAddress(address: string): void {
+  #take(transfer: DataTransfer, address: string, how: Pick<Handed, 'at'> & Partial<Handed>): void {
+    const handed = { files: [...transfer.files], text: transfer.getData(plainText), address, ...how };
     void this.studio.attempt(async () => {
-      (await import('../studio/addresses.js')).openAddress(this.studio, address);
+      await (await import('./take-in.js')).takeIn(this.studio, handed);
     });
   }
 
   #takesFiles = (): boolean => !this.hidden && (offers(this.state, 'shape') || offers(this.state, 'directions'));
 
   #onPaste = (event: ClipboardEvent): void => {
-    if (!this.#takesFiles()) return;
-    const files = [...(event.clipboardData?.files ?? [])];
-    const text = event.clipboardData?.getData('text/plain') ?? '';
-    if (files.length === 0 && /^\s*(<\?xml[^>]*>\s*)?(<!--.*?-->\s*)*<svg[\s>]/s.test(text)) {
-      files.push(new File([text], 'pasted.svg', { type: 'image/svg+xml' }));
-    }
-    if (files.length === 0) {
-      if (!typesText(event)) this.#openAddress(text);
-      return;
-    }
-    event.preventDefault();
-    void this.#open(files);
+    const { clipboardData } = event;
+    if (clipboardData === null || !this.#takesFiles()) return;
+    const means = clipboardData.files.length > 0 || isSvgText(clipboardData.getData(plainText));
+    if (!means && typesText(event)) return;
+    if (means || composes(this.state)) event.preventDefault();
+    this.#take(clipboardData, '', { at: this.#pointer });
   };
 
   #onKey = (event: KeyboardEvent): void => {

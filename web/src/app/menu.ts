@@ -106,9 +106,9 @@ export class Menu extends StudioElement {
       <hr />
       ${
         host === ''
-          ? html`<p class="note field">${t('app.local')}</p>`
-          : html`<p class="note field">${t('app.host', { host })}</p>
-              ${this.#item('open', t('app.open'), () => {
+          ? html`<p class="note field">${say(words, 'app.local')}</p>`
+          : html`<p class="note field">${say(words, 'app.host', { host })}</p>
+              ${this.#item('open', say(words, 'app.open'), () => {
                 void this.studio.attempt(async () => {
                   const { url } = await this.studio.services.link(this.state.plate);
                   open(url, '_blank', 'noopener');

@@ -1,5 +1,6 @@
 // Starts the service worker, and tells when the page works without a network and when a new version is there.
-import { t } from '../i18n/text.js';
+import { words } from '../i18n/en/about.js';
+import { say, t } from '../i18n/text.js';
 import type { Studio } from '../studio/studio.js';
 
 const reloaded = 'sillon-reloaded-for-threads';
@@ -23,7 +24,7 @@ function watchForUpdates(
 ): void {
   const { serviceWorker } = navigator;
   const offer = (run: () => void): void => {
-    studio.tell({ text: t('offline.update'), actions: [{ label: t('verb.reload'), run }], stays: true });
+    studio.tell({ text: say(words, 'offline.update'), actions: [{ label: t('verb.reload'), run }], stays: true });
   };
   const reload = (): void => {
     location.reload();
@@ -67,7 +68,7 @@ export async function workOffline(studio: Studio, broughtBy: ServiceWorker | nul
     return;
   }
   if (broughtBy !== null) return;
-  studio.notify(t('offline.ready'));
+  studio.notify(say(words, 'offline.ready'));
   // Hosts without headers need it once for threads; not where an edit would be lost.
   if (!crossOriginIsolated && window.top === window && !studio.store.canUndo) reloadOnce();
 }

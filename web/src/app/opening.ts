@@ -16,6 +16,7 @@ import {
 import { StudioError, type Problem } from '../model/problem.js';
 import type { Example } from '../model/example.js';
 import type { Opened, Opening, Role } from '../model/file-role.js';
+import { offers } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 
 export interface Opener {
@@ -86,7 +87,7 @@ export function createOpener(
       studio.store.set({ reading: { name, fraction, cancel } });
       return Promise.race([work, stopped]);
     };
-    const { identify, isSliced } = await step(0.05, import('../files/open.js'));
+    const { identify, isFont, isSliced } = await step(0.05, import('../files/open.js'));
     const { mode, host } = studio.store.state;
     const [sliced] = files;
     // What somebody dropped for their printer is not for a page that shows this one.
@@ -100,9 +101,17 @@ export function createOpener(
       studio.store.set({ sliced, dialog: 'rebrush' });
       return;
     }
+    const fonts = role === undefined && offers(studio.store.state, 'layers') ? files.filter(isFont) : [];
+    if (fonts.length > 0) {
+      // Only layers have letters of their own.
+      await (await import('../layers/add-layer.js')).addFiles(studio, fonts);
+      studio.setPanel('layers');
+      if (fonts.length === files.length) return;
+    }
+    const others = files.filter((file) => !fonts.includes(file));
     const found = await step(
       0.4,
-      engine().then((running) => identify(files, withoutExample(studio.store.state.plate), running)),
+      engine().then((running) => identify(others, withoutExample(studio.store.state.plate), running)),
     );
     for (const problem of found.refused) studio.fail(problem);
     if (found.project !== undefined) {
@@ -112,7 +121,11 @@ export function createOpener(
     }
     studio.store.settle();
     if (role !== undefined) {
-      found.opened = found.opened.map((one) => (one.roles.includes(role) ? { ...one, role } : one));
+      const means = role === 'shape' ? [role, 'mask' as const] : [role];
+      found.opened = found.opened.map((one) => ({
+        ...one,
+        role: means.find((each) => one.roles.includes(each)) ?? one.role,
+      }));
     }
     await use(withoutExample, found.opened, (work) => step(0.7, work));
     if (found.opened.length > 1) {

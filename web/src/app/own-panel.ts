@@ -1,7 +1,8 @@
 // What a host lets its visitors change, one by one.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { t } from '../i18n/text.js';
+import { words } from '../i18n/en/about.js';
+import { say, t } from '../i18n/text.js';
 import type { Control } from '../model/guest.js';
 import type { SettingId } from '../model/settings.js';
 import { StudioElement } from '../controls/element.js';
@@ -34,7 +35,7 @@ export class OwnPanel extends StudioElement {
     return html`<section aria-labelledby="own-title">
       <h2 id="own-title">${t('section.own')}</h2>
       ${ownControls(this.state).map((control) => this.#field(control))}
-      ${this.state.host === '' ? nothing : html`<p class="note">${t('app.host', { host: this.state.host })}</p>`}
+      ${this.state.host === '' ? nothing : html`<p class="note">${say(words, 'app.host', { host: this.state.host })}</p>`}
     </section>`;
   }
 

@@ -1,6 +1,6 @@
 // What a file that was opened alone has become, and what else it can be.
 import { words } from '../i18n/en/files.js';
-import { say, t } from '../i18n/text.js';
+import { say } from '../i18n/text.js';
 import { hasUnits } from '../files/open.js';
 import type { Opened, Role } from '../model/file-role.js';
 import { mostPictures } from '../model/lamp.js';
@@ -14,7 +14,7 @@ export async function tellOpened(studio: Studio, { source, role }: Opened): Prom
   const { width, height } = plate;
   const drawn = role === 'shape' || (role === 'colours' && source.bytes.type === 'image/svg+xml');
   const unsaid = drawn && !(await hasUnits(source));
-  const told = say(words, 'files.opened', { name: source.name, role: t(`role.${role}`) });
+  const told = say(words, 'files.opened', { name: source.name, role: say(words, `role.${role}`) });
   const change = {
     label: say(words, 'files.change'),
     run: () => {

@@ -2,6 +2,7 @@
 import { css, html, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { words } from '../i18n/en/help.js';
+import { words as aboutWords } from '../i18n/en/about.js';
 import { say, t } from '../i18n/text.js';
 import { DialogElement } from './dialog.js';
 import { keysText, shortcuts } from './shortcut-list.js';
@@ -71,7 +72,7 @@ export class Help extends DialogElement {
         <li>${say(words, 'help.step4')}</li>
       </ol>
       ${matchMedia('(pointer: coarse)').matches ? [this.#mouse(), this.#keys()] : [this.#keys(), this.#mouse()]}
-      <p class="note">${t('app.local')}</p>
+      <p class="note">${say(aboutWords, 'app.local')}</p>
     `;
   }
 

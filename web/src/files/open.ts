@@ -2,6 +2,7 @@
 import type { Engine } from 'sillon';
 import { newFileDirections, newFileShape, newLampDirections, newShape } from '../model/defaults.js';
 import { homeLight, lampFor, mostPictures } from '../model/lamp.js';
+import { isFontFile } from '../model/layer-list.js';
 import { isRoundKind, type DirectionSource, type Plate, type SourceFile } from '../model/plate.js';
 import { StudioError, problemOf } from '../model/problem.js';
 import type { Opened, OpenedFiles, Role } from '../model/file-role.js';
@@ -92,6 +93,8 @@ async function pictureFacts(source: SourceFile, engine: Pick<Engine, 'decodePict
   known.set(source, facts);
   return facts;
 }
+
+export const isFont = ({ name }: File): boolean => isFontFile(name);
 
 /** Whether this is one print of a slicer, to be re-brushed. */
 export async function isSliced(files: readonly File[]): Promise<boolean> {

@@ -81,7 +81,11 @@ export const de: Translation = {
   'section.basics': 'Grundlegendes',
 
   // --- Dateien --------------------------------------------------------------------------------------------------------
-  'drop.help': 'SVG, PNG, JPEG, ein gespeichertes Projekt oder ein gesliceter Druck',
+  'drop.help': 'SVG, PNG, JPEG, eine Schrift, ein gespeichertes Projekt oder ein gesliceter Druck',
+  'drop.layer': 'Neue Ebene',
+  'drop.layerHelp': 'Wo Sie loslassen: ein Bild, eine Zeichnung, Buchstaben in einer Schrift',
+  'drop.shape': 'Form der Platte',
+  'drop.shapeHelp': 'Ihr Umriss wird gefüllt; die Ebenen bleiben.',
   'drop.now': 'Zum Öffnen ablegen',
   'example.sunMoon': 'Sonne und Mond',
   'example.ripples': 'Wellen',
@@ -1535,7 +1539,6 @@ export const de: Translation = {
   'layers.drag': 'An eine andere Stelle ziehen',
   'layers.duplicate': '{name} duplizieren',
   'layers.delete': '{name} löschen',
-  'layers.drop': 'Als Ebene ablegen',
   'layers.hand':
     'Auf der Platte: ziehen verschiebt, Ecken ändern die Größe, der Knopf dreht. Pfeiltasten verschieben um 1 mm.',
   'layers.hand.waves': 'Der innere Knopf dreht die Wellen.',

@@ -81,7 +81,11 @@ export const fr: Translation = {
   'section.basics': 'Essentiel',
 
   // --- Fichiers -------------------------------------------------------------------------------------------------------
-  'drop.help': 'SVG, PNG, JPEG, un projet enregistré ou une impression tranchée',
+  'drop.help': 'SVG, PNG, JPEG, une police, un projet enregistré ou une impression tranchée',
+  'drop.layer': 'Nouveau calque',
+  'drop.layerHelp': 'Là où vous lâchez : une image, un dessin, des lettres dans une police',
+  'drop.shape': 'Forme de la plaque',
+  'drop.shapeHelp': 'Son contour est rempli ; les calques restent.',
   'drop.now': 'Déposez pour ouvrir',
   'example.sunMoon': 'Soleil et lune',
   'example.ripples': 'Ondes',
@@ -1551,7 +1555,6 @@ export const fr: Translation = {
   'layers.drag': 'Glisser à une autre place',
   'layers.duplicate': 'Dupliquer {name}',
   'layers.delete': 'Supprimer {name}',
-  'layers.drop': 'Déposer pour ajouter un calque',
   'layers.hand':
     'Sur la plaque : glissez pour déplacer, les coins redimensionnent, le bouton tourne. Les flèches déplacent de 1 mm.',
   'layers.hand.waves': 'Le bouton intérieur tourne les vagues.',

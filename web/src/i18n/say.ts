@@ -1,6 +1,5 @@
 // Words for the data of the model: settings, problems, verdicts, warnings of the engine.
 import type { PrinterValues } from 'sillon';
-import type { Filament } from '../model/filaments.js';
 import { countLines, unusualHeat } from '../model/brought.js';
 import { profileOf, type PrinterChoice } from '../model/printers.js';
 import type { Problem } from '../model/problem.js';
@@ -91,8 +90,6 @@ export function broughtText(brought: PrinterValues, own: PrinterValues): string 
     mine: mine === undefined ? own.name || t('printer.own') : printerLabel(mine),
   });
 }
-
-export const filamentLabel = ({ key }: Filament): string => t(`filament.${key}`);
 
 export interface ProgressWords {
   job: string;

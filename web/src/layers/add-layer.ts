@@ -1,8 +1,10 @@
 // New layers: of a kind, or of a file whose bytes tell what it is.
 import { l } from '../i18n/layers.js';
+import { t } from '../i18n/text.js';
 import { StudioError } from '../model/problem.js';
 import type { Point } from '../model/layer-frame.js';
 import {
+  changeLayer,
   duplicated,
   isFontFile,
   layerOf,
@@ -12,10 +14,12 @@ import {
   nextLayerId,
   withLayer,
 } from '../model/layer-list.js';
+import { layerTable } from '../model/layer-table.js';
 import { needsFile, type LayerKind, type LayerValues } from '../model/layers.js';
 import type { Plate, PlateLayer, SourceFile } from '../model/plate.js';
 import { without } from '../model/without.js';
 import type { Studio } from '../studio/studio.js';
+import { chosenLayer } from './arranging.js';
 import { withPlaces } from './placing.js';
 
 export const drawingFiles = '.svg,.png,.jpg,.jpeg,image/*';
@@ -82,15 +86,39 @@ export async function oneFile(studio: Studio, files: readonly File[], accept: st
   return undefined;
 }
 
-/** A layer for each of the files: drawings, pictures, and texts in fonts of one's own. */
-export async function addFiles(studio: Studio, files: readonly File[]): Promise<void> {
+/** What was handed to the plate is seen, and its frame, where the window has room for the panel. */
+function showLayers(studio: Studio): void {
+  if (studio.store.state.panel !== '') studio.setPanel('layers');
+}
+
+/** A layer for each of the files: drawings, pictures, and texts in fonts of one's own; the text that is chosen takes the first
+ * font. @param at  where a hand has put the first layer [mm] */
+export async function addFiles(studio: Studio, files: readonly File[], at?: Point): Promise<void> {
   const found = await readAll(studio, files);
-  await put(studio, (plate) =>
-    found.map(({ file, isFont }) => {
-      if (isFont) return newLayer(plate, 'text', { font: file });
-      return newLayer(plate, isDrawing(file) ? 'drawing' : 'picture', { file });
-    }),
-  );
+  const chosen = chosenLayer(studio.store.state);
+  const font = chosen?.kind === 'text' ? found.find(({ isFont }) => isFont) : undefined;
+  if (chosen !== undefined && font !== undefined) {
+    studio.settle();
+    studio.change((plate) => changeLayer(plate, chosen.id, () => ({ font: font.file })));
+  }
+  const layers = (plate: Plate): LayerValues[] =>
+    found
+      .filter((one) => one !== font)
+      .map(({ file, isFont }) => {
+        if (isFont) return newLayer(plate, 'text', { font: file });
+        return newLayer(plate, isDrawing(file) ? 'drawing' : 'picture', { file });
+      });
+  await put(studio, layers, at);
+  if (found.length > 0) showLayers(studio);
+}
+
+/** A layer of letters. @param at  where a hand has put it [mm] */
+export async function addText(studio: Studio, letters: string, at?: Point): Promise<void> {
+  const text = letters.replaceAll('\r\n', '\n').trim();
+  const { maxBytes } = layerTable.text;
+  const length = new TextEncoder().encode(text).length;
+  if (length > maxBytes) studio.notify(t('setting.tooLong', { name: l('kind.text'), length, max: maxBytes }));
+  else if (text !== '' && (await put(studio, (plate) => [newLayer(plate, 'text', { text })], at))) showLayers(studio);
 }
 
 /** A copy of a layer above it, where there is room. */

@@ -9,7 +9,7 @@ import { t } from '../i18n/text.js';
 import { changeLayer, layerOf, raised, withoutLayer } from '../model/layer-list.js';
 import { completeLayers, lackOf, type LayerKind } from '../model/layers.js';
 import type { Plate, PlateLayer } from '../model/plate.js';
-import { addFiles, addLayer, duplicate } from './add-layer.js';
+import { addLayer, duplicate } from './add-layer.js';
 import { frameIn } from './arranging.js';
 import { followBoxes } from './boxes.js';
 import { kindIcon, layerIcon } from './icons.js';
@@ -29,26 +29,15 @@ export class LayersPanel extends StudioElement {
   static override styles = [...StudioElement.styles, panelStyle, layersStyle];
 
   @state() private adding = false;
-  @state() private dropping = false;
   @state() private locked = true;
   @state() private unfolded = false;
   /** The layer whose row is being dragged. */
   @state() private held: number | undefined;
   #focus = '';
-  #leaving: ReturnType<typeof setTimeout> | undefined;
 
   override connectedCallback(): void {
     super.connectedCallback();
     followBoxes(this.studio);
-    this.addEventListener('dragover', this.#onDragOver);
-    this.addEventListener('drop', this.#onDrop);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.removeEventListener('dragover', this.#onDragOver);
-    this.removeEventListener('drop', this.#onDrop);
-    clearTimeout(this.#leaving);
   }
 
   override render(): TemplateResult {
@@ -56,7 +45,7 @@ export class LayersPanel extends StudioElement {
     const layers = [...plate.layers].reverse();
     const chosen = layerOf(plate, this.state.layer);
     const tiles = this.adding || layers.length === 0;
-    return html`<section aria-labelledby="layers-title" class=${this.dropping ? 'dropping' : ''}>
+    return html`<section aria-labelledby="layers-title">
         <h2 id="layers-title">${t('section.layers')}</h2>
         ${layers.length === 0 ? html`<p class="note">${l('what')}</p>` : nothing}
         ${
@@ -94,7 +83,6 @@ export class LayersPanel extends StudioElement {
               </button>`
         }
         ${tiles ? this.#tiles() : nothing}
-        ${this.dropping ? html`<p class="drop" role="status">${icon('download', 22)} ${l('drop')}</p>` : nothing}
       </section>
       ${chosen === undefined ? nothing : this.#fields(chosen)}`;
   }
@@ -288,26 +276,4 @@ export class LayersPanel extends StudioElement {
     const words = { percent: Number(found.values['percent']) };
     return html`<p class="warning" role="status">${icon('warn', 16)} <span>${l('thin', words)}</span></p>`;
   }
-
-  // --- Files that are dropped -------------------------------------------------------------------------------------------------
-
-  #onDragOver = (event: DragEvent): void => {
-    if (event.dataTransfer?.types.includes('Files') !== true) return;
-    event.preventDefault();
-    event.stopPropagation(); // else the page would open them
-    this.dropping = true;
-    clearTimeout(this.#leaving);
-    this.#leaving = setTimeout(() => {
-      this.dropping = false;
-    }, 300);
-  };
-
-  #onDrop = (event: DragEvent): void => {
-    const files = [...(event.dataTransfer?.files ?? [])];
-    if (files.length === 0) return;
-    event.preventDefault();
-    event.stopPropagation();
-    this.dropping = false;
-    void addFiles(this.studio, files);
-  };
 }

@@ -108,22 +108,6 @@ export const layersStyle = css`
     stroke: var(--accent);
     stroke-width: 1.5;
   }
-  section.dropping {
-    position: relative;
-  }
-  .drop {
-    position: absolute;
-    inset: 8px;
-    display: grid;
-    place-content: center;
-    justify-items: center;
-    gap: 6px;
-    border: 2px dashed var(--accent);
-    border-radius: var(--radius-large);
-    background: color-mix(in srgb, var(--surface) 88%, transparent);
-    font-weight: 600;
-    pointer-events: none;
-  }
   .size {
     display: grid;
     grid-template-columns: 1fr auto 1fr;

@@ -93,12 +93,6 @@ export function withFilament(plate: Plate, key: FilamentKey): Plate {
   return withAdvance(changed, plate);
 }
 
-/** The filament of the list that the plate is printed with; undefined: another, as from a file, or a spool of one's own. */
-export const listedFilament = ({ pictures, printer, spool }: Plate): Filament | undefined =>
-  filaments.find(
-    ({ key, type }) => spool === undefined && key === pictures.spool && type === printer.filamentType.toUpperCase(),
-  );
-
 export const filamentLike = (type: string): Filament | undefined =>
   filaments.find((one) => one.type === filamentFamily(type));
 

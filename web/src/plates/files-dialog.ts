@@ -95,7 +95,7 @@ export class Files extends DialogElement {
           void this.studio.attempt(() => this.studio.services.setRole(k, next));
         }}
       >
-        ${roles.map((name) => html`<option value=${name} ?selected=${name === role}>${t(`role.${name}`)}</option>`)}
+        ${roles.map((name) => html`<option value=${name} ?selected=${name === role}>${say(words, `role.${name}`)}</option>`)}
       </select>
       <p class="note" id="${id}-help">${say(words, `role.${role}.help`)}</p>
     </li>`;

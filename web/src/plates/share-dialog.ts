@@ -2,6 +2,7 @@
 import { css, html, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { words } from '../i18n/en/export.js';
+import { words as linksWords } from '../i18n/en/links.js';
 import { say, t } from '../i18n/text.js';
 import { DialogElement } from '../controls/dialog.js';
 import { icon } from '../controls/icons.js';
@@ -91,7 +92,7 @@ export class Share extends DialogElement {
           ${icon('file')} ${t('export.project')}
         </button>
       </div>
-      <p class="note" role="status">${this.copied ? t('link.copied') : ''}</p>
+      <p class="note" role="status">${this.copied ? say(linksWords, 'link.copied') : ''}</p>
     `;
   }
 

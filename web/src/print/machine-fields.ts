@@ -1,13 +1,14 @@
 // Which printer, which filament.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { filamentLabel, printerLabel } from '../i18n/say.js';
+import { printerLabel } from '../i18n/say.js';
 import { words } from '../i18n/en/printer.js';
 import { say, t } from '../i18n/text.js';
 import { countLines } from '../model/brought.js';
-import { filaments, listedFilament, withFilament, withSpool } from '../model/filaments.js';
-import type { OwnSpool, Plate } from '../model/plate.js';
+import { filaments, withFilament, withSpool } from '../model/filaments.js';
+import type { OwnSpool } from '../model/plate.js';
 import { printers, profileOf, withPrinter, type PrinterKey } from '../model/printers.js';
+import { filamentLabel, filamentName, listedFilament } from './filament-name.js';
 import { spoolColour } from './spool.js';
 import { select } from '../controls/fields.js';
 import type { Studio } from '../studio/studio.js';
@@ -91,18 +92,6 @@ export function printerField(studio: Studio): TemplateResult {
             </p>`
           : nothing
     }`;
-}
-
-/** The filament that is printed, in words that a temperature other than its usual one is a part of. */
-export function filamentName(plate: Plate): string {
-  const { filamentType: type, nozzleTemperature } = plate.printer;
-  if (plate.spool !== undefined) return [plate.spool.key, type].filter((word) => word !== '').join(', ');
-  const listed = listedFilament(plate);
-  if (listed === undefined) return say(words, 'filament.ofFile', { type: type || t('section.filament') });
-  const name = filamentLabel(listed);
-  return nozzleTemperature === listed.nozzleTemperature
-    ? name
-    : say(words, 'filament.at', { name, n: nozzleTemperature });
 }
 
 export function filamentField(studio: Studio): TemplateResult {

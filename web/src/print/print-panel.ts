@@ -4,6 +4,7 @@ import { customElement } from 'lit/decorators.js';
 import { c } from '../i18n/calibrate.js';
 import { findingText, startLines, warningText } from '../i18n/say-core.js';
 import { words as problems } from '../i18n/en/problems.js';
+import { words } from '../i18n/en/printer.js';
 import { formatBytes, formatDuration, formatNumber, say, t } from '../i18n/text.js';
 import { loadSpools } from './own-spools.js';
 import { settings } from '../model/settings.js';
@@ -159,16 +160,17 @@ export class PrintPanel extends StudioElement {
           figure(({ filamentGrams }) => t('summary.grams', { g: formatNumber(filamentGrams, 1) })),
         )}
         ${value(
-          t('summary.filament'),
+          say(words, 'summary.filament'),
           figure(({ filamentMm }) => t('summary.metres', { m: formatNumber(filamentMm / 1000, 2) })),
         )}
-        ${value(t('summary.height'), `${formatNumber(tall)} mm`)}
+        ${value(say(words, 'summary.height'), `${formatNumber(tall)} mm`)}
       </dl>
       <p class="note">
-        ${t('summary.estimate')} ${summary === undefined ? '' : t('summary.size', { size: formatBytes(summary.bytes) })}
+        ${say(words, 'summary.estimate')}
+        ${summary === undefined ? '' : say(words, 'summary.size', { size: formatBytes(summary.bytes) })}
       </p>
       <div class="before">
-        ${summary === undefined ? nothing : html`<h3>${t('summary.warnings')}</h3>`}
+        ${summary === undefined ? nothing : html`<h3>${say(words, 'summary.warnings')}</h3>`}
         <sillon-doubts .studio=${this.studio}></sillon-doubts>
         <ul class="warnings">
           ${warnings.map((warning) => html`<li>${icon('warn', 16)}<span>${warningText(warning)}</span></li>`)}

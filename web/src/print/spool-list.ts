@@ -4,7 +4,7 @@ import { customElement, state } from 'lit/decorators.js';
 import { repeat } from 'lit/directives/repeat.js';
 import { changeSpools, loadSpools } from './own-spools.js';
 import { c } from '../i18n/calibrate.js';
-import { filamentLabel } from '../i18n/say.js';
+import { filamentLabel } from './filament-name.js';
 import { formatNumber, t } from '../i18n/text.js';
 import { filaments, withSpool } from '../model/filaments.js';
 import type { OwnSpool } from '../model/plate.js';

@@ -2,7 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { words } from '../i18n/en/quality.js';
-import { formatNumber, say, t } from '../i18n/text.js';
+import { formatNumber, say } from '../i18n/text.js';
 import { directionPalette, markColours, rampColour } from '../views/palette.js';
 import { mostDelay, type ColourBy, type Mark } from '../model/view.js';
 import { StudioElement } from '../controls/element.js';
@@ -72,14 +72,14 @@ export class Legend extends StudioElement {
     }
     if (view === 'directions' || colourBy === 'direction') {
       return html`<canvas class="fan" width="112" height="60" aria-hidden="true"></canvas>
-        ${view === 'directions' ? html`<span>${t('legend.direction')}</span>` : nothing}`; // else it says "by" beside it
+        ${view === 'directions' ? html`<span>${say(words, 'legend.direction')}</span>` : nothing}`; // else it says "by" beside it
     }
     const spacing = result?.toolpath.spacing ?? this.state.plate.toolpath.spacing;
     const { speed } = this.state.plate.printer;
     const ends: Record<Exclude<ColourBy, 'direction'>, readonly [string, string]> = {
       width: [`${formatNumber(0.5 * spacing)} mm`, `${formatNumber(1.5 * spacing)} mm`],
       speed: [`${formatNumber(speed / 2)} mm/s`, `${formatNumber(speed)} mm/s`],
-      order: [t('legend.first'), t('legend.last')],
+      order: [say(words, 'legend.first'), say(words, 'legend.last')],
       delay: [`0 s`, `${formatNumber(mostDelay)} s`],
     };
     const [from, to] = ends[colourBy];

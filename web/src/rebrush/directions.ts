@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { Rebrushed } from 'sillon';
 import { live } from 'lit/directives/live.js';
 import { r } from '../i18n/rebrush.js';
-import { filamentLabel } from '../i18n/say.js';
+import { filamentLabel } from '../print/filament-name.js';
 import { t } from '../i18n/text.js';
 import { filamentOf, filaments } from '../model/filaments.js';
 import { modeChoices, type OwnSpool } from '../model/plate.js';

@@ -124,6 +124,10 @@ export interface Shown extends State {
 export const offers = ({ mode, controls }: Readonly<Shown>, control: Control): boolean =>
   mode === 'edit' || (mode === 'customize' && controls.includes(control));
 
+/** Layers are in use: files and texts that come in are more of them. */
+export const composes = (state: Readonly<Shown>): boolean =>
+  offers(state, 'layers') && (state.plate.layers.length > 0 || state.panel === 'layers');
+
 /** Settings and parts that a host names one by one. */
 export const ownControls = ({ mode, controls }: Readonly<Shown>): Control[] =>
   mode === 'customize'

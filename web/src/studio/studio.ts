@@ -96,6 +96,9 @@ export interface Stage {
   zoom(factor: number): void;
   /** Millimetres of the page. */
   lookAt(x: number, y: number, across: number): void;
+  /** Of the plate's page, from its own corner [CSS pixels]. */
+  plateBox(): { left: number; top: number; width: number; height: number };
+  getBoundingClientRect(): DOMRect;
   capture(width: number): Promise<Blob>;
   record(seconds: number, signal?: AbortSignal): Promise<Blob>;
 }

@@ -274,43 +274,124 @@ test(
   },
 );
 
-test('files that are dropped on the panel become layers, and elsewhere what they always were', { skip }, async () => {
-  const visit = await open();
-  const { page } = visit;
-  const drop = (files) =>
-    page.locator('sillon-layers-panel').evaluate((panel, files) => {
-      const transfer = new DataTransfer();
-      for (const { name, type, data } of files) {
-        const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
-        transfer.items.add(new File([bytes], name, { type }));
-      }
-      const options = { dataTransfer: transfer, bubbles: true, composed: true, cancelable: true };
-      panel.dispatchEvent(new DragEvent('dragover', options));
-      panel.dispatchEvent(new DragEvent('drop', options));
-    }, files);
-  const star = fileOf(
-    'star.svg',
-    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0h9v9z"/></svg>',
-  );
-  const font = fileOf('mine', Buffer.from([0, 1, 0, 0, 0, 0]));
-  await drop([star, fileAt(join(inputs, 'moon.png')), font]);
-  await visit.until(({ plate }) => plate.layers.length === 3);
-  assert.deepEqual(
-    (await layers(visit)).map(({ kind }) => kind),
-    ['drawing', 'picture', 'text'],
-  );
-  assert.deepEqual(await visit.state(({ plate }) => [plate.layers[0].file.name, plate.layers[2].font.name]), [
-    'star.svg',
-    'mine.ttf',
-  ]);
-  assert.equal(await visit.state(({ plate }) => plate.shape.kind), 'disc');
-  assert.equal(await undos(visit), 1);
-  await drop([fileOf('notes.txt', 'hello')]);
-  await page.getByText('This page cannot open files like notes.txt.').waitFor();
-  assert.equal((await layers(visit)).length, 3);
-  await visit.drop([star]);
-  await visit.until(({ plate }) => plate.shape.kind === 'file');
-  assert.equal((await layers(visit)).length, 3);
+test(
+  'while layers are in use, what is dropped or pasted is a layer, or on its own target the shape',
+  { skip },
+  async () => {
+    const visit = await open();
+    const { page } = visit;
+    const drop = (files) =>
+      page.locator('sillon-layers-panel').evaluate((panel, files) => {
+        const transfer = new DataTransfer();
+        for (const { name, type, data } of files) {
+          const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+          transfer.items.add(new File([bytes], name, { type }));
+        }
+        const options = { dataTransfer: transfer, bubbles: true, composed: true, cancelable: true };
+        panel.dispatchEvent(new DragEvent('dragover', options));
+        panel.dispatchEvent(new DragEvent('drop', options));
+      }, files);
+    const star = fileOf(
+      'star.svg',
+      '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0h9v9z"/></svg>',
+    );
+    const font = fileOf('mine', Buffer.from([0, 1, 0, 0, 0, 0]));
+    await drop([star, fileAt(join(inputs, 'moon.png')), font]);
+    await visit.until(({ plate }) => plate.layers.length === 3);
+    assert.deepEqual(
+      (await layers(visit)).map(({ kind }) => kind),
+      ['drawing', 'picture', 'text'],
+    );
+    assert.deepEqual(await visit.state(({ plate }) => [plate.layers[0].file.name, plate.layers[2].font.name]), [
+      'star.svg',
+      'mine.ttf',
+    ]);
+    assert.equal(await visit.state(({ plate }) => plate.shape.kind), 'disc');
+    assert.equal(await undos(visit), 1);
+    await drop([fileOf('notes.txt', 'hello')]);
+    await page.getByText('This page cannot open files like notes.txt.').waitFor();
+    assert.equal((await layers(visit)).length, 3);
+    // On the plate: where it is let go, and also where another section is open.
+    await visit.section('Shape');
+    const shape = await visit.state(({ plate }) => plate.shape.kind);
+    const over = async (place, files, text = '') =>
+      page.evaluate(
+        async ([[clientX, clientY], files, text]) => {
+          const transfer = new DataTransfer();
+          for (const { name, type, data } of files) {
+            const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+            transfer.items.add(new File([bytes], name, { type }));
+          }
+          if (text !== '') transfer.setData('text/plain', text);
+          const options = { dataTransfer: transfer, bubbles: true, cancelable: true, clientX, clientY };
+          const app = document.querySelector('sillon-app');
+          const targets = () => [
+            ...(app.shadowRoot.querySelector('sillon-drop')?.shadowRoot.querySelectorAll('.target') ?? []),
+          ];
+          app.dispatchEvent(new DragEvent('dragover', options));
+          while (targets().length === 0) await new Promise((resolve) => setTimeout(resolve, 20));
+          app.dispatchEvent(new DragEvent('dragover', options));
+          await new Promise((resolve) => setTimeout(resolve, 50));
+          const boxes = targets().map((one) => {
+            const { width, height, top, left } = one.getBoundingClientRect();
+            return { text: one.querySelector('b').textContent, over: one.matches('.over'), width, height, top, left };
+          });
+          app.dispatchEvent(new DragEvent('drop', options));
+          return boxes;
+        },
+        [place, files, text],
+      );
+    const targets = await over(await screen(visit, 8, 15), [star]);
+    assert.deepEqual(
+      targets.map(({ text, over }) => [text, over]),
+      [
+        ['New layer', true],
+        ['Shape of the plate', false],
+      ],
+    );
+    for (const { width, height } of targets) assert.ok(width > 300 && height >= 96, JSON.stringify(targets));
+    await visit.until(({ plate, panel }) => plate.layers.length === 4 && panel === 'layers');
+    near((await layers(visit))[3].at, [8, 15]);
+    assert.equal(await visit.state(({ plate }) => plate.shape.kind), shape);
+    await over(await screen(visit, 15, 8), [], 'Hello');
+    await visit.until(({ plate }) => plate.layers.length === 5);
+    const { kind, text, at } = (await layers(visit))[4];
+    assert.deepEqual([kind, text], ['text', 'Hello']);
+    near(at, [15, 8]);
+    // A font is the chosen text's.
+    await visit.drop([font]);
+    await visit.until(({ plate }) => plate.layers[4].font.name === 'mine.ttf');
+    assert.equal((await layers(visit)).length, 5);
+    await page.keyboard.press('Control+z');
+    // Pasted: letters, and a picture; beside the plate, each where there is room.
+    await page.mouse.move(...(await screen(visit, 6, 10)));
+    await visit.paste([], 'Good\nday');
+    await visit.until(({ plate }) => plate.layers.length === 6);
+    near((await layers(visit))[5].at, [6, 10]);
+    assert.equal((await layers(visit))[5].text, 'Good\nday');
+    await page.mouse.move(3, 300);
+    await visit.paste([fileAt(join(inputs, 'moon.png'))]);
+    await visit.until(({ plate }) => plate.layers.length === 7 && plate.layers[6].kind === 'picture');
+    assert.equal(await visit.state(({ plate }) => plate.shape.kind), shape);
+    // The other target.
+    const [, { left, top, width, height }] = targets;
+    const onShape = await over([left + width / 2, top + height / 2], [star]);
+    assert.deepEqual(
+      onShape.map(({ over }) => over),
+      [false, true],
+    );
+    await visit.until(({ plate }) => plate.shape.kind === 'file');
+    assert.equal((await layers(visit)).length, 7);
+    assert.deepEqual(visit.problems, []);
+  },
+);
+
+test('a font that is dropped on a plate without layers makes the first', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until(({ plate }) => plate.width === 24);
+  await visit.drop([fileOf('lobster.ttf', Buffer.from([0, 1, 0, 0, 0, 0]))]);
+  await visit.until(({ plate, panel }) => panel === 'layers' && plate.layers[0]?.font.name === 'lobster.ttf');
+  assert.equal(await visit.state(({ notices }) => notices.length), 0);
 });
 
 test('new layers and copies lie beside those that are there, inside the shape', { skip }, async () => {

@@ -10,7 +10,7 @@ import { filaments, heatFor, lookOf, withFilament, withSpool } from '../../src/m
 import type { OwnSpool, Plate } from '../../src/model/plate.js';
 import { filamentFamily } from '../../src/model/printers.js';
 import { withImported } from '../../src/print/printer-file.js';
-import { filamentName } from '../../src/print/machine-fields.js';
+import { filamentName } from '../../src/print/filament-name.js';
 
 let engine: Engine;
 before(async () => {

@@ -6,4 +6,9 @@ export const words = {
   'about.report': 'Report a problem',
   'about.licences': 'Licences',
   'about.version': 'Version {version}',
+  'app.local': 'Everything happens on this device. Nothing is uploaded.',
+  'app.host': 'Embedded in {host}, which can read this plate and the files you open here. Nothing else is uploaded.',
+  'app.open': 'Open in a new tab',
+  'offline.ready': 'Sillon now works offline.',
+  'offline.update': 'A new version is ready.',
 } as const;

@@ -13,7 +13,6 @@ export const words = {
   'layers.drag': 'Drag to another place',
   'layers.duplicate': 'Duplicate {name}',
   'layers.delete': 'Delete {name}',
-  'layers.drop': 'Drop to add a layer',
   'layers.hand': 'On the plate: drag to move, corners resize, the knob turns. Arrow keys move by 1 mm.',
   'layers.hand.waves': 'The inner knob turns the waves.',
   'layers.chooseFile': 'Choose a file…',

@@ -11,4 +11,5 @@ export const words = {
   'link.untold.layers': 'layers with large files',
   'link.untold.strokes': 'your strokes',
   'link.untold.blocks': 'your printer’s start and end G-code',
+  'link.copied': 'The link is in your clipboard.',
 } as const;

@@ -2,10 +2,7 @@
 
 export const words = {
   'app.name': 'Sillon Studio',
-  'app.local': 'Everything happens on this device. Nothing is uploaded.',
-  'app.host': 'Embedded in {host}, which can read this plate and the files you open here. Nothing else is uploaded.',
   'app.someHost': 'another page',
-  'app.open': 'Open in a new tab',
   'app.skip': 'Skip to the plate',
   'app.plate': 'Plate',
   'app.untitled': 'Untitled plate',
@@ -77,8 +74,6 @@ export const words = {
   'section.basics': 'Basics',
 
   // --- Files ----------------------------------------------------------------------------------------------------------
-  'drop.help': 'SVG, PNG, JPEG, a saved project or a sliced print',
-  'drop.now': 'Drop to open',
   'example.sunMoon': 'Sun and moon',
   'example.ripples': 'Ripples',
   'example.whirl': 'Whirl',
@@ -97,20 +92,6 @@ export const words = {
   'example.tiles': 'Tiles',
   'example.crest': 'Crest',
   'example.brushwork': 'Brushwork',
-  'role.shape': 'Shape',
-  'role.mask': 'Shape from a mask picture',
-  'role.lamp': 'Picture under a lamp',
-  'role.more': 'One more picture, under a lamp of its own',
-  'role.tone': 'Picture: brightness becomes direction',
-  'role.edges': 'Picture: follow its edges',
-  'role.levels': 'Logo or code: two directions',
-  'role.colours': 'Colours: a direction for each',
-  'role.angle': 'Angle map',
-  'role.rotation': 'Rotation map',
-  'role.tangent': 'Tangent map',
-  'role.modes': 'Mode map',
-  'role.project': 'Project',
-  'role.none': 'Ignore',
 
   // --- Directions -----------------------------------------------------------------------------------------------------
   'source.pictures': 'Picture, text or code',
@@ -243,9 +224,6 @@ export const words = {
   'view.appearance.help': 'How the plate will shine, rendered. Move the light.',
   'view.quality.help': 'What to check before printing.',
   'view.canvas': 'Picture of the plate. Arrow keys move it, plus and minus zoom, 0 shows all.',
-  'legend.direction': 'Bead directions',
-  'legend.first': 'first',
-  'legend.last': 'last',
   'verb.done': 'Done',
   'view.compare': 'Compare with a plain zigzag',
   'view.compare.help': 'The same shape beside it, with ordinary 45° infill.',
@@ -325,11 +303,6 @@ export const words = {
   'brought.anyTemperature': 'no temperature limits',
   'brought.show': 'Show',
   'brought.keep': 'Keep mine',
-  'filament.goldPla': 'Gold PLA',
-  'filament.bluePla': 'Blue PLA',
-  'filament.greyPla': 'Grey PLA',
-  'filament.redPetg': 'Red PETG',
-  'filament.clearPetg': 'Clear PETG',
 
   // --- Work -----------------------------------------------------------------------------------------------------------
   'job.loading': 'Loading the engine',
@@ -378,16 +351,10 @@ export const words = {
   'export.body.set': 'Use this height',
   'export.done': '{name} is in your downloads.',
   'summary.time': 'Print time',
-  'summary.filament': 'Filament',
   'summary.weight': 'Weight',
-  'summary.height': 'Height',
   'summary.length': 'Path',
-  'summary.size': 'File size: {size}.',
   'summary.metres': '{m} m',
   'summary.grams': '{g} g',
-  'summary.estimate': 'Times are estimates.',
-  'summary.warnings': 'Before you print',
-  'link.copied': 'The link is in your clipboard.',
   'link.opened': 'Opened from a link.',
 
   // --- Problems -------------------------------------------------------------------------------------------------------
@@ -461,8 +428,6 @@ export const words = {
   'hint.StorageFull': 'Save the project as a file.',
 
   // --- Offline --------------------------------------------------------------------------------------------------------
-  'offline.ready': 'Sillon now works offline.',
-  'offline.update': 'A new version is ready.',
 
   // --- Help -----------------------------------------------------------------------------------------------------------
   'help.title': 'Help and shortcuts',

@@ -29,4 +29,7 @@ export const words = {
   'mark.previous': 'Previous place',
   'mark.count': { one: '{n} place', other: '{n} places' },
   'histogram.widths': 'Path length by bead width',
+  'legend.direction': 'Bead directions',
+  'legend.first': 'first',
+  'legend.last': 'last',
 } as const;

@@ -1,0 +1,25 @@
+// What the page calls a filament.
+import { words } from '../i18n/en/printer.js';
+import { say, t } from '../i18n/text.js';
+import { filaments, type Filament } from '../model/filaments.js';
+import type { Plate } from '../model/plate.js';
+
+export const filamentLabel = ({ key }: Filament): string => say(words, `filament.${key}`);
+
+/** The filament of the list that the plate is printed with; undefined: another, as from a file, or a spool of one's own. */
+export const listedFilament = ({ pictures, printer, spool }: Plate): Filament | undefined =>
+  filaments.find(
+    ({ key, type }) => spool === undefined && key === pictures.spool && type === printer.filamentType.toUpperCase(),
+  );
+
+/** The filament that is printed, in words that a temperature other than its usual one is a part of. */
+export function filamentName(plate: Plate): string {
+  const { filamentType: type, nozzleTemperature } = plate.printer;
+  if (plate.spool !== undefined) return [plate.spool.key, type].filter((word) => word !== '').join(', ');
+  const listed = listedFilament(plate);
+  if (listed === undefined) return say(words, 'filament.ofFile', { type: type || t('section.filament') });
+  const name = filamentLabel(listed);
+  return nozzleTemperature === listed.nozzleTemperature
+    ? name
+    : say(words, 'filament.at', { name, n: nozzleTemperature });
+}
