@@ -181,17 +181,18 @@ void addShape(Options& options, std::vector<Change>& changes) {
                    };
                  });
   options.excludes("--mode", "--modes");
-  options.change("--layer", "JSON",
-                 "one more layer on top, as in a project's list: '{\"kind\": \"text\", \"text\": \"ANNA\"}'", changes,
-                 [](const std::string& text) {
-                   return [text](Project& project) {
-                     const auto read = sillon::readProject("{\"sillon\": 1, \"layers\": [" + text + "]}");
-                     if (!read) return "--layer: " + read.error().message;
-                     const auto& layers = read.value().layers;
-                     project.layers.insert(project.layers.end(), layers.begin(), layers.end());
-                     return std::string();
-                   };
-                 });
+  options.list(
+      "--layer", "JSON",
+      "one more layer on top, as in a project's list; repeat for more: '{\"kind\": \"text\", \"text\": \"ANNA\"}'",
+      [&changes](const std::string& text) {
+        changes.emplace_back([text](Project& project) {
+          const auto read = sillon::readProject("{\"sillon\": 1, \"layers\": [" + text + "]}");
+          if (!read) return "--layer: " + read.error().message;
+          const auto& layers = read.value().layers;
+          project.layers.insert(project.layers.end(), layers.begin(), layers.end());
+          return std::string();
+        });
+      });
 }
 
 void addToolpath(Options& options, std::vector<Change>& changes) {

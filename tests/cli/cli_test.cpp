@@ -1698,6 +1698,41 @@ TEST_CASE("the first Ctrl-C ends with code 3 and leaves nothing behind, also whi
   }
 }
 
+TEST_CASE("layers on the line add up, on top of those of a project") {
+  const Folder folder;
+  const std::string plate = "generate --shape rounded --size 40x16 --spacing 0.8 --quiet ";
+  REQUIRE(folder
+              .run(plate +
+                   R"(--layer '{"kind": "pattern"}' --layer '{"kind": "text", "text": "AN, NA", "textSize": 6}')" +
+                   R"( --layer '{"kind": "border", "angle": 20}' --project p.json)")
+              .code == 0);
+  const Json layers = Json::parse(readAll(folder.at("p.json")))["layers"];
+  REQUIRE(layers.size() == 3);
+  CHECK(layers[0]["kind"] == "pattern");
+  CHECK(layers[1]["text"] == "AN, NA");
+  CHECK(
+      folder
+          .run(
+              R"(generate p.json --quiet --layer '{"kind": "direction"}' --layer '{"kind": "border"}' --project q.json)")
+          .code == 0);
+  const Json more = Json::parse(readAll(folder.at("q.json")))["layers"];
+  REQUIRE(more.size() == 5);
+  CHECK(more[1] == layers[1]);
+  CHECK(more[3]["kind"] == "direction");
+  CHECK(more[4]["kind"] == "border");
+
+  const Run zones =
+      folder.run(R"(zones --shape rect --size 30 --layer '{"kind": "direction", "angle": 45, "size": [10, 10]}' )"
+                 R"(--layer '{"kind": "direction", "angle": 90, "size": [10, 10], "at": [8, 8]}' -o z.3mf)");
+  CHECK(zones.code == 0);
+  CHECK(has(zones.out, "  45.0 degrees"));
+  CHECK(has(zones.out, "  90.0 degrees"));
+  const Run wrong =
+      folder.run(R"(generate --shape disc --layer '{"kind": "border"}' --layer '{"kind": "star"}' --svg a.svg)");
+  CHECK(wrong.code != 0);
+  CHECK(has(wrong.err, "--layer: layers[0].kind is \"star\""));
+}
+
 TEST_CASE("shapes for things: built-in ones, corners, offsets, holes and a rim") {
   const Folder folder;
   const Run made = folder.run(
