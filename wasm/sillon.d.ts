@@ -558,7 +558,7 @@ export interface Layer {
   angle: number;
   /** Direction in the box around letters or a drawing; null: what lies below shows, and the light modules of a QR code lie across the dark ones. -360..360 °, default null. */
   ground: number | null;
-  /** Beads fill letters, drawings, boxes and borders in one direction, along the outline, or across what lies below. Default "angle". */
+  /** Beads fill letters, drawings and borders in one direction, along the outline, or across what lies below. Default "across". */
   fill: 'angle' | 'along' | 'across';
   /** File of a map, a picture, a drawing or an echo. Default "". */
   file: string;

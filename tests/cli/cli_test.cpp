@@ -1710,6 +1710,8 @@ TEST_CASE("layers on the line add up, on top of those of a project") {
   REQUIRE(layers.size() == 3);
   CHECK(layers[0]["kind"] == "pattern");
   CHECK(layers[1]["text"] == "AN, NA");
+  CHECK_FALSE(layers[1].contains("fill"));  // across, as the kind is told to be by default
+  CHECK(layers[2]["fill"] == "angle");      // as an angle was given
   CHECK(
       folder
           .run(
@@ -1731,6 +1733,15 @@ TEST_CASE("layers on the line add up, on top of those of a project") {
       folder.run(R"(generate --shape disc --layer '{"kind": "border"}' --layer '{"kind": "star"}' --svg a.svg)");
   CHECK(wrong.code != 0);
   CHECK(has(wrong.err, "--layer: layers[0].kind is \"star\""));
+}
+
+TEST_CASE("letters that nobody asks another fill of are seen") {
+  const Folder folder;
+  const std::string plate = "generate --shape rounded --size 40x16 --spacing 0.8 --quiet --svg a.svg ";
+  CHECK(folder.run(plate).code == 0);
+  const std::string plain = readAll(folder.at("a.svg"));
+  CHECK(folder.run(plate + R"(--layer '{"kind": "text", "text": "ANNA"}')").code == 0);
+  CHECK(readAll(folder.at("a.svg")) != plain);
 }
 
 TEST_CASE("shapes for things: built-in ones, corners, offsets, holes and a rim") {

@@ -162,6 +162,7 @@ TEST_CASE("letters cover what their outlines do, over a ground if there is one")
   layer.text = "SILLON";
   layer.font = "Bebas Neue";
   layer.textSize = 12;
+  layer.fill = LayerFill::Angle;
   layer.angle = 50;
   const Shape letters = textShape({"SILLON", "Bebas Neue", 12}, plate.reader()).value();
   const double area = resolveOutline(letters).value().area;
@@ -250,6 +251,7 @@ TEST_CASE("a border is a band within the plate") {
   plate.shape.page = {40, 40};
   Layer& border = plate.add(LayerKind::Border);
   border.width = 4;
+  border.fill = LayerFill::Angle;
   border.angle = 33;
   const PlateInput input = plate.composed();
   const double share = areaWhere(input, near(33)) / (kPage.x * kPage.y);

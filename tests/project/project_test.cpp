@@ -241,6 +241,22 @@ TEST_CASE("every field survives writing and reading bit for bit") {
   CHECK(p.printer.machineAcceleration == 3000);
 }
 
+TEST_CASE("an angle without a fill is one, and files keep what they meant") {
+  const auto fillOf = [](const std::string& layer) {
+    const Result<Project> read = readProject("{\"sillon\": 1, \"layers\": [" + layer + "]}");
+    REQUIRE(read.ok());
+    const Result<Project> again = readProject(writeProject(read.value()));
+    REQUIRE(again.ok());
+    CHECK(again.value().layers == read.value().layers);
+    return read.value().layers[0].fill;
+  };
+  CHECK(fillOf(R"({"kind": "text", "text": "A"})") == LayerFill::Across);
+  CHECK(fillOf(R"({"kind": "text", "text": "A", "angle": 30})") == LayerFill::Angle);
+  CHECK(fillOf(R"({"kind": "border", "angle": 0})") == LayerFill::Angle);
+  CHECK(fillOf(R"({"kind": "drawing", "file": "a.svg", "angle": 30, "fill": "across"})") == LayerFill::Across);
+  CHECK(fillOf(R"({"kind": "drawing", "file": "a.svg", "angle": 30, "fill": "along"})") == LayerFill::Along);
+}
+
 TEST_CASE("no two fields share a key: each written value differs from its default") {
   const Json unusual = Json::parse(writeProject(unusualProject()));
   const Json defaults = Json::parse(writeProject(Project{}));

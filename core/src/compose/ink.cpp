@@ -333,13 +333,6 @@ void blend(LayerStack::Texel& texel, std::optional<Vec2f> line, float cover) {
   texel.cover = cover + texel.cover * (1 - cover);
 }
 
-/// Kinds whose directions come from elsewhere cannot be laid across what is below.
-bool liesAcross(const Layer& layer) {
-  const bool plain = layer.kind == LayerKind::Text || layer.kind == LayerKind::Drawing ||
-                     layer.kind == LayerKind::Border || layer.kind == LayerKind::Direction;
-  return plain && layer.fill == LayerFill::Across;
-}
-
 }  // namespace
 
 std::optional<Error> drawLayer(std::size_t number, const LayerContent& content, const Placement& place,
@@ -353,7 +346,7 @@ std::optional<Error> drawLayer(std::size_t number, const LayerContent& content, 
   const Region region = regionOf(layer, content, place, plate);
   const std::vector<float> cover = coverOf(region.shown, plate, layer.soft);
   const Vec2f ground = lineOf(layer.ground.value_or(0) * kDegree);
-  const bool codes = layer.kind == LayerKind::Qr, across = liesAcross(layer);
+  const bool codes = layer.kind == LayerKind::Qr, across = hasFill(layer.kind) && layer.fill == LayerFill::Across;
   const Vec2 step{plate.shape.page.x / plate.width, plate.shape.page.y / plate.height};
   for (int y = 0; y < plate.height; ++y) {
     if (run.poll()) return Error{ErrorCode::Cancelled, "cancelled"};

@@ -203,6 +203,9 @@ std::string readLayers(const Json& value, Project& project) {
     const std::size_t number = project.layers.size() - 1;
     if (!one.is_object()) return wrongType("layers[" + std::to_string(number) + "]", "an object", one);
     if (std::string wrong = readSection(one, Section::Layers, view); !wrong.empty()) return inLayer(wrong, number);
+    // Otherwise an angle would be lost without a word.
+    if (hasFill(view.layer->kind) && one.contains("angle") && !one.contains("fill"))
+      view.layer->fill = LayerFill::Angle;
   }
   return "";
 }

@@ -168,7 +168,8 @@ std::string inLayer(std::string message, std::size_t number) {
 
 namespace {
 
-/// One line, with the kind and all that differs from the defaults.
+/// One line, with the kind and all that differs from the defaults; the fill also beside an angle, which is one
+/// otherwise.
 std::string layerText(const Layer& layer) {
   Layer usual;
   SettingsView view, defaults;
@@ -179,7 +180,8 @@ std::string layerText(const Layer& layer) {
     if (setting.section != Section::Layers) continue;
     const Field field = setting.field(view), other = setting.field(defaults);
     const std::string json = std::visit(ValueJson{setting, field, ""}, field);
-    const bool told = out.empty() || json != std::visit(ValueJson{setting, other, ""}, other);
+    const bool angled = hasFill(layer.kind) && layer.angle != usual.angle && setting.key == std::string_view("fill");
+    const bool told = out.empty() || angled || json != std::visit(ValueJson{setting, other, ""}, other);
     if (told) add(out, setting.key, json);
   }
   return "{" + out + "}";

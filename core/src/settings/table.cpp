@@ -385,8 +385,8 @@ constexpr Row kRows[] = {
       .level = Basic,
       .choices = "angle along across"},
      {.label = "Fill",
-      .help = "Beads fill letters, drawings, boxes and borders in one direction, along the outline, or across what "
-              "lies below"}},
+      .help = "Beads fill letters, drawings and borders in one direction, along the outline, or across what lies "
+              "below"}},
     {{.section = Layers, .key = "file", .type = Text, .field = at<&Layer::file>, .high = kLine, .level = Basic},
      {.label = "File", .help = "File of a map, a picture, a drawing or an echo"}},
     {{.section = Layers,

@@ -11,7 +11,7 @@ import { layersLamp } from '../model/lamp.js';
 import { uncropped } from '../model/layer-changes.js';
 import { layerSettingOf } from '../model/layer-settings.js';
 import { builtInFonts } from '../model/fonts.js';
-import { needsFile, needsMask, type LayerKey, type LayerKind } from '../model/layers.js';
+import { hasFill, needsFile, needsMask, type LayerKey, type LayerKind } from '../model/layers.js';
 import type { PlateLayer, SourceFile } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
 import { chosenFile, drawingFiles, fontFiles, oneFile, pictureFiles } from './add-layer.js';
@@ -29,7 +29,7 @@ const keysOf: Record<LayerKind, readonly LayerKey[]> = {
   drawing: ['file', 'fill', 'angle'],
   qr: ['text', 'correction', 'angle'],
   pattern: ['pattern', 'file', 'angle', 'waveLength', 'amplitude'],
-  direction: ['fill', 'angle'],
+  direction: ['angle'],
   border: ['width', 'fill', 'angle'],
   map: ['file', 'encoding'],
 };
@@ -41,14 +41,12 @@ const foldedOf: Partial<Record<LayerKind, readonly LayerKey[]>> = {
   border: ['soft'],
 };
 
-const fills: readonly LayerKind[] = ['text', 'drawing', 'border', 'direction'];
-
 /** Tells whether a value changes anything while the others are as they are. */
 function counts(key: LayerKey, layer: PlateLayer): boolean {
   const { kind, pattern, fill } = layer;
   switch (key) {
     case 'angle':
-      return kind === 'pattern' ? pattern !== 'echo' : fill === 'angle' || !fills.includes(kind);
+      return kind === 'pattern' ? pattern !== 'echo' : fill === 'angle' || !hasFill(layer);
     case 'waveLength':
     case 'amplitude':
       return pattern === 'waves';
@@ -91,8 +89,6 @@ function fieldOf(studio: Studio, layer: PlateLayer, key: LayerKey): Content {
         key,
         layer.kind === 'pattern' && layer.pattern === 'radial' ? { label: t('field.rayAngle') } : {},
       );
-    case 'fill':
-      return layerField(studio, layer, key, layer.kind === 'direction' ? { choices: ['angle', 'across'] } : {});
     case 'encoding':
       return layerField(studio, layer, key, {
         choice: (name) => t(`field.encoding.${name as PlateLayer['encoding']}`),

@@ -25,8 +25,6 @@ export function changeIn(
 interface Own {
   label?: string;
   help?: string;
-  /** The choices that change anything. */
-  choices?: readonly string[];
   /** The name of a choice. */
   choice?: (name: string) => string;
   /** The layer's changes with a value. */
@@ -34,15 +32,13 @@ interface Own {
 }
 
 export function layerField(studio: Studio, layer: PlateLayer, key: LayerKey, own: Own = {}): TemplateResult {
-  const whole = layerSettingOf(key);
+  const setting = layerSettingOf(key);
   const {
-    label = layerLabel(whole),
-    help = settingHelp(whole),
-    choices,
+    label = layerLabel(setting),
+    help = settingHelp(setting),
     choice = (name: string) => l(`${key}.${name}` as LayersTextId),
     set = (next: SettingValue) => ({ [key]: next }),
   } = own;
-  const setting = whole.kind === 'choice' && choices !== undefined ? { ...whole, choices } : whole;
   const value = layer[key] as SettingValue;
   const id = `layer-${key}`;
   const onInput = (next: SettingValue): void => {

@@ -1,6 +1,6 @@
 // The layers of a plate: how each begins, what is told of it, and the list that they make.
 import { defaultsOf } from './defaults.js';
-import { layerInput, type LayerKey, type LayerKind, type LayerValues } from './layers.js';
+import { hasFill, layerInput, type LayerKey, type LayerKind, type LayerValues } from './layers.js';
 import { pageOf, type PageParts, type Plate, type PlateLayer, type SourceFile } from './plate.js';
 import { layerTable } from './layer-table.js';
 
@@ -26,11 +26,10 @@ const first: Record<LayerKind, (page: readonly [number, number]) => Partial<Laye
   direction: ([width, height]) => ({ angle: 45, size: [tenths(width / 2), tenths(height / 2)] }),
   map: () => ({}),
   picture: ([width, height]) => ({ size: width < height ? [tenths(0.6 * width), 0] : [0, tenths(0.6 * height)] }),
-  text: (page) => ({ text: 'Abc', fill: 'across', textSize: Math.max(4, Math.round(Math.min(...page) / 6)) }),
+  text: (page) => ({ text: 'Abc', textSize: Math.max(4, Math.round(Math.min(...page) / 6)) }),
   qr: (page) => ({ text: 'https://', size: [tenths(Math.min(...page) / 2), 0] }),
   pattern: () => ({ angle: 90 }),
   drawing: ([width, height]) => ({
-    fill: 'across',
     size: width < height ? [tenths(width / 2), 0] : [0, tenths(height / 2)],
   }),
   border: () => ({ fill: 'along' }),
@@ -56,12 +55,16 @@ export const layerData = <Told>(layer: PlateLayer, told: (file: SourceFile) => T
   font: typeof layer.font === 'string' ? layer.font : told(layer.font),
 });
 
-/** Files and links tell a layer's kind, and whatever differs from the defaults. @param content  as of layerInput */
+/** Files and links tell a layer's kind, and whatever differs from the defaults; the fill also beside an angle, which the core
+ * takes for one otherwise. @param content  as of layerInput */
 export function toldLayer(layer: PlateLayer, content: (file: SourceFile) => unknown): object {
   const whole: Partial<Record<LayerKey, unknown>> = layerInput(layer, content);
   const differs = (key: LayerKey): boolean => JSON.stringify(layer[key]) !== JSON.stringify(usual[key]);
+  const angled = hasFill(layer) && differs('angle');
   return Object.fromEntries(
-    layerKeys.filter((key) => key === 'kind' || differs(key)).map((key) => [key, whole[key]] as const),
+    layerKeys
+      .filter((key) => key === 'kind' || differs(key) || (angled && key === 'fill'))
+      .map((key) => [key, whole[key]] as const),
   );
 }
 

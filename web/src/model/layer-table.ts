@@ -11,7 +11,7 @@ export const layerTable = {
   soft: { type: 'number', level: 'basic', default: 0, unit: 'mm', low: 0, high: 100 },
   angle: { type: 'number', level: 'basic', default: 0, unit: '°', low: -360, high: 360 },
   ground: { type: 'number', level: 'basic', default: null, unit: '°', low: -360, high: 360, nullable: true },
-  fill: { type: 'choice', level: 'basic', default: 'angle', choices: ['angle','along','across'] },
+  fill: { type: 'choice', level: 'basic', default: 'across', choices: ['angle','along','across'] },
   file: { type: 'text', level: 'basic', default: '', maxBytes: 1024 },
   encoding: { type: 'choice', level: 'basic', default: 'angle', choices: ['angle','rotation','tangent'] },
   cropMin: { type: 'pair', level: 'basic', default: [0,0], low: 0, high: 1 },

@@ -13,6 +13,10 @@ export const needsFile = ({ kind, pattern }: Pick<PlateLayer, 'kind' | 'pattern'
 
 export const needsText = ({ kind }: Pick<PlateLayer, 'kind'>): boolean => kind === 'text' || kind === 'qr';
 
+/** Tells whether the layer has a fill, as the core's hasFill; the others have their own directions. */
+export const hasFill = ({ kind }: Pick<PlateLayer, 'kind'>): boolean =>
+  kind === 'text' || kind === 'drawing' || kind === 'border';
+
 export const needsMask = ({ mask }: Pick<PlateLayer, 'mask'>): boolean => mask === 'inside' || mask === 'outside';
 
 /** The first thing that a layer lacks to be drawn; the core refuses plates with such layers. */

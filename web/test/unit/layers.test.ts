@@ -90,7 +90,12 @@ test('the core is told what differs from its defaults, and nothing else', () => 
   const values = text({ font, at: [3, 4], angle: 0, textSize: 10, maskFile: file, mask: 'outside' });
   assert.deepEqual(
     toldLayer({ ...values, id: 5 }, ({ name }) => name),
-    { kind: 'text', at: [3, 4], mask: 'outside', maskFile: 'cat.png', fill: 'across', text: 'A', font: 'own.ttf' },
+    { kind: 'text', at: [3, 4], mask: 'outside', maskFile: 'cat.png', text: 'A', font: 'own.ttf' },
+  );
+  // An angle without a fill would be one.
+  assert.deepEqual(
+    toldLayer({ ...text({ angle: 30, textSize: 10 }), id: 5 }, () => 0),
+    { kind: 'text', angle: 30, fill: 'across', text: 'A' },
   );
   assert.deepEqual(
     toldLayer({ ...layerDefaults(), id: 1 }, () => 0),

@@ -37,12 +37,17 @@ enum class LayerPattern {
   Echo,    ///< along contours of equal distance from the layer's drawing, inside and outside
 };
 
-/// Ways in which beads fill letters and drawings.
+/// Ways in which beads fill letters, drawings and borders.
 enum class LayerFill {
   Angle,   ///< in one direction
   Along,   ///< along the outline, by the distance to it
   Across,  ///< across whatever lies below
 };
+
+/// Tells whether layers of a kind have a fill; the others have their own directions.
+constexpr bool hasFill(LayerKind kind) {
+  return kind == LayerKind::Text || kind == LayerKind::Drawing || kind == LayerKind::Border;
+}
 
 /// Places where a layer shows.
 enum class LayerMask {
@@ -77,7 +82,7 @@ struct Layer {
   /// Direction in the box behind letters, drawings and dark modules [degrees]; unset: what lies
   /// below shows there, and light modules lie across the dark ones
   std::optional<double> ground;
-  LayerFill fill = LayerFill::Angle;
+  LayerFill fill = LayerFill::Across;
   DirectionEncoding encoding = DirectionEncoding::Angle;  ///< of a map
   std::string file;    ///< of a map, a picture, a drawing or an echo
   Vec2 cropMin{0, 0};  ///< lower left corner of the part of a picture that is used, in shares of it

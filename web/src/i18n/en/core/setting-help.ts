@@ -11,7 +11,7 @@ export const words = {
   'help.layers.soft': "Width over which its directions turn into those below, about its edge.",
   'help.layers.angle': "Direction of its beads on the page, counter-clockwise from the right.",
   'help.layers.ground': "Direction in the box around letters or a drawing; null: what lies below shows, and the light modules of a QR code lie across the dark ones.",
-  'help.layers.fill': "Beads fill letters, drawings, boxes and borders in one direction, along the outline, or across what lies below.",
+  'help.layers.fill': "Beads fill letters, drawings and borders in one direction, along the outline, or across what lies below.",
   'help.layers.file': "File of a map, a picture, a drawing or an echo.",
   'help.layers.encoding': "Reading of a map’s picture as directions: grey is −90 to 90°; grey is 0 to 180°; red and green are x and y.",
   'help.layers.cropMin': "Lower left corner of the part of a picture that is used, in shares of the picture.",
