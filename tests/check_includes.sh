@@ -26,7 +26,7 @@ rebrush: settings geometry input look pipeline quality gcode_reader
 gcode: settings geometry toolpath quality printer gcode_reader report
 calibrate: settings geometry look pipeline gcode
 export: settings geometry input toolpath look gcode_reader gcode
-compose: settings geometry input look quality text project pictures
+compose: settings geometry input look quality report text project pictures
 job: settings geometry input look pipeline quality gcode_reader report project pictures gcode compose
 printer_import: settings look gcode_reader project gcode export
 "

@@ -1071,6 +1071,7 @@ export type WarningCode =
   | 'BlockMovesLow'
   | 'DetailLost'
   | 'DrawingFaint'
+  | 'DrawingLettersLost'
   | 'DrawingOffPage'
   | 'DrawingUnpainted'
   | 'DrawingUnread'
@@ -1078,6 +1079,11 @@ export type WarningCode =
   | 'EndLine'
   | 'FillRatio'
   | 'FlatBeads'
+  | 'LayerLeftOut'
+  | 'LayerLettersLent'
+  | 'LayerLettersLost'
+  | 'LayerOnlyPicture'
+  | 'LettersLent'
   | 'ManyBytes'
   | 'ManyMoves'
   | 'MaxFlowSlows'
@@ -1244,6 +1250,10 @@ export type ErrorReason =
   | 'HoleOutside'
   /** An offset inwards that leaves nothing: `offset`, and `depth` of the shape's deepest place [mm]. */
   | 'OffsetTooDeep'
+  /** A text, or a drawing of text alone: `letter`, with its code, that no font has. */
+  | 'MissingLetter'
+  /** A text: `letter` of which its `font` has a picture alone. */
+  | 'PictureLetter'
   /** Oriented layers lie on the bed, where no rim can stand: `rim` [layers]. */
   | 'RimBelow'
   /** More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at which it would do,

@@ -105,6 +105,9 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
       }
     }
   }
+  for (const sillon::Warning& warning : sillon::letterWarnings(layers.value().placed)) {
+    out += "warning " + warning.message + "\n";
+  }
   if (const std::size_t open = sillon::openEdges(body); open > 0) {
     out += "warning the body has " + plural(open, "open edge") +
            "; slicers may find no layers in it, so repair it first\n";

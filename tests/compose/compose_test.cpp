@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "input/stored_angle.hpp"
 #include "sillon/geometry/outline.hpp"
@@ -316,6 +317,54 @@ TEST_CASE("a QR code lies across its own ground, with a quiet zone") {
   CHECK(apart(at(input, {30 - 10, 20 + 10}).angle, 25) < 0.01);   // a finder's corner
   CHECK(apart(at(input, {30 - 12, 20 + 12}).angle, 115) < 0.01);  // the quiet zone
   CHECK(apart(at(input, {5, 20}).angle, 0) < 0.01);
+}
+
+TEST_CASE("a layer with a letter that no font has is left out alone, and named") {
+  Plate plate;
+  plate.add(LayerKind::Direction).angle = 30;
+  const PlateInput without = plate.composed();
+  Layer& letters = plate.add(LayerKind::Text);
+  letters.text = "A\u5b57";
+  letters.angle = 80;
+  CHECK(plate.composed().directions == without.directions);
+  const auto told = [&] {
+    std::vector<std::string> messages;
+    for (const Warning& warning : letterWarnings(plate.stack().placed)) messages.push_back(warning.message);
+    return messages;
+  };
+  using Messages = std::vector<std::string>;
+  CHECK(told() == Messages{"layer 2 is left out: no font has a letter for \"\u5b57\" (U+5B57)"});
+  CHECK(plate.stack().placed[1].problem->message.find("layers[1]: no font has a letter") == 0);
+
+  plate.project.layers[1].text = "A\u05d0";
+  CHECK(plate.composed().directions != without.directions);
+  CHECK(told() == Messages{"the letters \"\u05d0\" (U+05D0) of layer 2 come from Fredoka: its own font lacks them"});
+
+  // A drawing is drawn without the letter.
+  plate.project.layers[1] = {};
+  plate.project.layers[1].kind = LayerKind::Drawing;
+  plate.project.layers[1].file = "text.svg";
+  plate.project.layers[1].angle = 80;
+  const std::string begin = "<svg xmlns='http://www.w3.org/2000/svg' width='40mm' height='20mm'><text y='15'>";
+  plate.files["text.svg"] = begin + "A\u5b57</text></svg>";
+  CHECK(plate.composed().directions != without.directions);
+  CHECK(told() == Messages{"the letters \"\u5b57\" (U+5B57) of layer 2 are left out: no font has them"});
+  plate.files["text.svg"] = begin + "\u5b57</text></svg>";
+  CHECK(told() == Messages{"layer 2 is left out: no font has a letter for \"\u5b57\" (U+5B57)"});
+}
+
+TEST_CASE("a hidden layer is not read, so that nothing is wrong with it") {
+  Plate plate;
+  plate.add(LayerKind::Drawing).file = "none.svg";
+  plate.add(LayerKind::Picture);
+  plate.add(LayerKind::Text).text = "\u5b57";
+  plate.add(LayerKind::Text);
+  plate.add(LayerKind::Text).mask = LayerMask::Inside;
+  for (Layer& layer : plate.project.layers) layer.visible = false;
+  CHECK(plate.stack().width == 0);
+  CHECK(plate.stack().placed.size() == 5);
+  CHECK(letterWarnings(plate.stack().placed).empty());
+  CHECK(placeLayers(plate.project, plate.shape, plate.reader())[0].problem.has_value());
 }
 
 TEST_CASE("errors tell the layer") {

@@ -152,9 +152,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const PlateInput& input = plate.value().input;
   require(plate.value().layers.size() == project.layers.size());
-  for (const PlacedLayer& placed : plate.value().layers) {
+  for (std::size_t k = 0; k < project.layers.size(); ++k) {
+    const PlacedLayer& placed = plate.value().layers[k];
+    const bool drawn = project.layers[k].visible && !placed.problem;
     require(std::isfinite(placed.at.x) && std::isfinite(placed.at.y));
-    require(placed.size.x > 0 && placed.size.y > 0 && placed.thin >= 0 && placed.thin <= 1);
+    require(!drawn || (placed.size.x > 0 && placed.size.y > 0));
+    require(placed.thin >= 0 && placed.thin <= 1);
   }
   const auto texels =
       static_cast<std::size_t>(input.directions.width) * static_cast<std::size_t>(input.directions.height);

@@ -155,6 +155,52 @@ TEST_CASE("a number in a line that runs to the left is read from the left, and b
   CHECK(outlines("\u05d0 Ab \u05d1") == sum({"\u05d1", " ", "Ab", " ", "\u05d0"}));
 }
 
+TEST_CASE("a letter that a font lacks comes from the first built-in one that has it, at the same height") {
+  const auto line = [](const std::string& font, const std::string& text) {
+    return shapeLine(kNoFiles, font, text).value();
+  };
+  using Lacked = std::vector<LackedLetter>;
+  const ShapedLine mixed = line("Caveat", "A \u05d0\u05d1 B");
+  CHECK(mixed.lacked == Lacked{{"\u05d1", "Fredoka", false}, {"\u05d0", "Fredoka", false}});
+  REQUIRE(mixed.letters.size() == 6);
+  const ShapedLine own = line("Fredoka", "\u05d0\u05d1");
+  const double scale = mixed.capHeight / own.capHeight;
+  CHECK(std::abs(scale - 1) > 0.01);
+  CHECK(mixed.letters[2].advance == own.letters[0].advance * scale);
+  CHECK(mixed.letters[3].advance == own.letters[1].advance * scale);
+  // A letter with a mark is one: both come from the font that has both.
+  const ShapedLine marked = line("Nunito", "\u0395\u0301\u0395");
+  CHECK(marked.lacked == Lacked{{"\u0395", "Roboto Slab", false}});
+
+  // What no font has is left out, and told once; a sign that is not seen is no letter.
+  const ShapedLine lost = line("Nunito", "A\u5b57\u200dB\ufe0f\u5b57");
+  CHECK(lost.letters.size() == 2);
+  CHECK(lost.lacked == Lacked{{"\u5b57", "", false}});
+  std::string many;
+  for (const char* letter :
+       {"\u5b50", "\u5b51", "\u5b52", "\u5b53", "\u5b54", "\u5b55", "\u5b56", "\u5b57", "\u5b58"}) {
+    many += letter;
+  }
+  CHECK(line("Nunito", many + "\u05d0").lacked.size() == 8 + 1);
+}
+
+TEST_CASE("a letter of which a font has no outline is one that it lacks") {
+  std::string bytes = fontFile("fredoka");
+  stbtt_fontinfo font;
+  REQUIRE(stbtt_InitFont(&font, reinterpret_cast<const unsigned char*>(bytes.data()), 0) != 0);
+  // The outline of o ends where it begins.
+  const int size = font.indexToLocFormat == 0 ? 2 : 4;
+  const int at = font.loca + size * stbtt_FindGlyphIndex(&font, 'o');
+  for (int k = 0; k < size; ++k)
+    bytes[static_cast<std::size_t>(at + size + k)] = bytes[static_cast<std::size_t>(at + k)];
+  const ReadInput read = [&](const std::string&, const std::string&) { return Result<InputFile>(InputFile(bytes)); };
+  const ShapedLine line = shapeLine(read, "own.ttf", "Bo b").value();
+  CHECK(line.lacked == std::vector<LackedLetter>{{"o", "Nunito", true}});
+  CHECK(line.letters[1].advance ==
+        doctest::Approx(shapeLine(kNoFiles, "Nunito", "o").value().letters[0].advance * line.capHeight /
+                        shapeLine(kNoFiles, "Nunito", "o").value().capHeight));
+}
+
 TEST_CASE("letters on a circle stand on it, above or below") {
   for (const double circle : {30.0, -30.0}) {
     CAPTURE(circle);
@@ -294,7 +340,8 @@ TEST_CASE("text of a drawing is set in the font that it names, or in one that st
   check("", "Nunito", false);
   CHECK(readSvg("<svg width='9' height='9'><rect width='9' height='9'/><text>\u5b57</text></svg>", {.letters = letters})
             .value()
-            .drawing.texts == 1);
+            .drawing.texts == 0);
+  CHECK(areaOf(drawing("", "Sil\u5b57lon")) == doctest::Approx(areaOf(drawing(""))).epsilon(1e-3));
 }
 
 TEST_CASE("a line tells the heights of its font") {

@@ -5,6 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { workerData, type MessagePort } from 'node:worker_threads';
 import { messageOf } from './errors.js';
 import { fontFiles } from './fonts.js';
+import type { FontFile, Shaped } from './text/text.js';
 
 const engine = (name: string): string => fileURLToPath(new URL(`./engine/${name}`, import.meta.url));
 
@@ -23,18 +24,28 @@ async function maker(): Promise<(name: string) => string> {
   const { start, shapeLine, qrModules } = (await import(script)) as Tools;
   await start(() => readFile(engine('harfbuzz.wasm')));
 
-  const fontOf = (name: string): Uint8Array => {
+  const fonts = new Map<string, FontFile>();
+  const fontOf = (name: string): FontFile => {
+    let font = fonts.get(name);
+    if (font !== undefined) return font;
     const file = fontFiles.get(name);
     try {
-      return readFileSync(file === undefined ? name : engine(file));
+      font = { name, bytes: readFileSync(file === undefined ? name : engine(file)) };
     } catch {
-      return new Uint8Array(); // no font, as the program then says
+      font = { name, bytes: new Uint8Array() }; // no font, as the program then says
     }
+    fonts.set(name, font);
+    return font;
+  };
+  const shaped = (font: string, line: string): Shaped => {
+    const own = shapeLine(line, fontOf(font));
+    const others = [...fontFiles.keys()].filter((name) => name !== font);
+    return own.lacks === true ? shapeLine(line, fontOf(font), others.map(fontOf)) : own;
   };
   /** @param name  as core/src/text asks for it */
   return (name) => {
     const [, kind, key = '', text = ''] = /^(line|qr):([^\n]*)\n([^]*)$/.exec(name) ?? [];
-    if (kind === 'line') return JSON.stringify(shapeLine(fontOf(key), text));
+    if (kind === 'line') return JSON.stringify(shaped(key, text));
     const code = qrModules(text, key as Parameters<typeof qrModules>[1]);
     return code === undefined
       ? ''

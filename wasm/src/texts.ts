@@ -3,6 +3,7 @@ import { SillonError, messageOf } from './errors.js';
 import { fontFiles } from './fonts.js';
 import type { Platform } from './platform.js';
 import type { EngineFiles, Files } from './protocol.js';
+import type { FontFile } from './text/text.js';
 
 type Tools = typeof import('./text/text.js');
 
@@ -39,9 +40,11 @@ const drawingName = /^shape\.file$|^layers\[\d+\]\.(?:file|maskFile)$/;
 export class Texts {
   readonly #platform: Platform;
   readonly #files: EngineFiles;
-  #tools: Promise<Tools> | undefined;
   readonly #linesOf: (file: Uint8Array) => Promise<string[]>;
+  /** Of the engine's fonts by address, and of others by Blob, which cannot change, or by the entry of one call: HarfBuzz opens
+   * the same bytes once. */
   readonly #fonts = new Map<string, Promise<Uint8Array>>();
+  readonly #ownFonts = new WeakMap<object, Promise<Uint8Array>>();
 
   /** @param linesOf  names of the lines that a drawing asks for */
   constructor(platform: Platform, files: EngineFiles, linesOf: (file: Uint8Array) => Promise<string[]>) {
@@ -88,16 +91,29 @@ export class Texts {
 
   async #addCode(files: Files, text: string, correction: unknown): Promise<void> {
     if (correction !== 'low' && correction !== 'medium' && correction !== 'quartile' && correction !== 'high') return;
-    const { qrModules } = await this.#started();
+    const { qrModules } = await this.#start();
     const value = qrModules(text, correction) ?? new Uint8Array(1); // bytes are no picture: the engine says that it is too long
     files[`qr:${correction}\n${text}`] = { number: 0, value };
   }
 
   async #addLine(files: Files, font: string, line: string): Promise<void> {
-    const { shapeLine } = await this.#started();
+    const name = `line:${font}\n${line}`;
+    if (name in files) return;
     const bytes = await this.#fontOf(files, font);
-    const shaped = JSON.stringify(bytes === undefined ? { unknownFont: true } : shapeLine(bytes, line));
-    files[`line:${font}\n${line}`] = { number: 0, value: new TextEncoder().encode(shaped) };
+    const shaped = JSON.stringify(
+      bytes === undefined ? { unknownFont: true } : await this.#shaped({ name: font, bytes }, line),
+    );
+    files[name] = { number: 0, value: new TextEncoder().encode(shaped) };
+  }
+
+  /** Fonts that come with the engine are fetched where the line's own lacks a letter. */
+  async #shaped(own: FontFile, line: string): Promise<object> {
+    const { shapeLine } = await this.#start();
+    const shaped = shapeLine(line, own);
+    if (shaped.lacks !== true) return shaped;
+    const names = [...fontFiles.keys()].filter((name) => name !== own.name);
+    const others = names.map(async (name) => ({ name, bytes: (await this.#fontOf({}, name)) ?? new Uint8Array() }));
+    return shapeLine(line, own, await Promise.all(others));
   }
 
   async #fontOf(files: Files, font: string): Promise<Uint8Array | undefined> {
@@ -108,9 +124,19 @@ export class Texts {
       bytes.catch(() => this.#fonts.delete(font)); // the next call tries again
       return bytes;
     }
-    const given = files[font]?.value;
-    if (given instanceof Blob) return new Uint8Array(await given.arrayBuffer());
-    return given instanceof Uint8Array ? given : undefined;
+    const given = files[font];
+    const value = given?.value;
+    if (given === undefined || !(value instanceof Blob || value instanceof Uint8Array)) return undefined;
+    const key = value instanceof Blob ? value : given;
+    let bytes = this.#ownFonts.get(key);
+    if (bytes === undefined) {
+      bytes =
+        value instanceof Blob
+          ? value.arrayBuffer().then((all) => new Uint8Array(all))
+          : Promise.resolve(value.subarray());
+      this.#ownFonts.set(key, bytes);
+    }
+    return bytes;
   }
 
   async #start(): Promise<Tools> {
@@ -123,11 +149,5 @@ export class Texts {
       if (problem instanceof SillonError) throw problem;
       throw new SillonError('LoadFailed', `${script} could not be started: ${messageOf(problem)}`);
     }
-  }
-
-  #started(): Promise<Tools> {
-    this.#tools ??= this.#start();
-    this.#tools.catch(() => (this.#tools = undefined)); // the next call tries again
-    return this.#tools;
   }
 }

@@ -53,7 +53,7 @@ test('boxes of layers are told without a plate', async () => {
 test('a layer that cannot be drawn keeps no other from its box, and the spacing tells what is thin', async () => {
   const text = { kind: 'text', text: 'HH', textSize: 4 };
   const [broken, whole] = await place({ ...text, text: '字', at: [9, 8], size: [7, 6] }, text);
-  assert.match(broken.problem, /^layers\[0\]: the font "Nunito" has no letter/);
+  assert.match(broken.problem, /^layers\[0\]: no font has a letter for "字" \(U\+5B57\)/);
   assert.deepEqual(
     [broken.at, broken.size],
     [
@@ -86,6 +86,25 @@ test('lines that run both ways are those of the native program', async () => {
     const layer = { kind: 'text', font: 'Fredoka', text, textSize: 7, fill: 'across' };
     assert.equal(await digest(layer), native(layer).digest, text);
   }
+});
+
+test('a layer with a letter that no font has is left out alone, as in the native program', async () => {
+  const plain = { kind: 'direction', angle: 30, size: [20, 20] };
+  const told = async (layer) => {
+    const { report } = await make(plain, layer);
+    const expected = native(plain, layer);
+    assert.equal(report.digest, expected.digest);
+    const ofLetters = ({ warnings }) => warnings.filter(({ code }) => /^Layer(Le|Only)/.test(code));
+    assert.deepEqual(ofLetters(report), ofLetters(expected));
+    return ofLetters(report).map(({ message }) => message);
+  };
+  const text = { kind: 'text', text: 'Anna 漢', textSize: 7, fill: 'across' };
+  assert.deepEqual(await told(text), ['layer 2 is left out: no font has a letter for "漢" (U+6F22)']);
+  assert.equal(await digest(plain, text), await digest(plain));
+  const lent = await told({ ...text, text: 'Anna אΕ 12' });
+  assert.match(lent.join(), /the letters "א" \(U\+05D0\) of layer 2 come from Fredoka: .*"Ε" \(U\+0395\).*Roboto Slab/);
+  assert.deepEqual(await told({ ...text, visible: false }), []);
+  assert.equal(await digest(plain, { kind: 'drawing', visible: false }), await digest(plain));
 });
 
 test('the report tells how alike the pictures of layers are', async () => {
@@ -141,7 +160,6 @@ test('drawings come as text or as bytes', async () => {
 test('what cannot be drawn is refused with the number of its layer', async () => {
   const text = { kind: 'text', text: 'A' };
   const cases = [
-    [[{ ...text, text: '字' }], /^layers\[0\]: the font "Nunito" has no letter for "字" \(U\+5B57\)/],
     [[text, { ...text, text: '' }], /^layers\[1\]\.text is empty/],
     [[{ ...text, font: new Uint8Array([1, 2, 3]) }], /is no font; it must be a TrueType or OpenType file/],
     [

@@ -22,6 +22,9 @@ constexpr Sentence kReasons[] = {
     {reason::kOffsetTooDeep,
      "an offset of {offset} mm leaves nothing of the shape, whose deepest place is {depth} mm from the outline; use an "
      "offset that is nearer to 0"},
+    {reason::kMissingLetter, "no font has a letter for {letter}; take a font that has it, or leave it out"},
+    {reason::kPictureLetter,
+     "the font {font} has {letter} only as a picture; take a font that has its outline, or leave it out"},
     {reason::kRimBelow,
      "print.rim is {rim}, but oriented layers lie on the bed; print.showSide must be up for a rim, or print.rim 0"},
 };

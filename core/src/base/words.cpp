@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace sillon {
 namespace {
@@ -32,6 +33,23 @@ std::string plain(std::string_view text) {
   return out;
 }
 
+/// The character that a text in UTF-8 begins with.
+std::uint32_t codeOf(std::string_view letter) {
+  const auto at = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(letter[k])); };
+  std::uint32_t code = letter.empty() ? 0 : letter.size() == 1 ? at(0) : at(0) & (0x7Fu >> letter.size());
+  for (std::size_t k = 1; k < letter.size(); ++k) code = code << 6 | (at(k) & 0x3F);
+  return code;
+}
+
+std::string hexOf(std::uint32_t code) {
+  std::string text;
+  for (int shift = 20; shift >= 0; shift -= 4) {
+    const std::uint32_t digit = code >> shift & 15;
+    if (digit != 0 || !text.empty() || shift < 16) text += "0123456789ABCDEF"[digit];
+  }
+  return "U+" + text;
+}
+
 }  // namespace
 
 std::string inQuotes(std::string_view text) {
@@ -49,6 +67,8 @@ std::string inQuotes(std::string_view text) {
   }
   return out + "\"";
 }
+
+std::string letterWithCode(std::string_view letter) { return inQuotes(letter) + " (" + hexOf(codeOf(letter)) + ")"; }
 
 std::vector<std::string> nearNames(std::string_view word, const std::vector<std::string>& known) {
   constexpr std::size_t kMost = 3;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/exact_math.hpp"
@@ -41,7 +42,11 @@ Result<ReadLayer> readLayer(const Layer& layer, const Shape& shape, const ReadIn
 
 /// \param spacing  of the beads that letters may be too thin for; 0: that is known.
 PlacedLayer placedLayer(LayerKind kind, const ReadLayer& layer, double spacing) {
-  PlacedLayer placed{layer.place.middle(), layer.place.size(), 0, {}};
+  PlacedLayer placed{layer.place.middle(), layer.place.size(), 0, {}, {}};
+  for (const std::optional<Shape>* drawn : {&layer.content.shape, &layer.content.mask}) {
+    if (*drawn)
+      placed.lacked.insert(placed.lacked.end(), (*drawn)->drawing.lacked.begin(), (*drawn)->drawing.lacked.end());
+  }
   if (spacing > 0 && (kind == LayerKind::Text || kind == LayerKind::Drawing)) {
     Shape shape = *layer.content.shape;
     const Vec2 scale{placed.size.x / shape.page.x, placed.size.y / shape.page.y};
@@ -59,6 +64,16 @@ PlacedLayer placedLayer(LayerKind kind, const ReadLayer& layer, double spacing) 
     placed.drawings.back().severalColours = false;  // a mask shows none
   }
   return placed;
+}
+
+/// The box of a layer that is not made.
+PlacedLayer boxOf(const Layer& layer, const Shape& shape, std::optional<Error> problem = {}) {
+  return {layer.at.value_or(shape.page * 0.5), layer.size, 0, std::move(problem), {}};
+}
+
+bool lacksLetter(const Error& error) {
+  const std::string_view why = error.reason;
+  return why == reason::kMissingLetter || why == reason::kPictureLetter;
 }
 
 int texelsOn(double side, double spacing) {
@@ -112,10 +127,17 @@ Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const 
   const double spacing = project.toolpath.spacing;
   for (std::size_t k = 0; k < project.layers.size(); ++k) {
     const Layer& layer = project.layers[k];
+    if (!layer.visible) {
+      stack.placed.push_back(boxOf(layer, shape));
+      continue;
+    }
     const Result<ReadLayer> known = readLayer(layer, shape, read);
+    if (!known && lacksLetter(known.error())) {
+      stack.placed.push_back(boxOf(layer, shape, ofLayer(k, known.error())));
+      continue;
+    }
     if (!known) return ofLayer(k, known.error());
     stack.placed.push_back(placedLayer(layer.kind, known.value(), before == nullptr ? spacing : 0));
-    if (!layer.visible) continue;
     if (stack.width == 0) {
       stack.width = texelsOn(shape.page.x, spacing);
       stack.height = texelsOn(shape.page.y, spacing);
@@ -130,14 +152,28 @@ Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const 
   return stack;
 }
 
+std::vector<Warning> letterWarnings(const std::vector<PlacedLayer>& placed) {
+  std::vector<Warning> warnings;
+  for (std::size_t k = 0; k < placed.size(); ++k) {
+    const auto number = static_cast<double>(k + 1);
+    if (const auto& problem = placed[k].problem) {
+      const bool picture = std::string_view(problem->reason) == reason::kPictureLetter;
+      warnings.push_back({picture ? WarningCode::LayerOnlyPicture : WarningCode::LayerLeftOut,
+                          {{"layer", number}, {"letter", problem->values.back().text}}});
+    }
+    std::vector<Warning> more = letterWarnings(placed[k].lacked, k + 1);
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  }
+  return warnings;
+}
+
 std::vector<PlacedLayer> placeLayers(const Project& project, const Shape& shape, const ReadInput& read) {
   std::vector<PlacedLayer> placed;
   for (std::size_t k = 0; k < project.layers.size(); ++k) {
     const Layer& layer = project.layers[k];
     const Result<ReadLayer> known = readLayer(layer, shape, read);
-    placed.push_back(known
-                         ? placedLayer(layer.kind, known.value(), project.toolpath.spacing)
-                         : PlacedLayer{layer.at.value_or(shape.page * 0.5), layer.size, 0, ofLayer(k, known.error())});
+    placed.push_back(known ? placedLayer(layer.kind, known.value(), project.toolpath.spacing)
+                           : boxOf(layer, shape, ofLayer(k, known.error())));
   }
   return placed;
 }

@@ -238,6 +238,8 @@ std::vector<Warning> Plate::warnings() const {
     const std::vector<Warning> more = drawingWarnings(drawing, layer);
     all.insert(all.end(), more.begin(), more.end());
   });
+  const std::vector<Warning> ofLetters = letterWarnings(layers);
+  all.insert(all.end(), ofLetters.begin(), ofLetters.end());
   for (std::size_t k = 0; k < layers.size(); ++k) {
     if (!project.layers[k].visible || layers[k].thin < kMuchThin) continue;
     all.push_back({WarningCode::ThinLetters,

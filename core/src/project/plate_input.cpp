@@ -1,10 +1,12 @@
 #include "sillon/project/project.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "geometry/parts.hpp"
 #include "input/map_defect.hpp"
@@ -16,6 +18,7 @@
 #include "sillon/input/image_io.hpp"
 #include "sillon/settings/table.hpp"
 #include "sillon/text/text.hpp"
+#include "text/letters.hpp"
 
 namespace sillon {
 namespace {
@@ -40,6 +43,12 @@ Result<Image> picture(InputFile file, const std::string& name) {
   return decodeImage(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), name);
 }
 
+/// Why a drawing could not be read: it may be empty since no font has its letters.
+Error withoutLetters(const Error& error, const std::vector<LackedLetter>& lacked) {
+  const auto lost = std::find_if(lacked.begin(), lacked.end(), [](const auto& one) { return one.font.empty(); });
+  return error.code == ErrorCode::EmptyShape && lost != lacked.end() ? missingLetter("", *lost) : error;
+}
+
 struct DrawingOptions {
   SvgOptions svg;
   double maskWidth = kDefaultWidth;  // [mm]
@@ -53,10 +62,17 @@ Result<Shape> drawingFrom(const ReadInput& read, const std::string& name, const 
   if (text != nullptr && looksLikeSvg(*text, name)) {
     SvgOptions svg = options.svg;
     svg.letters.choose = fontOfDrawing;
-    svg.letters.shape = [&read](const DrawingFont& font, const std::string& line) {
-      return shapeLineOfDrawing(read, font, line);
+    std::vector<LackedLetter> lacked;
+    svg.letters.shape = [&](const DrawingFont& font, const std::string& line) {
+      Result<ShapedLine> shaped = shapeLineOfDrawing(read, font, line);
+      if (shaped) {
+        for (const LackedLetter& letter : shaped.value().lacked) addLacked(lacked, letter);
+      }
+      return shaped;
     };
-    return readSvg(*text, svg);
+    Result<Shape> shape = readSvg(*text, svg);
+    if (shape) shape.value().drawing.lacked = std::move(lacked);
+    return shape ? std::move(shape) : withoutLetters(shape.error(), lacked);
   }
   const Result<Image> mask = picture(std::move(file).value(), name);
   if (!mask) return mask.error();

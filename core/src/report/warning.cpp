@@ -9,6 +9,7 @@
 #include "base/sentence.hpp"
 #include "base/sort_key.hpp"
 #include "report/told_json.hpp"
+#include "sillon/base/words.hpp"
 
 namespace sillon {
 namespace {
@@ -25,6 +26,7 @@ constexpr Sentence kSentences[] = {
     {"DrawingFaint",
      "{area} mm2 of the drawing are painted at half opacity or less and printed like the rest; a variant of one tone "
      "shows its lines"},
+    {"DrawingLettersLost", "the letters {letters} of the drawing are left out: no font has them"},
     {"DrawingOffPage", "{area} mm2 of the drawing lie off its page and are cut off"},
     {"DrawingUnpainted", "nothing in the drawing is painted, so its outlines are the shape"},
     {"DrawingUnread",
@@ -34,6 +36,11 @@ constexpr Sentence kSentences[] = {
     {"EndLine", "line {line} of the end G-code: {what}", "rule"},
     {"FillRatio", "the plastic fills {percent} % of the shape's area; 97 to 105 % print well"},
     {"FlatBeads", "at {n} points beads are no wider than the layer is high ({height} mm)"},
+    {"LayerLeftOut", "layer {layer} is left out: no font has a letter for {letter}"},
+    {"LayerLettersLent", "the letters {letters} of layer {layer} come from {font}: its own font lacks them"},
+    {"LayerLettersLost", "the letters {letters} of layer {layer} are left out: no font has them"},
+    {"LayerOnlyPicture", "layer {layer} is left out: its font has {letter} only as a picture"},
+    {"LettersLent", "the letters {letters} come from {font}: the font of the text lacks them"},
     {"ManyBytes", "the file has {mb} MB; printers get slow above 100"},
     {"ManyMoves", "the file has {n} moves; printers get slow above 2 million"},
     {"MaxFlowSlows", "printer.maxFlow slows {percent} % of the path"},
@@ -139,8 +146,32 @@ const char* warningName(WarningCode code) { return sentence(code).code; }
 
 std::span<const Sentence> warningSentences() { return kSentences; }
 
-std::vector<Warning> drawingWarnings(const DrawingFacts& drawing) {
+std::vector<Warning> letterWarnings(const std::vector<LackedLetter>& lacked, std::size_t layer) {
+  std::vector<std::pair<std::string, std::string>> byFont;  // and their letters
+  for (const LackedLetter& one : lacked) {
+    const auto same = [&](const auto& other) { return other.first == one.font; };
+    const auto known = std::find_if(byFont.begin(), byFont.end(), same);
+    const std::string letter = letterWithCode(one.letter);
+    if (known == byFont.end()) {
+      byFont.emplace_back(one.font, letter);
+    } else {
+      known->second += ", " + letter;
+    }
+  }
   std::vector<Warning> warnings;
+  for (const auto& [font, letters] : byFont) {
+    std::vector<NamedValue> values{{"letters", letters}};
+    if (!font.empty()) values.emplace_back("font", font);
+    if (layer > 0) values.emplace_back("layer", static_cast<double>(layer));
+    const WarningCode lost = layer > 0 ? WarningCode::LayerLettersLost : WarningCode::DrawingLettersLost;
+    const WarningCode lent = layer > 0 ? WarningCode::LayerLettersLent : WarningCode::LettersLent;
+    warnings.push_back({font.empty() ? lost : lent, std::move(values)});
+  }
+  return warnings;
+}
+
+std::vector<Warning> drawingWarnings(const DrawingFacts& drawing) {
+  std::vector<Warning> warnings = letterWarnings(drawing.lacked, 0);
   if (drawing.faintMm2 > 0) warnings.push_back({WarningCode::DrawingFaint, {{"area", drawing.faintMm2}}});
   // Edges that only graze the page's are no loss.
   if (drawing.offPage >= 0.01) {

@@ -191,7 +191,8 @@ Wrong wrongPrinter(const Printer& printer) {
   return std::nullopt;
 }
 
-Wrong wrongLayer(const Layer& layer) {
+/// What a layer lacks that is to be drawn.
+Wrong lackingLayer(const Layer& layer) {
   const LayerKind kind = layer.kind;
   const bool echo = kind == LayerKind::Pattern && layer.pattern == LayerPattern::Echo;
   const bool needsFile = kind == LayerKind::Map || kind == LayerKind::Picture || kind == LayerKind::Drawing;
@@ -204,6 +205,11 @@ Wrong wrongLayer(const Layer& layer) {
   }
   const bool masked = layer.mask == LayerMask::Inside || layer.mask == LayerMask::Outside;
   if (masked && layer.maskFile.empty()) return wrong("layers.maskFile is empty; it must name a drawing");
+  return std::nullopt;
+}
+
+Wrong wrongLayer(const Layer& layer) {
+  if (Wrong found = layer.visible ? lackingLayer(layer) : std::nullopt) return found;
   if (!(layer.cropMin.x < layer.cropMax.x && layer.cropMin.y < layer.cropMax.y)) {
     return wrong("layers.cropMax is " + pairText(layer.cropMax) + "; it must be right of and above cropMin " +
                  pairText(layer.cropMin));

@@ -1,33 +1,14 @@
 #include "text/letters.hpp"
 
-#include <cstdint>
+#include <algorithm>
 #include <string_view>
 
+#include "base/refused.hpp"
 #include "sillon/base/words.hpp"
 #include "sillon/text/text.hpp"
 #include "text/font_names.hpp"
 
 namespace sillon {
-namespace {
-
-/// The character that a text in UTF-8 begins with.
-std::uint32_t codeOf(std::string_view letter) {
-  const auto at = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(letter[k])); };
-  std::uint32_t code = letter.empty() ? 0 : letter.size() == 1 ? at(0) : at(0) & (0x7Fu >> letter.size());
-  for (std::size_t k = 1; k < letter.size(); ++k) code = code << 6 | (at(k) & 0x3F);
-  return code;
-}
-
-std::string hexOf(std::uint32_t code) {
-  std::string text;
-  for (int shift = 20; shift >= 0; shift -= 4) {
-    const std::uint32_t digit = code >> shift & 15;
-    if (digit != 0 || !text.empty() || shift < 16) text += "0123456789ABCDEF"[digit];
-  }
-  return "U+" + text;
-}
-
-}  // namespace
 
 std::span<const std::string_view> builtinFonts() { return kFontNames; }
 
@@ -49,9 +30,19 @@ Error tooDetailed(const std::string& font, std::size_t most) {
                                    " MiB of curves; take another font"};
 }
 
-Error missingLetter(const std::string& font, const std::string& letter) {
-  return {ErrorCode::InvalidArgument, "the font " + inQuotes(font) + " has no letter for " + inQuotes(letter) + " (" +
-                                          hexOf(codeOf(letter)) + "); take a font that has it, or leave it out"};
+Error missingLetter(const std::string& font, const LackedLetter& lacked) {
+  const NamedValue letter("letter", letterWithCode(lacked.letter));
+  return lacked.picture
+             ? refused(ErrorCode::InvalidArgument, reason::kPictureLetter, {{"font", inQuotes(font)}, letter})
+             : refused(ErrorCode::InvalidArgument, reason::kMissingLetter, {letter});
+}
+
+void addLacked(std::vector<LackedLetter>& all, const LackedLetter& one) {
+  const auto alike = [&](const LackedLetter& other) { return other.font.empty() == one.font.empty(); };
+  const auto same = [&](const LackedLetter& other) { return other.letter == one.letter && other.font == one.font; };
+  if (std::count_if(all.begin(), all.end(), alike) < kMostLackedTold && std::none_of(all.begin(), all.end(), same)) {
+    all.push_back(one);
+  }
 }
 
 }  // namespace sillon

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "sillon/base/result.hpp"
+#include "sillon/geometry/shape.hpp"
 
 namespace sillon {
 
@@ -12,6 +14,8 @@ namespace sillon {
 inline constexpr double kUsualCapHeight = 0.7;
 /// The most path data of one line's outlines [bytes]; a hostile font could make any letter a million curves.
 inline constexpr std::size_t kMostPathBytes = std::size_t{4} << 20;
+/// The most letters of a kind that ShapedLine::lacked tells.
+inline constexpr int kMostLackedTold = 8;
 /// The most path data of all letters of a text, which may repeat few outlines [bytes].
 inline constexpr std::size_t kMostDrawnBytes = std::size_t{16} << 20;
 
@@ -22,7 +26,9 @@ std::string nameOfLine(const std::string& font, const std::string& line);
 Error noFont(const std::string& font);
 /// \param most  bytes of path data.
 Error tooDetailed(const std::string& font, std::size_t most = kMostPathBytes);
-/// \param letter  that the font lacks, in UTF-8.
-Error missingLetter(const std::string& font, const std::string& letter);
+/// \param lacked  that no font has.
+Error missingLetter(const std::string& font, const LackedLetter& lacked);
+/// Adds a letter to those that are told, of which ShapedLine says how many there may be.
+void addLacked(std::vector<LackedLetter>& all, const LackedLetter& one);
 
 }  // namespace sillon

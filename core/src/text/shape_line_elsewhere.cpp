@@ -18,7 +18,6 @@ Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, con
   if (!json.is_object() || json.contains("noFont")) return noFont(font);
   if (json.contains("unknownFont")) return unknownFont(font);
   if (json.contains("tooDetailed")) return tooDetailed(font);
-  if (json.contains("missing")) return missingLetter(font, json["missing"].get<std::string>());
   ShapedLine shaped;
   shaped.em = json["em"].get<double>();
   shaped.capHeight = json["capHeight"].get<double>();
@@ -28,6 +27,9 @@ Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, con
   for (const Json& letter : json["letters"]) {
     shaped.letters.push_back(
         {letter[0].get<std::size_t>(), {letter[1].get<double>(), letter[2].get<double>()}, letter[3].get<double>()});
+  }
+  for (const Json& letter : json["lacked"]) {
+    shaped.lacked.push_back({letter[0].get<std::string>(), letter[1].get<std::string>(), letter[2].get<bool>()});
   }
   for (const Json& outline : json["outlines"]) shaped.outlines.push_back(outline.get<std::string>());
   return shaped;

@@ -1,16 +1,20 @@
-// Shapes lines by HarfBuzz. Engines in browsers have shape_line_elsewhere.cpp instead.
+// Shapes lines by HarfBuzz. Engines in browsers have shape_line_elsewhere.cpp instead: wasm/src/text/text.ts does the
+// same.
 #include <hb-ot.h>
 #include <hb.h>
 #include <unicode/ustring.h>
 #include <unicode/utf16.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/json.hpp"
 #include "sillon/base/words.hpp"
@@ -35,42 +39,48 @@ using Font = Owned<hb_font_t, hb_font_destroy>;
 using Buffer = Owned<hb_buffer_t, hb_buffer_destroy>;
 using DrawFuncs = Owned<hb_draw_funcs_t, hb_draw_funcs_destroy>;
 
-std::string& pathOf(void* data) { return *static_cast<std::string*>(data); }
+/// Path data that is being written.
+struct Pen {
+  std::string path;
+  double scale = 1;
+};
 
-void addNumbers(std::string& path, char command, std::initializer_list<float> numbers) {
-  path += command;
-  for (const float number : numbers) (path += jsonNumber(static_cast<double>(number))) += ' ';
+Pen& penOf(void* data) { return *static_cast<Pen*>(data); }
+
+void addNumbers(Pen& pen, char command, std::initializer_list<float> numbers) {
+  pen.path += command;
+  for (const float number : numbers) (pen.path += jsonNumber(static_cast<double>(number) * pen.scale)) += ' ';
 }
 
 DrawFuncs pathWriter() {
   DrawFuncs funcs(hb_draw_funcs_create());
   hb_draw_funcs_set_move_to_func(
       funcs.get(),
-      [](hb_draw_funcs_t*, void* path, hb_draw_state_t*, float x, float y, void*) {
-        addNumbers(pathOf(path), 'M', {x, y});
+      [](hb_draw_funcs_t*, void* pen, hb_draw_state_t*, float x, float y, void*) {
+        addNumbers(penOf(pen), 'M', {x, y});
       },
       nullptr, nullptr);
   hb_draw_funcs_set_line_to_func(
       funcs.get(),
-      [](hb_draw_funcs_t*, void* path, hb_draw_state_t*, float x, float y, void*) {
-        addNumbers(pathOf(path), 'L', {x, y});
+      [](hb_draw_funcs_t*, void* pen, hb_draw_state_t*, float x, float y, void*) {
+        addNumbers(penOf(pen), 'L', {x, y});
       },
       nullptr, nullptr);
   hb_draw_funcs_set_quadratic_to_func(
       funcs.get(),
-      [](hb_draw_funcs_t*, void* path, hb_draw_state_t*, float cx, float cy, float x, float y, void*) {
-        addNumbers(pathOf(path), 'Q', {cx, cy, x, y});
+      [](hb_draw_funcs_t*, void* pen, hb_draw_state_t*, float cx, float cy, float x, float y, void*) {
+        addNumbers(penOf(pen), 'Q', {cx, cy, x, y});
       },
       nullptr, nullptr);
   hb_draw_funcs_set_cubic_to_func(
       funcs.get(),
-      [](hb_draw_funcs_t*, void* path, hb_draw_state_t*, float ax, float ay, float bx, float by, float x, float y,
+      [](hb_draw_funcs_t*, void* pen, hb_draw_state_t*, float ax, float ay, float bx, float by, float x, float y,
          void*) {
-        addNumbers(pathOf(path), 'C', {ax, ay, bx, by, x, y});
+        addNumbers(penOf(pen), 'C', {ax, ay, bx, by, x, y});
       },
       nullptr, nullptr);
   hb_draw_funcs_set_close_path_func(
-      funcs.get(), [](hb_draw_funcs_t*, void* path, hb_draw_state_t*, void*) { pathOf(path) += 'Z'; }, nullptr,
+      funcs.get(), [](hb_draw_funcs_t*, void* pen, hb_draw_state_t*, void*) { penOf(pen).path += 'Z'; }, nullptr,
       nullptr);
   return funcs;
 }
@@ -90,16 +100,44 @@ std::u16string lettersOf(std::string_view line) {
   return letters;
 }
 
-/// The character that begins at a place, in UTF-8.
-std::string letterAt(std::u16string_view letters, std::size_t place) {
+UChar32 codeAt(std::u16string_view letters, std::size_t place) {
   UChar32 code = 0;
   U16_GET(letters.data(), 0, place, letters.size(), code);
+  return code;
+}
+
+std::string utf8Of(UChar32 code) {
   char bytes[4];
   std::int32_t length = 0;
-  const auto one = static_cast<UChar32>(code);
-  UBool failed = 0;
-  U8_APPEND(bytes, length, 4, one, failed);
+  U8_APPEND_UNSAFE(bytes, length, code);
   return {bytes, static_cast<std::size_t>(length)};
+}
+
+hb_unicode_general_category_t categoryOf(UChar32 code) {
+  return hb_unicode_general_category(hb_unicode_funcs_get_default(), static_cast<hb_codepoint_t>(code));
+}
+
+bool isSpace(UChar32 code) {
+  const hb_unicode_general_category_t category = categoryOf(code);
+  return category == HB_UNICODE_GENERAL_CATEGORY_SPACE_SEPARATOR;
+}
+
+/// Joiners, marks of direction, selectors of variants: they change letters, and fonts need not have them.
+bool isUnseen(UChar32 code) {
+  const bool selects = (code >= 0xFE00 && code <= 0xFE0F) || (code >= 0xE0100 && code <= 0xE01EF) ||
+                       (code >= 0x180B && code <= 0x180D) || code == 0x180F;
+  return selects || categoryOf(code) == HB_UNICODE_GENERAL_CATEGORY_FORMAT;
+}
+
+/// Tells whether a letter is drawn. Marks on letters may be none that are drawn, and some letters are blanks.
+bool hasInk(UChar32 code) {
+  const hb_unicode_general_category_t category = categoryOf(code);
+  const bool mark = category == HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK ||
+                    category == HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK ||
+                    category == HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK;
+  const bool blank =
+      code == 0x115F || code == 0x1160 || code == 0x2800 || code == 0x3164 || code == 0xFFA0 || code == 0x1D159;
+  return !isSpace(code) && !isUnseen(code) && !mark && !blank;
 }
 
 /// Height of H, since what fonts tell of it may be a third off.
@@ -121,6 +159,209 @@ void measure(hb_font_t* font, ShapedLine& shaped) {
   shaped.descent = -extents.descender;
 }
 
+/// A font whose bytes lie elsewhere.
+struct OpenFont {
+  std::string name;
+  Face face;
+  Font font;
+  double em = 0;
+  double capHeight = 0;
+  std::map<hb_codepoint_t, std::size_t> outlines;  ///< by glyph: index in ShapedLine::outlines
+};
+
+/// \return nothing for what is no font.
+std::optional<OpenFont> opened(const std::string& name, std::string_view bytes) {
+  const Blob blob(
+      hb_blob_create(bytes.data(), static_cast<unsigned>(bytes.size()), HB_MEMORY_MODE_READONLY, nullptr, nullptr));
+  OpenFont open;
+  open.name = name;
+  open.face.reset(hb_face_create(blob.get(), 0));
+  if (hb_face_get_glyph_count(open.face.get()) == 0) return std::nullopt;
+  open.font.reset(hb_font_create(open.face.get()));
+  open.em = hb_face_get_upem(open.face.get());
+  open.capHeight = capHeightOf(open.font.get(), open.em);
+  return open;
+}
+
+bool hasLetter(const OpenFont& font, UChar32 code) {
+  hb_codepoint_t glyph = 0;
+  return hb_font_get_nominal_glyph(font.font.get(), static_cast<hb_codepoint_t>(code), &glyph) != 0;
+}
+
+struct Glyph {
+  hb_codepoint_t id = 0;
+  std::size_t letter = 0;  ///< where the letters begin that it stands for
+  Vec2 offset;
+  double advance = 0;
+};
+
+/// Glyphs that stand for the same letters.
+struct Cluster {
+  std::size_t first = 0, last = 0;  ///< of the glyphs
+  std::size_t begin = 0, end = 0;   ///< of the letters
+};
+
+/// \param glyphs  of a run, from left to right.
+std::vector<Cluster> clustersOf(const std::vector<Glyph>& glyphs, const TextRun& run) {
+  std::vector<Cluster> clusters;
+  for (std::size_t k = 0; k < glyphs.size(); ++k) {
+    const std::size_t begin = glyphs[k].letter;
+    if (!clusters.empty() && clusters.back().begin == begin) {
+      clusters.back().last = k;
+      continue;
+    }
+    Cluster cluster{k, k, begin, run.end};
+    // The letters of a cluster end where those of the next one begin.
+    if (!clusters.empty()) (run.toLeft ? cluster : clusters.back()).end = run.toLeft ? clusters.back().begin : begin;
+    clusters.push_back(cluster);
+  }
+  return clusters;
+}
+
+/// Sets one line: in its font, and what that lacks in the first built-in one that has it.
+class LineSetter {
+ public:
+  LineSetter(const std::string& line, OpenFont own) : letters_(lettersOf(line)) {
+    shaped_.em = own.em;
+    shaped_.capHeight = own.capHeight;
+    measure(own.font.get(), shaped_);
+    fonts_.push_back(std::move(own));
+  }
+
+  Result<ShapedLine> set() {
+    for (const TextRun& run : textRuns(letters_)) {
+      if (!setRun(run, 0)) return tooDetailed(fonts_.front().name);
+    }
+    return std::move(shaped_);
+  }
+
+ private:
+  /// The font of a line, or a built-in one behind it; none: there are no more.
+  OpenFont* fontAt(std::size_t k) {
+    while (k >= fonts_.size() && next_ < builtinFonts().size()) {
+      const std::string name(builtinFonts()[next_++]);
+      if (name != fonts_.front().name) fonts_.push_back(*opened(name, *builtinFont(name)));
+    }
+    return k < fonts_.size() ? &fonts_[k] : nullptr;
+  }
+
+  std::vector<Glyph> shape(const OpenFont& font, const TextRun& run) {
+    hb_buffer_t* const buffer = buffer_.get();
+    hb_buffer_reset(buffer);
+    hb_buffer_add_utf16(buffer, reinterpret_cast<const std::uint16_t*>(letters_.data()),
+                        static_cast<int>(letters_.size()), static_cast<unsigned>(run.begin),
+                        static_cast<int>(run.end - run.begin));
+    hb_buffer_set_direction(buffer, run.toLeft ? HB_DIRECTION_RTL : HB_DIRECTION_LTR);
+    hb_buffer_set_language(buffer, hb_language_from_string("und", -1));  // not that of the system
+    hb_buffer_set_flags(buffer, HB_BUFFER_FLAG_REMOVE_DEFAULT_IGNORABLES);
+    hb_buffer_guess_segment_properties(buffer);
+    hb_shape(font.font.get(), buffer, nullptr, 0);
+    unsigned count = 0;
+    const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer, &count);
+    const hb_glyph_position_t* places = hb_buffer_get_glyph_positions(buffer, &count);
+    const double scale = scaleOf(font);
+    std::vector<Glyph> glyphs;
+    for (unsigned k = 0; k < count; ++k) {
+      glyphs.push_back({infos[k].codepoint, infos[k].cluster,
+                        Vec2{places[k].x_offset * scale, places[k].y_offset * scale}, places[k].x_advance * scale});
+    }
+    return glyphs;
+  }
+
+  /// Capitals of all fonts are as high as those of the first.
+  [[nodiscard]] double scaleOf(const OpenFont& font) const {
+    return &font == &fonts_.front() ? 1 : shaped_.capHeight / font.capHeight;
+  }
+
+  /// \param outline  index of its outline. \return false for more curves than there may be.
+  bool findOutline(OpenFont& font, hb_codepoint_t glyph, std::size_t& outline) {
+    const auto [known, fresh] = font.outlines.try_emplace(glyph, shaped_.outlines.size());
+    outline = known->second;
+    if (!fresh) return true;
+    Pen pen{{}, scaleOf(font)};
+#if HB_VERSION_ATLEAST(7, 0, 0)
+    hb_font_draw_glyph(font.font.get(), glyph, writer_.get(), &pen);
+#else
+    hb_font_get_glyph_shape(font.font.get(), glyph, writer_.get(), &pen);
+#endif
+    length_ += pen.path.size();
+    shaped_.outlines.push_back(std::move(pen.path));
+    return length_ <= kMostPathBytes;
+  }
+
+  /// \param k  the font to begin with. \return false for more curves than there may be.
+  bool setRun(const TextRun& run, std::size_t k) {
+    OpenFont& font = *fontAt(k);
+    const std::vector<Glyph> glyphs = shape(font, run);
+    const std::vector<Cluster> clusters = clustersOf(glyphs, run);
+    for (std::size_t c = 0; c < clusters.size();) {
+      TextRun lacking{run.end, run.begin, run.toLeft};
+      std::size_t next = c;
+      for (; next < clusters.size(); ++next) {
+        bool has = false;
+        if (!draws(font, glyphs, clusters[next], has)) return false;
+        if (has) break;
+        lacking.begin = std::min(lacking.begin, clusters[next].begin);
+        lacking.end = std::max(lacking.end, clusters[next].end);
+      }
+      if (next > c && fontAt(k + 1) != nullptr) {
+        if (!setRun(lacking, k + 1)) return false;
+        c = next;
+      }
+      for (; c < next; ++c) tell(clusters[c], "");
+      if (c == clusters.size()) break;
+      if (k > 0) tell(clusters[c], font.name);
+      for (std::size_t g = clusters[c].first; g <= clusters[c].last; ++g) {
+        shaped_.letters.push_back({font.outlines.at(glyphs[g].id), glyphs[g].offset, glyphs[g].advance});
+      }
+      ++c;
+    }
+    return true;
+  }
+
+  /// \param has  whether the font has these letters, with outlines where they need them.
+  /// \return false for more curves than there may be.
+  bool draws(OpenFont& font, const std::vector<Glyph>& glyphs, const Cluster& cluster, bool& has) {
+    bool ink = false;
+    for (std::size_t g = cluster.first; g <= cluster.last; ++g) {
+      if (glyphs[g].id == 0) return true;
+      std::size_t outline = 0;
+      if (!findOutline(font, glyphs[g].id, outline)) return false;
+      ink = ink || !shaped_.outlines[outline].empty();
+    }
+    has = ink || !find(cluster, hasInk);
+    return true;
+  }
+
+  /// The first letter of a cluster of which something holds.
+  template <class Holds>
+  std::optional<UChar32> find(const Cluster& cluster, const Holds& holds) const {
+    for (std::size_t at = cluster.begin; at < cluster.end;) {
+      const UChar32 code = codeAt(letters_, at);
+      if (holds(code)) return code;
+      at += static_cast<std::size_t>(U16_LENGTH(code));
+    }
+    return std::nullopt;
+  }
+
+  /// Tells of letters that come from another font, or from none. Spaces are not worth it.
+  void tell(const Cluster& cluster, const std::string& font) {
+    const OpenFont& own = fonts_.front();
+    const auto absent =
+        find(cluster, [&](UChar32 code) { return !isSpace(code) && !isUnseen(code) && !hasLetter(own, code); });
+    const auto letter = absent ? absent : find(cluster, hasInk);
+    if (letter) addLacked(shaped_.lacked, {utf8Of(*letter), font, !absent});
+  }
+
+  std::u16string letters_;
+  std::deque<OpenFont> fonts_;
+  std::size_t next_ = 0;  // of the built-in ones
+  Buffer buffer_{hb_buffer_create()};
+  DrawFuncs writer_ = pathWriter();
+  ShapedLine shaped_;
+  std::size_t length_ = 0;  // of all outlines [bytes]
+};
+
 }  // namespace
 
 Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, const std::string& line) {
@@ -134,54 +375,9 @@ Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, con
     file = std::move(*content);
     bytes = file;
   }
-  const Blob blob(
-      hb_blob_create(bytes->data(), static_cast<unsigned>(bytes->size()), HB_MEMORY_MODE_READONLY, nullptr, nullptr));
-  const Face face(hb_face_create(blob.get(), 0));
-  if (hb_face_get_glyph_count(face.get()) == 0) return noFont(font);
-  const Font shaper(hb_font_create(face.get()));
-
-  ShapedLine shaped;
-  shaped.em = hb_face_get_upem(face.get());
-  shaped.capHeight = capHeightOf(shaper.get(), shaped.em);
-  measure(shaper.get(), shaped);
-
-  const std::u16string letters = lettersOf(line);
-  const Buffer buffer(hb_buffer_create());
-  const DrawFuncs writer = pathWriter();
-  std::map<hb_codepoint_t, std::size_t> known;
-  std::size_t length = 0;
-  for (const TextRun& run : textRuns(letters)) {
-    hb_buffer_reset(buffer.get());
-    hb_buffer_add_utf16(buffer.get(), reinterpret_cast<const std::uint16_t*>(letters.data()),
-                        static_cast<int>(letters.size()), static_cast<unsigned>(run.begin),
-                        static_cast<int>(run.end - run.begin));
-    hb_buffer_set_direction(buffer.get(), run.toLeft ? HB_DIRECTION_RTL : HB_DIRECTION_LTR);
-    hb_buffer_set_language(buffer.get(), hb_language_from_string("und", -1));  // not that of the system
-    hb_buffer_guess_segment_properties(buffer.get());
-    hb_shape(shaper.get(), buffer.get(), nullptr, 0);
-    unsigned count = 0;
-    const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer.get(), &count);
-    const hb_glyph_position_t* places = hb_buffer_get_glyph_positions(buffer.get(), &count);
-    for (unsigned k = 0; k < count; ++k) {
-      if (infos[k].codepoint == 0) return missingLetter(font, letterAt(letters, infos[k].cluster));
-      const auto [outline, fresh] = known.try_emplace(infos[k].codepoint, shaped.outlines.size());
-      if (fresh) {
-        std::string path;
-#if HB_VERSION_ATLEAST(7, 0, 0)
-        hb_font_draw_glyph(shaper.get(), infos[k].codepoint, writer.get(), &path);
-#else
-        hb_font_get_glyph_shape(shaper.get(), infos[k].codepoint, writer.get(), &path);
-#endif
-        length += path.size();
-        if (length > kMostPathBytes) return tooDetailed(font);
-        shaped.outlines.push_back(std::move(path));
-      }
-      shaped.letters.push_back({outline->second,
-                                {static_cast<double>(places[k].x_offset), static_cast<double>(places[k].y_offset)},
-                                static_cast<double>(places[k].x_advance)});
-    }
-  }
-  return shaped;
+  std::optional<OpenFont> own = opened(font, *bytes);
+  if (!own) return noFont(font);
+  return LineSetter(line, std::move(*own)).set();
 }
 
 }  // namespace sillon

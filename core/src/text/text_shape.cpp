@@ -121,21 +121,8 @@ Shape moved(Shape shape, Vec2 corner, Vec2 page) {
   return shape;
 }
 
-}  // namespace
-
-Result<Shape> textShape(const Lettering& lettering, const ReadInput& read) {
-  std::vector<ShapedLine> lines;
-  std::size_t bytes = 0;
-  std::string_view rest = lettering.text;
-  while (!rest.empty()) {
-    const std::string line(nextLine(rest));
-    Result<ShapedLine> shaped = shapeLine(read, lettering.font, line);
-    if (!shaped) return shaped.error();
-    lines.push_back(std::move(shaped).value());
-    const ShapedLine& known = lines.back();
-    for (const ShapedLine::Letter& letter : known.letters) bytes += known.outlines[letter.outline].size();
-    if (bytes > kMostDrawnBytes) return tooDetailed(lettering.font, kMostDrawnBytes);
-  }
+/// The lines on a page as textShape has it.
+Result<Shape> laidOut(const std::vector<ShapedLine>& lines, const Lettering& lettering) {
   if (lettering.circle == 0) {
     Result<Shape> shape = shapeOf(straight(lines, lettering));
     if (!shape) return shape.error();
@@ -151,6 +138,31 @@ Result<Shape> textShape(const Lettering& lettering, const ReadInput& read) {
   const Bounds ink = bounds(shape.value());
   const double reach = std::max({ink.max.x - middle, middle - ink.min.x, ink.max.y - middle, middle - ink.min.y});
   return moved(std::move(shape).value(), {middle - reach, middle - reach}, {2 * reach, 2 * reach});
+}
+
+}  // namespace
+
+Result<Shape> textShape(const Lettering& lettering, const ReadInput& read) {
+  std::vector<ShapedLine> lines;
+  std::vector<LackedLetter> lacked;
+  std::size_t bytes = 0;
+  std::string_view rest = lettering.text;
+  while (!rest.empty()) {
+    const std::string line(nextLine(rest));
+    Result<ShapedLine> shaped = shapeLine(read, lettering.font, line);
+    if (!shaped) return shaped.error();
+    lines.push_back(std::move(shaped).value());
+    const ShapedLine& known = lines.back();
+    for (const LackedLetter& letter : known.lacked) {
+      if (letter.font.empty()) return missingLetter(lettering.font, letter);
+      addLacked(lacked, letter);
+    }
+    for (const ShapedLine::Letter& letter : known.letters) bytes += known.outlines[letter.outline].size();
+    if (bytes > kMostDrawnBytes) return tooDetailed(lettering.font, kMostDrawnBytes);
+  }
+  Result<Shape> shape = laidOut(lines, lettering);
+  if (shape) shape.value().drawing.lacked = std::move(lacked);
+  return shape;
 }
 
 }  // namespace sillon

@@ -2,7 +2,7 @@
 // (dist/engine/text.js), which only plates with texts or codes load.
 import * as hb from 'harfbuzzjs';
 import generator from 'nayuki-qr-code-generator';
-import { textRuns } from './text-runs.js';
+import { textRuns, type TextRun } from './text-runs.js';
 
 export { textRuns };
 
@@ -12,6 +12,7 @@ const { QrCode } = generator as unknown as typeof generator.default;
 /** The limits of core/src/text/letters.hpp. */
 const usualCapHeight = 0.7;
 const mostPathBytes = 4 * 2 ** 20;
+const mostTold = 8;
 
 let started: Promise<void> | undefined;
 
@@ -25,14 +26,19 @@ export async function start(wasm: () => Promise<Uint8Array>): Promise<void> {
   await started;
 }
 
+interface Pen {
+  path: string[];
+  scale: number;
+}
+
 function pathWriter(): hb.DrawFuncs {
   const funcs = new hb.DrawFuncs();
   const writer =
     (command: string) =>
     (...values: unknown[]): void => {
-      const path = values.at(-2) as string[];
+      const { path, scale } = values.at(-2) as Pen;
       const numbers = values.slice(0, -2) as number[];
-      path.push(command + numbers.map((number) => `${number} `).join(''));
+      path.push(command + numbers.map((number) => `${number * scale} `).join(''));
     };
   funcs.setMoveToFunc(writer('M'));
   funcs.setLineToFunc(writer('L'));
@@ -41,7 +47,6 @@ function pathWriter(): hb.DrawFuncs {
   funcs.setClosePathFunc(writer('Z'));
   return funcs;
 }
-let writer: hb.DrawFuncs | undefined;
 
 /** Height of H. */
 function capHeightOf(font: hb.Font, em: number): number {
@@ -56,48 +61,222 @@ function heightsOf(font: hb.Font) {
   return { xHeight: font.getMetricPosition(hb.MetricsTag.X_HEIGHT) ?? 0, ascent: ascender, descent: -descender };
 }
 
-/** The shaped line that core/src/text/shape_line_elsewhere.cpp reads. */
-export function shapeLine(file: Uint8Array, line: string): object {
+interface OpenFont {
+  font: hb.Font;
+  em: number;
+  capHeight: number;
+}
+
+function drawn({ font }: OpenFont, glyph: number, scale: number): string {
+  const pen: Pen = { path: [], scale };
+  font.drawGlyph(glyph, (held.writer ??= pathWriter()), pen);
+  return pen.path.join('');
+}
+
+/** What HarfBuzz holds. It is freed when JavaScript's collector comes to it: all lines share one buffer, and each file is opened once. */
+const held = { fonts: new WeakMap<Uint8Array, OpenFont | undefined>() } as {
+  fonts: WeakMap<Uint8Array, OpenFont | undefined>;
+  buffer?: hb.Buffer;
+  writer?: hb.DrawFuncs;
+};
+
+function opened(file: Uint8Array): OpenFont | undefined {
+  if (held.fonts.has(file)) return held.fonts.get(file);
   const face = new hb.Face(new hb.Blob(file));
   // No font has no glyphs; HarfBuzz makes an empty face of anything.
-  if (face.referenceTable('maxp') === undefined || face.referenceTable('cmap') === undefined) return { noFont: true };
+  const none = face.referenceTable('maxp') === undefined || face.referenceTable('cmap') === undefined;
   const font = new hb.Font(face);
-  const letters = line.replace(/[\p{Cc}\u2028\u2029]/gu, ' ');
-  const buffer = new hb.Buffer();
-  const known = new Map<number, number>();
-  const placed: number[][] = [];
-  const outlines: string[] = [];
-  let length = 0;
-  for (const { begin, end, toLeft } of textRuns(letters)) {
+  const capHeight = capHeightOf(font, face.upem);
+  const open = none ? undefined : { font, em: face.upem, capHeight };
+  held.fonts.set(file, open);
+  return open;
+}
+
+interface Glyph {
+  id: number;
+  letter: number;
+  offset: [number, number];
+  advance: number;
+}
+
+interface Cluster {
+  glyphs: Glyph[];
+  begin: number;
+  end: number;
+}
+
+/** @param glyphs  of a run, from left to right */
+function clustersOf(glyphs: Glyph[], run: TextRun): Cluster[] {
+  const clusters: Cluster[] = [];
+  for (const glyph of glyphs) {
+    const before = clusters.at(-1);
+    if (before?.begin === glyph.letter) {
+      before.glyphs.push(glyph);
+      continue;
+    }
+    // The letters of a cluster end where those of the next one begin.
+    const end = run.toLeft && before !== undefined ? before.begin : run.end;
+    if (!run.toLeft && before !== undefined) before.end = glyph.letter;
+    clusters.push({ glyphs: [glyph], begin: glyph.letter, end });
+  }
+  return clusters;
+}
+
+const unseen = /[\p{Zs}\p{Cf}\p{Variation_Selector}]/u;
+const inkless = /[\p{Zs}\p{Cf}\p{M}\u115F\u1160\u2800\u3164\uFFA0\u{1D159}]/u;
+
+/** Curves that are more than there may be. */
+class TooDetailed extends Error {}
+
+/** LineSetter of core/src/text/shape_line_here.cpp. */
+class LineSetter {
+  readonly letters: number[][] = [];
+  readonly outlines: string[] = [];
+  readonly lacked: [letter: string, font: string, picture: boolean][] = [];
+  lacks = false;
+  readonly #line: string;
+  readonly #fonts: { name: string; open: OpenFont; outlines: Map<number, number> }[];
+  #length = 0;
+
+  constructor(line: string, fonts: { name: string; open: OpenFont }[]) {
+    this.#line = line.replace(/[\p{Cc}\u2028\u2029]/gu, ' ');
+    this.#fonts = fonts.map((font) => ({ ...font, outlines: new Map() }));
+  }
+
+  set(): void {
+    for (const run of textRuns(this.#line)) this.#setRun(run, 0);
+  }
+
+  #shape(k: number, { begin, end, toLeft }: TextRun): Glyph[] {
+    const font = this.#fonts[k]?.open.font;
+    if (font === undefined) return [];
+    const buffer = (held.buffer ??= new hb.Buffer());
     buffer.reset();
     // The shaper looks at five letters on either side; the whole line would be copied for each run.
     const before = Math.max(0, begin - 10);
-    buffer.addText(letters.slice(before, end + 10), begin - before, end - begin);
+    buffer.addText(this.#line.slice(before, end + 10), begin - before, end - begin);
     buffer.setDirection(toLeft ? hb.Direction.RTL : hb.Direction.LTR);
     buffer.setLanguage('und');
+    buffer.setFlags(hb.BufferFlag.REMOVE_DEFAULT_IGNORABLES);
     buffer.guessSegmentProperties();
     hb.shape(font, buffer);
     const places = buffer.getGlyphPositions();
-    for (const [k, { codepoint: glyph, cluster }] of buffer.getGlyphInfos().entries()) {
-      if (glyph === 0) return { missing: String.fromCodePoint(letters.codePointAt(before + cluster) ?? 0) };
-      let outline = known.get(glyph);
-      if (outline === undefined) {
-        outline = outlines.length;
-        known.set(glyph, outline);
-        const path: string[] = [];
-        writer ??= pathWriter();
-        font.drawGlyph(glyph, writer, path);
-        outlines.push(path.join(''));
-        length += outlines[outline]?.length ?? 0;
-        if (length > mostPathBytes) return { tooDetailed: true };
+    const scale = this.#scaleOf(k);
+    return buffer.getGlyphInfos().map(({ codepoint, cluster }, g) => {
+      const { xOffset = 0, yOffset = 0, xAdvance = 0 } = places[g] ?? {};
+      return {
+        id: codepoint,
+        letter: before + cluster,
+        offset: [xOffset * scale, yOffset * scale],
+        advance: xAdvance * scale,
+      };
+    });
+  }
+
+  #scaleOf(k: number): number {
+    const [own, font] = [this.#fonts[0]?.open, this.#fonts[k]?.open];
+    return k === 0 || own === undefined || font === undefined ? 1 : own.capHeight / font.capHeight;
+  }
+
+  #outlineOf(k: number, glyph: number): number {
+    const font = this.#fonts[k];
+    const known = font?.outlines.get(glyph);
+    if (font === undefined || known !== undefined) return known ?? 0;
+    const path = drawn(font.open, glyph, this.#scaleOf(k));
+    font.outlines.set(glyph, this.outlines.length);
+    this.#length += path.length;
+    if (this.#length > mostPathBytes) throw new TooDetailed();
+    return this.outlines.push(path) - 1;
+  }
+
+  #setRun(run: TextRun, k: number): void {
+    const clusters = clustersOf(this.#shape(k, run), run);
+    for (let c = 0; c < clusters.length;) {
+      const lacking: TextRun = { begin: run.end, end: run.begin, toLeft: run.toLeft };
+      const from = c;
+      let drawn: Cluster | undefined;
+      for (; c < clusters.length; ++c) {
+        const cluster = clusters[c] as Cluster;
+        if (this.#draws(k, cluster)) {
+          drawn = cluster;
+          break;
+        }
+        lacking.begin = Math.min(lacking.begin, cluster.begin);
+        lacking.end = Math.max(lacking.end, cluster.end);
       }
-      const place = places[k];
-      placed.push([outline, place?.xOffset ?? 0, place?.yOffset ?? 0, place?.xAdvance ?? 0]);
+      const left = clusters.slice(from, c);
+      if (left.length > 0 && k + 1 < this.#fonts.length) {
+        this.#setRun(lacking, k + 1);
+      } else {
+        this.lacks ||= left.length > 0;
+        for (const cluster of left) this.#tell(cluster, '');
+      }
+      if (drawn === undefined) return;
+      if (k > 0) this.#tell(drawn, this.#fonts[k]?.name ?? '');
+      for (const { id, offset, advance } of drawn.glyphs) {
+        this.letters.push([this.#outlineOf(k, id), ...offset, advance]);
+      }
+      ++c;
     }
   }
-  return { em: face.upem, capHeight: capHeightOf(font, face.upem), ...heightsOf(font), letters: placed, outlines };
+
+  #draws(k: number, { glyphs, begin, end }: Cluster): boolean {
+    let ink = false;
+    for (const { id } of glyphs) {
+      if (id === 0) return false;
+      const outline = this.outlines[this.#outlineOf(k, id)];
+      ink ||= outline !== '';
+    }
+    return ink || Array.from(this.#line.slice(begin, end)).every((letter) => inkless.test(letter));
+  }
+
+  /** Tells of letters that come from another font, or from none. Spaces are not worth it. */
+  #tell({ begin, end }: Cluster, font: string): void {
+    const own = this.#fonts[0]?.open.font;
+    const letters = Array.from(this.#line.slice(begin, end));
+    const absent = letters.find(
+      (letter) => !unseen.test(letter) && (own?.nominalGlyph(letter.codePointAt(0) ?? 0) ?? 0) === 0,
+    );
+    const letter = absent ?? letters.find((letter) => !inkless.test(letter));
+    if (letter === undefined) return;
+    const same = this.lacked.filter(([, other]) => (other === '') === (font === ''));
+    if (same.length < mostTold && !same.some(([known, other]) => known === letter && other === font))
+      this.lacked.push([letter, font, absent === undefined]);
+  }
 }
 
+export interface FontFile {
+  name: string;
+  bytes: Uint8Array;
+}
+
+/** What core/src/text/shape_line_elsewhere.cpp reads, and more. */
+export interface Shaped {
+  /** Some letter, or a space, is in none of the fonts. */
+  lacks?: boolean;
+  [more: string]: unknown;
+}
+
+/** A shaped line.
+ * @param others  have letters that the line's own font lacks */
+export function shapeLine(line: string, own: FontFile, others: readonly FontFile[] = []): Shaped {
+  const fonts = [own, ...others].flatMap(({ name, bytes }) => {
+    const open = opened(bytes);
+    return open === undefined ? [] : [{ name, open }];
+  });
+  const first = fonts[0];
+  if (first?.name !== own.name) return { noFont: true };
+  const setter = new LineSetter(line, fonts);
+  try {
+    setter.set();
+  } catch (problem) {
+    if (problem instanceof TooDetailed) return { tooDetailed: true };
+    throw problem;
+  }
+  const { letters, outlines, lacked, lacks } = setter;
+  const { em, capHeight } = first.open;
+  return { em, capHeight, ...heightsOf(first.open.font), letters, outlines, lacked, lacks };
+}
 const levels = {
   low: QrCode.Ecc.LOW,
   medium: QrCode.Ecc.MEDIUM,

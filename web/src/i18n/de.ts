@@ -1259,6 +1259,13 @@ export const de: Translation = {
   'warning.BaseTooThin':
     'Eine Grundschicht deckt nur {percent} % der Form; wo es für ihre Linien zu eng ist, liegt nichts darunter.',
   'warning.UnusualFilament': '„Filamentdurchmesser“ ist {value} mm; zu kaufen gibt es 1,75 und 2,85.',
+  'warning.DrawingLettersLost': 'Die Buchstaben {letters} der Zeichnung fehlen: Keine Schrift hat sie.',
+  'warning.LayerLeftOut': 'Ebene {layer} fehlt: Keine Schrift hat ein Zeichen für {letter}.',
+  'warning.LayerLettersLent':
+    'Die Buchstaben {letters} der Ebene {layer} kommen aus {font}: In ihrer eigenen Schrift gibt es sie nicht.',
+  'warning.LayerLettersLost': 'Die Buchstaben {letters} der Ebene {layer} fehlen: Keine Schrift hat sie.',
+  'warning.LayerOnlyPicture': 'Ebene {layer} fehlt: Ihre Schrift hat {letter} nur als Bild.',
+  'warning.LettersLent': 'Die Buchstaben {letters} kommen aus {font}: In der Schrift des Textes gibt es sie nicht.',
   'warning.ThinLetters':
     '{percent} % der Ebene {layer} sind schmaler als zwei Bahnen und schwer zu lesen; größer, fetter oder mit kleinerem Abstand wird sie deutlicher.',
   'warning.ThinLayers': '„Schichthöhe“ ist {value} mm; unter 0,2 Düsendurchmessern reißen Schichten.',
@@ -1330,6 +1337,10 @@ export const de: Translation = {
     'Loch {n} bei {x}, {y} mm mit Ø {diameter} mm liegt außerhalb der Form, die von {left}, {bottom} bis {right}, {top} mm reicht; es muss auf die Form oder weg.',
   'reason.OffsetTooDeep':
     'Ein Versatz von {offset} mm lässt nichts von der Form übrig: Ihre tiefste Stelle ist {depth} mm vom Umriss entfernt. Einen Versatz näher an 0 wählen.',
+  'reason.MissingLetter':
+    'Keine Schrift hat ein Zeichen für {letter}; eine Schrift wählen, die es hat, oder es weglassen.',
+  'reason.PictureLetter':
+    'Die Schrift {font} hat {letter} nur als Bild; eine Schrift wählen, die den Umriss hat, oder es weglassen.',
   'reason.RimBelow':
     'Die Platte hat einen Rand von {rim} Schichten, aber Schimmerschichten liegen auf dem Druckbett; für einen Rand müssen sie oben sein.',
   'reason.PlateTooLarge': 'Die Platte ist zu groß für einen Abstand von {mm} mm.',

@@ -1272,6 +1272,13 @@ export const fr: Translation = {
   'warning.BaseTooThin':
     'Une couche de base ne couvre que {percent} % de la forme ; les endroits trop étroits pour ses lignes n’ont rien au-dessous.',
   'warning.UnusualFilament': '« Diamètre du filament » : {value} mm ; on en vend de 1,75 et de 2,85.',
+  'warning.DrawingLettersLost': 'Les lettres {letters} du dessin sont omises : aucune police ne les a.',
+  'warning.LayerLeftOut': 'Le calque {layer} est omis : aucune police n’a de lettre pour {letter}.',
+  'warning.LayerLettersLent':
+    'Les lettres {letters} du calque {layer} viennent de {font} : sa propre police ne les a pas.',
+  'warning.LayerLettersLost': 'Les lettres {letters} du calque {layer} sont omises : aucune police ne les a.',
+  'warning.LayerOnlyPicture': 'Le calque {layer} est omis : sa police n’a {letter} que comme image.',
+  'warning.LettersLent': 'Les lettres {letters} viennent de {font} : la police du texte ne les a pas.',
   'warning.ThinLetters':
     '{percent} % du calque {layer} sont plus étroits que deux cordons et difficiles à lire ; plus grand, plus gras ou avec un espacement plus petit, il sera plus net.',
   'warning.ThinLayers':
@@ -1346,6 +1353,9 @@ export const fr: Translation = {
     'Le trou {n} à {x}, {y} mm, de Ø {diameter} mm, est hors de la forme, qui va de {left}, {bottom} à {right}, {top} mm ; placez-le sur la forme ou supprimez-le.',
   'reason.OffsetTooDeep':
     'Un décalage de {offset} mm ne laisse rien de la forme, dont le point le plus profond est à {depth} mm du contour ; prenez un décalage plus proche de 0.',
+  'reason.MissingLetter': 'Aucune police n’a de lettre pour {letter} ; prenez une police qui l’a, ou omettez-la.',
+  'reason.PictureLetter':
+    'La police {font} n’a {letter} que comme image ; prenez une police qui en a le contour, ou omettez-la.',
   'reason.RimBelow':
     'La plaque a un rebord de {rim} couches, mais des couches chatoyantes sont sur le plateau ; pour un rebord, il les faut au-dessus.',
   'reason.PlateTooLarge': 'La plaque est trop grande pour un espacement de {mm} mm.',

@@ -104,6 +104,10 @@ inline constexpr char kNoBeadFits[] = "NoBeadFits";
 inline constexpr char kHoleOutside[] = "HoleOutside";
 /// An offset inwards that leaves nothing: `offset`, and `depth` of the shape's deepest place [mm].
 inline constexpr char kOffsetTooDeep[] = "OffsetTooDeep";
+/// A text or a drawing: `letter` that no font has.
+inline constexpr char kMissingLetter[] = "MissingLetter";
+/// A text: `letter` of which its `font` has a picture alone.
+inline constexpr char kPictureLetter[] = "PictureLetter";
 /// The oriented side lies on the bed: `rim` [layers], which would stand on it.
 inline constexpr char kRimBelow[] = "RimBelow";
 /// More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at

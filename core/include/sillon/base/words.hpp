@@ -10,6 +10,9 @@ namespace sillon {
 /// Text from a file, fit to be shown: in quotes, on one line, at most 60 bytes.
 std::string inQuotes(std::string_view text);
 
+/// A letter and its code, fit to be shown: "e" (U+0065).
+std::string letterWithCode(std::string_view letter);
+
 /// The nearest of the known names, at most three, the nearest first: those that contain the word,
 /// then those that a few letters more, fewer or other make of it.
 std::vector<std::string> nearNames(std::string_view word, const std::vector<std::string>& known);

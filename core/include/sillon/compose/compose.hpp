@@ -16,6 +16,7 @@
 #include "sillon/input/read_input.hpp"
 #include "sillon/look/inversion.hpp"
 #include "sillon/quality/metrics.hpp"
+#include "sillon/report/warning.hpp"
 #include "sillon/settings/project.hpp"
 
 namespace sillon {
@@ -29,6 +30,7 @@ struct PlacedLayer {
   std::optional<Error> problem;  ///< its content cannot be made; the box is what it asks for
   /// What was read of its letters or drawing, and of its mask
   std::vector<DrawingFacts> drawings = {};
+  std::vector<LackedLetter> lacked = {};  ///< of its text, as in ShapedLine
 };
 
 /// A picture under its lamp, as it is solved for in a window of the page.
@@ -60,7 +62,8 @@ struct LayerStack {
 };
 
 /// Reads the files of the layers, and rasters them in texels of a quarter of the bead spacing, at
-/// most 4096 on a side. \param shape  of the plate: a border lies along it, and pictures are solved
+/// most 4096 on a side. Hidden layers are not read; one with a letter that no font has is left out,
+/// with its problem. \param shape  of the plate: a border lies along it, and pictures are solved
 /// within it. \return the errors of reading, readSvg, decodeImage, textShape, qrModules and
 /// solveDirections, with the layer's number, or Cancelled.
 /// \param before  whose pictures are solved for anew, with their `solved`; none: as they are asked
@@ -74,6 +77,10 @@ Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const 
 Result<std::vector<PictureMeasures>> askForMissing(LayerStack& stack, const Toolpath& toolpath,
                                                    Vec2 page, const Roughness& roughness,
                                                    const RunContext& run);
+
+/// Warnings about layers that are left out, and about letters that come from other fonts or from
+/// none.
+std::vector<Warning> letterWarnings(const std::vector<PlacedLayer>& placed);
 
 /// The boxes alone, for those who show handles: no picture is solved for, and a layer that cannot
 /// be made keeps no other from being shown.

@@ -24,13 +24,23 @@ struct FilledPath {
   friend bool operator==(const FilledPath&, const FilledPath&) = default;
 };
 
+/// A letter that the font of a text lacks.
+struct LackedLetter {
+  std::string letter;  ///< in UTF-8
+  std::string font;    ///< built-in one that it is drawn in; empty: none has it, so it is left out
+  bool picture = false;  ///< the text's own font has a picture of it, without outlines
+
+  friend bool operator==(const LackedLetter&, const LackedLetter&) = default;
+};
+
 /// What readSvg left out, and what it took for granted.
 struct DrawingFacts {
   bool svg = false;
-  bool pixels = false;          ///< its size is in pixels, or has no unit: taken as 1/96 inch each
-  int texts = 0;                ///< shown, but not read
-  int images = 0;               ///< shown, but not read
-  bool otherFont = false;       ///< text is drawn in fonts that stand in for its own
+  bool pixels = false;     ///< its size is in pixels, or has no unit: taken as 1/96 inch each
+  int texts = 0;           ///< shown, but not read
+  int images = 0;          ///< shown, but not read
+  bool otherFont = false;  ///< text is drawn in fonts that stand in for its own
+  std::vector<LackedLetter> lacked = {};  ///< of its text, as in ShapedLine
   bool unpainted = false;       ///< nothing is painted: outlines were taken whatever their paint
   bool linesOnly = false;       ///< nothing is filled: strokes alone are the shape
   bool severalColours = false;  ///< painted, of which the shape shows nothing

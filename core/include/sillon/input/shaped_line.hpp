@@ -9,6 +9,7 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
+#include "sillon/geometry/shape.hpp"
 
 namespace sillon {
 
@@ -27,6 +28,8 @@ struct ShapedLine {
   bool instead = false;  ///< its font stands in for one that is not at hand
   std::vector<Letter> letters;
   std::vector<std::string> outlines;  ///< path data of SVG
+  /// Each once; at most 8 that are drawn in other fonts, and 8 that are left out.
+  std::vector<LackedLetter> lacked;
 };
 
 /// The font in which letters of a drawing are set.

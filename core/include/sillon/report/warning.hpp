@@ -2,6 +2,7 @@
 // them.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +24,7 @@ enum class WarningCode {
   BlockMovesLow,
   DetailLost,
   DrawingFaint,
+  DrawingLettersLost,
   DrawingOffPage,
   DrawingUnpainted,
   DrawingUnread,
@@ -30,6 +32,11 @@ enum class WarningCode {
   EndLine,
   FillRatio,
   FlatBeads,
+  LayerLeftOut,
+  LayerLettersLent,
+  LayerLettersLost,
+  LayerOnlyPicture,
+  LettersLent,
   ManyBytes,
   ManyMoves,
   MaxFlowSlows,
@@ -74,6 +81,10 @@ const char* warningName(WarningCode code);
 
 /// The sentence of each code, in their order.
 std::span<const Sentence> warningSentences();
+
+/// Warnings about letters that come from other fonts, or from none. \param layer  number, from 1;
+/// 0: of the plate's shape.
+std::vector<Warning> letterWarnings(const std::vector<LackedLetter>& lacked, std::size_t layer);
 
 /// Warnings about a drawing, whatever becomes of it.
 std::vector<Warning> drawingWarnings(const DrawingFacts& drawing);

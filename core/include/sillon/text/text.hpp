@@ -20,9 +20,10 @@ namespace sillon {
 std::span<const std::string_view> builtinFonts();
 
 /// Shapes one line: kerning, ligatures and joined scripts as the font has them, and scripts of both
-/// senses in one line by the Unicode bidirectional algorithm. Tabs are spaces.
-/// \param font  one of builtinFonts(), or a file that `read` hands over.
-/// \return InvalidFile for what is no font; InvalidArgument for letters that the font lacks.
+/// senses in one line by the Unicode bidirectional algorithm. Tabs are spaces. What the font lacks
+/// comes, letter by letter, from the first built-in font that has it, at the same height of
+/// capitals; what none has is left out. \param font  one of builtinFonts(), or a file that `read`
+/// hands over. \return InvalidFile for what is no font.
 Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font,
                              const std::string& line);
 
@@ -48,8 +49,9 @@ struct Lettering {
 };
 
 /// The outlines of a text. Straight lines lie on a page as large as their ink; on a circle, the
-/// circle's middle is the page's. \return the errors of shapeLine; EmptyShape for spaces alone;
-/// InvalidArgument for a line that is longer than its circle.
+/// circle's middle is the page's. Its `drawing` tells letters of other fonts. \return the errors of
+/// shapeLine; MissingLetter or PictureLetter, as a reason, for letters that no font has; EmptyShape
+/// for spaces alone; InvalidArgument for a line that is longer than its circle.
 Result<Shape> textShape(const Lettering& lettering, const ReadInput& read);
 
 }  // namespace sillon
