@@ -1009,8 +1009,25 @@ export interface Report {
   keptPlaces?: [number, number, number, number][];
   /** How well the toolpath shows each picture under its lamp: docs/reference/metrics.md. */
   pictures?: PictureReport[];
+  /** Visible layers: the shares of their letters, drawing, modules or box that are not seen, each for one reason. */
+  layers?: LayerReport[];
   /** Pictures of layers, where they are on top. */
   layerPictures?: ({ layer: number } & Pick<PictureReport, 'lamp' | 'r' | 'ssim' | 'contrast'>)[];
+}
+
+export interface LayerReport {
+  /** From 1, as in warnings. */
+  layer: number;
+  /** Beside the plate or in its holes, 0 to 1. */
+  beside: number;
+  /** Under the rim. */
+  underRim: number;
+  /** By layers above. */
+  covered: number;
+  /** Within 15 degrees of what it lies on. */
+  alike: number;
+  /** Of a QR code. */
+  readable?: boolean;
 }
 
 export interface PictureReport {

@@ -69,6 +69,7 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
   if (!pictures) return pictures.error();
   const auto layers = sillon::makeLayers(project, input.value().shape, readInputFile, run);
   if (!layers) return layers.error();
+  const auto seenLayers = sillon::seeLayers(project, layers.value().placed, layers.value(), input.value().directions);
   sillon::layOver(layers.value(), input.value());
   if (arguments.body.empty()) {
     seen = input.value().shape;
@@ -106,6 +107,9 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
     }
   }
   for (const sillon::Warning& warning : sillon::letterWarnings(layers.value().placed)) {
+      out += "warning " + warning.message + "\n";
+  }
+  for (const sillon::Warning& warning : sillon::layerWarnings(seenLayers, seen.page, project.toolpath.spacing)) {
     out += "warning " + warning.message + "\n";
   }
   if (const std::size_t open = sillon::openEdges(body); open > 0) {

@@ -1735,13 +1735,34 @@ TEST_CASE("layers on the line add up, on top of those of a project") {
   CHECK(has(wrong.err, "--layer: layers[0].kind is \"star\""));
 }
 
-TEST_CASE("letters that nobody asks another fill of are seen") {
+TEST_CASE("letters that nobody asks another fill of are seen, and those that are not seen are told") {
   const Folder folder;
-  const std::string plate = "generate --shape rounded --size 40x16 --spacing 0.8 --quiet --svg a.svg ";
-  CHECK(folder.run(plate).code == 0);
-  const std::string plain = readAll(folder.at("a.svg"));
-  CHECK(folder.run(plate + R"(--layer '{"kind": "text", "text": "ANNA"}')").code == 0);
-  CHECK(readAll(folder.at("a.svg")) != plain);
+  const std::string plate = "generate --shape rounded --size 40x16 --spacing 0.8 ";
+  const auto svg = [&](const std::string& options) {
+    const Run run = folder.run(plate + options + " --svg a.svg");
+    CHECK(run.code == 0);
+    return std::pair(readAll(folder.at("a.svg")), run.out + run.err);
+  };
+  const auto [plain, silent] = svg("");
+  const auto [drawn, nothing] = svg(R"(--layer '{"kind": "text", "text": "ANNA"}')");
+  CHECK(drawn != plain);
+  CHECK_FALSE(has(nothing, "layer 1"));
+  const auto [alike, told] = svg(R"(--layer '{"kind": "text", "text": "ANNA", "textSize": 7, "angle": 0}')");
+  CHECK(alike == plain);
+  CHECK(has(told, "100 % of layer 1 lie within 15 degrees of what is below"));
+  const auto [beside, wide] = svg(R"(--layer '{"kind": "text", "text": "ANNA & ALEXANDRA"}' --report r.json)");
+  CHECK(has(wide, "of layer 1 lie beside the plate"));
+  const Json report = Json::parse(readAll(folder.at("r.json")));
+  CHECK(report["layers"][0]["layer"] == 1);
+  CHECK(report["layers"][0]["beside"] > 0.3);
+  CHECK(report["warnings"][0]["code"] == "LayerBeside");
+  CHECK(report["warnings"][0]["values"]["layer"] == 1);
+  CHECK(has(
+      folder
+          .run(
+              R"(zones --shape rect --size 30 --layer '{"kind": "text", "text": "ANNA ANNA", "textSize": 12}' -o z.3mf)")
+          .out,
+      "of layer 1 lie beside the plate"));
 }
 
 TEST_CASE("shapes for things: built-in ones, corners, offsets, holes and a rim") {

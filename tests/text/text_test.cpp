@@ -363,3 +363,39 @@ TEST_CASE("lines of a drawing are named as shapeLine asks for them elsewhere") {
                        "</text></svg>")
             .empty());
 }
+
+TEST_CASE("a code is read with as many wrong words in a block as half of its correction") {
+  // The smallest code, with ten words of correction in one block; no more of it fits beside 20 letters.
+  const Image inner = qrModules("SILLONSILLONSILLONSI", QrCorrection::Medium, kNoFiles).value();
+  REQUIRE(inner.width == 21);
+  const int side = inner.width + 2 * kQuietZone;
+  const auto at = [&](int x, int y) { return static_cast<std::size_t>((y + kQuietZone) * side + x + kQuietZone); };
+  Image code{side, side, 1, std::vector<std::uint16_t>(static_cast<std::size_t>(side * side), 65535)};
+  for (int y = 0; y < 21; ++y) {
+    for (int x = 0; x < 21; ++x) code.samples[at(x, y)] = inner.at(x, y, 0);
+  }
+  const std::vector<char> right(code.samples.size(), 0);
+  CHECK(qrReads(code, right));
+  const auto readsWithout = [&](const std::vector<std::pair<int, int>>& places) {
+    std::vector<char> wrong = right;
+    for (const auto& [x, y] : places) wrong[at(x, y)] = 1;
+    return qrReads(code, wrong);
+  };
+  // Words of 2 x 4 modules, from the lower right corner up, then down again.
+  std::vector<std::pair<int, int>> words{{20, 20}, {19, 13}, {20, 12}, {18, 9}, {17, 16}};
+  CHECK(readsWithout(words));
+  words.insert(words.end(), {{19, 20}, {20, 17}, {18, 12}, {17, 13}});  // in the same words
+  CHECK(readsWithout(words));
+  words.emplace_back(18, 18);
+  CHECK_FALSE(readsWithout(words));
+
+  // Three modules of both copies of the format may be wrong, and all of either copy.
+  CHECK(readsWithout({{8, 0}, {8, 1}, {8, 2}, {8, 3}, {8, 20}, {8, 19}, {8, 18}}));
+  CHECK_FALSE(readsWithout({{8, 0}, {8, 1}, {8, 2}, {8, 3}, {8, 20}, {8, 19}, {8, 18}, {20, 8}}));
+
+  // The finder patterns are needed, and the light at the ends of the lines through their middles.
+  for (const std::pair<int, int>& place : {std::pair{0, 0}, {20, 0}, {1, 19}, {17, 3}, {-1, 3}, {7, 4}, {16, -1}}) {
+    CHECK_FALSE(readsWithout({place}));
+  }
+  CHECK(readsWithout({{-4, 3}, {10, -1}, {24, 24}}));
+}

@@ -66,6 +66,29 @@ test('a layer that cannot be drawn keeps no other from its box, and the spacing 
   assert.ok((await thin(0.8)) > (await thin(0.2)) + 0.3);
 });
 
+test('the report tells how much of each layer is seen, and whether codes can be read', async () => {
+  const { report } = await make(
+    { kind: 'text', text: 'HH', at: [0, 15] },
+    { kind: 'qr', text: 'SILLON', size: [26, 0], at: [40, 15] },
+    { kind: 'direction', visible: false },
+    { kind: 'direction', size: [9, 9], at: [40, 15], angle: 45 },
+  );
+  const [letters, code, box] = report.layers;
+  assert.ok(Math.abs(letters.beside - 0.5) < 0.02, letters.beside);
+  assert.equal(letters.readable, undefined);
+  assert.equal(code.readable, false);
+  assert.ok(Math.abs(code.covered - (9 / 26) ** 2) < 0.01, code.covered);
+  assert.deepEqual(box, { layer: 4, beside: 0, underRim: 0, covered: 0, alike: 0 });
+  assert.deepEqual(
+    report.warnings.map(({ code, values }) => [code, values.layer]),
+    [
+      ['LayerBeside', 1],
+      ['LayerCovered', 2],
+      ['LayerUnreadable', 2],
+    ],
+  );
+});
+
 test('text of drawings is set in built-in fonts, as the native program does', async () => {
   const drawing = (text) =>
     `<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="30mm" viewBox="0 0 60 30">${text}</svg>`;

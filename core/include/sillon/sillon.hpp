@@ -36,6 +36,7 @@
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/report/input_note.hpp"
+#include "sillon/report/layers.hpp"
 #include "sillon/report/report.hpp"
 #include "sillon/report/warning.hpp"
 

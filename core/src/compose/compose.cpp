@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "base/exact_math.hpp"
+#include "compose/background.hpp"
 #include "compose/content.hpp"
 #include "compose/ink.hpp"
 #include "compose/placement.hpp"
+#include "compose/visible.hpp"
 #include "input/stored_angle.hpp"
 
 namespace sillon {
@@ -44,8 +46,12 @@ Result<ReadLayer> readLayer(const Layer& layer, const Shape& shape, const ReadIn
 PlacedLayer placedLayer(LayerKind kind, const ReadLayer& layer, double spacing) {
   PlacedLayer placed{layer.place.middle(), layer.place.size(), 0, {}, {}};
   for (const std::optional<Shape>* drawn : {&layer.content.shape, &layer.content.mask}) {
-    if (*drawn)
-      placed.lacked.insert(placed.lacked.end(), (*drawn)->drawing.lacked.begin(), (*drawn)->drawing.lacked.end());
+    if (!*drawn) continue;
+    DrawingFacts facts = (*drawn)->drawing;
+    placed.lacked.insert(placed.lacked.end(), facts.lacked.begin(), facts.lacked.end());
+    facts.lacked.clear();  // they are told with the layer's own
+    facts.severalColours = facts.severalColours && drawn == &layer.content.shape;  // a mask shows no colours
+    placed.drawings.push_back(std::move(facts));
   }
   if (spacing > 0 && (kind == LayerKind::Text || kind == LayerKind::Drawing)) {
     Shape shape = *layer.content.shape;
@@ -57,11 +63,6 @@ PlacedLayer placedLayer(LayerKind kind, const ReadLayer& layer, double spacing) 
     }
     shape.page = placed.size;
     placed.thin = thinShare(shape, spacing);
-  }
-  if (layer.content.shape) placed.drawings.push_back(layer.content.shape->drawing);
-  if (layer.content.mask) {
-    placed.drawings.push_back(layer.content.mask->drawing);
-    placed.drawings.back().severalColours = false;  // a mask shows none
   }
   return placed;
 }
@@ -79,45 +80,6 @@ bool lacksLetter(const Error& error) {
 int texelsOn(double side, double spacing) {
   return std::clamp(static_cast<int>(std::ceil(side / spacing * kTexelsPerBead)), 1, kMostTexels);
 }
-
-/// Mean line of the texels of a map that lie under a texel of another raster, or its nearest texel where they are
-/// larger.
-class Background {
- public:
-  Background(const DirectionMap& map, int width, int height)
-      : map_(map), stepX_(static_cast<double>(map.width) / width), stepY_(static_cast<double>(map.height) / height) {}
-
-  [[nodiscard]] std::uint16_t angleAt(int x, int y) const {
-    const int left = first(x, stepX_, map_.width), right = last(x, stepX_, map_.width);
-    const int top = first(y, stepY_, map_.height), bottom = last(y, stepY_, map_.height);
-    if (right <= left + 1 && bottom <= top + 1)
-      return at(nearest(x, stepX_, map_.width), nearest(y, stepY_, map_.height));
-    Vec2 sum;
-    for (int row = top; row < bottom; ++row) {
-      for (int column = left; column < right; ++column) {
-        const exact::SinCos turn = exact::sinCos(2 * angleOf(at(column, row)));
-        sum = sum + Vec2{turn.cos, turn.sin};
-      }
-    }
-    return storedAngle(exact::atan2(sum.y, sum.x) / (2 * std::numbers::pi));
-  }
-
- private:
-  static int nearest(int k, double step, int count) { return std::min(static_cast<int>((k + 0.5) * step), count - 1); }
-  static int first(int k, double step, int count) {
-    return std::min(static_cast<int>(std::lround(k * step)), count - 1);
-  }
-  static int last(int k, double step, int count) {
-    return std::clamp(static_cast<int>(std::lround((k + 1) * step)), first(k, step, count) + 1, count);
-  }
-  [[nodiscard]] std::uint16_t at(int x, int y) const {
-    return map_.angle[static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.width) + static_cast<std::size_t>(x)];
-  }
-
-  const DirectionMap& map_;
-  double stepX_;
-  double stepY_;
-};
 
 }  // namespace
 
@@ -142,6 +104,7 @@ Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const 
       stack.width = texelsOn(shape.page.x, spacing);
       stack.height = texelsOn(shape.page.y, spacing);
       stack.texels.resize(static_cast<std::size_t>(stack.width) * static_cast<std::size_t>(stack.height));
+      markPlate({project, shape, stack.width, stack.height}, stack);
     }
     if (before != nullptr && before->pictures.contains(k)) stack.pictures[k] = before->pictures.at(k);
     const auto& [content, place] = known.value();

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kShareOfPage = 0.6;  // of its shorter side: QR codes without a size
 constexpr double kMostOfPage = 0.9;   // drawings that are larger than the page
-constexpr int kQuietZone = 4;         // [modules], on each side (ISO/IEC 18004)
 
 /// The size that is asked for, of a content with these proportions.
 /// \param usual  where none is asked for [mm]

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/exact_math.hpp"
+#include "compose/visible.hpp"
 #include "geometry/signed_distance.hpp"
 #include "input/stored_angle.hpp"
 #include "sillon/geometry/outline.hpp"
@@ -19,14 +20,21 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// e^(2i angle): lines have no sense, so that means of these are means of lines.
+}  // namespace
+
 Vec2f lineOf(double radians) {
   const exact::SinCos turn = exact::sinCos(2 * radians);
   return {static_cast<float>(turn.cos), static_cast<float>(turn.sin)};
 }
 
-/// The same of a direction of any length > 0.
-Vec2f lineOf(Vec2 direction) {
+CodeLines codeLines(const Layer& layer) {
+  return {lineOf(layer.angle * kDegree), lineOf(layer.ground.value_or(layer.angle + 90) * kDegree)};
+}
+
+namespace {
+
+/// The line of a direction of any length > 0.
+Vec2f lineAlong(Vec2 direction) {
   const double square = dot(direction, direction);
   if (!(square > 0)) return {1, 0};
   return {static_cast<float>((direction.x * direction.x - direction.y * direction.y) / square),
@@ -55,7 +63,7 @@ Result<LineAt> along(const Shape& shape, double spacing, const RunContext& run) 
   if (!field) return field.error();
   return LineAt([field = std::move(field).value()](Vec2 at) {
     const Vec2f normal = field.normal[field.grid.cellAt(at)];
-    return lineOf(Vec2{-static_cast<double>(normal.y), static_cast<double>(normal.x)});
+    return lineAlong(Vec2{-static_cast<double>(normal.y), static_cast<double>(normal.x)});
   });
 }
 
@@ -171,7 +179,7 @@ class SolvedPicture {
 
 LineAt radial(const Layer& layer, const Placement& place) {
   return [middle = place.middle(), by = lineOf(layer.angle * kDegree)](Vec2 at) {
-    return turned(lineOf(at - middle), by);
+    return turned(lineAlong(at - middle), by);
   };
 }
 
@@ -195,10 +203,9 @@ LineAt mapped(const LayerContent& content, const Placement& place) {
 }
 
 LineAt coded(const Layer& layer, const LayerContent& content, const Placement& place) {
-  const Vec2f dark = lineOf(layer.angle * kDegree), light = lineOf(layer.ground.value_or(layer.angle + 90) * kDegree);
-  return [=, &content, &place](Vec2 at) {
+  return [lines = codeLines(layer), &content, &place](Vec2 at) {
     const auto texel = texelOf(*content.modules, place.toOwn(at), content.size);
-    return texel && content.modules->samples[*texel] == 0 ? dark : light;
+    return texel && content.modules->samples[*texel] == 0 ? lines.dark : lines.light;
   };
 }
 
@@ -230,83 +237,6 @@ Result<LineAt> linesOf(const Layer& layer, const LayerContent& content, const Pl
   return oneLine(layer.angle);
 }
 
-using Cells = std::vector<char>;
-
-/// Cells within a distance of the plate's border.
-Cells borderCells(const LayerPlate& plate, double width) {
-  Cells cells = insideCells(plate.shape, plate.width, plate.height);
-  const double cell = plate.shape.page.x / plate.width;
-  // Cells beyond the page are outside, too: a margin of one cell.
-  const int columns = plate.width + 2, rows = plate.height + 2;
-  Cells outside(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1);
-  const auto at = [&](int x, int y) {
-    return static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x + 1);
-  };
-  const auto own = [&](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(plate.width) + static_cast<std::size_t>(x);
-  };
-  for (int y = 0; y < plate.height; ++y) {
-    for (int x = 0; x < plate.width; ++x) outside[at(x, y)] = cells[own(x, y)] == 0 ? 1 : 0;
-  }
-  const std::vector<float> depth = chamferDistance(outside, columns, rows);
-  for (int y = 0; y < plate.height; ++y) {
-    for (int x = 0; x < plate.width; ++x) {
-      if ((depth[at(x, y)] - 0.5F) * cell > width) cells[own(x, y)] = 0;
-    }
-  }
-  return cells;
-}
-
-/// Tells whether a layer without a size or a mask lies on the whole page, wherever its middle is.
-bool unbounded(const Layer& layer) {
-  const bool echo = layer.kind == LayerKind::Pattern && layer.pattern == LayerPattern::Echo;
-  const bool formula = layer.kind == LayerKind::Direction || layer.kind == LayerKind::Pattern;
-  return layer.mask == LayerMask::Own && (echo || (formula && layer.size == Vec2{}));
-}
-
-/// Cells where a layer shows: its mask, and in it letters and drawings where nothing is behind them.
-struct Region {
-  Cells shown;
-  Cells content;  ///< letters or a drawing among them; empty: all
-};
-
-Region regionOf(const Layer& layer, const LayerContent& content, const Placement& place, const LayerPlate& plate) {
-  const Vec2 page = plate.shape.page;
-  const auto cellsOf = [&](const Shape& shape) { return insideCells(shape, plate.width, plate.height); };
-  const auto everywhere = [&] {
-    return Cells(static_cast<std::size_t>(plate.width) * static_cast<std::size_t>(plate.height), 1);
-  };
-  Region region;
-  const bool outlined = layer.kind == LayerKind::Text || layer.kind == LayerKind::Drawing;
-  if (layer.kind == LayerKind::Border) {
-    region.shown = borderCells(plate, layer.width);
-  } else if (layer.mask == LayerMask::Page || unbounded(layer)) {
-    region.shown = everywhere();
-  } else {
-    region.shown =
-        cellsOf(layer.mask == LayerMask::Disc ? place.stretched(makeDisc(200).value(), page) : place.box(page));
-  }
-  if (layer.mask == LayerMask::Inside || layer.mask == LayerMask::Outside) {
-    const Cells mask = cellsOf(place.stretched(*content.mask, page));
-    const bool inside = layer.mask == LayerMask::Inside;
-    if (!inside && layer.kind != LayerKind::Map && layer.kind != LayerKind::Picture &&
-        layer.kind != LayerKind::Border) {
-      region.shown = everywhere();
-    }
-    for (std::size_t k = 0; k < mask.size(); ++k) {
-      if ((mask[k] != 0) != inside) region.shown[k] = 0;
-    }
-  }
-  if (outlined) {
-    region.content = cellsOf(place.stretched(*content.shape, page));
-    for (std::size_t k = 0; k < region.shown.size(); ++k) {
-      if (!layer.ground && region.content[k] == 0) region.shown[k] = 0;
-      if (region.shown[k] == 0) region.content[k] = 0;
-    }
-  }
-  return region;
-}
-
 /// Share that a layer has in each cell: 1 inside and 0 outside of it, and in between over the width of its soft edge.
 std::vector<float> coverOf(const Cells& shown, const LayerPlate& plate, double soft) {
   std::vector<float> cover(shown.begin(), shown.end());
@@ -335,6 +265,72 @@ void blend(LayerStack::Texel& texel, std::optional<Vec2f> line, float cover) {
 
 }  // namespace
 
+Cells borderCells(const LayerPlate& plate, double width) {
+  Cells cells = insideCells(plate.shape, plate.width, plate.height);
+  const double cell = plate.shape.page.x / plate.width;
+  // Cells beyond the page are outside, too: a margin of one cell.
+  const int columns = plate.width + 2, rows = plate.height + 2;
+  Cells outside(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1);
+  const auto at = [&](int x, int y) {
+    return static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x + 1);
+  };
+  const auto own = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(plate.width) + static_cast<std::size_t>(x);
+  };
+  for (int y = 0; y < plate.height; ++y) {
+    for (int x = 0; x < plate.width; ++x) outside[at(x, y)] = cells[own(x, y)] == 0 ? 1 : 0;
+  }
+  const std::vector<float> depth = chamferDistance(outside, columns, rows);
+  for (int y = 0; y < plate.height; ++y) {
+    for (int x = 0; x < plate.width; ++x) {
+      if ((depth[at(x, y)] - 0.5F) * cell > width) cells[own(x, y)] = 0;
+    }
+  }
+  return cells;
+}
+
+bool unbounded(const Layer& layer) {
+  const bool echo = layer.kind == LayerKind::Pattern && layer.pattern == LayerPattern::Echo;
+  const bool formula = layer.kind == LayerKind::Direction || layer.kind == LayerKind::Pattern;
+  return layer.mask == LayerMask::Own && (echo || (formula && layer.size == Vec2{}));
+}
+
+Region regionOf(const Layer& layer, const LayerContent& content, const Placement& place, const LayerPlate& plate) {
+  const Vec2 page = plate.shape.page;
+  const auto cellsOf = [&](const Shape& shape) { return insideCells(shape, plate.width, plate.height); };
+  const auto everywhere = [&] {
+    return Cells(static_cast<std::size_t>(plate.width) * static_cast<std::size_t>(plate.height), 1);
+  };
+  Region region;
+  if (layer.kind == LayerKind::Border) {
+    region.shown = borderCells(plate, layer.width);
+  } else if (layer.mask == LayerMask::Page || unbounded(layer)) {
+    region.shown = everywhere();
+  } else {
+    region.shown =
+        cellsOf(layer.mask == LayerMask::Disc ? place.stretched(makeDisc(200).value(), page) : place.box(page));
+  }
+  if (layer.mask == LayerMask::Inside || layer.mask == LayerMask::Outside) {
+    const Cells mask = cellsOf(place.stretched(*content.mask, page));
+    const bool inside = layer.mask == LayerMask::Inside;
+    if (!inside && layer.kind != LayerKind::Map && layer.kind != LayerKind::Picture &&
+        layer.kind != LayerKind::Border) {
+      region.shown = everywhere();
+    }
+    for (std::size_t k = 0; k < mask.size(); ++k) {
+      if ((mask[k] != 0) != inside) region.shown[k] = 0;
+    }
+  }
+  if (outlined(layer.kind)) {
+    region.content = cellsOf(place.stretched(*content.shape, page));
+    for (std::size_t k = 0; k < region.shown.size(); ++k) {
+      if (!layer.ground && region.content[k] == 0) region.shown[k] = 0;
+      if (region.shown[k] == 0) region.content[k] = 0;
+    }
+  }
+  return region;
+}
+
 std::optional<Error> drawLayer(std::size_t number, const LayerContent& content, const Placement& place,
                                const LayerPlate& plate, LayerStack& stack, const RunContext& run) {
   const Layer& layer = plate.project.layers[number];
@@ -345,23 +341,31 @@ std::optional<Error> drawLayer(std::size_t number, const LayerContent& content, 
   if (!lines) return lines.error();
   const Region region = regionOf(layer, content, place, plate);
   const std::vector<float> cover = coverOf(region.shown, plate, layer.soft);
-  const Vec2f ground = lineOf(layer.ground.value_or(0) * kDegree);
   const bool codes = layer.kind == LayerKind::Qr, across = hasFill(layer.kind) && layer.fill == LayerFill::Across;
   const Vec2 step{plate.shape.page.x / plate.width, plate.shape.page.y / plate.height};
+  std::optional<Vec2f> ground;
+  if (outlined(layer.kind) && layer.ground) ground = lineOf(*layer.ground * kDegree);
+  stack.inks.push_back(inkOf(number, content, place, plate, region, stack));
   for (int y = 0; y < plate.height; ++y) {
     if (run.poll()) return Error{ErrorCode::Cancelled, "cancelled"};
     for (int x = 0; x < plate.width; ++x) {
       const std::size_t k =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(plate.width) + static_cast<std::size_t>(x);
       if (cover[k] == 0) continue;
-      if (cover[k] >= 0.5F) stack.texels[k].top = static_cast<std::uint8_t>(number + 1);
-      const bool behind = !codes && layer.ground && !region.content.empty() && region.content[k] == 0;
+      const bool drawn = region.content.empty() || region.content[k] != 0;
       const Vec2 at{(x + 0.5) * step.x, (plate.height - y - 0.5) * step.y};
-      if (across && !behind) {
-        blend(stack.texels[k], std::nullopt, cover[k]);
-      } else {
-        blend(stack.texels[k], behind ? ground : lines.value()(at), cover[k]);
+      std::optional<Vec2f> line;
+      if (!drawn && ground) {
+        line = ground;
+      } else if (!across) {
+        line = lines.value()(at);
       }
+      LayerStack::Texel& texel = stack.texels[k];
+      if (cover[k] >= 0.5F) {
+        texel.top = static_cast<std::uint8_t>(number + 1);
+        texel.ink = !drawn ? LayerStack::Ink::None : codes ? LayerStack::Ink::Turned : inkOver(texel, line, ground);
+      }
+      blend(texel, line, cover[k]);
     }
   }
   // Beside the page, nothing has been solved for.

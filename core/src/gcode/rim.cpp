@@ -162,7 +162,7 @@ std::optional<Error> addRim(GcodeJob& job, const Shape& body, PointUm offset, co
                             const PrintParams& params) {
   if (params.rim == 0) return std::nullopt;
   const double line = printer.nozzle;
-  const int count = std::clamp(static_cast<int>(std::lround(params.rimWidth / line)), 1, kMaxLoops);
+  const int count = std::min(rimLoops(params, line), kMaxLoops);
   const Result<std::vector<Polyline>> loops = offsetLoops(body, -line / 2 - kInset, -line, count);
   if (!loops) return loops.error();
   std::vector<BeadPath> paths;

@@ -19,9 +19,6 @@ namespace {
 constexpr double kTrials = 0.7;  // three plates of a hundred beads, which choose a lamp
 constexpr double kMeasures = 1.5;
 
-/// Share of letters or of a drawing that is narrower than two beads from which that is told; serifs alone take less.
-constexpr double kMuchThin = 0.2;
-
 /// The progress of a job whose parts are known by their weights.
 class Parts {
  public:
@@ -128,7 +125,7 @@ class Maker {
   std::optional<Error> correctLayers() {
     const int rounds = correctionsOfLayers();
     if (layers_.pictures.empty() || !makesSeen() || (rounds == 0 && !measures())) {
-      layOver(layers_, plate_.input);
+      lay();
       return std::nullopt;
     }
     LayerStack tried = layers_;
@@ -154,8 +151,13 @@ class Maker {
       if (!made) return made.error();
       result = std::move(made).value();
     }
-    layOver(layers_, plate_.input);
+    lay();
     return std::nullopt;
+  }
+
+  void lay() {
+    plate_.seenLayers = seeLayers(plate_.project, plate_.layers, layers_, plate_.input.directions);
+    layOver(layers_, plate_.input);
   }
 
   void judge(const std::vector<PictureMeasures>& seen) {
@@ -240,11 +242,8 @@ std::vector<Warning> Plate::warnings() const {
   });
   const std::vector<Warning> ofLetters = letterWarnings(layers);
   all.insert(all.end(), ofLetters.begin(), ofLetters.end());
-  for (std::size_t k = 0; k < layers.size(); ++k) {
-    if (!project.layers[k].visible || layers[k].thin < kMuchThin) continue;
-    all.push_back({WarningCode::ThinLetters,
-                   {{"percent", std::round(100 * layers[k].thin)}, {"layer", static_cast<double>(k + 1)}}});
-  }
+  const std::vector<Warning> ofLayers = layerWarnings(seenLayers, input.shape.page, project.toolpath.spacing);
+  all.insert(all.end(), ofLayers.begin(), ofLayers.end());
   if (gcode) all.insert(all.end(), gcode->warnings.begin(), gcode->warnings.end());
   return all;
 }
@@ -255,6 +254,7 @@ Report Plate::report() const {
   for (std::size_t k = 0; k < shown.size(); ++k) {
     out.pictures.push_back({pictures.shown[k].file, pictures.shown[k].lamp, shown[k]});
   }
+  out.layers = seenLayers;
   if (measures) out.layerPictures = layerPictures;
   out.fromGcode = judgedByGcode;
   if (gcode) out.print = {gcode->seconds, gcode->filamentMm, gcode->filamentGrams};

@@ -103,6 +103,21 @@ void addLikeness(Object& object, const Lamp& lamp, const PictureMeasures& measur
   object.add("contrast", measures.contrast, 2);
 }
 
+std::string layersJson(const std::vector<SeenLayer>& layers) {
+  std::string list;
+  for (const SeenLayer& one : layers) {
+    Object object("    ");
+    object.add("layer", std::to_string(one.layer));
+    object.add("beside", one.beside, 4);
+    object.add("underRim", one.underRim, 4);
+    object.add("covered", one.covered, 4);
+    object.add("alike", one.alike, 4);
+    if (one.readable) object.add("readable", std::string(*one.readable ? "true" : "false"));
+    list += (list.empty() ? "\n    " : ",\n    ") + object.text();
+  }
+  return "[" + list + "\n  ]";
+}
+
 std::string layerPicturesJson(const std::vector<ReportedLayer>& layers) {
   std::string list;
   for (const auto& [layer, lamp, measures] : layers) {
@@ -199,6 +214,7 @@ std::string reportJson(const Report& report) {
   object.add("threads", static_cast<std::int64_t>(report.threads));
   object.add("digest", jsonString(report.digest));
   if (!report.pictures.empty()) object.add("pictures", picturesJson(report.pictures, report.fromGcode));
+  if (!report.layers.empty()) object.add("layers", layersJson(report.layers));
   if (!report.layerPictures.empty()) object.add("layerPictures", layerPicturesJson(report.layerPictures));
   if (report.print) object.add("print", printJson(*report.print));
   if (report.delay) object.add("neighbourDelay", delayJson(*report.delay));

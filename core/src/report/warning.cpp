@@ -10,6 +10,7 @@
 #include "base/sort_key.hpp"
 #include "report/told_json.hpp"
 #include "sillon/base/words.hpp"
+#include "sillon/report/layers.hpp"
 
 namespace sillon {
 namespace {
@@ -36,10 +37,22 @@ constexpr Sentence kSentences[] = {
     {"EndLine", "line {line} of the end G-code: {what}", "rule"},
     {"FillRatio", "the plastic fills {percent} % of the shape's area; 97 to 105 % print well"},
     {"FlatBeads", "at {n} points beads are no wider than the layer is high ({height} mm)"},
+    {"LayerAlike",
+     "{percent} % of layer {layer} lie within 15 degrees of what is below and cannot be seen; another layers.angle "
+     "shows "
+     "them, and so does layers.fill across"},
+    {"LayerBeside",
+     "{percent} % of layer {layer} lie beside the plate or in its holes; it is {width} x {height} mm and the page "
+     "{pageWidth} x {pageHeight}: make it smaller, or move it"},
+    {"LayerCovered", "{percent} % of layer {layer} are covered by layers above it; move it, or raise it"},
     {"LayerLeftOut", "layer {layer} is left out: no font has a letter for {letter}"},
     {"LayerLettersLent", "the letters {letters} of layer {layer} come from {font}: its own font lacks them"},
     {"LayerLettersLost", "the letters {letters} of layer {layer} are left out: no font has them"},
     {"LayerOnlyPicture", "layer {layer} is left out: its font has {letter} only as a picture"},
+    {"LayerUnderRim", "{percent} % of layer {layer} lie under print.rim; make it smaller, or move it"},
+    {"LayerUnreadable",
+     "the code of layer {layer} cannot be read; its whole square must lie on the plate, uncovered, in two directions "
+     "that differ, with modules wider than a bead"},
     {"LettersLent", "the letters {letters} come from {font}: the font of the text lacks them"},
     {"ManyBytes", "the file has {mb} MB; printers get slow above 100"},
     {"ManyMoves", "the file has {n} moves; printers get slow above 2 million"},
@@ -85,6 +98,9 @@ constexpr Sentence kSentences[] = {
      "{percent} % of what layer {layer} draws is narrower than two beads and hard to read; a larger size, a bolder "
      "font or "
      "a smaller spacing helps"},
+    {"ThinModules",
+     "the modules of layer {layer} are {size} mm wide, less than two beads, and hard to read; a larger size, a shorter "
+     "text or a smaller spacing helps"},
     {"UnusualFilament", "printer.filamentDiameter is {value} mm; filament is sold with 1.75 and 2.85"},
     {"UnusualFlow", "{field} is {value}; 0.8 to 1.1 is usual"},
     {"WidthHeld",
@@ -227,6 +243,44 @@ std::vector<Warning> plateWarnings(const DrawingFacts& drawing, const std::vecto
   add(pictureWarnings(pictures));
   if (measures) add(lossWarnings(*measures, page, spacing));
   return all;
+}
+
+std::vector<Warning> layerWarnings(const std::vector<SeenLayer>& layers, Vec2 page, double spacing) {
+  constexpr double kMuchThin = 0.2;  // serifs alone take less
+  // Of letters, drawings and codes; readers bridge more of what merges where the directions below turn.
+  constexpr double kMayBeHidden = 0.02, kMayBeAlike = 0.1;
+  constexpr double kIsLeft = 0.02;  // of anything that is seen
+  const auto percent = [](double share) { return std::round(100 * share); };
+  const auto tenths = [](double length) { return std::round(10 * length) / 10; };
+  std::vector<Warning> warnings;
+  for (const SeenLayer& one : layers) {
+    const NamedValue layer{"layer", static_cast<double>(one.layer)};
+    const double hidden = one.beside + one.underRim + one.covered;
+    const double most = std::max({one.beside, one.underRim, one.covered, one.alike});
+    const bool much = one.exact ? hidden > kMayBeHidden || one.alike > kMayBeAlike : hidden + one.alike > 1 - kIsLeft;
+    const auto tell = [&](WarningCode code, double share, std::vector<NamedValue> more = {}) {
+      if (!much || (share < most && share < kMayBeHidden)) return;
+      more.insert(more.begin(), {{"percent", percent(share)}, layer});
+      warnings.push_back({code, std::move(more)});
+    };
+    tell(WarningCode::LayerBeside, one.beside,
+         {{"width", tenths(one.size.x)},
+          {"height", tenths(one.size.y)},
+          {"pageWidth", tenths(page.x)},
+          {"pageHeight", tenths(page.y)}});
+    tell(WarningCode::LayerUnderRim, one.underRim);
+    tell(WarningCode::LayerCovered, one.covered);
+    tell(WarningCode::LayerAlike, one.alike);
+    if (one.readable && !*one.readable) {
+      warnings.push_back({WarningCode::LayerUnreadable, {layer}});
+    } else if (one.readable && one.module < 2 * spacing) {
+      warnings.push_back({WarningCode::ThinModules, {layer, {"size", std::round(100 * one.module) / 100}}});
+    }
+    if (one.thin >= kMuchThin) {
+      warnings.push_back({WarningCode::ThinLetters, {{"percent", percent(one.thin)}, layer}});
+    }
+  }
+  return warnings;
 }
 
 std::string warningsJson(const std::vector<Warning>& warnings) {

@@ -16,6 +16,7 @@
 #include "sillon/input/read_input.hpp"
 #include "sillon/look/inversion.hpp"
 #include "sillon/quality/metrics.hpp"
+#include "sillon/report/layers.hpp"
 #include "sillon/report/warning.hpp"
 #include "sillon/settings/project.hpp"
 
@@ -43,21 +44,51 @@ struct LayerPicture {
   Tones solved;      ///< what was solved for: with what plates before left out on top
 };
 
+/// The modules of a QR code, and where they lie.
+struct PlacedCode {
+  Image modules;            ///< as of qrModules, inside the quiet zone
+  std::vector<int> texels;  ///< of LayerStack: that in the middle of each module; -1: none
+};
+
+/// What a layer draws, before others cover it: its letters, its drawing, its band, or its box.
+struct LayerInk {
+  std::size_t layer = 0;   ///< its place in the project's list
+  double beside = 0;       ///< share of its ink that lies beside the plate, or in its holes, 0..1
+  double underRim = 0;     ///< share that the rim hides
+  std::size_t texels = 0;  ///< of LayerStack, that show the rest
+  bool ground = false;     ///< it lies on all that shows of the plate
+  std::optional<PlacedCode> code;
+};
+
 /// The layers of a project on a raster of the page, blended with one another but not yet with what
 /// lies below.
 struct LayerStack {
+  /// Parts of the page.
+  enum class Place : std::uint8_t { Beside, UnderRim, Open };
+  /// Ink of the topmost layer, by how its line meets what it stands out from.
+  enum class Ink : std::uint8_t {
+    None,
+    Alike,
+    Turned,       ///< by more than 15 degrees
+    OnBelow,      ///< known once it is known what lies below all layers
+    AcrossBelow,  ///< likewise, from what lies across that
+  };
   /// A texel's line, e^(2i angle), is `line` + `through` times that of what lies below.
   struct Texel {
     Vec2f line;
     float through = 1;     ///< 0: nothing shines through; -1: across what lies below
     float cover = 0;       ///< share that is laid by layers, 0..1
     std::uint8_t top = 0;  ///< number of the topmost layer that covers half of it, from 1; 0: none
+    Place place = Place::Beside;
+    Ink ink = Ink::None;
   };
   int width = 0;  ///< 0: no layer is visible
   int height = 0;
   std::vector<Texel> texels;  ///< row 0 on top
+  std::size_t open = 0;       ///< number of those that show
   /// By layer; only of visible pictures
   std::map<std::size_t, LayerPicture> pictures;
+  std::vector<LayerInk> inks;       ///< one per visible layer, from the lowest
   std::vector<PlacedLayer> placed;  ///< one per layer of the project, invisible ones too
 };
 
@@ -86,6 +117,12 @@ std::vector<Warning> letterWarnings(const std::vector<PlacedLayer>& placed);
 /// be made keeps no other from being shown.
 std::vector<PlacedLayer> placeLayers(const Project& project, const Shape& shape,
                                      const ReadInput& read);
+
+/// Tells how much of each visible layer is seen.
+/// \param placed  one per layer of the project.
+/// \param below  the directions that the layers lie on.
+std::vector<SeenLayer> seeLayers(const Project& project, const std::vector<PlacedLayer>& placed,
+                                 const LayerStack& stack, const DirectionMap& below);
 
 /// Lays the stack over directions and modes, in place. Without a visible layer nothing changes.
 void layOver(const LayerStack& stack, PlateInput& input);

@@ -63,6 +63,7 @@ struct Plate {
   std::optional<Toolpath> below;             ///< path of the layer below, where both were asked for
   std::optional<Measures> measures;          ///< none: not asked for
   std::vector<PictureMeasures> shown;        ///< one per picture; empty: not judged
+  std::vector<SeenLayer> seenLayers;         ///< one per visible layer
   std::vector<ReportedLayer> layerPictures;  ///< one per visible layer that is a picture
   int threads = 1;                           ///< that the run was allowed
   // The G-code, once it is written.

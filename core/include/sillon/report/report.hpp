@@ -12,6 +12,7 @@
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/report/input_note.hpp"
+#include "sillon/report/layers.hpp"
 #include "sillon/report/warning.hpp"
 #include "sillon/settings/project.hpp"
 
@@ -57,6 +58,7 @@ struct Report {
   std::int64_t peakBytes = 0;             ///< of the process, as measured by the caller; 0: unknown
   int threads = 1;                        ///< that the run was allowed
   std::vector<ReportedPicture> pictures;  ///< empty: left out
+  std::vector<SeenLayer> layers;          ///< one per visible layer; empty: left out
   std::vector<ReportedLayer> layerPictures;  ///< by the toolpath; empty: left out
   bool fromGcode = false;  ///< the pictures were judged by the G-code, not by the toolpath
   std::optional<PrintTotals> print;     ///< none: left out

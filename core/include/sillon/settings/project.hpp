@@ -1,6 +1,7 @@
 // Everything a person may choose: shape, directions, pictures, toolpath, print and printer.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -78,6 +79,12 @@ struct PrintParams {
   std::vector<std::string> notes;     ///< extra header lines, without the semicolon
   std::vector<Thumbnail> thumbnails;  ///< in the header, in this order
 };
+
+/// Number of loops of a rim, which is made of whole lines.
+/// \param line  width of each [mm].
+inline int rimLoops(const PrintParams& print, double line) {
+  return std::max(1, static_cast<int>(print.rimWidth / line + 0.5));
+}
 
 /// Tells whether a base layer takes a path of its own, which runs across the oriented beads.
 inline bool needsAcross(const PrintParams& params) {

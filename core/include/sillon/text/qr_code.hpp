@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
@@ -15,5 +16,15 @@ namespace sillon {
 /// (ISO/IEC 18004). \param read  asked for it by engines in browsers alone, which take it from
 /// JavaScript. \return TooLarge for a text that no code holds.
 Result<Image> qrModules(const std::string& text, QrCorrection correction, const ReadInput& read);
+
+/// Light modules around a code, on each side (ISO/IEC 18004).
+inline constexpr int kQuietZone = 4;
+
+/// Tells whether decoders read a code some of whose modules are seen wrongly: its finder patterns
+/// are whole, with light beside their middles, one copy of its format has at most three wrong
+/// modules, and no block more wrong codewords than half of its words of correction.
+/// \param code  as of qrModules, inside its quiet zone.
+/// \param wrong  one per module of `code`.
+bool qrReads(const Image& code, const std::vector<char>& wrong);
 
 }  // namespace sillon

@@ -1,0 +1,34 @@
+// Visibility of a plate's layers.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "sillon/base/types.hpp"
+#include "sillon/report/warning.hpp"
+
+namespace sillon {
+
+/// A visible layer, and the shares of what it draws that are not seen, 0..1, each for one reason.
+struct SeenLayer {
+  std::size_t layer = 1;  ///< number, from 1
+  Vec2 size;              ///< of its box, before it turns [mm]
+  bool exact = false;     ///< letters, drawings and codes: each part counts
+  double thin = 0;        ///< share that is narrower than two beads
+  double beside = 0;      ///< beside the plate, or in its holes
+  double underRim = 0;
+  double covered = 0;            ///< by layers above
+  double alike = 0;              ///< within 15 degrees of what it lies on
+  double module = 0;             ///< side of a code's modules [mm]
+  std::optional<bool> readable;  ///< of a code
+};
+
+/// Warnings about layers that are not seen: letters, drawings and codes of which more than 2 % are
+/// hidden or 10 % alike, others of which less than 2 % are left; thin letters and modules; and
+/// codes that cannot be read.
+/// \param page  of the plate [mm].
+/// \param spacing  tau [mm].
+std::vector<Warning> layerWarnings(const std::vector<SeenLayer>& layers, Vec2 page, double spacing);
+
+}  // namespace sillon
