@@ -1,5 +1,5 @@
 // Builds dist/engine/text.js, one file with HarfBuzz's glue and the maker of QR codes in it. HarfBuzz would fetch its module
-// while it is imported, from an address that bundlers do not follow; here start(wasm) takes it.
+// while it is imported, from an address that bundlers do not follow; here start(wasm) takes it, and may be called again.
 import { copyFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
@@ -12,11 +12,12 @@ const startLater = {
     if (!id.includes('harfbuzzjs')) return undefined;
     const begin = 'init(await createHarfBuzz());';
     const address = 'new URL("harfbuzz.wasm",import.meta.url).href';
-    if (id.endsWith('index.mjs') && code.includes(begin)) {
-      return code.replace(
-        begin,
-        'export const start = async (wasmBinary) => init(await createHarfBuzz({ wasmBinary }));',
-      );
+    const collected = '\tcleanup();\n';
+    if (id.endsWith('index.mjs') && code.includes(begin) && code.includes(collected)) {
+      // What is collected of a memory that is broken would throw where nobody can catch it.
+      return code
+        .replace(begin, 'export const start = async (wasmBinary) => init(await createHarfBuzz({ wasmBinary }));')
+        .replace(collected, '\ttry { cleanup(); } catch {}\n');
     }
     if (id.endsWith('harfbuzz.js') && code.includes(address)) return code.replace(address, '"harfbuzz.wasm"');
     throw new Error(`${id} is not the file of harfbuzzjs that this build knows`);

@@ -108,12 +108,21 @@ export class Texts {
 
   /** Fonts that come with the engine are fetched where the line's own lacks a letter. */
   async #shaped(own: FontFile, line: string): Promise<object> {
-    const { shapeLine } = await this.#start();
-    const shaped = shapeLine(line, own);
-    if (shaped.lacks !== true) return shaped;
-    const names = [...fontFiles.keys()].filter((name) => name !== own.name);
-    const others = names.map(async (name) => ({ name, bytes: (await this.#fontOf({}, name)) ?? new Uint8Array() }));
-    return shapeLine(line, own, await Promise.all(others));
+    const { shapeLine, forget } = await this.#start();
+    try {
+      const shaped = shapeLine(line, own);
+      if (shaped.lacks !== true) return shaped;
+      const names = [...fontFiles.keys()].filter((name) => name !== own.name);
+      const others = names.map(async (name) => ({ name, bytes: (await this.#fontOf({}, name)) ?? new Uint8Array() }));
+      return shapeLine(line, own, await Promise.all(others));
+    } catch (problem) {
+      if (problem instanceof SillonError) throw problem;
+      forget();
+      throw new SillonError(
+        'TooLarge',
+        `the letters of "${own.name}" cannot be set (${messageOf(problem)}); take another font, or fewer letters`,
+      );
+    }
   }
 
   async #fontOf(files: Files, font: string): Promise<Uint8Array | undefined> {

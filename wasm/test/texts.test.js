@@ -6,7 +6,8 @@ import { test } from 'node:test';
 
 import { root } from './support/projects.js';
 
-const { textRuns } = await import(join(root, 'wasm/dist/engine/text.js'));
+const { forget, shapeLine, start, textRuns } = await import(join(root, 'wasm/dist/engine/text.js'));
+const { Texts } = await import(join(root, 'wasm/dist/texts.js'));
 
 const bidiTest = '/usr/share/unicode/BidiCharacterTest.txt';
 const lacksTest = existsSync(bidiTest) ? false : `no ${bidiTest}; Debian's package unicode-data has it`;
@@ -55,4 +56,46 @@ test('a line is split where its sense or its script changes', () => {
     [0, 4096, true],
     [4096, 4097, true],
   ]);
+});
+
+const nunito = { name: 'Nunito', bytes: readFileSync(join(root, 'core/data/fonts/nunito.ttf')) };
+const startTools = () => start(() => Promise.resolve(readFileSync(join(root, 'wasm/dist/engine/harfbuzz.wasm'))));
+
+test('as many lines are set as anybody asks for, in a memory of one font', async () => {
+  await startTools();
+  for (let k = 0; k < 20_000; ++k) assert.equal(shapeLine(`Label ${k}`, nunito).lacks, false);
+});
+
+test('a memory that is left behind is followed by another', async () => {
+  await startTools();
+  const before = shapeLine('Anna', nunito);
+  forget();
+  await startTools();
+  assert.deepEqual(shapeLine('Anna', nunito), before);
+});
+
+test('an error of the library is told with the font, and the next call starts it anew', async () => {
+  const script = `data:text/javascript,${encodeURIComponent(`
+    export let started = 0, forgotten = 0;
+    export const start = () => void (started = Math.max(started, forgotten + 1));
+    export const forget = () => void ++forgotten;
+    export const shapeLine = (line) => {
+      if (line === 'B') throw new RangeError('memory access out of bounds');
+      return { started };
+    };`)}`;
+  const font = new Blob(['font']);
+  const texts = new Texts({}, { fonts: {}, text: { script, wasm: '' } }, () => []);
+  const made = async (text) => {
+    const files = { 'own.ttf': { number: 0, value: font } };
+    await texts.addTo(files, { layers: [{ kind: 'text', text, font: 'own.ttf' }] });
+    return JSON.parse(new TextDecoder().decode(files[`line:own.ttf\n${text}`].value));
+  };
+  assert.deepEqual(await made('A'), { started: 1 });
+  await assert.rejects(made('B'), {
+    name: 'SillonError',
+    code: 'TooLarge',
+    message:
+      'the letters of "own.ttf" cannot be set (memory access out of bounds); take another font, or fewer letters',
+  });
+  assert.deepEqual(await made('A'), { started: 2 });
 });

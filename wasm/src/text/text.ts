@@ -65,6 +65,10 @@ interface OpenFont {
   font: hb.Font;
   em: number;
   capHeight: number;
+  /** Outlines by glyph that lines of this font have drawn: most of the time of short lines. */
+  paths: Map<number, string>;
+  /** Bytes that may still be kept of them. */
+  room: number;
 }
 
 function drawn({ font }: OpenFont, glyph: number, scale: number): string {
@@ -73,12 +77,30 @@ function drawn({ font }: OpenFont, glyph: number, scale: number): string {
   return pen.path.join('');
 }
 
-/** What HarfBuzz holds. It is freed when JavaScript's collector comes to it: all lines share one buffer, and each file is opened once. */
-const held = { fonts: new WeakMap<Uint8Array, OpenFont | undefined>() } as {
+function keptPath(open: OpenFont, glyph: number): string {
+  const known = open.paths.get(glyph);
+  if (known !== undefined) return known;
+  const path = drawn(open, glyph, 1);
+  if (path.length <= open.room) {
+    open.paths.set(glyph, path);
+    open.room -= path.length;
+  }
+  return path;
+}
+
+/** What HarfBuzz holds. It is freed when JavaScript's collector comes to it, and so is a memory whose start was undone: all
+ * lines share one buffer, and each file is opened once. */
+let held = { fonts: new WeakMap<Uint8Array, OpenFont | undefined>() } as {
   fonts: WeakMap<Uint8Array, OpenFont | undefined>;
   buffer?: hb.Buffer;
   writer?: hb.DrawFuncs;
 };
+
+/** Leaves a memory that is broken or full: the next start gives another. */
+export function forget(): void {
+  started = undefined;
+  held = { fonts: new WeakMap() };
+}
 
 function opened(file: Uint8Array): OpenFont | undefined {
   if (held.fonts.has(file)) return held.fonts.get(file);
@@ -87,7 +109,7 @@ function opened(file: Uint8Array): OpenFont | undefined {
   const none = face.referenceTable('maxp') === undefined || face.referenceTable('cmap') === undefined;
   const font = new hb.Font(face);
   const capHeight = capHeightOf(font, face.upem);
-  const open = none ? undefined : { font, em: face.upem, capHeight };
+  const open = none ? undefined : { font, em: face.upem, capHeight, paths: new Map(), room: mostPathBytes };
   held.fonts.set(file, open);
   return open;
 }
@@ -182,7 +204,7 @@ class LineSetter {
     const font = this.#fonts[k];
     const known = font?.outlines.get(glyph);
     if (font === undefined || known !== undefined) return known ?? 0;
-    const path = drawn(font.open, glyph, this.#scaleOf(k));
+    const path = k === 0 ? keptPath(font.open, glyph) : drawn(font.open, glyph, this.#scaleOf(k));
     font.outlines.set(glyph, this.outlines.length);
     this.#length += path.length;
     if (this.#length > mostPathBytes) throw new TooDetailed();
