@@ -1570,7 +1570,6 @@ export const de: Translation = {
   'layers.lack.file': 'Ohne Datei wird nichts gezeichnet.',
   'layers.lack.text': 'Ohne Buchstaben wird nichts gezeichnet.',
   'layers.lack.mask': 'Ohne Maske wird nichts gezeichnet.',
-  'layers.thin': '{percent} % davon sind schmaler als zwei Bahnen und schwer zu lesen. Größer oder kräftiger machen.',
   'layers.crop': 'Zuschneiden',
   'layers.crop.help': 'Die Kanten ziehen oder das Bild darunter.',
   'layers.uncrop': 'Ganzes Bild',

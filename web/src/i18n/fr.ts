@@ -1584,8 +1584,6 @@ export const fr: Translation = {
   'layers.lack.file': 'Sans fichier, rien n’est dessiné.',
   'layers.lack.text': 'Sans lettres, rien n’est dessiné.',
   'layers.lack.mask': 'Sans masque, rien n’est dessiné.',
-  'layers.thin':
-    '{percent} % est plus étroit que deux cordons et difficile à lire. Agrandissez-le, ou prenez plus gras.',
   'layers.crop': 'Recadrer',
   'layers.crop.help': 'Tirez les bords, ou l’image dessous.',
   'layers.uncrop': 'Image entière',

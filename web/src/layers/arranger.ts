@@ -12,6 +12,7 @@ import type { Shown } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 import { arranges, chosenLayer, frameIn, layerAt } from './arranging.js';
 import { cursorOf, gripAt, handlesOf, type Grip, type PageView } from './grips.js';
+import { warnedLayers } from './warned.js';
 
 const reachOf = { touch: 24, other: 10 }; // [CSS pixels]
 const snapsWithin = 6; // [CSS pixels]
@@ -32,6 +33,10 @@ export interface Arranged {
   cropping: boolean;
   /** The frame of a layer that a pointer is over, and that a click would choose. */
   over: Frame | undefined;
+  /** Something is wrong with the layer that is chosen. */
+  bad: boolean;
+  /** The frames of other layers that something is wrong with. */
+  warned: readonly Frame[];
   guides: readonly Guide[];
   /** Beside the frame, while it changes. */
   label: string;
@@ -254,12 +259,16 @@ export class Arranger {
     const state = this.#state;
     if (!arranges(state)) return undefined;
     const layer = chosenLayer(state);
+    const warned = warnedLayers(state);
+    const others = state.plate.layers.filter((one) => one !== layer && one.visible && warned.has(one));
     const over = this.#over === undefined ? undefined : layerOf(state.plate, this.#over);
     return {
       layer,
       frame: layer && frameIn(state, layer),
       cropping: state.cropping && layer?.kind === 'picture',
       over: over && frameIn(state, over),
+      bad: layer !== undefined && warned.has(layer),
+      warned: others.map((one) => frameIn(state, one)),
       guides: this.#guides,
       label: layer === undefined ? '' : this.#label(frameIn(state, layer), layer),
     };

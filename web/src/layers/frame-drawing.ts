@@ -26,20 +26,22 @@ function trace({ context, view }: Pen, points: readonly Point[]): void {
   });
 }
 
+type Colour = '--accent' | '--bad';
+
 /** A line that is seen on bright and on dark beads alike. */
-function stroke({ context, styles }: Pen, width: number): void {
+function stroke({ context, styles }: Pen, width: number, colour: Colour = '--accent'): void {
   context.strokeStyle = styles.getPropertyValue('--surface');
   context.lineWidth = width + 2.5;
   context.stroke();
-  context.strokeStyle = styles.getPropertyValue('--accent');
+  context.strokeStyle = styles.getPropertyValue(colour);
   context.lineWidth = width;
   context.stroke();
 }
 
-function outline(pen: Pen, frame: Frame, width: number): void {
+function outline(pen: Pen, frame: Frame, width: number, colour?: Colour): void {
   trace(pen, cornersOf(frame));
   pen.context.closePath();
-  stroke(pen, width);
+  stroke(pen, width, colour);
 }
 
 /** Turned like the frame. */
@@ -146,8 +148,9 @@ function crop(pen: Pen, frame: Frame, { layer }: Arranged, picture: ImageBitmap 
 
 /** @param picture  of a layer that is being cropped, once it is there */
 export function drawArranged(pen: Pen, arranged: Arranged, page: Point, picture: ImageBitmap | undefined): void {
-  const { frame, layer, cropping, over } = arranged;
+  const { frame, layer, cropping, over, bad, warned } = arranged;
   const size = pen.coarse ? handle.finger : handle.pointer;
+  for (const each of warned) outline(pen, each, 2.5, '--bad');
   if (over !== undefined) outline(pen, over, 1);
   if (frame === undefined || layer === undefined) return;
   if (cropping) crop(pen, frame, arranged, picture);
@@ -156,7 +159,7 @@ export function drawArranged(pen: Pen, arranged: Arranged, page: Point, picture:
   const { view } = pen;
   if (!cropping && layer.kind !== 'border') knob(pen, sidePlace(frame, view, [0, 1]), knobPlace(frame, view), size);
   if (angle !== undefined) knob(pen, view.toScreen(frame.middle), anglePlace(frame, view, angle), size);
-  outline(pen, frame, 1.5);
+  outline(pen, frame, bad ? 2.5 : 1.5, bad ? '--bad' : '--accent');
   if (layer.kind !== 'border') {
     for (const side of sidesOf(cropping)) square(pen, sidePlace(frame, pen.view, side), size, frame.turn);
   }

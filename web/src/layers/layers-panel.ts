@@ -5,9 +5,10 @@ import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { l, layerLabel, layerName } from '../i18n/layers.js';
+import { warningText } from '../i18n/say-core.js';
 import { t } from '../i18n/text.js';
 import { changeLayer, layerOf, raised, withoutLayer } from '../model/layer-list.js';
-import { completeLayers, lackOf, type LayerKind } from '../model/layers.js';
+import { lackOf, type LayerKind } from '../model/layers.js';
 import type { Plate, PlateLayer } from '../model/plate.js';
 import { addLayer, duplicate } from './add-layer.js';
 import { frameIn } from './arranging.js';
@@ -18,6 +19,7 @@ import { layersStyle } from './layers-style.js';
 import { placeFields } from './place-fields.js';
 import { dragRow, rowTaken } from './row-drag.js';
 import { tile } from './tiles.js';
+import { warnedLayers, type Warning } from './warned.js';
 
 /** The most wanted first. */
 const offered: readonly LayerKind[] = ['text', 'picture', 'drawing', 'qr', 'pattern', 'direction', 'border', 'map'];
@@ -43,6 +45,7 @@ export class LayersPanel extends StudioElement {
   override render(): TemplateResult {
     const { plate } = this.state;
     const layers = [...plate.layers].reverse();
+    const warned = warnedLayers(this.state);
     const chosen = layerOf(plate, this.state.layer);
     const tiles = this.adding || layers.length === 0;
     return html`<section aria-labelledby="layers-title">
@@ -52,7 +55,7 @@ export class LayersPanel extends StudioElement {
           layers.length === 0
             ? nothing
             : html`<ul aria-label=${l('list')} @keydown=${this.#onListKey} @pointerdown=${this.#onListDown}>
-                ${layers.map((layer) => this.#row(layer, layer === chosen))}
+                ${layers.map((layer) => this.#row(layer, layer === chosen, warned.get(layer) ?? []))}
                 <li class="below">
                   <button
                     type="button"
@@ -105,10 +108,10 @@ export class LayersPanel extends StudioElement {
     this.requestUpdate();
   }
 
-  #row(layer: PlateLayer, chosen: boolean): TemplateResult {
+  #row(layer: PlateLayer, chosen: boolean, warnings: readonly Warning[]): TemplateResult {
     const name = layerName(layer);
     const lack = lackOf(layer);
-    const look = `${chosen ? 'chosen' : ''} ${this.held === layer.id ? 'held' : ''}`;
+    const look = `${chosen ? 'chosen' : ''} ${this.held === layer.id ? 'held' : ''} ${warnings.length > 0 ? 'warned' : ''}`;
     return html`<li class=${look} data-layer=${layer.id}>
       ${
         this.state.plate.layers.length < 2
@@ -123,7 +126,7 @@ export class LayersPanel extends StudioElement {
           this.studio.store.set({ layer: chosen ? undefined : layer.id, cropping: false, tool: 'pan' });
         }}
       >
-        ${lack === undefined ? kindIcon(layer) : icon('warn', 18)}
+        ${lack === undefined && warnings.length === 0 ? kindIcon(layer) : icon('warn', 18)}
         <span class=${layer.visible ? 'name' : 'name off'}>${name}</span>
       </button>
       <button
@@ -138,6 +141,7 @@ export class LayersPanel extends StudioElement {
         ${layerIcon(layer.visible ? 'eye' : 'hidden')}
       </button>
       ${chosen ? this.#actions(layer, name) : nothing}
+      ${warnings.map((warning) => html`<p class="warning" role="status">${warningText(warning)}</p>`)}
     </li>`;
   }
 
@@ -234,7 +238,6 @@ export class LayersPanel extends StudioElement {
         <h3 id="layer-title">${l(`kind.${layer.kind}`)}</h3>
         ${kindFields(this.studio, layer)}
         ${lack === undefined ? nothing : html`<p class="warning">${icon('warn', 16)} <span>${l(`lack.${lack}`)}</span></p>`}
-        ${this.#thin(layer)}
       </section>
       ${
         layer.kind === 'border'
@@ -263,17 +266,5 @@ export class LayersPanel extends StudioElement {
           <div class="rows">${this.unfolded ? foldedFields(this.studio, layer) : nothing}</div>
         </details>
       </section>`;
-  }
-
-  /** The engine tells of thin letters with the finished plate. */
-  #thin(layer: PlateLayer): TemplateResult | typeof nothing {
-    const { result } = this.state;
-    const number = result === undefined ? -1 : completeLayers(result.plate).indexOf(layer) + 1;
-    const found = result?.report.warnings.find(
-      ({ code, values }) => code === 'ThinLetters' && Number(values['layer']) === number,
-    );
-    if (found === undefined) return nothing;
-    const words = { percent: Number(found.values['percent']) };
-    return html`<p class="warning" role="status">${icon('warn', 16)} <span>${l('thin', words)}</span></p>`;
   }
 }

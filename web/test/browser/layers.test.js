@@ -386,6 +386,60 @@ test(
   },
 );
 
+test('a warning about a layer marks its row and its frame, once the whole plate is there', { skip }, async () => {
+  const visit = await open();
+  const { page } = visit;
+  for (const kind of ['Text', 'Text']) await add(visit, kind);
+  await visit.idle();
+  /** As the engine would tell it, of a kind that the panel has never heard of. */
+  const tell = (change) =>
+    page.evaluate((change) => {
+      const { store } = document.querySelector('sillon-app').studio;
+      const { result } = store.state;
+      const warnings = [{ code: 'Unheard', values: { layer: 1 }, message: 'Layer 1 lies beside the plate.' }];
+      store.set({ result: { ...result, report: { ...result.report, warnings }, ...change } });
+    }, change);
+  const rows = page.locator('sillon-layers-panel li.warned');
+  /** Whether a frame is drawn there in the colour of warnings. */
+  const red = async (x, y) => {
+    const place = await screen(visit, x, y);
+    return page.evaluate(([x, y]) => {
+      const overlay = document.querySelector('sillon-app').studio.stage.shadowRoot.querySelector('.overlay');
+      const { left, top, width } = overlay.getBoundingClientRect();
+      const scale = overlay.width / width;
+      const at = [Math.round((x - left) * scale) - 2, Math.round((y - top) * scale) - 2];
+      const { data } = overlay.getContext('2d').getImageData(...at, 5, 5);
+      let most = 0; // redder than the accent, which is a brown
+      for (let k = 0; k < data.length; k += 4) if (data[k + 3] > 100) most = Math.max(most, data[k] - data[k + 1]);
+      return most > 70;
+    }, place);
+  };
+  await tell({ coarse: true });
+  await settled(page);
+  assert.equal(await red(9, 14), false);
+  assert.equal(await rows.count(), 0);
+  await tell({ coarse: false });
+  await rows.getByText('Layer 1 lies beside the plate.').waitFor();
+  assert.equal(await rows.count(), 1);
+  assert.equal(await rows.getAttribute('data-layer'), '1');
+  await settled(page);
+  assert.ok(await red(9, 14), 'the frame of a layer that is not chosen');
+  await page.locator('li[data-layer="1"] .row').click();
+  await settled(page);
+  assert.ok(await red(9, 14), 'the frame of the chosen layer');
+  // It is about the layer as it was.
+  await page.evaluate(() => {
+    const { studio } = document.querySelector('sillon-app');
+    const { result } = studio.store.state;
+    studio.change((plate) => ({
+      ...plate,
+      layers: plate.layers.map((one, k) => (k === 0 ? { ...one, angle: 5 } : one)),
+    }));
+    studio.store.set({ result });
+  });
+  assert.equal(await rows.count(), 0);
+});
+
 test('a font that is dropped on a plate without layers makes the first', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.until(({ plate }) => plate.width === 24);

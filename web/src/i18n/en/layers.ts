@@ -20,7 +20,6 @@ export const words = {
   'layers.lack.file': 'Nothing is drawn without a file.',
   'layers.lack.text': 'Nothing is drawn without letters.',
   'layers.lack.mask': 'Nothing is drawn without a mask.',
-  'layers.thin': '{percent}% of it is narrower than two beads and hard to read. Make it larger or bolder.',
   'layers.crop': 'Crop',
   'layers.crop.help': 'Drag the edges, or the picture under them.',
   'layers.uncrop': 'Whole picture',
