@@ -227,7 +227,7 @@ std::vector<SeenLayer> seeLayers(const Project& project, const std::vector<Place
     one.layer = ink.layer + 1;
     one.size = placed[ink.layer].size;
     one.thin = placed[ink.layer].thin;
-    one.exact = outlined(layer.kind) || layer.kind == LayerKind::Qr;
+    one.kind = layer.kind;
     one.beside = ink.beside;
     one.underRim = ink.underRim;
     if (ink.texels > 0) {

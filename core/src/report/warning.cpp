@@ -246,9 +246,11 @@ std::vector<Warning> plateWarnings(const DrawingFacts& drawing, const std::vecto
 }
 
 std::vector<Warning> layerWarnings(const std::vector<SeenLayer>& layers, Vec2 page, double spacing) {
-  constexpr double kMuchThin = 0.2;  // serifs alone take less
-  // Of letters, drawings and codes; readers bridge more of what merges where the directions below turn.
-  constexpr double kMayBeHidden = 0.02, kMayBeAlike = 0.1;
+  constexpr double kMuchThin = 0.2;      // serifs alone take less
+  constexpr double kMayBeHidden = 0.02;  // of letters, drawings and codes
+  // A drawing filled at one angle over an echo of itself merges with it wherever its outline runs so, and is still
+  // seen.
+  constexpr double kOfDrawingAlike = 0.1;
   constexpr double kIsLeft = 0.02;  // of anything that is seen
   const auto percent = [](double share) { return std::round(100 * share); };
   const auto tenths = [](double length) { return std::round(10 * length) / 10; };
@@ -257,7 +259,10 @@ std::vector<Warning> layerWarnings(const std::vector<SeenLayer>& layers, Vec2 pa
     const NamedValue layer{"layer", static_cast<double>(one.layer)};
     const double hidden = one.beside + one.underRim + one.covered;
     const double most = std::max({one.beside, one.underRim, one.covered, one.alike});
-    const bool much = one.exact ? hidden > kMayBeHidden || one.alike > kMayBeAlike : hidden + one.alike > 1 - kIsLeft;
+    const bool drawing = one.kind == LayerKind::Drawing;
+    const bool exact = drawing || one.kind == LayerKind::Text || one.kind == LayerKind::Qr;
+    const bool much = exact ? hidden > kMayBeHidden || one.alike > (drawing ? kOfDrawingAlike : kMayBeHidden)
+                            : hidden + one.alike > 1 - kIsLeft;
     const auto tell = [&](WarningCode code, double share, std::vector<NamedValue> more = {}) {
       if (!much || (share < most && share < kMayBeHidden)) return;
       more.insert(more.begin(), {{"percent", percent(share)}, layer});

@@ -7,16 +7,17 @@
 
 #include "sillon/base/types.hpp"
 #include "sillon/report/warning.hpp"
+#include "sillon/settings/layers.hpp"
 
 namespace sillon {
 
 /// A visible layer, and the shares of what it draws that are not seen, 0..1, each for one reason.
 struct SeenLayer {
   std::size_t layer = 1;  ///< number, from 1
-  Vec2 size;              ///< of its box, before it turns [mm]
-  bool exact = false;     ///< letters, drawings and codes: each part counts
-  double thin = 0;        ///< share that is narrower than two beads
-  double beside = 0;      ///< beside the plate, or in its holes
+  LayerKind kind = LayerKind::Direction;
+  Vec2 size;          ///< of its box, before it turns [mm]
+  double thin = 0;    ///< share that is narrower than two beads
+  double beside = 0;  ///< beside the plate, or in its holes
   double underRim = 0;
   double covered = 0;            ///< by layers above
   double alike = 0;              ///< within 15 degrees of what it lies on
@@ -24,9 +25,9 @@ struct SeenLayer {
   std::optional<bool> readable;  ///< of a code
 };
 
-/// Warnings about layers that are not seen: letters, drawings and codes of which more than 2 % are
-/// hidden or 10 % alike, others of which less than 2 % are left; thin letters and modules; and
-/// codes that cannot be read.
+/// Warnings about layers that are not seen: letters and codes of which more than 2 % are hidden or
+/// alike; drawings of which more than 2 % are hidden or 10 % alike; others of which less than 2 %
+/// are left; thin letters and modules; and codes that cannot be read.
 /// \param page  of the plate [mm].
 /// \param spacing  tau [mm].
 std::vector<Warning> layerWarnings(const std::vector<SeenLayer>& layers, Vec2 page, double spacing);
