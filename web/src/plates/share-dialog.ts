@@ -76,7 +76,7 @@ export class Share extends DialogElement {
                 type="button"
                 @click=${() => {
                   // Closed without choosing: nothing went wrong.
-                  navigator.share({ title: t('app.name'), url: this.url }).catch(() => undefined);
+                  navigator.share({ title: say(linksWords, 'app.name'), url: this.url }).catch(() => undefined);
                 }}
               >
                 ${icon('share')} ${t('verb.share')}

@@ -12,4 +12,5 @@ export const words = {
   'link.untold.strokes': 'your strokes',
   'link.untold.blocks': 'your printer’s start and end G-code',
   'link.copied': 'The link is in your clipboard.',
+  'app.name': 'Sillon Studio',
 } as const;

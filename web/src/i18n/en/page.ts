@@ -1,7 +1,6 @@
 // Words that every visit needs first; others that are shown later stand in the files beside this one.
 
 export const words = {
-  'app.name': 'Sillon Studio',
   'app.someHost': 'another page',
   'app.skip': 'Skip to the plate',
   'app.plate': 'Plate',
