@@ -979,9 +979,9 @@ export interface Report {
   threads: number;
   /** Equal digests mean equal plates, on every platform. */
   digest: string;
-  /** What was taken for granted of the drawings of the shape and of visible layers, or left out of them. */
+  /** Notes on what was taken for granted of the drawings of the shape and of visible layers, or left out of them. */
   notes: DrawingNote[];
-  /** Of these drawings, the pictures and the path. Those of the print stand in `GcodeSummary.warnings`. */
+  /** Warnings about these drawings, the pictures and the path. Those of the print stand in `GcodeSummary.warnings`. */
   warnings: GcodeWarning[];
 
   lengthMm?: number;
@@ -1026,7 +1026,7 @@ export interface LayerReport {
   covered: number;
   /** Within 15 degrees of what it lies on. */
   alike: number;
-  /** Of a QR code. */
+  /** Present for a QR code. */
   readable?: boolean;
 }
 
@@ -1065,7 +1065,7 @@ export interface GcodeSummary {
 }
 
 export interface DrawingNote {
-  /** As `core/src/report/input_note.cpp` lists them: `TextLeftOut`, `SeveralColours` … */
+  /** One of those that `core/src/report/input_note.cpp` lists: `TextLeftOut`, `SeveralColours` … */
   code: string;
   /** `layer`, from 1, where it is about a layer's drawing or mask, and the words in braces of `message`'s pattern. */
   values: Record<string, number | string>;

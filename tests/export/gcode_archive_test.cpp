@@ -237,7 +237,8 @@ TEST_CASE("what Bambu Studio predicts changes by as much as the whole print, not
 
 namespace {
 
-// As Bambu Studio writes one that is printed from a slot of its own. Filaments count from 1, as people do.
+// A package as Bambu Studio writes it for a print from another slot than the first. Filaments count from 1, as people
+// do.
 std::string slicedFrom(const std::string& loads, const std::string& listed, const std::string& plate) {
   Zip zip;
   zip.add("Metadata/plate_1.gcode", kHead + "; filament_type = PLA;ABS;PETG\nG28\n" + loads + "; CHANGE_LAYER\n");
@@ -289,7 +290,7 @@ TEST_CASE("a package and the G-code in it name the same filament, or it is refus
   CHECK(refusal(slicedFrom(loading(3), kThird, "{]"), loading(3)).empty());
   CHECK(refusal(slicedFrom(loading(3), "", plate), loading(3)).find("is for no filament") != std::string::npos);
   CHECK(refusal(slicedFrom("", kThird, plate), "G28\n").empty());
-  // Of a plate of two filaments: with one of them the printer would ask for a spool in vain.
+  // A plate of two filaments is refused: with one of them the printer would ask for a spool in vain.
   const std::string two = "  <filament id=\"1\" type=\"PLA\"/>\n" + kThird;
   CHECK(refusal(slicedFrom(loading(1) + loading(3), two, ""), loading(1) + loading(3)).empty());
   CHECK(refusal(slicedFrom(loading(1) + loading(3), two, ""), loading(3))
@@ -321,7 +322,7 @@ TEST_CASE("a printer that is imported from a slot of a package goes back into th
   CHECK(loadedFilaments({read.printer.startGcode}) == std::vector<int>{2});
   CHECK(writeGcodeContainer(readGcodeContainer(donor).value(), kHead + read.printer.startGcode));
   CHECK(packed(kHead + read.printer.startGcode).find("<filament id=\"3\" ") != std::string::npos);
-  // What it loads behind the start block is no start of another print.
+  // A filament loaded behind the start block begins no other print.
   text.insert(text.find("G1 X5"), loading(1));
   CHECK(importPrinter(text).error().message.starts_with(
       "its start block loads filament 3, but its first bead is of filament 1; "));

@@ -1,4 +1,4 @@
-// What a plate takes of memory while it is made, for which docs/internals/performance.md promises a bound per cell, and
+// Memory that a plate takes while it is made, for which docs/internals/performance.md promises a bound per cell, and
 // what reading a drawing takes.
 #include <doctest/doctest.h>
 

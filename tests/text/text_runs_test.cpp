@@ -13,7 +13,7 @@ using namespace sillon;
 
 namespace {
 
-/// Where Debian's unicode-data keeps it.
+/// Path in Debian's package unicode-data.
 constexpr const char* kBidiTest = "/usr/share/unicode/BidiCharacterTest.txt";
 
 std::vector<std::string> fieldsOf(const std::string& line) {

@@ -172,7 +172,7 @@ TEST_CASE("a letter that a font lacks comes from the first built-in one that has
   const ShapedLine marked = line("Nunito", "\u0395\u0301\u0395");
   CHECK(marked.lacked == Lacked{{"\u0395", "Roboto Slab", false}});
 
-  // What no font has is left out, and told once; a sign that is not seen is no letter.
+  // A letter that no font has is left out, and told once; a sign that is not seen is no letter.
   const ShapedLine lost = line("Nunito", "A\u5b57\u200dB\ufe0f\u5b57");
   CHECK(lost.letters.size() == 2);
   CHECK(lost.lacked == Lacked{{"\u5b57", "", false}});

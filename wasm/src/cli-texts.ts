@@ -11,7 +11,7 @@ const engine = (name: string): string => fileURLToPath(new URL(`./engine/${name}
 
 type Tools = typeof import('./text/text.js');
 
-/** What the thread that asks and this one share. */
+/** Port and flag that the thread that asks shares with this one. */
 export interface Asking {
   port: MessagePort;
   /** 1: the answer is there. */

@@ -110,7 +110,7 @@ interface Scripts extends ThreadScripts {
  * when they rest. undefined: none can be used here. */
 const held = new Map<string, Scripts | undefined>();
 
-/** Of an engine's scripts, itself first. */
+/** Addresses of an engine's scripts, itself first. */
 const addressesOf = ({ worker, st, mt }: EngineFiles, threads: number): [string, ...string[]] =>
   threads > 1 ? [mt.script, worker, mt.threadScript] : [st.script, worker];
 
@@ -171,7 +171,7 @@ export const browser: Platform = {
       throw new SillonError('LoadFailed', `${files.worker} could not be started as a worker: ${messageOf(problem)}`);
     }
     worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
-      // What has just been loaded browsers have still.
+      // Browsers still have a script that was just loaded.
       if (data.type === 'started' && !held.has(engine)) hold(addresses, 'force-cache').catch(() => undefined);
       events.onMessage(data);
     };

@@ -41,7 +41,7 @@ export class Texts {
   readonly #platform: Platform;
   readonly #files: EngineFiles;
   readonly #linesOf: (file: Uint8Array) => Promise<string[]>;
-  /** Of the engine's fonts by address, and of others by Blob, which cannot change, or by the entry of one call: HarfBuzz opens
+  /** Font files, the engine's by address, and of others by Blob, which cannot change, or by the entry of one call: HarfBuzz opens
    * the same bytes once. */
   readonly #fonts = new Map<string, Promise<Uint8Array>>();
   readonly #ownFonts = new WeakMap<object, Promise<Uint8Array>>();

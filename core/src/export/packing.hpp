@@ -121,7 +121,7 @@ Place attribute(std::string_view xml, std::string_view before, std::string_view 
 /// Filaments that the G-code loads, from 0, rising. \param gcode  in parts of whole lines.
 std::vector<int> loadedFilaments(const std::vector<std::string_view>& gcode);
 
-/// What a package says of one plate.
+/// Lists in which a package describes one plate.
 struct PlateLists {
   std::string_view sliceInfo;  ///< its part of slice_info.config
   std::string_view plateInfo;  ///< its JSON; empty: there is none

@@ -31,7 +31,7 @@ void add(std::vector<InputNote>& notes, const char* code, std::vector<NamedValue
   notes.push_back({code, std::move(values), std::move(message)});
 }
 
-// What of a drawing is not shown as it was drawn, whatever becomes of it.
+// Adds notes on parts of a drawing that no use of it shows as drawn.
 void addLost(const DrawingFacts& drawing, std::vector<InputNote>& notes) {
   if (drawing.texts > 0) add(notes, "TextLeftOut", {{"n", static_cast<double>(drawing.texts)}});
   if (drawing.otherFont) add(notes, "TextInOtherFont");

@@ -191,7 +191,7 @@ Wrong wrongPrinter(const Printer& printer) {
   return std::nullopt;
 }
 
-/// What a layer lacks that is to be drawn.
+/// Finds the field that a visible layer lacks.
 Wrong lackingLayer(const Layer& layer) {
   const LayerKind kind = layer.kind;
   const bool echo = kind == LayerKind::Pattern && layer.pattern == LayerPattern::Echo;

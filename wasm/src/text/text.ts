@@ -88,7 +88,7 @@ function keptPath(open: OpenFont, glyph: number): string {
   return path;
 }
 
-/** What HarfBuzz holds. It is freed when JavaScript's collector comes to it, and so is a memory whose start was undone: all
+/** Objects in HarfBuzz's memory. JavaScript's collector frees them, and a memory whose start was undone: all
  * lines share one buffer, and each file is opened once. */
 let held = { fonts: new WeakMap<Uint8Array, OpenFont | undefined>() } as {
   fonts: WeakMap<Uint8Array, OpenFont | undefined>;
@@ -272,7 +272,7 @@ export interface FontFile {
   bytes: Uint8Array;
 }
 
-/** What core/src/text/shape_line_elsewhere.cpp reads, and more. */
+/** A shaped line as core/src/text/shape_line_elsewhere.cpp reads it, and more. */
 export interface Shaped {
   /** Some letter, or a space, is in none of the fonts. */
   lacks?: boolean;

@@ -322,14 +322,14 @@ export class App extends StudioElement {
     removeEventListener('keydown', this.#onKey);
   }
 
-  /** Of the pointer, on the page: what is pasted may be meant for that place. */
+  /** The pointer's place on the page: what is pasted may be meant for it. */
   #pointer: PointerPlace | undefined;
 
   #onPointer = ({ clientX, clientY }: PointerEvent): void => {
     this.#pointer = { clientX, clientY };
   };
 
-  /** Whether a drag brings something that the page takes. */
+  /** Tells whether a drag brings something that the page takes. */
   #brings(event: DragEvent, ...kinds: string[]): boolean {
     const { types } = event.dataTransfer ?? {};
     return types?.includes('Files') === true || (!typesText(event) && kinds.some((kind) => types?.includes(kind)));
@@ -356,7 +356,7 @@ export class App extends StudioElement {
     const onShape = this.renderRoot.querySelector('sillon-drop')?.isShape(event) ?? false;
     this.studio.store.set({ dropping: false });
     if (!this.#takesFiles()) return;
-    // Of a project, the browser may lend what it takes to save it back in its place; it is gone with the event.
+    // The browser may lend a handle to save a project back in its place; the handle is gone with the event.
     const { files, items } = dataTransfer;
     const [item] = items as unknown as Iterable<Handing>;
     const handle = files.length === 1 ? item?.getAsFileSystemHandle?.().catch(() => null) : undefined;

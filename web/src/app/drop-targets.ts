@@ -105,7 +105,7 @@ export class DropTargets extends StudioElement {
     </div>`;
   }
 
-  /** Whether what is let go there is for the plate's shape. */
+  /** Tells whether a file let go there is for the plate's shape. */
   isShape({ clientX: x, clientY: y }: PointerPlace): boolean {
     const box = this.shape?.getBoundingClientRect();
     return box !== undefined && x >= box.left && x <= box.right && y >= box.top && y <= box.bottom;

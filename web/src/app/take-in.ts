@@ -1,4 +1,4 @@
-// What is dropped or pasted: files and texts become layers while layers are in use, else a plate is made of them.
+// Takes in what is dropped or pasted: files and texts become layers while layers are in use, else a plate is made of them.
 import { addFiles, addText } from '../layers/add-layer.js';
 import type { Point } from '../model/layer-frame.js';
 import { pageOf } from '../model/plate.js';
@@ -6,7 +6,7 @@ import { openAddress } from '../studio/addresses.js';
 import { composes } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 
-/** Of a pointer [CSS pixels]. */
+/** Place of a pointer [CSS pixels]. */
 export type PointerPlace = Pick<MouseEvent, 'clientX' | 'clientY'>;
 
 export interface Handed {
@@ -16,7 +16,7 @@ export interface Handed {
   at: PointerPlace | undefined;
   /** The files are meant for the plate's shape. */
   onShape?: boolean;
-  /** Of the only file. */
+  /** Handle of the only file. */
   handle?: Promise<FileSystemHandle | null> | undefined;
 }
 

@@ -1,4 +1,4 @@
-// Where a box finds room on a plate, beside the boxes that lie there.
+// Finds room on a plate for a box, beside the boxes that lie there.
 import type { FreePlace, Taken, Wanted } from '../model/free-place.js';
 import { boundsOf, contains, type Point } from '../model/layer-frame.js';
 import { pageOf, type Plate } from '../model/plate.js';

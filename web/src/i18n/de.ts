@@ -1269,15 +1269,15 @@ export const de: Translation = {
   'warning.ThinLetters':
     '{percent} % der Ebene {layer} sind schmaler als zwei Bahnen und schwer zu lesen; größer, fetter oder mit kleinerem Abstand wird sie deutlicher.',
   'warning.ThinModules':
-    'Die Module der Ebene {layer} sind {size} mm breit, weniger als zwei Bahnen, und schwer zu lesen; größer, mit kürzerem Text oder mit kleinerem Abstand werden sie deutlicher.',
+    'Die Module der Ebene {layer} sind {size} mm breit, weniger als zwei Bahnen, und schwer zu lesen; größer, mit kürzerem Text oder mit kleinerem Abstand werden sie deutlicher.',
   'warning.LayerAlike':
-    '{percent} % der Ebene {layer} liegen bis auf 15° wie das, was darunter liegt, und sind nicht zu sehen. Ein anderer Winkel oder die Füllung „Quer“ zeigt sie.',
+    '{percent} % der Ebene {layer} liegen bis auf 15° wie das, was darunter liegt, und sind nicht zu sehen. Ein anderer Winkel oder die Füllung „Quer“ zeigt sie.',
   'warning.LayerBeside':
-    '{percent} % der Ebene {layer} liegen neben der Platte oder in ihren Löchern. Sie ist {width} × {height} mm groß, die Seite {pageWidth} × {pageHeight}: kleiner machen oder verschieben.',
+    '{percent} % der Ebene {layer} liegen neben der Platte oder in ihren Löchern. Sie ist {width} × {height} mm groß, die Seite {pageWidth} × {pageHeight}: kleiner machen oder verschieben.',
   'warning.LayerCovered':
-    '{percent} % der Ebene {layer} sind von Ebenen darüber verdeckt. Verschieben oder nach oben holen.',
+    '{percent} % der Ebene {layer} sind von Ebenen darüber verdeckt. Verschieben oder nach oben holen.',
   'warning.LayerUnderRim':
-    '{percent} % der Ebene {layer} liegen unter „Erhöhter Rand“. Kleiner machen oder verschieben.',
+    '{percent} % der Ebene {layer} liegen unter „Erhöhter Rand“. Kleiner machen oder verschieben.',
   'warning.LayerUnreadable':
     'Der Code der Ebene {layer} ist nicht zu lesen. Sein ganzes Quadrat muss unverdeckt auf der Platte liegen, in zwei deutlich verschiedenen Richtungen, mit Modulen breiter als eine Bahn.',
   'warning.ThinLayers': '„Schichthöhe“ ist {value} mm; unter 0,2 Düsendurchmessern reißen Schichten.',

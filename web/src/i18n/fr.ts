@@ -1282,14 +1282,14 @@ export const fr: Translation = {
   'warning.ThinLetters':
     '{percent} % du calque {layer} sont plus étroits que deux cordons et difficiles à lire ; plus grand, plus gras ou avec un espacement plus petit, il sera plus net.',
   'warning.ThinModules':
-    'Les modules du calque {layer} ont {size} mm de large, moins de deux cordons, et sont difficiles à lire ; plus grands, avec un texte plus court ou un espacement plus petit, ils seront plus nets.',
+    'Les modules du calque {layer} ont {size} mm de large, moins de deux cordons, et sont difficiles à lire ; plus grands, avec un texte plus court ou un espacement plus petit, ils seront plus nets.',
   'warning.LayerAlike':
-    '{percent} % du calque {layer} suivent à 15° près ce qui est dessous et ne se voient pas. Un autre angle, ou le remplissage « En travers », les montre.',
+    '{percent} % du calque {layer} suivent à 15° près ce qui est dessous et ne se voient pas. Un autre angle, ou le remplissage « En travers », les montre.',
   'warning.LayerBeside':
-    '{percent} % du calque {layer} sont hors de la plaque ou dans ses trous. Il mesure {width} × {height} mm et la page {pageWidth} × {pageHeight} : réduisez-le ou déplacez-le.',
+    '{percent} % du calque {layer} sont hors de la plaque ou dans ses trous. Il mesure {width} × {height} mm et la page {pageWidth} × {pageHeight} : réduisez-le ou déplacez-le.',
   'warning.LayerCovered':
-    '{percent} % du calque {layer} sont couverts par des calques au-dessus. Déplacez-le ou remontez-le.',
-  'warning.LayerUnderRim': '{percent} % du calque {layer} sont sous « Rebord ». Réduisez-le ou déplacez-le.',
+    '{percent} % du calque {layer} sont couverts par des calques au-dessus. Déplacez-le ou remontez-le.',
+  'warning.LayerUnderRim': '{percent} % du calque {layer} sont sous « Rebord ». Réduisez-le ou déplacez-le.',
   'warning.LayerUnreadable':
     'Le code du calque {layer} n’est pas lisible. Tout son carré doit être sur la plaque, découvert, en deux directions bien différentes, avec des modules plus larges qu’un cordon.',
   'warning.ThinLayers':

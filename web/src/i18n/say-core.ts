@@ -31,7 +31,7 @@ export const importNoteText = ({ code, values, message }: ImportNote): string =>
 /** A warning of GcodeSummary in the page's language. */
 export function warningText({ code, values, message }: GcodeWarning): string {
   const { layer, ...own } = values;
-  // Those about drawings do not say whose drawing it is.
+  // Sentences about drawings do not say whose drawing it is.
   if (layer === undefined || !code.startsWith('Drawing'))
     return sentence(warnings, `warning.${code}`, values) ?? message;
   const what = sentence(warnings, `warning.${code}`, own);

@@ -2,7 +2,7 @@
 import type { EngineInfo } from 'sillon';
 import { t } from './text.js';
 
-/** Of the chip that tells how many threads work. @param asked  what the engine was started with */
+/** Words of the chip that tells how many threads work. @param asked  what the engine was started with */
 export function threadsWords(
   { threads, reasonCode }: EngineInfo,
   asked: 'auto' | 'off' | number,

@@ -86,7 +86,7 @@ export async function oneFile(studio: Studio, files: readonly File[], accept: st
   return undefined;
 }
 
-/** What was handed to the plate is seen, and its frame, where the window has room for the panel. */
+/** Shows what was handed to the plate, and its frame where the window has room for the panel. */
 function showLayers(studio: Studio): void {
   if (studio.store.state.panel !== '') studio.setPanel('layers');
 }

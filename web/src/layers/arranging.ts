@@ -16,7 +16,7 @@ export const chosenLayer = ({ plate, layer }: Readonly<Shown>): PlateLayer | und
 export const frameIn = ({ plate, layerBoxes }: Readonly<Shown>, layer: PlateLayer): Frame =>
   frameOf(plate, layer, layerBoxes.get(layer.id));
 
-/** Whether the frame covers all of the page. */
+/** Tells whether the frame covers all of the page. */
 export const fillsPage = ({ size }: Frame, page: Point): boolean => size[0] >= page[0] && size[1] >= page[1];
 
 /** The topmost layer whose box is there; those that cover the page come after the others, as they are everywhere.

@@ -16,7 +16,7 @@ const legible = 10; // beads that capital letters must be high
 const leastShare = 0.5;
 const mostOfPage = 0.8;
 
-/** As the engine says, and where it says nothing soon, as they were known. */
+/** Boxes as the engine tells them; where it does not answer soon, as last known. */
 async function boxesOf(studio: Studio, plate: Plate): Promise<ReadonlyMap<number, KnownBox>> {
   const late = new Promise<undefined>((resolve) => setTimeout(resolve, patience));
   const told = await Promise.race([studio.services.layerBoxes(plate).catch(() => undefined), late]);

@@ -69,7 +69,7 @@ export function withSpool(plate: Plate, spool: OwnSpool | undefined): Plate {
   return spool === undefined ? changed : { ...changed, spool };
 }
 
-/** As it is usually printed. */
+/** Temperatures at which a filament is usually printed. */
 export const heatFor = ({ nozzleTemperature, bedTemperature }: Filament) => ({
   nozzleTemperature,
   firstLayerNozzleTemperature: nozzleTemperature + 5,

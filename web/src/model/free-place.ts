@@ -1,4 +1,4 @@
-// What is asked of a place for one more box on a plate, and its answer. Lengths are mm.
+// Question and answer about a free place for one more box on a plate. Lengths are mm.
 import type { Frame, Point } from './layer-frame.js';
 
 /** A frame that is in use, but for a disc about its middle: what letters on a circle leave free. */

@@ -1,4 +1,4 @@
-// What the page calls a filament.
+// Names of filaments on the page.
 import { words } from '../i18n/en/printer.js';
 import { say, t } from '../i18n/text.js';
 import { filaments, type Filament } from '../model/filaments.js';

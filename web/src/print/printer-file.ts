@@ -12,7 +12,7 @@ import type { Studio } from '../studio/studio.js';
 
 type Heat = Pick<PrinterValues, 'nozzleTemperature' | 'firstLayerNozzleTemperature' | 'bedTemperature'>;
 
-/** As slicers, Cura and project files call them. */
+/** Keys of slicers, Cura and project files that tell a filament. */
 const names = {
   type: ['filament_type', 'material_type', 'filamentType'],
   nozzle: ['temperature', 'nozzle_temperature', 'material_print_temperature', 'nozzleTemperature'],

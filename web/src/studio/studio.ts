@@ -80,7 +80,7 @@ export interface Services {
   directions(): Promise<DirectionRaster>;
   /** The box in which the engine puts each layer that lacks nothing, by its id. */
   layerBoxes(plate: Plate): Promise<ReadonlyMap<number, PlacedLayer>>;
-  /** Where a new box lies free on the plate. */
+  /** Finds a free place on the plate for a new box. */
   freePlace(plate: Plate, taken: readonly Taken[], wanted: Wanted): Promise<FreePlace>;
   /** Of a sliced print, on a box of the bed: strokes in mm on the bed, and an angle elsewhere [degrees]. */
   handDirections(strokes: readonly Stroke[], box: Box, angle: number): Promise<DirectionRaster>;
@@ -96,7 +96,7 @@ export interface Stage {
   zoom(factor: number): void;
   /** Millimetres of the page. */
   lookAt(x: number, y: number, across: number): void;
-  /** Of the plate's page, from its own corner [CSS pixels]. */
+  /** The box of the plate's page, from the canvas's own corner [CSS pixels]. */
   plateBox(): { left: number; top: number; width: number; height: number };
   getBoundingClientRect(): DOMRect;
   capture(width: number): Promise<Blob>;

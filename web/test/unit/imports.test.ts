@@ -86,7 +86,7 @@ const heatOf = ({ nozzleTemperature, firstLayerNozzleTemperature, bedTemperature
   bedTemperature,
 });
 
-/** What the page says of a plate's filament is so. */
+/** Checks that the page tells the truth about a plate's filament. */
 function agrees(plate: Plate, where: string): void {
   const { filamentType: type, nozzleTemperature } = plate.printer;
   const name = filamentName(plate);

@@ -29,7 +29,7 @@ struct PlacedLayer {
   /// Share of letters or of a drawing that is narrower than two beads, 0..1
   double thin = 0;
   std::optional<Error> problem;  ///< its content cannot be made; the box is what it asks for
-  /// What was read of its letters or drawing, and of its mask
+  /// Facts read from its letters or drawing, and from its mask
   std::vector<DrawingFacts> drawings = {};
   std::vector<LackedLetter> lacked = {};  ///< of its text, as in ShapedLine
 };
@@ -50,7 +50,7 @@ struct PlacedCode {
   std::vector<int> texels;  ///< of LayerStack: that in the middle of each module; -1: none
 };
 
-/// What a layer draws, before others cover it: its letters, its drawing, its band, or its box.
+/// Ink of a layer, before others cover it: its letters, its drawing, its band, or its box.
 struct LayerInk {
   std::size_t layer = 0;   ///< its place in the project's list
   double beside = 0;       ///< share of its ink that lies beside the plate, or in its holes, 0..1

@@ -249,7 +249,7 @@ class Drawing {
     return found == byId_.end() || elementName(*found->second) != kind ? nullptr : found->second;
   }
 
-  // What nothing declares.
+  // Defaults where nothing declares a property.
   PaintState initialPaint() {
     PaintState paint;
     paint.letters.size = units_.em;

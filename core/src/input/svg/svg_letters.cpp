@@ -90,7 +90,7 @@ std::optional<double> sizeOf(std::string_view value, const PaintContext& context
   return std::isfinite(length) ? std::optional(length) : std::nullopt;
 }
 
-/// Whether a word is what letters are without it.
+/// Tells whether a word is a property's initial value.
 bool isPlain(const std::string& word) {
   constexpr std::array<std::string_view, 13> kPlain{"normal", "none", "auto", "initial", "unset",
                                                     "revert", "ltr",  "lr",   "lr-tb",   "horizontal-tb",

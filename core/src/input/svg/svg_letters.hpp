@@ -90,7 +90,7 @@ class LetterShaper {
   };
   /// \return an error of the function given.
   Result<const Line*> of(const DrawingFont& font, const std::string& text);
-  /// Whether the font of a line stood in for its own.
+  /// True where another font stood in for that of a line.
   [[nodiscard]] bool tookOtherFont() const { return tookOtherFont_; }
 
  private:

@@ -228,7 +228,7 @@ class Style {
   [[nodiscard]] bool setsLetters() const;
   /// Tells whether nothing changes but letters, of which most drawings have none.
   [[nodiscard]] bool setsLettersOnly() const;
-  /// What it costs to lay this over an element, in bytes that are read.
+  /// Cost of laying this over an element, in bytes that are read.
   [[nodiscard]] std::size_t cost() const;
   /// Adds to the weight of all that is declared.
   void raise(std::int64_t weight);
