@@ -19,7 +19,7 @@ import { layersStyle } from './layers-style.js';
 import { placeFields } from './place-fields.js';
 import { dragRow, rowTaken } from './row-drag.js';
 import { tile } from './tiles.js';
-import { warnedLayers, type Warning } from './warned.js';
+import { warnedLayers } from './warned.js';
 
 /** The most wanted first. */
 const offered: readonly LayerKind[] = ['text', 'picture', 'drawing', 'qr', 'pattern', 'direction', 'border', 'map'];
@@ -55,7 +55,7 @@ export class LayersPanel extends StudioElement {
           layers.length === 0
             ? nothing
             : html`<ul aria-label=${l('list')} @keydown=${this.#onListKey} @pointerdown=${this.#onListDown}>
-                ${layers.map((layer) => this.#row(layer, layer === chosen, warned.get(layer) ?? []))}
+                ${layers.map((layer) => this.#row(layer, layer === chosen, warned.has(layer)))}
                 <li class="below">
                   <button
                     type="button"
@@ -69,6 +69,12 @@ export class LayersPanel extends StudioElement {
                   </button>
                 </li>
               </ul>`
+        }
+        ${
+          /* Below the list, whose rows would else change their places under a hand that drags one. */
+          layers.flatMap((layer) =>
+            (warned.get(layer) ?? []).map((one) => html`<p class="warning" role="status">${warningText(one)}</p>`),
+          )
         }
         ${
           layers.length === 0
@@ -108,10 +114,10 @@ export class LayersPanel extends StudioElement {
     this.requestUpdate();
   }
 
-  #row(layer: PlateLayer, chosen: boolean, warnings: readonly Warning[]): TemplateResult {
+  #row(layer: PlateLayer, chosen: boolean, warned: boolean): TemplateResult {
     const name = layerName(layer);
     const lack = lackOf(layer);
-    const look = `${chosen ? 'chosen' : ''} ${this.held === layer.id ? 'held' : ''} ${warnings.length > 0 ? 'warned' : ''}`;
+    const look = `${chosen ? 'chosen' : ''} ${this.held === layer.id ? 'held' : ''} ${warned ? 'warned' : ''}`;
     return html`<li class=${look} data-layer=${layer.id}>
       ${
         this.state.plate.layers.length < 2
@@ -126,7 +132,7 @@ export class LayersPanel extends StudioElement {
           this.studio.store.set({ layer: chosen ? undefined : layer.id, cropping: false, tool: 'pan' });
         }}
       >
-        ${lack === undefined && warnings.length === 0 ? kindIcon(layer) : icon('warn', 18)}
+        ${lack === undefined && !warned ? kindIcon(layer) : icon('warn', 18)}
         <span class=${layer.visible ? 'name' : 'name off'}>${name}</span>
       </button>
       <button
@@ -141,7 +147,6 @@ export class LayersPanel extends StudioElement {
         ${layerIcon(layer.visible ? 'eye' : 'hidden')}
       </button>
       ${chosen ? this.#actions(layer, name) : nothing}
-      ${warnings.map((warning) => html`<p class="warning" role="status">${warningText(warning)}</p>`)}
     </li>`;
   }
 

@@ -67,11 +67,6 @@ export const layersStyle = css`
   li.warned .row > .icon {
     color: var(--bad);
   }
-  li > .warning {
-    grid-column: 1 / -1;
-    margin: 0;
-    padding: 0 10px 8px;
-  }
   li.below {
     margin-top: 2px;
     border-top: 1px dashed var(--line);

@@ -4,7 +4,7 @@ import { completeLayers } from '../model/layers.js';
 import type { PlateLayer } from '../model/plate.js';
 import type { State } from '../model/state.js';
 
-export type Warning = Report['warnings'][number];
+type Warning = Report['warnings'][number];
 
 /** By the layers as they were when the plate was made, so that nothing is said of one that has changed since. A preview says
  * nothing: at its spacing letters are thin that are not on the plate. */

@@ -419,7 +419,7 @@ test('a warning about a layer marks its row and its frame, once the whole plate 
   assert.equal(await red(9, 14), false);
   assert.equal(await rows.count(), 0);
   await tell({ coarse: false });
-  await rows.getByText('Layer 1 lies beside the plate.').waitFor();
+  await page.locator('sillon-layers-panel').getByText('Layer 1 lies beside the plate.').waitFor();
   assert.equal(await rows.count(), 1);
   assert.equal(await rows.getAttribute('data-layer'), '1');
   await settled(page);
