@@ -107,7 +107,7 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
     }
   }
   for (const sillon::Warning& warning : sillon::letterWarnings(layers.value().placed)) {
-      out += "warning " + warning.message + "\n";
+    out += "warning " + warning.message + "\n";
   }
   for (const sillon::Warning& warning : sillon::layerWarnings(seenLayers, seen.page, project.toolpath.spacing)) {
     out += "warning " + warning.message + "\n";

@@ -407,6 +407,7 @@ TEST_CASE("drawings and masks of visible layers tell what that of the shape woul
   CHECK(has(warned[0], "lie off its page"));
   CHECK(has(warned[1], "layer 2: these parts of the drawing are not read: textLength"));
   const std::string report = reportJson(plate.report());
-  CHECK(has(report, R"("notes": [{"code":"SeveralColours","values":{"layer":2.0},"message":"layer 2: the drawing has)"));
+  CHECK(
+      has(report, R"("notes": [{"code":"SeveralColours","values":{"layer":2.0},"message":"layer 2: the drawing has)"));
   CHECK(has(report, R"({"code":"TextLeftOut","values":{"n":1.0,"layer":3.0},)"));
 }

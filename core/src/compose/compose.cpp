@@ -49,7 +49,7 @@ PlacedLayer placedLayer(LayerKind kind, const ReadLayer& layer, double spacing) 
     if (!*drawn) continue;
     DrawingFacts facts = (*drawn)->drawing;
     placed.lacked.insert(placed.lacked.end(), facts.lacked.begin(), facts.lacked.end());
-    facts.lacked.clear();  // they are told with the layer's own
+    facts.lacked.clear();                                                          // they are told with the layer's own
     facts.severalColours = facts.severalColours && drawn == &layer.content.shape;  // a mask shows no colours
     placed.drawings.push_back(std::move(facts));
   }
