@@ -15,10 +15,10 @@ constexpr double kSameHeight = 1e-4;  // [mm], a tenth of what files tell
 constexpr double kMargin = 1;         // [mm] around the page: beads may reach a little over the shape
 constexpr float kWidestTold = 100;    // [mm], of a move too short to tell its width
 
-/// Collects the beads of one layer.
-class SeenLayer {
+/// Collects the beads of the layer that is seen.
+class ReadBackLayer {
  public:
-  SeenLayer(const Shape& shape, const Printer& printer, const PrintParams& params, double spacing)
+  ReadBackLayer(const Shape& shape, const Printer& printer, const PrintParams& params, double spacing)
       : turn_(turning(params), shape.page), page_(shape.page), lowest_(params.showSide == ShowSide::Bed) {
     const Shape turned = turn_.none() ? shape : turn_.apply(shape);
     offset_ = mm(placement(bounds(turned), printer, params));
@@ -84,7 +84,7 @@ class SeenLayer {
 
 Result<Toolpath> readBack(std::string_view gcode, const Shape& shape, const Printer& printer, const PrintParams& params,
                           double spacing) {
-  SeenLayer layer(shape, printer, params, spacing);
+  ReadBackLayer layer(shape, printer, params, spacing);
   MachineState machine(printer.flavor);
   bool oriented = false;
   forEachLine(gcode, [&](const GcodeLine& line) {
