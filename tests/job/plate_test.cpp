@@ -37,6 +37,10 @@ Result<InputFile> readFile(const std::string& name, const std::string& /*what*/)
         R"(<svg viewBox="0 0 60 60"><rect width="60" height="60"/><text y="30" font-family="Arial">a</text>)"
         R"(<text><textPath>b</textPath></text></svg>)"));
   }
+  if (name == "lacking.svg") {
+    return InputFile(std::string(R"(<svg width="10mm" height="10mm" viewBox="0 0 10 10"><text y="8" font-size="8">)"
+                                 "A\u6f22</text></svg>"));
+  }
   if (name == "spaced.svg") {
     return InputFile(
         std::string(R"(<svg width="10mm" height="10mm" viewBox="0 0 10 10"><rect width="12" height="9" fill="red"/>)"
@@ -410,4 +414,18 @@ TEST_CASE("drawings and masks of visible layers tell what that of the shape woul
   CHECK(
       has(report, R"("notes": [{"code":"SeveralColours","values":{"layer":2.0},"message":"layer 2: the drawing has)"));
   CHECK(has(report, R"({"code":"TextLeftOut","values":{"n":1.0,"layer":3.0},)"));
+}
+
+TEST_CASE("a letter that no font has is told once of the drawing of a layer") {
+  Project project = disc();
+  project.layers.resize(1);
+  project.layers[0].kind = LayerKind::Drawing;
+  project.layers[0].file = "lacking.svg";
+  PlateOptions options;
+  options.measure = false;
+  std::vector<std::string> told;
+  for (const Warning& warning : made(project, options).warnings()) {
+    if (has(warning.message, "U+6F22")) told.push_back(warningName(warning.code));
+  }
+  CHECK(told == std::vector<std::string>{"LayerLettersLost"});
 }
