@@ -98,7 +98,6 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
     }
   }
   for (std::size_t k = 0; k < project.layers.size(); ++k) {
-    if (!project.layers[k].visible) continue;
     for (const sillon::DrawingFacts& drawing : layers.value().placed[k].drawings) {
       for (const sillon::InputNote& note : sillon::layerNotes(drawing, k + 1)) out += "note   " + note.message + "\n";
       for (const sillon::Warning& warning : sillon::drawingWarnings(drawing, k + 1)) {

@@ -204,11 +204,10 @@ class Maker {
   LayerStack layers_;
 };
 
-/// Calls body(drawing, number) for what was read of the drawings of visible layers, whose numbers begin with 1.
+/// Calls body(drawing, number) for the drawings of all layers, whose numbers begin with 1. Hidden ones have none.
 template <class Body>
 void forDrawings(const Plate& plate, const Body& body) {
   for (std::size_t k = 0; k < plate.layers.size(); ++k) {
-    if (!plate.project.layers[k].visible) continue;
     for (const DrawingFacts& drawing : plate.layers[k].drawings) body(drawing, k + 1);
   }
 }

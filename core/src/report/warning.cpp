@@ -39,8 +39,7 @@ constexpr Sentence kSentences[] = {
     {"FlatBeads", "at {n} points beads are no wider than the layer is high ({height} mm)"},
     {"LayerAlike",
      "{percent} % of layer {layer} lie within 15 degrees of what is below and cannot be seen; another layers.angle "
-     "shows "
-     "them, and so does layers.fill across"},
+     "shows them, and so does layers.fill across"},
     {"LayerBeside",
      "{percent} % of layer {layer} lie beside the plate or in its holes; it is {width} x {height} mm and the page "
      "{pageWidth} x {pageHeight}: make it smaller, or move it"},
