@@ -69,7 +69,7 @@ type Unitless = ShapeSettings['unitless'];
 export const usualPaint = (unitless: Unitless): ShapeSettings['paint'] => (unitless === 'mm' ? 'ignore' : 'shown');
 
 const shapeSettings = (unitless: Unitless = 'px'): ShapeSettings => ({
-  radius: 6,
+  radius: shapeTable.radius.default,
   corners: shapeTable.corners.default,
   points: shapeTable.points.default,
   inner: shapeTable.inner.default,
@@ -82,11 +82,9 @@ const shapeSettings = (unitless: Unitless = 'px'): ShapeSettings => ({
   keepThin: false,
 });
 
-/** The radius of a star is smaller, so that its tips stay tips. */
 export const newShape = (kind: Exclude<ShapeSource['kind'], 'file'>): ShapeSource => ({
   kind,
   ...shapeSettings(),
-  ...(kind === 'star' && { radius: 1 }),
   ...(kind === 'text' && { text: 'Sillon' }),
 });
 

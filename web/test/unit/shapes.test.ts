@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { test } from 'node:test';
-import { newPlate } from '../../src/model/defaults.js';
+import { newPlate, newShape } from '../../src/model/defaults.js';
 import { pageOf } from '../../src/model/plate.js';
 import { isRound, roomShape } from '../../src/model/result.js';
 import { shapeTable } from '../../src/model/setting-table.js';
@@ -12,6 +12,10 @@ import { builtinShapes, ownHeight, usualHoles, withHole, withShape } from '../..
 
 test('the panel offers every shape of the engine once', () => {
   assert.deepEqual([...builtinShapes].sort(), shapeTable.builtin.choices.filter((name) => name !== 'none').sort());
+});
+
+test('corners of a new shape are as round as the engine makes them where it is told nothing', () => {
+  for (const kind of builtinShapes) assert.equal(newShape(kind).radius, shapeTable.radius.default, kind);
 });
 
 test('heights of their own are those that the engine makes', () => {

@@ -462,7 +462,7 @@ test('a file that nobody wants any more is not written to its end', async () => 
 
 /** Settings of a shape that nobody has done anything to. */
 const unchanged = {
-  radius: 6,
+  radius: 3,
   corners: 'round',
   points: 5,
   inner: 0,
