@@ -22,7 +22,6 @@ namespace {
 
 using sillon::Vec2;
 
-constexpr double kWeakContrast = 6;
 constexpr double kElevation = 45;  // [degrees], unless one is given
 
 /// "AZ" or "AZ,EL".
@@ -229,7 +228,7 @@ std::string pictureLines(const sillon::PlatePictures& pictures, const std::vecto
     const std::string note = cutOffNote(pictures.leftOut[k]);
     if (!note.empty()) out += "note       " + note + "\n";
   }
-  if (!pictures.shown.empty() && pictures.contrast < kWeakContrast) {
+  if (!pictures.shown.empty() && pictures.contrast < sillon::kWeakContrast) {
     char text[160];
     std::snprintf(text, sizeof text,
                   "note       this spool under this lamp shows white only %.1f times as bright as black\n",

@@ -253,12 +253,16 @@ const spoolRow = ({ key, colour, fine, wide }) => `  ${key}: {
 
 const appearance = () => `// Made by tools/generate.mjs from the core's appearance model and spools: ./dev generate.
 
-/** Slope of a bead's round top at its edge; share of the brightest light that every direction sends; slopes of lamps. */
+/** Slope of a bead's round top at its edge; share of the brightest light that every direction sends; slopes of lamps; contrast
+ * below which pictures are seen but faintly; nozzles of the measured spools [mm]. */
 export const appearance = {
-${['profileSlope', 'diffuse', 'bulb', 'softbox', 'window'].map((key) => `  ${key}: ${look[key]},`).join('\n')}
+${Object.entries(look)
+  .filter(([key, value]) => key !== 'version' && typeof value === 'number')
+  .map(([key, value]) => `  ${key}: ${value},`)
+  .join('\n')}
 } as const;
 
-/** Colour of the body, sRGB 0..255; RMS slopes along and across the bead [degrees], by nozzles of 0.4 and 0.8 mm. */
+/** Colour of the body, sRGB 0..255; RMS slopes along and across the bead [degrees], by nozzle. */
 export const spools = {
 ${look.spools.map(spoolRow).join('\n')}
 } as const;

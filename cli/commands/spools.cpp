@@ -25,8 +25,7 @@ struct Arguments {
   bool json = false;
 };
 
-constexpr double kNozzle = 0.4;  // [mm], in the table
-constexpr int kSteps = 36;       // directions in the JSON
+constexpr int kSteps = 36;  // directions in the JSON
 
 Json rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
@@ -44,8 +43,9 @@ std::string spoolTable(const std::vector<Spool>& spools) {
                   spool.colour[2]);
     out += line;
     for (const auto& [name, slope] : lampSizes()) {
-      std::snprintf(line, sizeof line, " %5.1f",
-                    sillon::contrastOf(sillon::lobeOf({60, 45, slope}, sillon::roughnessOf(spool, kNozzle, false))));
+      std::snprintf(
+          line, sizeof line, " %5.1f",
+          sillon::contrastOf(sillon::lobeOf({60, 45, slope}, sillon::roughnessOf(spool, sillon::kFineNozzle, false))));
       out += line;
     }
     out += "\n";
@@ -59,7 +59,10 @@ std::string spoolJson(const std::vector<Spool>& spools) {
   const sillon::Lobe any = sillon::lobeOf({}, {});
   Json root{{"version", 1},
             {"profileSlope", rounded(static_cast<double>(any.profile))},
-            {"diffuse", rounded(static_cast<double>(any.diffuse))}};
+            {"diffuse", rounded(static_cast<double>(any.diffuse))},
+            {"weakContrast", sillon::kWeakContrast},
+            {"fineNozzle", sillon::kFineNozzle},
+            {"wideNozzle", sillon::kWideNozzle}};
   for (const auto& [name, slope] : lampSizes()) root[name] = slope;
   root["spools"] = Json::array();
   for (const Spool& spool : spools) {

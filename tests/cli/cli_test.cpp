@@ -256,6 +256,27 @@ TEST_CASE("the table of settings is listed as text and as JSON") {
   CHECK(json["settings"].size() > 80);
 }
 
+TEST_CASE("a spool is said to show pictures faintly below the contrast that programs are told") {
+  const Folder folder;
+  const double weak = Json::parse(folder.run("spools --json").out)["weakContrast"];
+  folder.picture("l.png", 8, 8, [](int column, int row) { return 30 * column + row; });
+  int said = 0;
+  for (const char* size : {"0.07", "0.08", "0.09", "0.1"}) {
+    const std::string out = folder
+                                .run(
+                                    "generate --picture l.png --size 16 --spacing 0.8 --lamp 60 --svg a.svg --spool "
+                                    "goldPla --lamp-size " +
+                                    std::string(size))
+                                .out;
+    const std::size_t at = out.find("shows white only ");
+    if (at == std::string::npos) continue;
+    ++said;
+    CHECK(std::stod(out.substr(at + 17)) <= weak);
+  }
+  CHECK(said > 0);
+  CHECK(said < 4);
+}
+
 TEST_CASE("the sentences of warnings, notes, findings and refusals are listed by their codes") {
   const Folder folder;
   CHECK(has(folder.run("words").out, "\n  SkirtLeftOut: the skirt does not fit the bed and was left out"));

@@ -9,10 +9,6 @@
 namespace sillon {
 namespace {
 
-// The nozzles of Tab. 1 [mm].
-constexpr double kFineNozzle = 0.4;
-constexpr double kWideNozzle = 0.8;
-
 Roughness roughness(const Json& pair) { return {pair[0].get<double>(), pair[1].get<double>()}; }
 
 SideRoughness sides(const Json& json) { return {roughness(json["nozzleSide"]), roughness(json["bedSide"])}; }

@@ -1,15 +1,19 @@
 // Made by tools/generate.mjs from the core's appearance model and spools: ./dev generate.
 
-/** Slope of a bead's round top at its edge; share of the brightest light that every direction sends; slopes of lamps. */
+/** Slope of a bead's round top at its edge; share of the brightest light that every direction sends; slopes of lamps; contrast
+ * below which pictures are seen but faintly; nozzles of the measured spools [mm]. */
 export const appearance = {
   profileSlope: 0.3,
   diffuse: 0.05,
+  weakContrast: 5,
+  fineNozzle: 0.4,
+  wideNozzle: 0.8,
   bulb: 0.02,
   softbox: 0.1,
   window: 0.4,
 } as const;
 
-/** Colour of the body, sRGB 0..255; RMS slopes along and across the bead [degrees], by nozzles of 0.4 and 0.8 mm. */
+/** Colour of the body, sRGB 0..255; RMS slopes along and across the bead [degrees], by nozzle. */
 export const spools = {
   bluePla: {
     colour: [24, 78, 168],

@@ -1,5 +1,5 @@
 // A short list of filaments: how they are printed, and how they look, which is the core's table of spools.
-import { spools } from './appearance.js';
+import { appearance, spools } from './appearance.js';
 import type { Machine, OwnSpool, Plate } from './plate.js';
 import { filamentFamily, withAdvance } from './printers.js';
 import { without } from './without.js';
@@ -12,7 +12,7 @@ interface SideSlopes {
   bedSide: Slopes;
 }
 
-/** Measured with nozzles of 0.4 and 0.8 mm. */
+/** Measured with nozzles of `appearance.fineNozzle` and `wideNozzle`. */
 interface Roughness {
   fine: SideSlopes;
   wide: SideSlopes;
@@ -33,9 +33,6 @@ export interface Filament {
   colour: readonly [number, number, number];
   roughness: Roughness;
 }
-
-const fineNozzle = 0.4;
-const wideNozzle = 0.8;
 
 const pla = { type: 'PLA', density: 1.24, nozzleTemperature: 210, bedTemperature: 60 } as const;
 const petg = { type: 'PETG', density: 1.27, nozzleTemperature: 235, bedTemperature: 80 } as const;
@@ -142,6 +139,7 @@ export const spoolSlopes = (spool: OwnSpool, nozzle: number, side: keyof SideSlo
 
 /** @param nozzle [mm], between those that were measured */
 function slopesFor({ fine, wide }: Roughness, nozzle: number, side: keyof SideSlopes): [number, number] {
+  const { fineNozzle, wideNozzle } = appearance;
   const share = Math.min(1, Math.max(0, (nozzle - fineNozzle) / (wideNozzle - fineNozzle)));
   const between = (k: 0 | 1): number => fine[side][k] * (1 - share) + wide[side][k] * share;
   return [between(0), between(1)];

@@ -103,7 +103,6 @@ export function homeLight(plate: Plate, look: Look | undefined): Light {
 
 // --- What can be seen ----------------------------------------------------------------------------------------------------
 
-const weakContrast = 5; // gold PLA has 4.4 under a softbox, blue 18
 const unlike = 0.7; // correlation below which nobody recognises the picture
 const wideLamp = 0.25;
 
@@ -122,7 +121,8 @@ export function weaknessesOf(plate: Plate, seen: readonly PictureReport[] | unde
   if (window) found.push('window');
   const [along] = slopesOf(plate);
   const dull = along >= 6; // [degrees] gold: the shine is as wide along the bead as across it
-  if (!window && (dull || seen?.some(({ contrast }) => contrast < weakContrast) === true)) found.push('spool');
+  if (!window && (dull || seen?.some(({ contrast }) => contrast < appearance.weakContrast) === true))
+    found.push('spool');
   // Of three pictures and more it is the others that leave no room, whatever the size.
   if (seen?.some(({ r }) => r < unlike) === true) found.push(seen.length > 2 ? 'crowded' : 'unlike');
   return found;

@@ -49,6 +49,10 @@ const levelBetween = (value: number, good: number, fair: number, rising: boolean
   return sign * value <= sign * fair ? 'fair' : 'poor';
 };
 
+/** Light at the brightest places by that at the darkest, below which a picture is not to be seen, however like it is: far
+ * below `appearance.weakContrast`, from which on it is only faint. */
+const unseenContrast = 2;
+
 const round = (value: number, digits: number): number => Number(value.toFixed(digits));
 
 /** Empty for a report without measures. */
@@ -81,7 +85,7 @@ export function verdictsOf(report: Report): Verdict[] {
     },
   ];
   for (const { r, contrast } of [...(report.pictures ?? []), ...(report.layerPictures ?? [])]) {
-    const level = contrast < 2 ? 'poor' : levelBetween(r, 0.9, 0.7, false);
+    const level = contrast < unseenContrast ? 'poor' : levelBetween(r, 0.9, 0.7, false);
     verdicts.push(judged('picture', level, { percent: round(100 * Math.max(0, r), 0), contrast: round(contrast, 1) }));
   }
   if (crossings > 0) verdicts.push(judged('crossings', 'poor', { n: crossings }));

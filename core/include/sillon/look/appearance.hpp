@@ -68,6 +68,10 @@ std::vector<float> lightTable(const Lobe& lobe, int steps);
 /// The brightest direction's light by the darkest's; 1: this lamp tells no directions apart.
 double contrastOf(const Lobe& lobe);
 
+/// Below this contrast people see pictures only faintly: between gold PLA under a softbox (4.7) and
+/// the next duller measured spool (10.6).
+inline constexpr double kWeakContrast = 5;
+
 /// Slopes of lamps by name.
 double bulbSlope();
 double softboxSlope();

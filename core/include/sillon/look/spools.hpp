@@ -19,11 +19,15 @@ struct SideRoughness {
   Roughness bedSide;     ///< that lay on the bed
 };
 
+// Nozzles of the measured prints [mm].
+inline constexpr double kFineNozzle = 0.4;
+inline constexpr double kWideNozzle = 0.8;
+
 struct Spool {
   std::string key;                       ///< "bluePla"
   std::array<std::uint8_t, 3> colour{};  ///< of the body, sRGB
-  SideRoughness fine;                    ///< printed with a nozzle of 0.4 mm
-  SideRoughness wide;                    ///< and of 0.8 mm
+  SideRoughness fine;                    ///< printed with a nozzle of kFineNozzle
+  SideRoughness wide;                    ///< and of kWideNozzle
 };
 
 /// All measured spools, sorted by key.
