@@ -1,7 +1,7 @@
 // Writes what is made from the table of settings (the tables of docs/reference/project.md, the types of wasm/sillon.d.ts,
 // the studio's defaults and ranges), from the core's sentences (the studio's English of settings, warnings, notes, findings
 // and refusals, and the hints of errors in wasm/src/hints.ts), from the appearance model (its constants and spools for the studio's views, and light
-// to test these by) and from the includes of core (which room includes which, in docs/internals/rooms.md).
+// to test these by), from the profiles of filaments and from the includes of core (which room includes which, in docs/internals/rooms.md).
 //   node tools/generate.mjs SILLON           writes them
 //   node tools/generate.mjs SILLON --check   names what is out of date, and ends with 1 if anything is
 import { execFileSync } from 'node:child_process';
@@ -12,10 +12,13 @@ import { drawRooms, includesOfRooms } from './rooms.mjs';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '..');
 const [program, mode] = process.argv.slice(2);
-const { settings } = JSON.parse(execFileSync(program, ['settings', '--json'], { encoding: 'utf8' }));
+const told = (...words) => JSON.parse(execFileSync(program, [...words, '--json'], { encoding: 'utf8' }));
+const { settings } = told('settings');
 
 const sections = [...new Set(settings.map(({ section }) => section))];
 const of = (section) => settings.filter((setting) => setting.section === section);
+
+const quoted = (text) => `'${text}'`;
 
 // The table is ASCII, as messages on any console must be.
 const typeset = (text) =>
@@ -190,7 +193,7 @@ ${shapeRows()}
 
 // --- web/src/i18n/en/core, wasm/src/hints.ts ---------------------------------------------------------------------------------
 
-const words = JSON.parse(execFileSync(program, ['words', '--json'], { encoding: 'utf8' }));
+const words = told('words');
 const sectionsAtFirst = ['toolpath', 'print', 'printer'];
 const sectionsOfStudio = ['layers', ...sectionsAtFirst];
 const settingsOfStudio = settings.filter((setting) => sectionsOfStudio.includes(setting.section) && isValue(setting));
@@ -240,7 +243,8 @@ ${Object.entries(words.hints)
 
 // --- web/src/model/appearance.ts, web/test/light.json ------------------------------------------------------------------------
 
-const look = JSON.parse(execFileSync(program, ['spools', '--json'], { encoding: 'utf8' }));
+const look = told('spools');
+const { filaments } = told('filaments');
 
 const sides = ({ nozzleSide, bedSide }) =>
   `{ nozzleSide: [${nozzleSide.join(', ')}], bedSide: [${bedSide.join(', ')}] }`;
@@ -250,6 +254,19 @@ const spoolRow = ({ key, colour, fine, wide }) => `  ${key}: {
     fine: ${sides(fine)},
     wide: ${sides(wide)},
   },`;
+
+const valuesOfFilament = [
+  'filamentType',
+  'filamentDensity',
+  'nozzleTemperature',
+  'firstLayerNozzleTemperature',
+  'bedTemperature',
+];
+
+const filamentRow = ({ id, printer }) => {
+  const values = valuesOfFilament.map((key) => `    ${key}: ${JSON.stringify(printer[key]).replaceAll('"', "'")},\n`);
+  return `  ${/\W/.test(id) ? quoted(id) : id}: {\n${values.join('')}  },`;
+};
 
 const appearance = () => `// Made by tools/generate.mjs from the core's appearance model and spools: ./dev generate.
 
@@ -265,6 +282,11 @@ ${Object.entries(look)
 /** Colour of the body, sRGB 0..255; RMS slopes along and across the bead [degrees], by nozzle. */
 export const spools = {
 ${look.spools.map(spoolRow).join('\n')}
+} as const;
+
+/** Values of a printer that filaments ask for. */
+export const filamentProfiles = {
+${filaments.map(filamentRow).join('\n')}
 } as const;
 `;
 

@@ -41,3 +41,28 @@ export const spools = {
     wide: { nozzleSide: [1.36, 4.6], bedSide: [2.23, 21.29] },
   },
 } as const;
+
+/** Values of a printer that filaments ask for. */
+export const filamentProfiles = {
+  petg: {
+    filamentType: 'PETG',
+    filamentDensity: 1.27,
+    nozzleTemperature: 235,
+    firstLayerNozzleTemperature: 240,
+    bedTemperature: 80,
+  },
+  pla: {
+    filamentType: 'PLA',
+    filamentDensity: 1.24,
+    nozzleTemperature: 210,
+    firstLayerNozzleTemperature: 215,
+    bedTemperature: 60,
+  },
+  'pla-silk': {
+    filamentType: 'PLA',
+    filamentDensity: 1.24,
+    nozzleTemperature: 220,
+    firstLayerNozzleTemperature: 225,
+    bedTemperature: 60,
+  },
+} as const;

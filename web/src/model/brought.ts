@@ -1,8 +1,9 @@
 // A design from elsewhere - a link, a project, a page around this one - may bring a printer of its own: G-code that moves and
 // heats a machine, temperatures, limits. None of it is used before the visitor has said so.
 import type { PrinterValues } from 'sillon';
+import { filamentProfiles } from './appearance.js';
 import { newPlate, printerDefaults } from './defaults.js';
-import { filamentOf, filaments, withFilament, withFilamentOf } from './filaments.js';
+import { filamentOf, withFilament, withFilamentOf } from './filaments.js';
 import type { Plate } from './plate.js';
 import { isGeneric, ofFilament, profileOf, sameMachine, withAdvance } from './printers.js';
 import { withNozzle } from './settings.js';
@@ -10,10 +11,10 @@ import { without } from './without.js';
 
 type Heat = Pick<PrinterValues, 'nozzleTemperature' | 'firstLayerNozzleTemperature' | 'bedTemperature'>;
 
-const firstLayerMore = 5; // [°C], as `withFilament` has it
+const known = Object.values(filamentProfiles);
 const usual = {
-  nozzle: Math.max(...filaments.map(({ nozzleTemperature }) => nozzleTemperature)) + firstLayerMore,
-  bed: Math.max(...filaments.map(({ bedTemperature }) => bedTemperature)),
+  nozzle: Math.max(...known.map(({ firstLayerNozzleTemperature }) => firstLayerNozzleTemperature)),
+  bed: Math.max(...known.map(({ bedTemperature }) => bedTemperature)),
 };
 
 /** Hotter than any filament of the list is printed [°C]; 0: no hotter. */

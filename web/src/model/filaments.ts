@@ -1,5 +1,5 @@
-// A short list of filaments: how they are printed, and how they look, which is the core's table of spools.
-import { appearance, spools } from './appearance.js';
+// A short list of filaments: how they look and how they are printed, by the core's tables of spools and of filaments.
+import { appearance, filamentProfiles, spools } from './appearance.js';
 import type { Machine, OwnSpool, Plate } from './plate.js';
 import { filamentFamily, withAdvance } from './printers.js';
 import { without } from './without.js';
@@ -23,31 +23,23 @@ export type FilamentKey = keyof typeof spools;
 /** Its name is in the dictionary: `filament.KEY`. */
 export interface Filament {
   key: FilamentKey;
-  type: 'PLA' | 'PETG';
-  /** [g/cm³] */
-  density: number;
-  /** [°C] */
-  nozzleTemperature: number;
-  bedTemperature: number;
+  printed: (typeof filamentProfiles)[keyof typeof filamentProfiles];
   /** Of the body, sRGB 0..255; for swatches as well. */
   colour: readonly [number, number, number];
   roughness: Roughness;
 }
 
-const pla = { type: 'PLA', density: 1.24, nozzleTemperature: 210, bedTemperature: 60 } as const;
-const petg = { type: 'PETG', density: 1.27, nozzleTemperature: 235, bedTemperature: 80 } as const;
-
-const withLook = (key: FilamentKey, made: typeof pla | typeof petg): Filament => {
+const withLook = (key: FilamentKey, profile: keyof typeof filamentProfiles): Filament => {
   const { colour, fine, wide } = spools[key];
-  return { key, ...made, colour, roughness: { fine, wide } };
+  return { key, printed: filamentProfiles[profile], colour, roughness: { fine, wide } };
 };
 
 export const filaments: readonly Filament[] = [
-  withLook('goldPla', pla),
-  withLook('bluePla', pla),
-  withLook('greyPla', pla),
-  withLook('redPetg', petg),
-  withLook('clearPetg', petg),
+  withLook('goldPla', 'pla'),
+  withLook('bluePla', 'pla'),
+  withLook('greyPla', 'pla'),
+  withLook('redPetg', 'petg'),
+  withLook('clearPetg', 'petg'),
 ];
 
 /** The first of the list for a key that is not in it: plates come from files, too. */
@@ -67,11 +59,10 @@ export function withSpool(plate: Plate, spool: OwnSpool | undefined): Plate {
 }
 
 /** Temperatures at which a filament is usually printed. */
-export const heatFor = ({ nozzleTemperature, bedTemperature }: Filament) => ({
-  nozzleTemperature,
-  firstLayerNozzleTemperature: nozzleTemperature + 5,
-  bedTemperature,
-});
+export const heatFor = ({ printed }: Filament) => {
+  const { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature } = printed;
+  return { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature };
+};
 
 /** The plate of another filament: its look, temperatures and weight. */
 export function withFilament(plate: Plate, key: FilamentKey): Plate {
@@ -80,25 +71,21 @@ export function withFilament(plate: Plate, key: FilamentKey): Plate {
   const changed = {
     ...plainly,
     pictures: { ...plainly.pictures, spool: key },
-    printer: {
-      ...without(plate.printer, 'filament'),
-      filamentType: filament.type,
-      filamentDensity: filament.density,
-      ...heatFor(filament),
-    },
+    printer: { ...without(plate.printer, 'filament'), ...filament.printed },
   };
   return withAdvance(changed, plate);
 }
 
 export const filamentLike = (type: string): Filament | undefined =>
-  filaments.find((one) => one.type === filamentFamily(type));
+  filaments.find(({ printed }) => printed.filamentType === filamentFamily(type));
 
 /** The plate on a printer that has its own filament: where that is of another family, the plate looks as one of the list does
  * that is of this one. */
 export function withFilamentOf(plate: Plate, printer: Machine): Plate {
   const family = filamentFamily(printer.filamentType);
   const changed = { ...plate, printer };
-  const looks = plate.spool === undefined ? filamentOf(plate.pictures.spool).type : plate.printer.filamentType;
+  const looks =
+    plate.spool === undefined ? filamentOf(plate.pictures.spool).printed.filamentType : plate.printer.filamentType;
   if (filamentFamily(looks) === family) return changed;
   const plainly = withSpool(changed, undefined);
   const { key } = filamentLike(family) ?? { key: plainly.pictures.spool };

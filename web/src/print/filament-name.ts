@@ -9,7 +9,8 @@ export const filamentLabel = ({ key }: Filament): string => say(words, `filament
 /** The filament of the list that the plate is printed with; undefined: another, as from a file, or a spool of one's own. */
 export const listedFilament = ({ pictures, printer, spool }: Plate): Filament | undefined =>
   filaments.find(
-    ({ key, type }) => spool === undefined && key === pictures.spool && type === printer.filamentType.toUpperCase(),
+    ({ key, printed }) =>
+      spool === undefined && key === pictures.spool && printed.filamentType === printer.filamentType.toUpperCase(),
   );
 
 /** The filament that is printed, in words that a temperature other than its usual one is a part of. */
@@ -19,7 +20,7 @@ export function filamentName(plate: Plate): string {
   const listed = listedFilament(plate);
   if (listed === undefined) return say(words, 'filament.ofFile', { type: type || t('section.filament') });
   const name = filamentLabel(listed);
-  return nozzleTemperature === listed.nozzleTemperature
+  return nozzleTemperature === listed.printed.nozzleTemperature
     ? name
     : say(words, 'filament.at', { name, n: nozzleTemperature });
 }

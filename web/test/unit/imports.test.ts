@@ -93,11 +93,15 @@ function agrees(plate: Plate, where: string): void {
   const listed = filaments.find(({ key }) => key === plate.pictures.spool);
   assert.ok(listed !== undefined);
   if (plate.spool !== undefined) assert.equal(name, `mySilk, ${type}`, where);
-  else if (type.toUpperCase() !== listed.type) assert.equal(name, `${type}, from your file`, where);
+  else if (type.toUpperCase() !== listed.printed.filamentType) assert.equal(name, `${type}, from your file`, where);
   else
-    assert.equal(name.endsWith(` at ${nozzleTemperature} °C`), nozzleTemperature !== listed.nozzleTemperature, where);
-  const families = filaments.map((one): string => one.type);
-  const looks = plate.spool === undefined ? listed.type : undefined;
+    assert.equal(
+      name.endsWith(` at ${nozzleTemperature} °C`),
+      nozzleTemperature !== listed.printed.nozzleTemperature,
+      where,
+    );
+  const families = filaments.map(({ printed }): string => printed.filamentType);
+  const looks = plate.spool === undefined ? listed.printed.filamentType : undefined;
   if (looks !== undefined && families.includes(filamentFamily(type))) assert.equal(looks, filamentFamily(type), where);
 }
 
@@ -126,7 +130,7 @@ test('after an import the filament is the plate’s or the file’s, with its te
         assert.deepEqual(lookOf(made), lookOf({ ...plate, printer }), where);
       }
       // No filament of one family is heated as one of another is by default.
-      const like = filaments.find((one) => one.type === filamentFamily(printer.filamentType));
+      const like = filaments.find(({ printed }) => printed.filamentType === filamentFamily(printer.filamentType));
       const told = /255|temperature|M109/.test(String(text)) || name.endsWith('.3mf');
       if (!before && !told) assert.deepEqual(heatOf(printer), like && heatFor(like), where);
       // And the next choice sets its own.

@@ -1,10 +1,13 @@
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
 import { test } from 'node:test';
+import type { PrinterValues } from 'sillon';
 import { newPlate, printDefaults, printerDefaults, toolpathDefaults } from '../../src/model/defaults.js';
 import { filamentOf, filaments, lookOf, withFilament } from '../../src/model/filaments.js';
 import type { Plate } from '../../src/model/plate.js';
-import { printers, profileOf, withPrinter } from '../../src/model/printers.js';
+import { ofFilament, printers, profileOf, withPrinter } from '../../src/model/printers.js';
 import {
   accepts,
   adviceFor,
@@ -251,6 +254,19 @@ test('a filament brings temperatures the engine takes, and a look that is duller
         assert.ok(along > 0 && across > along && across < 30, key);
         assert.ok(colour.every((one) => one >= 0 && one <= 1));
       }
+    }
+  }
+});
+
+test('a filament asks for what its profile in the core does', () => {
+  const { stdout } = spawnSync(resolve('build/release/sillon'), ['filaments', '--json'], { encoding: 'utf8' });
+  const { filaments: profiles } = JSON.parse(stdout) as { filaments: { id: string; printer: PrinterValues }[] };
+  for (const { key } of filaments) {
+    const id = key.endsWith('Petg') ? 'petg' : 'pla';
+    const profile = profiles.find((one) => one.id === id)?.printer ?? assert.fail(id);
+    const { printer } = withFilament(newPlate(), key);
+    for (const value of ofFilament) {
+      if (!value.endsWith('ressureAdvance')) assert.equal(printer[value], profile[value], `${key}: ${value}`);
     }
   }
 });
