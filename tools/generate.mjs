@@ -1,7 +1,8 @@
 // Writes what is made from the table of settings (the tables of docs/reference/project.md, the types of wasm/sillon.d.ts,
 // the studio's defaults and ranges), from the core's sentences (the studio's English of settings, warnings, notes, findings
 // and refusals, and the hints of errors in wasm/src/hints.ts), from the appearance model (its constants and spools for the studio's views, and light
-// to test these by), from the profiles of filaments and from the includes of core (which room includes which, in docs/internals/rooms.md).
+// to test these by), from the profiles of filaments, from facts that programs share (web/src/model/facts.ts) and from the
+// includes of core (which room includes which, in docs/internals/rooms.md).
 //   node tools/generate.mjs SILLON           writes them
 //   node tools/generate.mjs SILLON --check   names what is out of date, and ends with 1 if anything is
 import { execFileSync } from 'node:child_process';
@@ -13,7 +14,7 @@ import { drawRooms, includesOfRooms } from './rooms.mjs';
 const root = join(dirname(fileURLToPath(import.meta.url)), '..');
 const [program, mode] = process.argv.slice(2);
 const told = (...words) => JSON.parse(execFileSync(program, [...words, '--json'], { encoding: 'utf8' }));
-const { settings } = told('settings');
+const { settings, facts } = told('settings');
 
 const sections = [...new Set(settings.map(({ section }) => section))];
 const of = (section) => settings.filter((setting) => setting.section === section);
@@ -322,6 +323,23 @@ const fontsOfStudio = () => `// Made by ./dev generate from core/data/fonts/font
 export const builtInFonts = [${fonts.map(({ name }) => `'${name}'`).join(', ')}] as const;
 `;
 
+// --- web/src/model/facts.ts ------------------------------------------------------------------------------
+
+const numbers = (values) =>
+  `{ ${Object.entries(values)
+    .map(([key, value]) => `${key}: ${value}`)
+    .join(', ')} } as const`;
+
+const factsOfStudio = () => `// Made by tools/generate.mjs from the core's facts: ./dev generate.
+
+/** Speed of oriented beads at which an extruder keeps up without pressure advance [mm/s]. */
+export const evenSpeed = ${facts.evenSpeed};
+
+/** A bead's neighbour lies to one side of it: the least and the greatest distance across, and the greatest along, in shares of the
+ * mean of both widths. */
+export const neighbours = ${numbers(facts.neighbours)};
+`;
+
 // --- Files ---------------------------------------------------------------------------------------------------------------
 
 const made = {
@@ -345,6 +363,7 @@ const made = {
   'wasm/src/fonts.ts': fontsOfPackage,
   'web/src/model/fonts.ts': fontsOfStudio,
   'web/src/model/appearance.ts': appearance,
+  'web/src/model/facts.ts': factsOfStudio,
   'web/test/light.json': light,
 };
 

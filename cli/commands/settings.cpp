@@ -2,14 +2,19 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "commands/commands.hpp"
 #include "run.hpp"
+#include "sillon/gcode_reader/check.hpp"
+#include "sillon/settings/project.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace cli {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// "0.05 to 20 mm", "none|soft|count"
 std::string rangeText(const sillon::Setting& row) {
@@ -45,11 +50,22 @@ std::string settingsTable() {
   return out;
 }
 
+/// The same, and numbers that the package and the studio share with the rest of the core.
+std::string settingsJson() {
+  const Json facts{{"evenSpeed", sillon::kEvenSpeed},
+                   {"neighbours",
+                    {{"nearest", sillon::kNearestNeighbour},
+                     {"farthest", sillon::kFarthestNeighbour},
+                     {"along", sillon::kNeighbourAlong}}}};
+  std::string out = sillon::settingsJson();
+  return out.insert(out.rfind("\n}"), ",\n  \"facts\": " + facts.dump());
+}
+
 Action add(Options& options) {
   const auto json = std::make_shared<bool>(false);
   options.group("Options");
   options.flag("--json", "print JSON instead of text", *json);
-  return [json] { return answer(*json ? sillon::settingsJson() : settingsTable()); };
+  return [json] { return answer(*json ? settingsJson() : settingsTable()); };
 }
 
 }  // namespace

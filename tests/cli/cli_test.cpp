@@ -254,6 +254,7 @@ TEST_CASE("the table of settings is listed as text and as JSON") {
   const Json json = Json::parse(folder.run("settings --json").out, nullptr, false);
   REQUIRE(json.is_object());
   CHECK(json["settings"].size() > 80);
+  CHECK(json["facts"]["evenSpeed"] == 20);
 }
 
 TEST_CASE("a spool is said to show pictures faintly below the contrast that programs are told") {

@@ -15,7 +15,6 @@ namespace sillon {
 namespace {
 
 constexpr double kMinFlowSpeed = 5;  // [mm/s], slower than this the hot end is the wrong one
-constexpr double kEvenSpeed = 20;    // [mm/s], at which an extruder without pressure advance keeps up
 constexpr double kMinArea = 1e-6;    // [mm²], less is rounding
 
 std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }

@@ -68,8 +68,8 @@ const LaidBead* stackEnd(const LaidBead* begin, const LaidBead* end);
 /// raster of 0.05 mm, coarser for plates above 100 cm².
 std::vector<double> orientedCoverage(const std::vector<LaidBead>& beads);
 
-/// Measures the wait of oriented beads for their neighbours, in the lowest and the highest layer of each stack. A
-/// neighbour lies 0.6 to 1.4 mean widths to one side; places without any are not counted.
+/// Measures the wait of oriented beads for their neighbours, in the lowest and the highest layer of each stack. Places
+/// without a neighbour are not counted.
 /// \return nothing where no place has a neighbour.
 std::optional<NeighbourDelay> neighbourDelay(const std::vector<LaidBead>& beads);
 

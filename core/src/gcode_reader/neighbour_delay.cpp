@@ -7,9 +7,9 @@
 namespace sillon {
 namespace {
 
-constexpr float kNearest = 0.6f;   // of the mean of two widths, between neighbours' middles
-constexpr float kFarthest = 1.4f;  // likewise; the next bead but one is 2 away
-constexpr float kAlong = 0.6f;     // likewise, along the bead
+constexpr auto kNearest = static_cast<float>(kNearestNeighbour);
+constexpr auto kFarthest = static_cast<float>(kFarthestNeighbour);
+constexpr auto kAlong = static_cast<float>(kNeighbourAlong);
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 
 // A piece of a bead, no longer than the bead is wide.

@@ -9,7 +9,6 @@ namespace sillon {
 namespace {
 
 constexpr int kLongestElement = 640;        ///< points
-constexpr double kSpeed = 20;               ///< speed at which beads are laid, in the search [mm/s]
 constexpr double kTurnPrice = 4.5;          ///< one U-turn, in mm that are laid late
 constexpr double kMissPrice = 15;           ///< one unit of a joint's cost, in mm that are laid late
 constexpr double kLeastGain = 1;            ///< least gain of a move [mm]
@@ -67,7 +66,8 @@ class Search {
         run_(run),
         path_(path),
         switches_(path.switches),
-        tour_(static_cast<int>(path.points.size()), elementBegins(path), path.links, 0.25 * params.spacing / kSpeed),
+        tour_(static_cast<int>(path.points.size()), elementBegins(path), path.links,
+              0.25 * params.spacing / kEvenSpeed),
         linkLength_(0.25 * kPointsPerLink * params.spacing),
         missPrice_(kMissPrice * kUsualPrice / std::max(kUsualPrice, params.stitchAlignment)),
         pull_(switches_.size(), 0.0),

@@ -5,6 +5,7 @@ import type { PrintRelief, Toolpath } from 'sillon';
 import { customElement, property, query } from 'lit/decorators.js';
 import { r } from '../i18n/rebrush.js';
 import { appearance } from '../model/appearance.js';
+import { printerDefaults } from '../model/defaults.js';
 import type { Light } from '../model/view.js';
 import { panned, zoomed } from '../views/camera.js';
 import { lightUnder } from '../views/light.js';
@@ -133,7 +134,7 @@ export class RebrushBench extends PrintBench {
         colourBy: 'direction',
         lampSlope: appearance.softbox,
         fromAfar: this.lit,
-        feed: { speed: 1, shown: 20, maxFlow: 1, layerHeight: 1 },
+        feed: { printer: printerDefaults, layerHeight: 1 },
         progress: 1,
         compare: false,
         light: this.#light ?? this.home,

@@ -363,13 +363,7 @@ export class PlateCanvas extends StudioElement implements Stage {
       colourBy: solved ? 'direction' : colourBy,
       lampSlope: lit === undefined ? appearance.softbox : plate.pictures.lampSize,
       fromAfar: lit !== undefined,
-      feed: {
-        speed: plate.printer.speed,
-        // The engine goes at most so fast where nothing sets pressure advance, which the page does not know.
-        shown: plate.printer.showSpeed || Math.min(plate.printer.speed, 20),
-        maxFlow: plate.printer.maxFlow,
-        layerHeight: plate.print.layerHeight,
-      },
+      feed: { printer: plate.printer, layerHeight: plate.print.layerHeight },
       progress: view === 'toolpath' ? played : 1,
       compare: compare && view === 'appearance',
       wipe: this.#over() === 'zigzag' ? this.state.wipe : undefined,

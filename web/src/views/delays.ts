@@ -1,87 +1,104 @@
 // Waits of beads for their neighbours, as a colour.
-import type { Toolpath } from 'sillon';
+import type { PrinterValues, Toolpath } from 'sillon';
+import { evenSpeed, neighbours } from '../model/facts.js';
 
-/** A toolpath in short pieces, with the delay at each of its points [s]. */
+/** A toolpath in short pieces, with the delay of each [s]. */
 export interface Delayed {
   toolpath: Toolpath;
-  /** One array per cycle, one value per point. */
+  /** One array per cycle, one value per point: of the piece that begins there. */
   delays: Float32Array[];
 }
 
-/** Neighbours’ middles lie between these distances to a side [spacings]: a little wider than in core’s measure, as points lie apart. */
-const nearest = 0.5;
-const farthest = 1.45;
+/** As `setsPressureAdvance` of the core: whether the last of its commands sets more than 0. */
+function setsPressureAdvance(block: string): boolean {
+  const commands = block.matchAll(
+    /^[ \t]*(?:M900[^;\n]*? K|M572[^;\n]*? S|SET_PRESSURE_ADVANCE[^;\n]*? ADVANCE=)([^ ;\n]*)/gm,
+  );
+  return /[1-9]/.test([...commands].at(-1)?.[1] ?? '');
+}
 
-/**
- * Times between a bead and its neighbour, on the worse of its two sides, if all beads are laid at one speed.
- * @param speed  of the beads [mm/s]
- */
-export function delaysOf({ cycles, ...rest }: Toolpath, speed: number): Delayed {
-  const { spacing } = rest;
-  const pieces = cycles.map((cycle) => inPieces(cycle, spacing));
-  const cells = new Map<number, number[]>(); // x, y and time of points, by cells one reach wide
-  const cellAt = (x: number, y: number): number =>
-    Math.floor(y / (farthest * spacing)) * 1e6 + Math.floor(x / (farthest * spacing));
-  let time = 0;
-  const times = pieces.map(({ points, widths }) =>
-    widths.map((_, k) => {
-      const [x, y] = [points[2 * k] ?? 0, points[2 * k + 1] ?? 0];
-      const at = time;
-      const cell = cellAt(x, y);
-      const there = cells.get(cell);
-      if (there === undefined) cells.set(cell, [x, y, at]);
-      else there.push(x, y, at);
-      const next = (k + 1) % widths.length;
-      time += Math.hypot((points[2 * next] ?? 0) - x, (points[2 * next + 1] ?? 0) - y) / speed;
-      return at;
-    }),
-  );
-  const delays = pieces.map(({ points, widths }, cycle) =>
-    widths.map((_, k) => {
-      const [x, y] = [points[2 * k] ?? 0, points[2 * k + 1] ?? 0];
-      const [before, after] = [(k + widths.length - 1) % widths.length, (k + 1) % widths.length];
-      const along = [
-        (points[2 * after] ?? 0) - (points[2 * before] ?? 0),
-        (points[2 * after + 1] ?? 0) - (points[2 * before + 1] ?? 0),
-      ];
-      const length = Math.hypot(along[0] ?? 0, along[1] ?? 0) || 1;
-      const [alongX, alongY] = [(along[0] ?? 0) / length, (along[1] ?? 0) / length];
-      const now = times[cycle]?.[k] ?? 0;
-      const sides: [number, number] = [Infinity, Infinity];
-      for (let row = -1; row <= 1; ++row) {
-        for (let column = -1; column <= 1; ++column) {
-          const there = cells.get(cellAt(x, y) + row * 1e6 + column) ?? [];
-          for (let i = 0; i < there.length; i += 3) {
-            const [dx, dy] = [(there[i] ?? 0) - x, (there[i + 1] ?? 0) - y];
-            if (Math.abs(dx * alongX + dy * alongY) > 0.75 * spacing) continue;
-            const across = alongX * dy - alongY * dx;
-            if (Math.abs(across) < nearest * spacing || Math.abs(across) > farthest * spacing) continue;
-            const side = across > 0 ? 0 : 1;
-            sides[side] = Math.min(sides[side], Math.abs((there[i + 2] ?? 0) - now));
-          }
-        }
-      }
-      return Math.max(...sides.filter((delay) => delay < Infinity), 0);
-    }),
-  );
-  return { toolpath: { ...rest, cycles: pieces }, delays };
+/** Speed of oriented beads, as the core's G-code has it [mm/s]. */
+export function shownSpeed({ flavor, setPressureAdvance, startGcode, showSpeed, speed }: PrinterValues): number {
+  if (showSpeed > 0) return showSpeed;
+  const own = flavor === 'klipper' || flavor === 'reprap';
+  return own || setPressureAdvance || setsPressureAdvance(startGcode) ? speed : Math.min(speed, evenSpeed);
 }
 
 type Cycle = Toolpath['cycles'][number];
 
-/** The same cycle with a point at least every spacing. */
-function inPieces({ points, widths }: Cycle, spacing: number): Cycle {
-  const places: number[] = [];
-  const wide: number[] = [];
-  widths.forEach((width, k) => {
-    const next = (k + 1) % widths.length;
-    const [x, y] = [points[2 * k] ?? 0, points[2 * k + 1] ?? 0];
-    const [dx, dy] = [(points[2 * next] ?? 0) - x, (points[2 * next + 1] ?? 0) - y];
-    const parts = Math.max(1, Math.ceil(Math.hypot(dx, dy) / spacing));
-    for (let part = 0; part < parts; ++part) {
-      places.push(x + (dx * part) / parts, y + (dy * part) / parts);
-      wide.push(width + (((widths[next] ?? 0) - width) * part) / parts);
+/** A part of a bead that is no longer than it is wide. */
+interface Piece {
+  /** Its middle [mm]. */
+  x: number;
+  y: number;
+  /** Its direction, a unit vector. */
+  along: [number, number];
+  width: number;
+  /** When its middle is laid [s]. */
+  time: number;
+}
+
+/**
+ * Times between a bead and its neighbour, on the worse of its two sides, by the core's measure (neighbour_delay.cpp), if all
+ * beads are laid at one speed. Beads without a neighbour do not wait.
+ * @param speed  of the beads [mm/s]
+ */
+export function delaysOf({ cycles, ...rest }: Toolpath, speed: number): Delayed {
+  const cut: Cycle[] = [];
+  const pieces: Piece[] = [];
+  let begin = 0; // [s]
+  for (const { points, widths } of cycles) {
+    const places: number[] = [];
+    const wide: number[] = [];
+    widths.forEach((from, k) => {
+      const next = (k + 1) % widths.length;
+      const [x, y, to] = [points[2 * k] ?? 0, points[2 * k + 1] ?? 0, widths[next] ?? 0];
+      const [dx, dy] = [(points[2 * next] ?? 0) - x, (points[2 * next + 1] ?? 0) - y];
+      const length = Math.hypot(dx, dy);
+      const width = (from + to) / 2;
+      const count = width > 0 ? Math.max(1, Math.floor(length / width)) : 1;
+      const along: Piece['along'] = [dx / (length || 1), dy / (length || 1)];
+      for (let part = 0; part < count; ++part) {
+        const [share, middle] = [part / count, (part + 0.5) / count];
+        places.push(x + dx * share, y + dy * share);
+        wide.push(from + (to - from) * share);
+        pieces.push({ x: x + dx * middle, y: y + dy * middle, along, width, time: begin + (middle * length) / speed });
+      }
+      begin += length / speed;
+    });
+    cut.push({ points: Float32Array.from(places), widths: Float32Array.from(wide) });
+  }
+  const waits = waitsOf(pieces);
+  let first = 0;
+  const delays = cut.map(({ widths }) => waits.subarray(first, (first += widths.length)));
+  return { toolpath: { ...rest, cycles: cut }, delays };
+}
+
+function waitsOf(pieces: readonly Piece[]): Float32Array {
+  const reach = neighbours.farthest * pieces.reduce((widest, { width }) => Math.max(widest, width), 0);
+  const cells = new Map<number, Piece[]>(); // as wide as neighbours may be apart
+  const cellAt = ({ x, y }: Piece): number => Math.floor(y / reach) * 1e6 + Math.floor(x / reach);
+  for (const piece of pieces) {
+    const there = cells.get(cellAt(piece));
+    if (there === undefined) cells.set(cellAt(piece), [piece]);
+    else there.push(piece);
+  }
+  return Float32Array.from(pieces, (piece) => {
+    const sides: [number, number] = [Infinity, Infinity];
+    for (const row of [-1e6, 0, 1e6]) {
+      for (const column of [-1, 0, 1]) {
+        for (const other of cells.get(cellAt(piece) + row + column) ?? []) {
+          const [dx, dy] = [other.x - piece.x, other.y - piece.y];
+          const [alongX, alongY] = piece.along;
+          const mean = (piece.width + other.width) / 2;
+          if (Math.abs(dx * alongX + dy * alongY) > neighbours.along * mean) continue;
+          const across = alongX * dy - alongY * dx;
+          if (Math.abs(across) < neighbours.nearest * mean || Math.abs(across) > neighbours.farthest * mean) continue;
+          const side = across > 0 ? 0 : 1;
+          sides[side] = Math.min(sides[side], Math.abs(other.time - piece.time));
+        }
+      }
     }
+    return Math.max(...sides.filter((delay) => delay < Infinity), 0);
   });
-  return { points: Float32Array.from(places), widths: Float32Array.from(wide) };
 }

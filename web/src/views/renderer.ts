@@ -1,5 +1,5 @@
 // Draws the plate with WebGL2: beads as capsules, their look by an anisotropic microfacet lobe (Beckmann).
-import type { Toolpath } from 'sillon';
+import type { PrinterValues, Toolpath } from 'sillon';
 import type { DirectionRaster } from '../model/raster.js';
 import { mostDelay, type ColourBy } from '../model/view.js';
 import type { Delayed } from './delays.js';
@@ -177,16 +177,18 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     redraw();
   }
 
-  let delaysOf: (typeof import('./delays.js'))['delaysOf'] | undefined;
+  let delays: typeof import('./delays.js') | undefined;
   async function loadDelays(): Promise<void> {
-    ({ delaysOf } = await import('./delays.js'));
+    delays = await import('./delays.js');
     redraw();
   }
 
-  function delayedOf(toolpath: Toolpath, speed: number): Delayed | undefined {
+  function delayedOf(toolpath: Toolpath, printer: PrinterValues): Delayed | undefined {
+    if (delays === undefined) return undefined;
     const known = delayed.get(toolpath);
-    if (known?.speed === speed || delaysOf === undefined) return known?.by;
-    const by = delaysOf(toolpath, speed);
+    const speed = delays.shownSpeed(printer);
+    if (known?.speed === speed) return known.by;
+    const by = delays.delaysOf(toolpath, speed);
     delayed.set(toolpath, { by, speed });
     return by;
   }
@@ -205,7 +207,8 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     gl.uniform2f(at('screen'), gl.drawingBufferWidth, gl.drawingBufferHeight);
     const { colour: body, along, across } = scene.filament;
     setLook(gl, beadProgram, { ...scene, body, slopes: [along, across] });
-    gl.uniform3f(at('feed'), scene.feed.speed, scene.feed.maxFlow, scene.feed.layerHeight);
+    const { printer, layerHeight } = scene.feed;
+    gl.uniform3f(at('feed'), printer.speed, printer.maxFlow, layerHeight);
     gl.uniform1f(at('progress'), scene.progress);
     gl.uniform1f(at('blended'), scene.blended === true ? 1 : 0);
     gl.uniform1f(at('spacing'), beads.spacing);
@@ -279,7 +282,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     if (comparing(scene) && other === undefined) lazy?.(loadZigzag);
     // By powers of two, not to begin anew with every step of a zoom; what is played grows point by point.
     const byDelay = scene.view === 'toolpath' && scene.colourBy === 'delay';
-    const late = byDelay ? delayedOf(scene.toolpath, scene.feed.shown) : undefined;
+    const late = byDelay ? delayedOf(scene.toolpath, scene.feed.printer) : undefined;
     if (byDelay && late === undefined) lazy?.(loadDelays);
     const tolerance = scene.progress < 1 || late !== undefined ? 0 : 2 ** Math.floor(Math.log2(unseen / camera.scale));
     const shown = late?.toolpath ?? scene.toolpath;

@@ -1,15 +1,13 @@
 // What the views draw. Arrays are read, never changed.
-import type { Toolpath } from 'sillon';
+import type { PrinterValues, Toolpath } from 'sillon';
 import type { DirectionRaster } from '../model/raster.js';
 import type { ColourBy, FilamentLook, Mark, ViewName } from '../model/view.js';
 import type { Look } from './look.js';
 
-/** What limits the speed of a bead [mm/s, mm³/s, mm]; corners are left out. */
+/** What limits the speed of a bead; corners are left out. */
 export interface Feed {
-  speed: number;
-  /** Speed of oriented beads [mm/s]. */
-  shown: number;
-  maxFlow: number;
+  printer: PrinterValues;
+  /** [mm] */
   layerHeight: number;
 }
 

@@ -21,7 +21,7 @@ flat out vec4 ends;      // a, b
 flat out vec4 tangents;  // at a, at b
 flat out vec2 radii;
 flat out float order;
-flat out vec2 delay;  // at a, at b
+flat out float delay;
 
 vec2 direction(vec2 v) { float l = length(v); return l > 0.0 ? v / l : vec2(1.0, 0.0); }
 
@@ -50,7 +50,7 @@ void main() {
   ends = vec4(a.xy, b.xy);
   radii = 0.5 * vec2(a.z, b.z);
   order = a.w;
-  delay = vec2(delayAt(segment + 1), delayAt(segment + 2));
+  delay = delayAt(segment + 1);
   float reach = max(radii.x, radii.y) + 1.0 / camera.z;
   vec3 atA = joint(along, direction(a.xy - before.xy), reach);
   vec3 atB = joint(along, direction(after.xy - b.xy), reach);
@@ -116,7 +116,7 @@ flat in vec4 ends;
 flat in vec4 tangents;
 flat in vec2 radii;
 flat in float order;
-flat in vec2 delay;
+flat in float delay;
 uniform vec4 camera;
 uniform float spacing;
 uniform int view;
@@ -160,7 +160,7 @@ void main() {
   else if (colourBy == 1) base = ramp((2.0 * radius / spacing - 0.5) / 1.0);
   else if (colourBy == 2) base = ramp(2.0 * min(1.0, feed.y / (2.0 * radius * feed.z * feed.x)) - 1.0);
   else if (colourBy == 3) base = ramp(order);
-  else base = ramp(mix(delay.x, delay.y, t));
+  else base = ramp(delay);
   colour = vec4(base * shade, alpha);
 }
 `;

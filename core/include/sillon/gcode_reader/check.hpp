@@ -39,6 +39,11 @@ std::span<const Sentence> findingSentences();
 // Reads any G-code as a printer would and says what would go wrong. Shares nothing with the writer
 // but the grammar.
 
+// A bead's neighbour lies to one side of it, in shares of the mean of both widths.
+inline constexpr double kNearestNeighbour = 0.6;   ///< least distance of the two middles across
+inline constexpr double kFarthestNeighbour = 1.4;  ///< greatest; the next bead but one is 2 away
+inline constexpr double kNeighbourAlong = 0.6;     ///< greatest distance along the bead
+
 /// Times that beads of the visible layers wait for their neighbours, weighed by length.
 ///
 /// A bead that is squeezed between beads that cooled minutes ago lies higher and shines

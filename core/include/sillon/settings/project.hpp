@@ -248,6 +248,9 @@ inline int countedPerimeters(const ToolpathParams& params) {
 /// Bambu machines take only what their own slicer's start block begins: they need `startGcode`.
 enum class GcodeFlavor { Marlin, Klipper, RepRap, PrusaBuddy, Bambu };
 
+/// Speed of oriented beads at which an extruder keeps up without pressure advance [mm/s]
+inline constexpr double kEvenSpeed = 20;
+
 /// A machine with its filament. Lengths mm, speeds mm/s, accelerations mm/s², temperatures in
 /// degrees Celsius. Ranges where none stands here: docs/reference/project.md, section `printer`.
 struct Printer {
@@ -277,7 +280,8 @@ struct Printer {
   double speed = 50;
   double firstLayerSpeed = 20;
   double baseSpeed = 0;  ///< of base layers above the first; 0: `speed`
-  /// Speed of oriented layers; 0: `speed`, but at most 20 where nothing sets pressure advance
+  /// Speed of oriented layers; 0: `speed`, but at most kEvenSpeed where nothing sets pressure
+  /// advance
   double showSpeed = 0;
   double travelSpeed = 120;
   double machineSpeed = 0;  ///< all speeds are held at it; 0: not known
