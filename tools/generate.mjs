@@ -1,7 +1,7 @@
 // Writes what is made from the table of settings (the tables of docs/reference/project.md, the types of wasm/sillon.d.ts,
 // the studio's defaults and ranges), from the core's sentences (the studio's English of settings, warnings, notes, findings
 // and refusals, and the hints of errors in wasm/src/hints.ts), from the appearance model (its constants and spools for the studio's views, and light
-// to test these by), from the profiles of filaments, from facts that programs share (web/src/model/facts.ts) and from the
+// to test these by), from the profiles of filaments, from facts that programs share (web/src/model/facts.ts, wasm/src/facts.ts) and from the
 // includes of core (which room includes which, in docs/internals/rooms.md).
 //   node tools/generate.mjs SILLON           writes them
 //   node tools/generate.mjs SILLON --check   names what is out of date, and ends with 1 if anything is
@@ -128,7 +128,7 @@ function types(text) {
     const end = Math.min(...['\n}', '\n\n'].map((stop) => text.indexOf(stop, begin)).filter((at) => at > 0));
     text = text.slice(0, begin) + rows.map(typeRow).join('\n') + text.slice(end);
   }
-  return text;
+  return text.replace(/^(export type CalibrationKind = ).*;$/m, `$1${facts.calibrationKinds.map(quoted).join(' | ')};`);
 }
 
 // --- web/src/model/setting-table.ts ---------------------------------------------------------------------------------------
@@ -323,7 +323,11 @@ const fontsOfStudio = () => `// Made by ./dev generate from core/data/fonts/font
 export const builtInFonts = [${fonts.map(({ name }) => `'${name}'`).join(', ')}] as const;
 `;
 
-// --- web/src/model/facts.ts ------------------------------------------------------------------------------
+// --- web/src/model/facts.ts, wasm/src/facts.ts ------------------------------------------------------------------------------
+
+const kindsOfCalibration = `/** In the core's order. */
+export const calibrationKinds = [${facts.calibrationKinds.map(quoted).join(', ')}] as const;
+`;
 
 const numbers = (values) =>
   `{ ${Object.entries(values)
@@ -335,10 +339,26 @@ const factsOfStudio = () => `// Made by tools/generate.mjs from the core's facts
 /** Speed of oriented beads at which an extruder keeps up without pressure advance [mm/s]. */
 export const evenSpeed = ${facts.evenSpeed};
 
+export const mostLayers = ${facts.mostLayers};
+
 /** A bead's neighbour lies to one side of it: the least and the greatest distance across, and the greatest along, in shares of the
  * mean of both widths. */
 export const neighbours = ${numbers(facts.neighbours)};
-`;
+
+${kindsOfCalibration}`;
+
+const usual = (name) => settings.find(({ key }) => key === name).default;
+
+const factsOfPackage = () => `// Made by tools/generate.mjs from the core's facts: ./dev generate.
+
+/** Limits of core/include/sillon/text/text.hpp. */
+export const letterLimits = ${numbers(facts.letters)};
+
+/** Of texts and codes that name none. */
+export const usualFont = '${usual('font')}';
+export const usualCorrection = '${usual('correction')}';
+
+${kindsOfCalibration}`;
 
 // --- Files ---------------------------------------------------------------------------------------------------------------
 
@@ -364,6 +384,7 @@ const made = {
   'web/src/model/fonts.ts': fontsOfStudio,
   'web/src/model/appearance.ts': appearance,
   'web/src/model/facts.ts': factsOfStudio,
+  'wasm/src/facts.ts': factsOfPackage,
   'web/test/light.json': light,
 };
 

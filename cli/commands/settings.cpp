@@ -7,9 +7,11 @@
 
 #include "commands/commands.hpp"
 #include "run.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/settings/project.hpp"
 #include "sillon/settings/table.hpp"
+#include "sillon/text/text.hpp"
 
 namespace cli {
 namespace {
@@ -50,13 +52,19 @@ std::string settingsTable() {
   return out;
 }
 
-/// The same, and numbers that the package and the studio share with the rest of the core.
+/// The same, and numbers and names that the package and the studio share with the rest of the core.
 std::string settingsJson() {
   const Json facts{{"evenSpeed", sillon::kEvenSpeed},
+                   {"mostLayers", sillon::kMostLayers},
                    {"neighbours",
                     {{"nearest", sillon::kNearestNeighbour},
                      {"farthest", sillon::kFarthestNeighbour},
-                     {"along", sillon::kNeighbourAlong}}}};
+                     {"along", sillon::kNeighbourAlong}}},
+                   {"letters",
+                    {{"usualCapHeight", sillon::kUsualCapHeight},
+                     {"mostPathBytes", sillon::kMostPathBytes},
+                     {"mostLackedTold", sillon::kMostLackedTold}}},
+                   {"calibrationKinds", sillon::calibrationKinds()}};
   std::string out = sillon::settingsJson();
   return out.insert(out.rfind("\n}"), ",\n  \"facts\": " + facts.dump());
 }

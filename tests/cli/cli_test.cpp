@@ -255,6 +255,7 @@ TEST_CASE("the table of settings is listed as text and as JSON") {
   REQUIRE(json.is_object());
   CHECK(json["settings"].size() > 80);
   CHECK(json["facts"]["evenSpeed"] == 20);
+  CHECK(json["facts"]["calibrationKinds"].size() == 7);
 }
 
 TEST_CASE("a spool is said to show pictures faintly below the contrast that programs are told") {

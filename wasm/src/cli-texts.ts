@@ -5,6 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { workerData, type MessagePort } from 'node:worker_threads';
 import { messageOf } from './errors.js';
 import { fontFiles } from './fonts.js';
+import { lettersOf } from './letter-names.js';
 import type { FontFile, Shaped } from './text/text.js';
 
 const engine = (name: string): string => fileURLToPath(new URL(`./engine/${name}`, import.meta.url));
@@ -44,7 +45,7 @@ async function maker(): Promise<(name: string) => string> {
   };
   /** @param name  as core/src/text asks for it */
   return (name) => {
-    const [, kind, key = '', text = ''] = /^(line|qr):([^\n]*)\n([^]*)$/.exec(name) ?? [];
+    const { kind, key, text } = lettersOf(name);
     if (kind === 'line') return JSON.stringify(shaped(key, text));
     const code = qrModules(text, key as Parameters<typeof qrModules>[1]);
     return code === undefined

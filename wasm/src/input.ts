@@ -2,6 +2,7 @@
 // say is checked by the engine alone; here is what JSON cannot carry.
 import type * as api from '../sillon.js';
 import { SillonError, invalid } from './errors.js';
+import { calibrationKinds } from './facts.js';
 import { beads, gcodes, memoryOf, pictures, prints } from './known.js';
 import type { Files, KnownFile, Path, ReadingFields } from './protocol.js';
 
@@ -360,10 +361,6 @@ export function rebrushOptions(value: unknown): {
   const params = { ...border, ...section(toolpath, 'how.toolpath') };
   return { sides, fit, only, sections: { ...sections, toolpath: params }, files };
 }
-
-const calibrationKinds: readonly api.CalibrationKind[] = [
-  ...(['flow', 'speed', 'fan', 'width', 'directions', 'swatch', 'coupon'] as const),
-];
 
 export function calibrationKind(value: unknown): api.CalibrationKind {
   const found = calibrationKinds.find((kind) => kind === value);

@@ -1,8 +1,10 @@
 // Letters and QR codes of a plate, made before its call: the engine asks for them as for files.
 import { SillonError, messageOf } from './errors.js';
+import { usualCorrection, usualFont } from './facts.js';
 import { fontFiles } from './fonts.js';
 import type { Platform } from './platform.js';
 import type { EngineFiles, Files } from './protocol.js';
+import { lettersOf, nameOf } from './letter-names.js';
 import type { FontFile } from './text/text.js';
 
 type Tools = typeof import('./text/text.js');
@@ -60,7 +62,7 @@ export class Texts {
     const drawn: Lettering[] = Array.isArray(layers) ? (layers as Lettering[]) : [];
     const cut = shape as (Lettering & { builtin?: unknown }) | undefined;
     for (const layer of cut?.builtin === 'text' ? [...drawn, { ...cut, kind: 'text' }] : drawn) {
-      const { kind, text, font = 'Nunito', correction = 'medium' } = layer;
+      const { kind, text, font = usualFont, correction = usualCorrection } = layer;
       if (typeof text !== 'string' || text === '') continue;
       if (kind === 'qr') await this.#addCode(files, text, correction);
       if (kind === 'qr' || typeof font !== 'string') continue;
@@ -75,8 +77,8 @@ export class Texts {
 
   async #addLinesOf(files: Files, drawing: Blob | Uint8Array): Promise<void> {
     for (const name of await this.#linesIn(drawing)) {
-      const [, font = '', line = ''] = /^line:([^\n]*)\n([^]*)$/.exec(name) ?? [];
-      await this.#addLine(files, font, line);
+      const { key, text } = lettersOf(name);
+      await this.#addLine(files, key, text);
     }
   }
 
@@ -93,11 +95,11 @@ export class Texts {
     if (correction !== 'low' && correction !== 'medium' && correction !== 'quartile' && correction !== 'high') return;
     const { qrModules } = await this.#start();
     const value = qrModules(text, correction) ?? new Uint8Array(1); // bytes are no picture: the engine says that it is too long
-    files[`qr:${correction}\n${text}`] = { number: 0, value };
+    files[nameOf('qr', correction, text)] = { number: 0, value };
   }
 
   async #addLine(files: Files, font: string, line: string): Promise<void> {
-    const name = `line:${font}\n${line}`;
+    const name = nameOf('line', font, line);
     if (name in files) return;
     const bytes = await this.#fontOf(files, font);
     const shaped = JSON.stringify(

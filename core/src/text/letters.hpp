@@ -7,15 +7,10 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/geometry/shape.hpp"
+#include "sillon/text/text.hpp"
 
 namespace sillon {
 
-/// Share of the em that capitals take in fonts without H.
-inline constexpr double kUsualCapHeight = 0.7;
-/// The most path data of one line's outlines [bytes]; a hostile font could make any letter a million curves.
-inline constexpr std::size_t kMostPathBytes = std::size_t{4} << 20;
-/// The most letters of a kind that ShapedLine::lacked tells.
-inline constexpr int kMostLackedTold = 8;
 /// The most path data of all letters of a text, which may repeat few outlines [bytes].
 inline constexpr std::size_t kMostDrawnBytes = std::size_t{16} << 20;
 

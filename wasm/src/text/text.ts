@@ -2,6 +2,7 @@
 // (dist/engine/text.js), which only plates with texts or codes load.
 import * as hb from 'harfbuzzjs';
 import generator from 'nayuki-qr-code-generator';
+import { letterLimits } from '../facts.js';
 import { textRuns, type TextRun } from './text-runs.js';
 
 export { textRuns };
@@ -9,10 +10,7 @@ export { textRuns };
 // Its types are those of a CommonJS module, which it is not.
 const { QrCode } = generator as unknown as typeof generator.default;
 
-/** The limits of core/src/text/letters.hpp. */
-const usualCapHeight = 0.7;
-const mostPathBytes = 4 * 2 ** 20;
-const mostTold = 8;
+const { usualCapHeight, mostPathBytes, mostLackedTold } = letterLimits;
 
 let started: Promise<void> | undefined;
 
@@ -262,7 +260,7 @@ class LineSetter {
     const letter = absent ?? letters.find((letter) => !inkless.test(letter));
     if (letter === undefined) return;
     const same = this.lacked.filter(([, other]) => (other === '') === (font === ''));
-    if (same.length < mostTold && !same.some(([known, other]) => known === letter && other === font))
+    if (same.length < mostLackedTold && !same.some(([known, other]) => known === letter && other === font))
       this.lacked.push([letter, font, absent === undefined]);
   }
 }

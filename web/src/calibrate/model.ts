@@ -1,10 +1,11 @@
 // Calibration prints: which there are, and which of a plate's settings each is about.
 import type { CalibrationKind } from 'sillon';
+import { calibrationKinds } from '../model/facts.js';
 import type { Plate } from '../model/plate.js';
 import { accepts, settingOf, withValue, type SettingId, type SettingValue } from '../model/settings.js';
 
 /** The coupon has most of the others in it; each of these relies on those before it. */
-export const kinds: readonly CalibrationKind[] = ['coupon', 'flow', 'speed', 'fan', 'width', 'directions', 'swatch'];
+export const kinds: readonly CalibrationKind[] = ['coupon', ...calibrationKinds.filter((kind) => kind !== 'coupon')];
 
 /** The answer to type back: a setting's own value, two widths, or nothing. */
 export type Answer = { kind: 'setting'; setting: SettingId } | { kind: 'widths' | 'none' };

@@ -1,11 +1,11 @@
 // The layers of a plate: how each begins, what is told of it, and the list that they make.
 import { defaultsOf } from './defaults.js';
+import { mostLayers } from './facts.js';
 import { hasFill, layerInput, type LayerKey, type LayerKind, type LayerValues } from './layers.js';
 import { pageOf, type PageParts, type Plate, type PlateLayer, type SourceFile } from './plate.js';
 import { layerTable } from './layer-table.js';
 
-/** The core's limit. */
-export const mostLayers = 32;
+export { mostLayers };
 
 export const layerKinds: readonly LayerKind[] = layerTable.kind.choices;
 

@@ -28,7 +28,8 @@ struct ShapedLine {
   bool instead = false;  ///< its font stands in for one that is not at hand
   std::vector<Letter> letters;
   std::vector<std::string> outlines;  ///< path data of SVG
-  /// Each once; at most 8 that are drawn in other fonts, and 8 that are left out.
+  /// Each once; at most kMostLackedTold that are drawn in other fonts, and as many that are left
+  /// out.
   std::vector<LackedLetter> lacked;
 };
 

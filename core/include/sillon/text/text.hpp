@@ -2,6 +2,7 @@
 // machine.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +19,14 @@ namespace sillon {
 /// Names of the fonts that come with Sillon, all under open licences, in the order in which they
 /// are offered. Built from core/data/fonts.
 std::span<const std::string_view> builtinFonts();
+
+/// Share of the em that capitals take in fonts without H.
+inline constexpr double kUsualCapHeight = 0.7;
+/// The most path data of one line's outlines [bytes]: a hostile font could make any letter a
+/// million curves.
+inline constexpr std::size_t kMostPathBytes = std::size_t{4} << 20;
+/// The most letters of a kind that ShapedLine::lacked tells.
+inline constexpr int kMostLackedTold = 8;
 
 /// Shapes one line: kerning, ligatures and joined scripts as the font has them, and scripts of both
 /// senses in one line by the Unicode bidirectional algorithm. Tabs are spaces. What the font lacks

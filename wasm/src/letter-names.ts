@@ -1,0 +1,10 @@
+// Names under which the core asks for letters and QR codes as for files: core/src/text/letters.cpp, qr_code_elsewhere.cpp.
+
+/** @param key  font of the line, or error correction of the code */
+export const nameOf = (kind: 'line' | 'qr', key: string, text: string): string => `${kind}:${key}\n${text}`;
+
+/** What such a name asks for. */
+export function lettersOf(name: string): { kind: string; key: string; text: string } {
+  const [, kind = '', key = '', text = ''] = /^(line|qr):([^\n]*)\n([^]*)$/.exec(name) ?? [];
+  return { kind, key, text };
+}
