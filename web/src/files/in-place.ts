@@ -10,7 +10,7 @@ interface Writable extends FileSystemFileHandle {
 const isAbort = (error: unknown): boolean => error instanceof Error && error.name === 'AbortError';
 
 /** Asks for files; none where the question is dismissed. @param handles  gets theirs */
-export async function pickFiles(handles: WeakMap<File, FileSystemHandle>): Promise<File[]> {
+export async function pickInPlace(handles: WeakMap<File, FileSystemHandle>): Promise<File[]> {
   try {
     const picked = (await (window as Picker).showOpenFilePicker?.({ multiple: true })) ?? [];
     return await Promise.all(

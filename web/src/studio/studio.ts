@@ -2,6 +2,7 @@
 import type { Autosave } from '../files/autosave.js';
 import { download } from '../files/download.js';
 import { plainName } from '../files/file-name.js';
+import { pickFiles } from '../files/pick.js';
 import type { Engine, Gcode, GcodeFinding, PlacedLayer, PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { toReview, useBrought, withoutBrought } from '../model/brought.js';
@@ -352,20 +353,8 @@ export class Studio {
    * saved back in its place */
   async pick(accept = ''): Promise<File[]> {
     if (accept === '' && 'showOpenFilePicker' in window)
-      return (await import('../files/in-place.js')).pickFiles(this.handles);
-    return new Promise((resolve) => {
-      const input = document.createElement('input');
-      input.type = 'file';
-      input.multiple = true;
-      input.accept = accept;
-      input.addEventListener('change', () => {
-        resolve([...(input.files ?? [])]);
-      });
-      input.addEventListener('cancel', () => {
-        resolve([]);
-      });
-      input.click();
-    });
+      return (await import('../files/in-place.js')).pickInPlace(this.handles);
+    return pickFiles(accept);
   }
 
   async save(product: Product): Promise<void> {

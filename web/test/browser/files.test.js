@@ -28,6 +28,22 @@ test('what a file is for can be changed after other changes, which stay', { skip
   assert.equal(await visit.state(({ plate }) => plate.print.base), 5);
 });
 
+test('files are taken in however long their choice takes', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  const { page, context } = visit;
+  const browser = await context.newCDPSession(page);
+  await browser.send('Page.enable');
+  await browser.send('Page.setInterceptFileChooserDialog', { enabled: true });
+  const asked = new Promise((resolve) => browser.once('Page.fileChooserOpened', resolve));
+  await page.getByRole('radio', { name: 'Direction map', exact: true }).press('Enter');
+  const { backendNodeId } = await asked;
+  await browser.send('HeapProfiler.collectGarbage');
+  await browser.send('DOM.setFileInputFiles', { backendNodeId, files: [join(inputs, 'photo.png')] });
+  await visit.until(({ plate }) => plate.directions.kind === 'map');
+  await browser.detach();
+});
+
 test('what was said of files goes with them', { skip }, async () => {
   const visit = await dropped();
   await visit.drop([photo('second.png')]);
