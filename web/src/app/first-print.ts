@@ -12,7 +12,7 @@ import { drawing } from '../calibrate/drawings.js';
 import { DialogElement } from '../controls/dialog.js';
 import { coaster } from '../plates/examples.js';
 import { icon } from '../controls/icons.js';
-import { printerField } from '../print/machine-fields.js';
+import { printerField, takePrinter } from '../print/machine-fields.js';
 import type { Shown } from '../studio/shown.js';
 
 type First = 'coupon' | 'coaster';
@@ -148,7 +148,7 @@ export class FirstPrint extends DialogElement {
     event.preventDefault();
     event.stopPropagation();
     const file = event.type === 'drop' ? event.dataTransfer?.files[0] : undefined;
-    if (file !== undefined) void this.studio.attempt(() => this.studio.services.importPrinter(file));
+    if (file !== undefined) void takePrinter(this.studio, file);
   };
 
   protected override onState({ plate }: Readonly<Shown>, { plate: before }: Readonly<Shown>): void {

@@ -1,5 +1,5 @@
 // Files and examples become plates: what each file is for is guessed, used at once, and can be changed afterwards.
-import type { Engine, PrinterValues } from 'sillon';
+import type { PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { newPlateOn, onOwnPrinter } from '../model/brought.js';
 import { newFileShape, newGenerator, newLampDirections, newPlate } from '../model/defaults.js';
@@ -16,15 +16,12 @@ import {
 import { StudioError, type Problem } from '../model/problem.js';
 import type { Example } from '../model/example.js';
 import type { Opened, Opening, Role } from '../model/file-role.js';
+import type { OpeningServices } from '../studio/services.js';
 import { offers } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
+import type { Keeper } from './keeping.js';
 
-export interface Opener {
-  /** @throws StudioError, SillonError */
-  open(files: readonly File[], role?: Role): Promise<void>;
-  /** Uses one of the files that were opened last as something else. */
-  setRole(index: number, role: Role): Promise<void>;
-  openExample(example: Example): Promise<void>;
+export interface Opener extends OpeningServices {
   /** The plate that a first visit sees. @throws StudioError LoadFailed */
   first(): Promise<Plate>;
   /** A project that lies beside the page. @throws StudioError LoadFailed; as open */
@@ -35,12 +32,8 @@ export interface Opener {
 
 const gesture = 'files';
 
-/** @param show  puts up another plate altogether. */
-export function createOpener(
-  studio: Studio,
-  engine: () => Promise<Engine>,
-  show: (plate: Plate, fresh?: boolean) => void,
-): Opener {
+export function createOpener(studio: Studio, { show, untried }: Keeper): Opener {
+  const engine = () => studio.services.engine();
   const own = (): PrinterValues => studio.store.state.plate.printer;
 
   /** @param without  of the plate on the screen, what they are put into @param step  while the plate is made of them */
@@ -140,7 +133,7 @@ export function createOpener(
     async open(files, role) {
       const stop = new AbortController();
       try {
-        await read(files, role, stop);
+        await untried.during(() => read(files, role, stop));
       } finally {
         studio.store.set({ reading: undefined });
       }
@@ -151,7 +144,7 @@ export function createOpener(
       if (opened === undefined) return;
       const { withoutFiles } = await import('../files/open.js');
       const files = opened.files.map((file, k) => (k === index ? { ...file, role } : file));
-      await use((plate) => withoutFiles(plate, opened), files);
+      await untried.during(() => use((plate) => withoutFiles(plate, opened), files));
     },
 
     async load(openings, trusted = false) {

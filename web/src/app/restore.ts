@@ -3,6 +3,7 @@
 import type { Kept, Opened } from '../files/autosave.js';
 import { words } from '../i18n/en/plates.js';
 import { say, t } from '../i18n/text.js';
+import type { Plate } from '../model/plate.js';
 import type { NoticeAction } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 import { forget, recallText, remember } from '../files/remember.js';
@@ -46,10 +47,11 @@ function markUntilShown(id: string, { store }: Studio): void {
 
 /** With the steps that led to it: undone, a plate must not become the one that was shown before.
  * @param begin  goes on in its record */
-export function showKept(studio: Studio, { id, steps }: Opened, begin: () => void): void {
-  begin();
+export function showKept(studio: Studio, { id, steps }: Opened, begin: (plate: Plate) => void): void {
+  begin(steps.plate);
   markUntilShown(id, studio);
   studio.store.restore(steps);
+  studio.look();
 }
 
 const listPlates = (studio: Studio): NoticeAction => ({
@@ -59,16 +61,10 @@ const listPlates = (studio: Studio): NoticeAction => ({
   },
 });
 
-interface Restoring {
-  /** Whether it is still wanted; what comes too late is offered instead. */
-  shows: boolean;
-  framed: boolean;
-  show: (found: Opened) => void;
-}
-
-/** @returns whether the plate that was found is shown, or is open in another tab */
-export function restore(studio: Studio, found: Kept, { shows, framed, show }: Restoring): boolean {
-  const plates = framed ? [] : [listPlates(studio)];
+/** @param shows  whether it is still wanted; what comes too late is offered instead @param begin  goes on in its record
+ * @returns whether the plate that was found is shown, or is open in another tab */
+export function restore(studio: Studio, found: Kept, shows: boolean, begin: (plate: Plate) => void): boolean {
+  const plates = studio.framed ? [] : [listPlates(studio)];
   if (found.state === 'elsewhere') {
     if (shows) studio.notify(say(words, 'plates.left'), listPlates(studio));
     return shows;
@@ -80,7 +76,7 @@ export function restore(studio: Studio, found: Kept, { shows, framed, show }: Re
   const open = (label: string): NoticeAction => ({
     label,
     run: () => {
-      show(found);
+      showKept(studio, found, begin);
     },
   });
   if (!shows) {
@@ -96,7 +92,7 @@ export function restore(studio: Studio, found: Kept, { shows, framed, show }: Re
     });
     return false;
   }
-  show(found);
+  showKept(studio, found, begin);
   if (found.state === 'copy') {
     studio.notify(say(words, 'plates.copied'));
     return true;

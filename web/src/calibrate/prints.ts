@@ -226,7 +226,7 @@ export async function saveCalibration(studio: Studio, kind: CalibrationKind): Pr
     const { blob, summary } = await engine.calibrate(kind, calibrationOf(plate, 0));
     const packed = isPacked('gcode', plate);
     const name = `${kind}${gcodeMark(plate, summary.seconds)}${packed ? '.gcode.3mf' : '.gcode'}`;
-    studio.deliver(packed ? await studio.services.pack(blob) : blob, name);
+    studio.deliver(packed ? await engine.packGcode(blob) : blob, name);
     studio.notify(t('export.done', { name }));
   });
 }

@@ -1,7 +1,7 @@
 // Pictures for the cards of a panel, drawn anew when the plate has changed and rests.
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import type { Plate } from '../model/plate.js';
-import type { Draw } from '../studio/studio.js';
+import type { Draw } from '../studio/services.js';
 import type { StudioElement } from './element.js';
 
 const restsAfter = 250; // [ms]

@@ -8,7 +8,7 @@ import { isAbort, problemOf, StudioError, type Failure, type Problem } from '../
 import { isOf } from '../model/result.js';
 import type { PlateResult } from '../model/state.js';
 import type { Notice, Shown } from '../studio/shown.js';
-import type { Product, Studio } from '../studio/studio.js';
+import type { Studio } from '../studio/studio.js';
 import { brandFrom, wear } from './brand.js';
 import { checkedPicture, checkedVideo, openingsFrom, Refused } from './requests.js';
 import {
@@ -32,13 +32,8 @@ export interface FrameServices {
   /** From now on plates are made. */
   begin(): void;
   configure(textOf: (attribute: string) => unknown): Promise<void>;
-  /** Project file of the command line; its pictures are named, not held. */
-  project(): Promise<unknown>;
+  /** The whole, measured path of the plate as it is now. */
   finished(): Promise<PlateResult>;
-  make(product: Product): Promise<{ blob: Blob; name: string }>;
-  picture(width: number): Promise<{ blob: Blob; name: string }>;
-  video(seconds: number, signal: AbortSignal): Promise<{ blob: Blob; name: string }>;
-  cancel(): void;
   /** The handshake is done. @returns whether work of an earlier visit is shown, which must not be loaded over */
   onHost(origin: string): Promise<boolean>;
 }
@@ -150,35 +145,41 @@ class Host {
         return { result: null };
       },
     ],
-    ['getProject', async () => ({ result: { project: await this.services.project() } })],
+    [
+      'getProject',
+      async () => {
+        const { projectData } = await import('../files/project.js');
+        return { result: { project: projectData(this.studio.store.state.plate) } };
+      },
+    ],
     [
       'generate',
       async () => {
         const { report } = await this.services.finished();
-        await this.services.make('gcode').catch(() => undefined); // a plate that no file can be made of has no cost
+        await this.studio.make('gcode').catch(() => undefined); // a plate that no file can be made of has no cost
         return { result: { report: { ...report, ...this.#cost() } } };
       },
     ],
     [
       'exportGcode',
       async () => {
-        const { result, transfer = [] } = await sent(await this.services.make('gcode'));
+        const { result, transfer = [] } = await sent(await this.studio.make('gcode'));
         const { summary, check } = this.studio.store.state;
         const told = { summary: summary ?? null, findings: check?.findings ?? [] };
         return { result: { ...(result as FileMessage), ...told }, transfer };
       },
     ],
-    ['exportBody', async () => sent(await this.services.make('body'))],
-    ['exportSvg', async () => sent(await this.services.make('svg'))],
-    ['exportView', async () => sent(await this.services.make('view'))],
-    ['exportProject', async () => sent(await this.services.make('project'))],
+    ['exportBody', async () => sent(await this.studio.make('body'))],
+    ['exportSvg', async () => sent(await this.studio.make('svg'))],
+    ['exportView', async () => sent(await this.studio.make('view'))],
+    ['exportProject', async () => sent(await this.studio.make('project'))],
     [
       'capture',
       async (params, signal) =>
         sent(
           field(params, 'type') === 'video'
-            ? await this.services.video(checkedVideo(params), signal)
-            : await this.services.picture(checkedPicture(params)),
+            ? await this.studio.video(checkedVideo(params), signal)
+            : await this.studio.picture(checkedPicture(params)),
         ),
     ],
     [
@@ -202,7 +203,7 @@ class Host {
     if (job === undefined) return; // done already
     job.control.abort();
     // Only what runs has work to be stopped: it is the first that waits.
-    if (this.#jobs.values().next().value === job) this.services.cancel();
+    if (this.#jobs.values().next().value === job) this.studio.services.cancel();
   }
 
   #reply(id: number, { result, transfer = [] }: Answer): void {

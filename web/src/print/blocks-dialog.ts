@@ -130,7 +130,8 @@ export class Blocks extends DialogElement {
   async #examine(printer: PrinterValues, block: Block): Promise<void> {
     if (printer[block] === '') return;
     try {
-      const found = await this.studio.services.examine(printer[block], printer.flavor);
+      const engine = await this.studio.services.engine();
+      const found = await engine.examineBlock(printer[block], printer.flavor);
       if (printer === this.#examined) this.findings = { ...this.findings, [block]: found };
     } catch {
       // The lines stay "not checked".

@@ -69,7 +69,7 @@ export function printerField(studio: Studio): TemplateResult {
       type="button"
       @click=${async () => {
         const [file] = await studio.pick('.gcode,.bgcode,.gz,.ini,.json,.orca_printer,.3mf');
-        if (file !== undefined) await studio.attempt(() => studio.services.importPrinter(file));
+        if (file !== undefined) await takePrinter(studio, file);
       }}
     >
       ${say(words, 'printer.import')}
@@ -93,6 +93,12 @@ export function printerField(studio: Studio): TemplateResult {
           : nothing
     }`;
 }
+
+/** Takes the printer from G-code or settings of another program. */
+export const takePrinter = (studio: Studio, file: File): Promise<boolean> =>
+  studio.attempt(async () => {
+    await (await import('./printer-file.js')).importPrinter(studio, file);
+  });
 
 export function filamentField(studio: Studio): TemplateResult {
   const { plate } = studio.store.state;

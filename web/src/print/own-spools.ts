@@ -8,7 +8,7 @@ export function loadSpools(studio: Studio): void {
   if (studio.store.state.spools !== undefined) return;
   let spools: readonly OwnSpool[] = [];
   try {
-    spools = readSpools(studio.services.keptSpools() ?? spoolsText([]));
+    spools = readSpools(studio.recall('spools') ?? spoolsText([]));
   } catch {
     // of a later version: left alone until another one is kept
   }
@@ -20,6 +20,6 @@ export function changeSpools(studio: Studio, change: (spools: readonly OwnSpool[
   studio.store.set({ spools: undefined });
   loadSpools(studio);
   const spools = change(studio.store.state.spools ?? []);
-  studio.services.keepSpools(spoolsText(spools));
+  studio.remember('spools', spoolsText(spools));
   studio.store.set({ spools });
 }

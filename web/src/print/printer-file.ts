@@ -1,5 +1,5 @@
 // A printer out of another program's file, with the filament that the file is for.
-import type { Engine, ImportedPrinter, PrinterValues } from 'sillon';
+import type { ImportedPrinter, PrinterValues } from 'sillon';
 import { words } from '../i18n/en/printer.js';
 import { importNoteText } from '../i18n/say-core.js';
 import { say, t } from '../i18n/text.js';
@@ -56,7 +56,8 @@ export function withImported(plate: Plate, file: Read): { plate: Plate; other: H
 
 /** Takes the printer of a file, and tells which filament is printed at which temperatures from now on.
  * @throws StudioError PrinterFile; what the engine refuses */
-export async function importPrinter(studio: Studio, file: File, engine: Engine): Promise<void> {
+export async function importPrinter(studio: Studio, file: File): Promise<void> {
+  const engine = await studio.services.engine();
   const imported = await engine.importPrinter(file).catch((error: unknown) => {
     const { code, detail } = problemOf(error);
     throw code === 'InvalidFile' ? new StudioError('PrinterFile', { name: file.name }, detail) : error;

@@ -7,6 +7,7 @@ import { formatNumber, say, t } from '../i18n/text.js';
 import { doubtsOf, hasPicture, legible, type Doubt, type Seen } from '../model/doubts.js';
 import { leastSeen } from '../model/lamp.js';
 import type { Plate } from '../model/plate.js';
+import type { DirectionRaster } from '../model/raster.js';
 import type { PlateResult } from '../model/state.js';
 import { isOf } from '../model/result.js';
 import { StudioElement } from '../controls/element.js';
@@ -95,6 +96,10 @@ export class Doubts extends StudioElement {
   #asked: Cycles | undefined;
   #known: { of: Cycles; how: Seen } | undefined;
 
+  async #look(result: PlateResult, directions: DirectionRaster): Promise<Seen> {
+    return (await import('./seen.js')).seenIn(result, directions, () => this.studio.services.engine());
+  }
+
   /** Asked for while somebody looks; draws again once it is known. */
   #seen(result: PlateResult): Seen | undefined {
     const { cycles } = result.toolpath;
@@ -103,7 +108,7 @@ export class Doubts extends StudioElement {
     if (!this.#visible || directions === undefined || !hasPicture(result.plate) || this.#asked === cycles)
       return undefined;
     this.#asked = cycles;
-    const answer = answers.get(cycles) ?? this.studio.services.seen(result, directions);
+    const answer = answers.get(cycles) ?? this.#look(result, directions);
     answers.set(cycles, answer);
     void this.studio.attempt(async () => {
       this.#known = { of: cycles, how: await answer };

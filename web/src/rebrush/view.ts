@@ -16,7 +16,7 @@ import { ownSpools } from '../print/machine-fields.js';
 import { lampFor } from '../model/lamp.js';
 import type { Stroke } from '../model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
-import type { DirectionRaster } from '../model/raster.js';
+import { fineResolution, type DirectionRaster } from '../model/raster.js';
 import {
   boxOf,
   facesOf,
@@ -316,7 +316,10 @@ export class RebrushView extends StudioElement {
   /** What the engine cannot draw by itself. */
   async #drawn(wish: Wish): Promise<DirectionRaster | undefined> {
     const { services } = this.studio;
-    if (wish.way === 'hand') return services.handDirections(wish.strokes, boxOf(wish, this.faces), wish.angle);
+    if (wish.way === 'hand') {
+      const { handRaster } = await import('./hand.js');
+      return handRaster(wish.strokes, boxOf(wish, this.faces), wish.angle, fineResolution);
+    }
     const solved = this.state.plate.directions.kind === 'lamp'; // the engine solves for it
     return wish.way === 'plate' && !solved ? services.directions() : undefined;
   }

@@ -1,93 +1,24 @@
-// What the elements can do. They know the state and this; what it takes stands in main.ts.
-import type { Autosave } from '../files/autosave.js';
+// What the elements can do. They know the state and this; main.ts puts together what it takes.
 import { download } from '../files/download.js';
 import { plainName } from '../files/file-name.js';
 import { pickFiles } from '../files/pick.js';
-import type { Engine, Gcode, GcodeFinding, PlacedLayer, PrinterValues } from 'sillon';
-import { t } from '../i18n/text.js';
+import { recallText, remember } from '../files/remember.js';
+import { setLanguage, t } from '../i18n/text.js';
 import { toReview, useBrought, withoutBrought } from '../model/brought.js';
 import { homeLight, isOwnPicture, lampsOf } from '../model/lamp.js';
 import { showsPictures } from '../model/layers.js';
-import type { FreePlace, Taken, Wanted } from '../model/free-place.js';
 import { nothingLeft, type Left } from '../model/left.js';
-import { pageOf, type Plate, type Stroke } from '../model/plate.js';
-import type { Seen } from '../model/doubts.js';
-import type { DirectionRaster } from '../model/raster.js';
-import type { Box } from '../model/rebrush.js';
+import { pageOf, type Plate } from '../model/plate.js';
 import type { Problem } from '../model/problem.js';
 import { isAbort, problemOf, same } from '../model/problem.js';
 import type { Store } from '../model/store.js';
-import type { PlateResult, Theme, Tool } from '../model/state.js';
+import type { Theme, Tool } from '../model/state.js';
 import type { Light, ViewName } from '../model/view.js';
 import type { OpenedFiles, Role } from '../model/file-role.js';
-import type { Example } from '../model/example.js';
+import type { Services } from './services.js';
 import type { Dialog, LightMode, Notice, NoticeAction, Shown } from './shown.js';
 
 export type Product = 'gcode' | 'body' | 'svg' | 'png' | 'view' | 'project';
-
-/** Draws one picture for each choice of a panel; @param wanted  false once nobody waits for them. */
-export type Draw<Name extends string> = (plate: Plate, wanted: () => boolean) => Promise<Map<Name, Blob>>;
-
-/** What reaches beyond the page's thread; each may reject. */
-export interface Services {
-  cancel(): void;
-  retry(): void;
-  /** @param ms  from a preview to its picture */
-  drew(ms: number): void;
-  gcode(): Promise<Gcode>;
-  /** G-code in the zip that Bambu printers take. */
-  pack(gcode: Blob): Promise<Blob>;
-  /** The base layers as a solid, 3MF. */
-  body(): Promise<Blob>;
-  svg(): Promise<Blob>;
-  view(): Promise<Blob>;
-  project(plate: Plate): Promise<Blob>;
-  /** What the project file tells the command line, without its pictures. */
-  projectData(plate: Plate): Promise<object>;
-  link(plate: Plate): Promise<{ url: string; told: string }>;
-  setLanguage(language: string): Promise<void>;
-  /** Opens files as they are guessed; they can be changed in the dialog 'files'. */
-  open(files: readonly File[], role?: Role): Promise<void>;
-  /** Uses one of the files that were opened last as something else. */
-  setRole(index: number, role: Role): Promise<void>;
-  openExample(example: Example): Promise<void>;
-  /** Takes the printer from G-code or settings of another program. */
-  importPrinter(file: File): Promise<void>;
-  newPlate(): void;
-  /** Writes the project over the file that it was opened from. @returns what is said of it; empty where there is none */
-  savedInPlace(project: Blob): Promise<string>;
-  /** The plate that is shown now is that of a project file. */
-  openedFrom(project: File): void;
-  /** Those that are kept here. @throws where none is kept: in frames whose page does not ask for it */
-  plates(): Autosave;
-  /** Shows one of them. @param take  also from another tab, which goes on with a copy */
-  openPlate(id: string, take: boolean): Promise<void>;
-  /** What this is need not be said again. */
-  welcomed(): void;
-  /** Whether what `toReview` says was seen already. */
-  reviewed(text: string): boolean;
-  setReviewed(text: string): void;
-  /** A file of the visitor's own spools, as its text; undefined: none is kept. */
-  keptSpools(): string | undefined;
-  keepSpools(text: string): void;
-  /** For what the plate has no part in. */
-  engine(): Promise<Engine>;
-  /** What each kind of directions, and each shape, makes of the plate. */
-  kindPictures: Draw<Plate['directions']['kind']>;
-  shapePictures: Draw<Plate['shape']['kind']>;
-  /** How well a finished plate shows what its directions ask for. */
-  seen(result: PlateResult, directions: DirectionRaster): Promise<Seen>;
-  /** Of the plate as it is now, in full. */
-  directions(): Promise<DirectionRaster>;
-  /** The box in which the engine puts each layer that lacks nothing, by its id. */
-  layerBoxes(plate: Plate): Promise<ReadonlyMap<number, PlacedLayer>>;
-  /** Finds a free place on the plate for a new box. */
-  freePlace(plate: Plate, taken: readonly Taken[], wanted: Wanted): Promise<FreePlace>;
-  /** Of a sliced print, on a box of the bed: strokes in mm on the bed, and an angle elsewhere [degrees]. */
-  handDirections(strokes: readonly Stroke[], box: Box, angle: number): Promise<DirectionRaster>;
-  /** What a start or end block would do, line by line. */
-  examine(block: string, flavor: PrinterValues['flavor']): Promise<GcodeFinding[]>;
-}
 
 /** What the canvas lends to others. */
 export interface Stage {
@@ -151,13 +82,24 @@ export class Studio {
   /** Of the plate that is shown. */
   left: Left = nothingLeft;
   #nextNotice = 1;
+  /** What of printers was seen before a file was taken with it, as `toReview` has it. */
+  readonly #seen = new Set<string>();
   #reviewed: (() => void) | undefined;
 
   constructor(
     readonly store: Store<Shown>,
     /** What the engine is asked for. */
     readonly threads: 'auto' | 'off' | number,
+    /** Whether this is shown in a frame of another page. */
+    readonly framed: boolean,
   ) {}
+
+  /** A small choice of an earlier visit; frames have none, as other pages set theirs. */
+  recall = (name: string): string | undefined => (this.framed ? undefined : recallText(name));
+
+  remember(name: string, text: string): void {
+    if (!this.framed) remember(name, text);
+  }
 
   // --- The plate ----------------------------------------------------------------------------------------------------------
 
@@ -170,6 +112,14 @@ export class Studio {
   settle(): void {
     this.store.settle();
     if (this.store.state.live) this.store.set({ live: false });
+  }
+
+  /** At a plate that nobody has looked at yet. */
+  look(): void {
+    this.store.set({ mark: -1, played: 1, playing: false, tool: 'pan', layer: undefined, cropping: false });
+    this.setOpened(undefined);
+    this.left = nothingLeft;
+    this.stage?.fit();
   }
 
   /** Lower left corner of a plate in the middle of the bed. */
@@ -277,7 +227,7 @@ export class Studio {
   /** Not to be said again on this device. */
   endWelcome(): void {
     this.store.set({ welcome: false, flipping: false });
-    this.services.welcomed();
+    this.remember('welcomed', 'yes');
   }
 
   show(dialog: Dialog | undefined): void {
@@ -285,7 +235,17 @@ export class Studio {
   }
 
   async setLanguage(language: string): Promise<void> {
-    await this.attempt(() => this.services.setLanguage(language));
+    await this.attempt(async () => {
+      await this.speak(language);
+      this.remember('language', language);
+    });
+  }
+
+  /** For this visit alone. */
+  async speak(language: string): Promise<void> {
+    await setLanguage(language);
+    document.documentElement.lang = language;
+    this.store.set({ language });
   }
 
   // --- Words --------------------------------------------------------------------------------------------------------------
@@ -377,7 +337,7 @@ export class Studio {
   /** The blocks are on the screen no more. */
   goOn(): void {
     const { printer } = this.store.state.plate;
-    this.services.setReviewed(toReview(printer));
+    this.#setReviewed(toReview(printer));
     if (this.#reviewed === undefined) void this.#save('gcode');
     else this.#reviewed();
   }
@@ -402,7 +362,12 @@ export class Studio {
   /** Nothing moves or heats a machine that nobody has seen. */
   #mustReview(): boolean {
     const text = toReview(this.store.state.plate.printer);
-    return text !== '' && !this.services.reviewed(text);
+    return text !== '' && !this.#seen.has(text) && this.recall('reviewed') !== text;
+  }
+
+  #setReviewed(text: string): void {
+    this.#seen.add(text);
+    this.remember('reviewed', text);
   }
 
   /** What the design brings is used from now on. @param seen  every line of it was on the screen */
@@ -410,7 +375,7 @@ export class Studio {
     this.settle();
     this.change(useBrought);
     const text = toReview(this.store.state.plate.printer);
-    if (seen && text !== '') this.services.setReviewed(text);
+    if (seen && text !== '') this.#setReviewed(text);
   }
 
   keepOwnPrinter(): void {
@@ -447,24 +412,25 @@ export class Studio {
 
   async #gcode(plate: Plate): Promise<Blob> {
     const { blob } = await this.services.gcode();
-    return isPacked('gcode', plate) ? this.services.pack(blob) : blob;
+    return isPacked('gcode', plate) ? (await this.services.engine()).packGcode(blob) : blob;
   }
 
   async #make(product: Product, plate: Plate): Promise<Blob> {
     switch (product) {
       case 'gcode':
         return this.#gcode(plate);
-      case 'body':
-        return this.services.body();
-      case 'svg':
-        return this.services.svg();
-      case 'view':
-        return this.services.view();
       case 'project':
-        return this.services.project(plate);
+        return this.#project(plate);
       case 'png':
         return this.#canvas().capture(2400);
+      default:
+        return this.services[product]();
     }
+  }
+
+  async #project(plate: Plate): Promise<Blob> {
+    const [{ writeProject }, raster] = await Promise.all([import('../files/project.js'), this.services.directions()]);
+    return writeProject(plate, raster);
   }
 
   /** @param width  [pixels] */

@@ -1,0 +1,65 @@
+// What follows from changes of the state by itself, beside the plate's results: pipeline.ts sees to those.
+import { pictureOf } from '../model/lamp.js';
+import type { OpenedFiles } from '../model/file-role.js';
+import type { Plate } from '../model/plate.js';
+import type { PlateResult, Theme } from '../model/state.js';
+import type { Shown } from '../studio/shown.js';
+import type { Studio } from '../studio/studio.js';
+import type { Keeper } from './keeping.js';
+
+export function followState(studio: Studio, keeper: Keeper): void {
+  const { store } = studio;
+  store.subscribe((state, before) => {
+    if (state.theme !== before.theme) applyTheme(studio, state.theme);
+    if (state.plate.directions !== before.plate.directions) fitLamps(studio, state);
+    const arrives = state.welcome && !before.welcome; // the first plate, which is nobody's work
+    const changes = state.plate !== before.plate && !arrives;
+    // A plate that waited for its path is kept when that is there.
+    if (changes || state.result !== before.result) keeper.keep(state, before.plate, changes);
+    if (changes && state.welcome) studio.endWelcome();
+    if (state.opened !== undefined && isGone(studio, state.opened, state.plate)) studio.setOpened(undefined);
+    if (state.shimmer !== undefined && (state.result !== undefined || !state.welcome))
+      store.set({ shimmer: undefined });
+  });
+  store.subscribe(({ result }, before) => {
+    if (result === before.result || result?.measured !== true) return;
+    if (!studio.framed) keeper.picture(result);
+    scan(studio, result);
+  });
+}
+
+export function applyTheme(studio: Studio, theme: Theme): void {
+  if (theme === 'auto') delete document.documentElement.dataset['theme'];
+  else document.documentElement.dataset['theme'] = theme;
+  studio.remember('theme', theme);
+}
+
+/** Other directions may have other pictures, or none. */
+function fitLamps({ store }: Studio, { plate, tool, lamp, aimed, flipping, over }: Readonly<Shown>): void {
+  const { directions } = plate;
+  const lamps = directions.kind === 'lamp' ? directions.pictures.length : 0;
+  if (lamps > 0 && tool !== 'pan') store.set({ tool: 'pan' });
+  if (lamp >= Math.max(1, lamps)) store.set({ lamp: 0 });
+  if (aimed !== undefined) store.set({ aimed: undefined });
+  if (lamps < 2 && flipping) store.set({ flipping: false });
+  const shown = { picture: pictureOf(plate, 0) !== undefined, zigzag: true, conflict: lamps > 1 };
+  if (over !== undefined && !shown[over]) store.set({ over: undefined });
+}
+
+/** Whether what was made of files has been undone, or something of another kind stands in its place. */
+const isGone = ({ store }: Studio, { before, made }: OpenedFiles, plate: Plate): boolean =>
+  store.steps.future.includes(made) ||
+  (made.directions !== before.directions && made.directions.kind !== plate.directions.kind) ||
+  (made.shape !== before.shape && made.shape.kind === 'file' && plate.shape.kind !== 'file');
+
+/** Of a finished plate with a code: whether it can be read. */
+function scan({ store, services }: Studio, result: PlateResult): void {
+  const { plate } = result;
+  if (result.coarse || plate.directions.kind !== 'qr') return;
+  void Promise.all([import('../quality/scan.js'), services.engine()])
+    .then(async ([{ scan }, running]) => {
+      const azimuths = await scan(result, running, () => store.state.result === result);
+      if (azimuths !== undefined) store.set({ scan: { plate, azimuths } });
+    })
+    .catch(() => undefined); // nothing is claimed
+}

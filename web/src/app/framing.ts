@@ -1,0 +1,59 @@
+// The studio in a frame of another page: what that page may have done, and what is shown before it asks for anything.
+import { t } from '../i18n/text.js';
+import type { Studio } from '../studio/studio.js';
+import { asked } from './address.js';
+import { elapsed } from './arriving.js';
+import { configureAsHost, usePrinter } from './given.js';
+import type { Keeper } from './keeping.js';
+import type { Opener } from './opening.js';
+import type { Pipeline } from './pipeline.js';
+
+const hostWaits = 10_000; // [ms] for work of an earlier visit: some browsers' storages never answer
+
+interface Framing {
+  studio: Studio;
+  keeper: Keeper;
+  opener: Opener;
+  pipeline: Pipeline;
+}
+
+/** @param arrived  what the address names is shown, or why it is not */
+export async function frame({ studio, keeper, opener, pipeline }: Framing, arrived: Promise<void>): Promise<void> {
+  const { store } = studio;
+  let begun = false;
+  const begin = (): void => {
+    if (!begun) pipeline.start();
+    begun = true;
+  };
+  studio.services.engine().catch(() => undefined); // a host hears of it also where no plate follows
+  // Nobody is shown or sold another plate where one is named: it is on its way, or cannot be shown.
+  void arrived.then(() => {
+    if (!asked.waits && store.state.lacking === undefined) begin();
+  });
+  const { setLacking, waitForHost } = await import('../embed/frame.js');
+  const hosts = document.querySelector<HTMLMetaElement>('meta[name="sillon-hosts"]')?.content.split(/\s+/) ?? [];
+  waitForHost(hosts, studio, {
+    load: async (openings, trusted) => {
+      await keeper.untried.during(() => opener.load(openings, trusted));
+      usePrinter(studio);
+      store.forgetSteps();
+    },
+    begin,
+    configure: (textOf) => configureAsHost(studio, textOf),
+    finished: () => pipeline.finished(),
+    onHost: async (origin) => {
+      store.set({ host: origin === 'null' ? t('app.someHost') : origin });
+      await arrived; // what a host asks for is of that, or comes after it
+      const { autosave: name } = asked.given;
+      if (name === undefined || origin === 'null') return false;
+      let waits = true;
+      const late = elapsed(hostWaits).then(() => (waits = false));
+      const found = await Promise.race([keeper.restore(keeper.begin(`${origin} ${name}`), () => waits), late]);
+      if (found) {
+        setLacking(studio, undefined);
+        begin();
+      }
+      return found;
+    },
+  });
+}
