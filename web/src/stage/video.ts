@@ -1,5 +1,8 @@
 // A short video of a canvas.
 import { problemOf, StudioError } from '../model/problem.js';
+import type { Light } from '../model/view.js';
+import type { Studio } from '../studio/studio.js';
+import { between } from '../views/light.js';
 
 const types = ['video/mp4;codecs=avc1.42E01E', 'video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 const framesPerSecond = 30;
@@ -83,4 +86,29 @@ export async function recordCanvas(
     for (const track of stream.getTracks()) track.stop();
   }
   return new Blob(pieces, { type });
+}
+
+/** One turn of the light, or from one picture to the other and back. */
+export async function recordTurn(
+  studio: Studio,
+  canvas: HTMLCanvasElement,
+  seconds: number,
+  signal?: AbortSignal,
+): Promise<Blob> {
+  const { store } = studio;
+  const before = store.state.light;
+  store.set({ recording: true, view: 'appearance' });
+  try {
+    const [first, second] = studio.lamps();
+    const lightAt = (share: number): Light =>
+      first !== undefined && second !== undefined
+        ? between(first, second, (1 - Math.cos(2 * Math.PI * share)) / 2)
+        : { ...before, azimuth: (before.azimuth + 360 * share) % 360 };
+    const pose = (share: number): void => {
+      store.set({ light: lightAt(share) });
+    };
+    return await recordCanvas(canvas, seconds, pose, signal);
+  } finally {
+    store.set({ recording: false, light: before });
+  }
 }

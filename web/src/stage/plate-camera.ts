@@ -1,0 +1,135 @@
+// Where the camera above the plate stands: moved by hand, or so that all of the plate is seen between the buttons over it.
+import type { StudioElement } from '../controls/element.js';
+import { pageOf } from '../model/plate.js';
+import type { Shown } from '../studio/shown.js';
+import { PageCamera } from '../views/camera.js';
+import { freeOf, seenIn, type Box } from '../views/fit.js';
+import { rulerWidth } from './overlay.js';
+import { blends, compares } from './plate-scene.js';
+
+const gap = 0.08; // between plate and zigzag, share of the page's width
+const margin = 40; // around the plate [CSS pixels]
+const toolsWidth = 60;
+const narrow = 640; // [CSS pixels] where buttons lie over the plate
+const clear = 8;
+const armLength = 600; // [mm]
+const handLength = 350; // of a phone
+const mostBlended = 2048; // [pixels] of a side: a larger canvas is not drawn finer
+
+export class PlateCamera extends PageCamera {
+  readonly #coarse = matchMedia('(pointer: coarse)');
+
+  /** @param watch  tells of changes of a button's size, after which the camera is to be placed again */
+  constructor(
+    private readonly canvas: StudioElement,
+    redraw: () => void,
+    private readonly watch: (button: Element) => void,
+  ) {
+    super(canvas, () => pageOf(canvas.state.plate), redraw, { most: 1200, across: 12 });
+  }
+
+  get #state(): Readonly<Shown> {
+    return this.canvas.state;
+  }
+
+  /** The page, and with it the zigzag that stands beside it [mm]. */
+  #shown(): [number, number] {
+    const [width, height] = this.page();
+    return [compares(this.#state) ? width * (2 + gap) : width, height];
+  }
+
+  /** Where the page lies on the canvas [CSS pixels]. */
+  plateBox(): { left: number; top: number; width: number; height: number } {
+    const [width, height] = this.page();
+    const { x: left, y: top } = this.toScreen({ x: 0, y: height });
+    return { left, top, width: width * this.cssScale, height: height * this.cssScale };
+  }
+
+  /** Pixels drawn per pixel of the screen, one way: what is finer than the eye must be drawn to be blended. */
+  fineness(): number {
+    const { width, height } = this.size;
+    return blends(this.#state) && Math.max(width, height) * devicePixelRatio <= mostBlended ? 2 : 1;
+  }
+
+  follow(now: Readonly<Shown>, before: Readonly<Shown>): void {
+    const sized = now.sizing !== before.sizing;
+    if (sized && now.sizing !== 'free') this.fitted = true;
+    const resized = String(pageOf(now.plate)) !== String(pageOf(before.plate));
+    if (sized || resized || compares(now) !== compares(before)) this.keepFitted();
+    if (now.view === before.view || !this.fitted) return;
+    // Other buttons lie over it.
+    const { host } = this.#root;
+    void (host as HTMLElement & { updateComplete: Promise<boolean> }).updateComplete.then(() => {
+      if (this.size.width <= narrow) this.keepFitted();
+    });
+  }
+
+  fit(): void {
+    this.fitted = true;
+    if (this.#state.sizing !== 'whole') this.canvas.studio.store.set({ sizing: 'whole' });
+    this.keepFitted();
+  }
+
+  move(dx: number, dy: number): void {
+    this.pan(dx, dy, 0.5, this.#shown());
+  }
+
+  lookAt(x: number, y: number, across: number): void {
+    this.now = { x, y, scale: (this.size.width * devicePixelRatio) / across };
+    this.letGo();
+  }
+
+  protected override letGo(): void {
+    if (this.#state.sizing !== 'free') this.canvas.studio.store.set({ sizing: 'free' });
+    super.letGo();
+  }
+
+  /** All of it, or as large as in life, in the middle of what is free. */
+  keepFitted(): void {
+    if (!this.fitted) return;
+    const { width, height } = this.size;
+    const free = width <= narrow ? this.#amongButtons() : this.#betweenBars();
+    const scale = this.#state.sizing === 'whole' ? undefined : this.#lifeScale();
+    const seen = seenIn(free, this.#shown(), [width, height], scale);
+    this.now = { ...seen, scale: seen.scale * devicePixelRatio };
+    this.redraw();
+  }
+
+  /** CSS pixels per mm, as large as it will be; at arm's length for somebody who looks at the screen from nearer. */
+  #lifeScale = (): number => (blends(this.#state) && this.#coarse.matches ? handLength / armLength : 1) * (96 / 25.4);
+
+  get #root(): ShadowRoot {
+    return this.canvas.getRootNode() as ShadowRoot;
+  }
+
+  /** What the buttons leave of a narrow canvas. */
+  #amongButtons(): Box {
+    const { left: x, top: y, width, height } = this.size;
+    const area = { left: rulerWidth, top: rulerWidth, right: width, bottom: height };
+    // A notice lifts the bars under the plate for a while: the plate stays where it is.
+    const lift = this.#root.querySelector('sillon-notices')?.clientHeight ?? 0;
+    const buttons = [...this.#root.querySelectorAll('.views, sillon-tools, .actions, .bottom > *')].map((one) => {
+      this.watch(one); // it may not be drawn yet
+      const { left, top, right, bottom } = one.getBoundingClientRect();
+      const down = (one.matches('.bottom > *') ? lift : 0) - y;
+      return { left: left - x, top: top + down, right: right - x, bottom: bottom + down };
+    });
+    const free = freeOf(area, buttons);
+    const enough = free.right - free.left > width / 4 && free.bottom - free.top > height / 4;
+    const { left, top, right, bottom } = enough ? free : area;
+    return { left: left + clear, top: top + clear, right: right - clear, bottom: bottom - clear };
+  }
+
+  /** What lies between the bars of a wide one. What a low bench leaves out (the stage's style) need not be kept free. */
+  #betweenBars(): Box {
+    const { width, height } = this.size;
+    const sides = { left: toolsWidth + margin, right: width - margin };
+    if (height > 340) {
+      const bars = this.#root.querySelector('.bottom')?.clientHeight ?? 0;
+      const below = Math.max(2 * margin, Math.min(bars + 24, height / 2 - margin));
+      return { ...sides, top: 2 * margin, bottom: height - below };
+    }
+    const bare = height <= 170 || this.#state.mode === 'view';
+    return { ...sides, top: rulerWidth + (bare ? 8 : 64), bottom: height - (bare ? 8 : 12) };
+  }
+}
