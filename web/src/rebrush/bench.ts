@@ -7,15 +7,18 @@ import { r } from '../i18n/rebrush.js';
 import { appearance } from '../model/appearance.js';
 import { printerDefaults } from '../model/defaults.js';
 import type { Light } from '../model/view.js';
-import { panned, zoomed } from '../views/camera.js';
+import { PageCamera } from '../views/camera.js';
 import { lightUnder } from '../views/light.js';
 import { drawOutlines, drawStrokes, reliefPicture } from '../views/print-drawing.js';
 import { joinedBeads, outlinesOf, pageOf, type Page } from '../views/print-page.js';
 import { createRenderer } from '../views/renderer.js';
-import type { Camera, Renderer } from '../views/scene.js';
+import type { Renderer } from '../views/scene.js';
 import { draws, strokeOf, strokesOnPage } from './hand-strokes.js';
 import { drawBrush } from '../stage/overlay.js';
+import { Pen } from '../stage/pen.js';
 import { closest, margin, PrintBench } from './print-bench.js';
+
+const beyond = 0.4; // of the page, by which the view may leave it
 
 @customElement('sillon-rebrush-bench')
 export class RebrushBench extends PrintBench {
@@ -43,15 +46,29 @@ export class RebrushBench extends PrintBench {
   @query('.overlay') private overlay!: HTMLCanvasElement;
 
   #renderer: Renderer | undefined;
-  #camera: Camera = { x: 0, y: 0, scale: 1 };
+  readonly #camera = new PageCamera(
+    this,
+    () => this.#page.size,
+    () => {
+      this.redraw();
+    },
+    { most: closest, across: 8 },
+  );
+  /** On the page. */
+  readonly #pen = new Pen(
+    () => this.#page.size,
+    () => {
+      this.redraw();
+    },
+    (points) => {
+      this.#endStroke(points);
+    },
+  );
   #pointed: number | undefined;
   #light: Light | undefined;
   #page: Page = { corner: [0, 0], size: [1, 1] };
   #picture: OffscreenCanvas | undefined;
   #toolpath: Toolpath | undefined;
-  /** Where the brush is, and the stroke that it draws, on the page [mm]. */
-  #cursor: { x: number; y: number } | undefined;
-  #points: number[] | undefined;
 
   override render(): TemplateResult {
     return html`<canvas class="ground" aria-hidden="true"></canvas><canvas class="beads" aria-hidden="true"></canvas
@@ -69,7 +86,7 @@ export class RebrushBench extends PrintBench {
     this.watch(this.overlay, {
       draws: () => this.#draws(),
       pan: (dx, dy) => {
-        this.#move(dx, dy);
+        this.#camera.pan(dx, dy, beyond);
       },
       zoom: (factor, x, y) => {
         this.zoom(factor, x, y);
@@ -78,17 +95,16 @@ export class RebrushBench extends PrintBench {
         this.#hover(place);
       },
       begin: (place) => {
-        this.#points = [];
-        this.#addPoint(place);
+        this.#pen.begin(this.#camera.toPage(place));
       },
       draw: (place) => {
-        this.#addPoint(place);
+        this.#pen.draw(this.#camera.toPage(place));
       },
       end: () => {
-        this.#endStroke();
+        this.#pen.lift();
       },
       abandon: () => {
-        this.#points = undefined;
+        this.#pen.points = undefined;
         this.redraw();
       },
     });
@@ -111,7 +127,7 @@ export class RebrushBench extends PrintBench {
   #lay(): void {
     this.#page = pageOf(this.relief, this.faces);
     this.outlines = outlinesOf(this.faces, this.relief, this.#page);
-    if (this.fitted) this.fit();
+    if (this.#camera.fitted) this.fit();
   }
 
   #shade(): void {
@@ -142,7 +158,7 @@ export class RebrushBench extends PrintBench {
         marks: [],
         dark: this.dark,
       },
-      this.#camera,
+      this.#camera.now,
     );
     this.#drawOutlines();
     this.#drawStrokes();
@@ -150,7 +166,7 @@ export class RebrushBench extends PrintBench {
 
   /** Device pixels of a place on the page, y up. */
   #place(): { left: number; bottom: number; scale: number } {
-    const { x, y, scale } = this.#camera;
+    const { x, y, scale } = this.#camera.now;
     return { left: this.overlay.width / 2 - x * scale, bottom: this.overlay.height / 2 + y * scale, scale };
   }
 
@@ -194,11 +210,12 @@ export class RebrushBench extends PrintBench {
     const context = this.overlay.getContext('2d');
     if (context === null || this.brush === undefined) return;
     const { left, bottom, scale } = this.#place();
-    const strokes = strokesOnPage(this.strokes, this.#page.corner, this.#points, this.brush);
+    const strokes = strokesOnPage(this.strokes, this.#page.corner, this.#pen.points, this.brush);
     context.setTransform(scale, 0, 0, -scale, left, bottom);
     drawStrokes(context, strokes, getComputedStyle(this).getPropertyValue('--accent'));
-    if (!this.#draws() || this.#cursor === undefined) return;
-    const at = { x: left + this.#cursor.x * scale, y: bottom - this.#cursor.y * scale };
+    const { cursor } = this.#pen;
+    if (!this.#draws() || cursor === undefined) return;
+    const at = { x: left + cursor.x * scale, y: bottom - cursor.y * scale };
     context.setTransform(1, 0, 0, 1, 0, 0);
     drawBrush(context, at, (this.brush.across / 2) * scale, this.brush.softness);
   }
@@ -209,41 +226,9 @@ export class RebrushBench extends PrintBench {
     return draws(this.brush);
   }
 
-  #addPoint(place: { x: number; y: number }): void {
-    this.#points?.push(...this.pageAt(place.x, place.y));
-    this.redraw();
-  }
-
-  #endStroke(): void {
-    const [points, brush] = [this.#points, this.brush];
-    this.#points = undefined;
-    if (points === undefined || brush === undefined) return;
-    const detail = strokeOf(brush, points, this.#page.corner);
-    if (detail === undefined) return;
-    this.dispatchEvent(new CustomEvent('stroke', { detail }));
-  }
-
-  /** With keys a brush is led as with a pointer; the space bar puts it down and takes it up. */
-  #moveBrush(dx: number, dy: number): void {
-    const scale = this.#camera.scale / devicePixelRatio;
-    const from = this.#cursor ?? { x: this.#page.size[0] / 2, y: this.#page.size[1] / 2 };
-    const within = (value: number, length: number): number => Math.min(length, Math.max(0, value));
-    this.#cursor = {
-      x: within(from.x + dx / scale, this.#page.size[0]),
-      y: within(from.y + dy / scale, this.#page.size[1]),
-    };
-    this.#points?.push(this.#cursor.x, this.#cursor.y);
-    this.redraw();
-  }
-
-  #togglePen(): void {
-    if (this.#points !== undefined) {
-      this.#endStroke();
-      return;
-    }
-    this.#cursor ??= { x: this.#page.size[0] / 2, y: this.#page.size[1] / 2 };
-    this.#points = [this.#cursor.x, this.#cursor.y];
-    this.redraw();
+  #endStroke(points: readonly number[]): void {
+    const detail = this.brush && strokeOf(this.brush, points, this.#page.corner);
+    if (detail !== undefined) this.dispatchEvent(new CustomEvent('stroke', { detail }));
   }
 
   // --- Camera and pointer ---------------------------------------------------------------------------------------------------
@@ -255,7 +240,7 @@ export class RebrushBench extends PrintBench {
       canvas.height = rows;
     }
     this.#renderer?.resize(columns, rows);
-    if (this.fitted) this.fit();
+    if (this.#camera.fitted) this.fit();
     this.draw();
   }
 
@@ -263,39 +248,27 @@ export class RebrushBench extends PrintBench {
     const { width, height } = this.getBoundingClientRect();
     const room = (length: number): number => Math.max(1, length - 2 * Math.min(margin, length * 0.06));
     const scale = Math.min(room(width) / this.#page.size[0], room(height) / this.#page.size[1]);
-    this.#camera = { x: this.#page.size[0] / 2, y: this.#page.size[1] / 2, scale: scale * devicePixelRatio };
-    this.fitted = true;
+    this.#camera.now = { x: this.#page.size[0] / 2, y: this.#page.size[1] / 2, scale: scale * devicePixelRatio };
+    this.#camera.fitted = true;
     this.redraw();
   }
 
   /** Also beside the print. */
   protected override pageAt(x: number, y: number): [number, number] {
-    const { left, bottom, scale } = this.#place();
-    return [(x * devicePixelRatio - left) / scale, (bottom - y * devicePixelRatio) / scale];
+    const at = this.#camera.toPage({ x, y });
+    return [at.x, at.y];
   }
 
   protected override zoom(factor: number, x?: number, y?: number): void {
-    const { width, height } = this.getBoundingClientRect();
-    const [atX, atY] = this.pageAt(x ?? width / 2, y ?? height / 2);
-    const least = (width * devicePixelRatio) / (8 * Math.max(...this.#page.size));
-    const at = { x: atX, y: atY };
-    this.#camera = zoomed(this.#camera, at, factor, least, closest * devicePixelRatio);
-    this.fitted = false;
-    this.redraw();
-  }
-
-  #move(dx: number, dy: number): void {
-    const ratio = devicePixelRatio;
-    this.#camera = panned(this.#camera, dx * ratio, dy * ratio, this.#page.size, 0.4);
-    this.fitted = false;
-    this.redraw();
+    this.#camera.zoom(factor, x, y);
   }
 
   protected override keys(shift: boolean): Record<string, () => void> {
     const step = shift ? 80 : 24;
     const go = (x: number, y: number) => (): void => {
-      if (this.#draws()) this.#moveBrush(x, y);
-      else this.#move(-x, y);
+      if (!this.#draws()) this.#camera.pan(-x, y, beyond);
+      else this.#pen.move(x / this.#camera.cssScale, y / this.#camera.cssScale);
+      this.redraw();
     };
     return {
       ArrowLeft: go(-step, 0),
@@ -304,12 +277,12 @@ export class RebrushBench extends PrintBench {
       ArrowDown: go(0, -step),
       ...(this.#draws() && {
         ' ': () => {
-          this.#togglePen();
+          this.#pen.toggle();
         },
       }),
-      ...(this.#points !== undefined && {
+      ...(this.#pen.points !== undefined && {
         Escape: () => {
-          this.#endStroke();
+          this.#pen.lift();
         },
       }),
     };
@@ -318,8 +291,7 @@ export class RebrushBench extends PrintBench {
   #hover(place: { x: number; y: number } | undefined): void {
     const { width, height } = this.getBoundingClientRect();
     const draws = this.#draws();
-    const at = place === undefined ? undefined : this.pageAt(place.x, place.y);
-    this.#cursor = at === undefined || !draws ? undefined : { x: at[0], y: at[1] };
+    this.#pen.cursor = place === undefined || !draws ? undefined : this.#camera.toPage(place);
     this.#pointed = place === undefined || draws ? undefined : this.faceAt(place.x, place.y);
     // It stands still under a brush.
     this.#light =

@@ -1,38 +1,25 @@
 // The faces of a sliced print as a list, and why others are left.
 import { html, nothing, type TemplateResult } from 'lit';
-import type { Rebrushed } from 'sillon';
 import { live } from 'lit/directives/live.js';
 import { r, type RebrushTextId } from '../i18n/rebrush.js';
 import { formatNumber } from '../i18n/text.js';
-import { areaOf, type Face, type Side } from '../model/rebrush.js';
+import { areaOf, type Face } from '../model/rebrush.js';
 import { segments } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
+import type { PrintWork } from './work.js';
 
-export interface FaceList {
-  faces: readonly Face[];
-  side: Side;
-  /** That can be chosen from. */
-  sides: readonly Side[];
-  chosen: ReadonlySet<number>;
-  /** What was made of the choices as they are now. */
-  done: Rebrushed | undefined;
-  onSide: (side: Side) => void;
-  onChoose: (chosen: ReadonlySet<number>) => void;
-  onToggle: (index: number) => void;
-  /** A face is pointed at; undefined: none is. */
-  onMark: (index: number | undefined) => void;
-}
-
-export function faceList(list: FaceList): TemplateResult {
-  const free = list.faces.filter(({ left }) => left === '');
-  const rest = list.faces.filter(({ left }) => left !== '');
-  const chosen = free.filter(({ index }) => list.chosen.has(index));
+/** @param onMark  a face is pointed at; undefined: none is */
+export function faceList(work: PrintWork, onMark: (index: number | undefined) => void): TemplateResult {
+  const { side } = work.wish;
+  const free = work.free();
+  const rest = work.known.faces.filter(({ left }) => left !== '');
+  const chosen = free.filter(({ index }) => work.wish.chosen.has(index));
   const choose = (label: string, faces: readonly Face[]): TemplateResult =>
     html`<button
       type="button"
       class="link"
       @click=${() => {
-        list.onChoose(new Set(faces.map(({ index }) => index)));
+        work.want({ chosen: new Set(faces.map(({ index }) => index)) });
       }}
     >
       ${label}
@@ -43,19 +30,21 @@ export function faceList(list: FaceList): TemplateResult {
       ${choose(r('all'), free)} ${choose(r('none'), [])}
     </div>
     ${
-      list.sides.length < 2
+      work.sides().length < 2
         ? nothing
         : segments({
             id: 'side',
             label: r('side'),
-            value: list.side,
-            options: list.sides.map((value) => ({ value, label: r(`side.${value}`) })),
-            onChoose: list.onSide,
+            value: side,
+            options: work.sides().map((value) => ({ value, label: r(`side.${value}`) })),
+            onChoose: (next) => {
+              work.wantSide(next);
+            },
           })
     }
-    ${list.side === 'top' ? nothing : html`<p class="note">${r(`side.${list.side}.help`)}</p>`}
+    ${side === 'top' ? nothing : html`<p class="note">${r(`side.${side}.help`)}</p>`}
     <ul class="faces" aria-labelledby="faces">
-      ${free.map((face) => faceRow(face, list))}
+      ${free.map((face) => faceRow(face, work, onMark))}
     </ul>
     <p class="note" role="status">
       ${r('chosen', { n: chosen.length, all: free.length, area: formatNumber(areaOf(chosen), 0) })}
@@ -71,18 +60,22 @@ export function faceList(list: FaceList): TemplateResult {
   </section>`;
 }
 
-function faceRow({ index, side, layer, z, areaMm2, object }: Face, list: FaceList): TemplateResult {
-  const made = list.done?.surfaces.find((one) => one.index === index);
+function faceRow(
+  { index, side, layer, z, areaMm2, object }: Face,
+  work: PrintWork,
+  onMark: (index: number | undefined) => void,
+): TemplateResult {
+  const made = work.known.done?.surfaces.find((one) => one.index === index);
   const mark = (marked: number | undefined) => () => {
-    list.onMark(marked);
+    onMark(marked);
   };
   return html`<li @pointerenter=${mark(index)} @pointerleave=${mark(undefined)}>
     <label>
       <input
         type="checkbox"
-        .checked=${live(list.chosen.has(index))}
+        .checked=${live(work.wish.chosen.has(index))}
         @change=${() => {
-          list.onToggle(index);
+          work.toggle(index);
         }}
         @focus=${mark(index)}
         @blur=${mark(undefined)}

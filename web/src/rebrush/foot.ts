@@ -6,14 +6,11 @@ import { exactWords } from '../i18n/say-problem.js';
 import { problemWords } from '../i18n/say.js';
 import { formatDuration, language, t } from '../i18n/text.js';
 import type { Problem } from '../model/problem.js';
-import { lackOf, type Face, type Wish } from '../model/rebrush.js';
+import { lackOf, type Wish } from '../model/rebrush.js';
 import { icon } from '../controls/icons.js';
+import { brushedName } from '../files/sliced.js';
 import { leftReasons } from './faces.js';
-
-export interface Progress {
-  fraction: number;
-  secondsLeft: number | undefined;
-}
+import type { PrintWork, Progress } from './work.js';
 
 /** @param fraction  undefined: nobody knows */
 export function progressBar(
@@ -53,13 +50,8 @@ function engineWords(problem: Problem): TemplateResult | typeof nothing {
   </details>`;
 }
 
-/** Where nothing can be done with a file. @param print  undefined: it cannot be read */
-export function noWork(
-  name: string,
-  print: SlicedFile | undefined,
-  faces: readonly Face[],
-  problem: Problem | undefined,
-): TemplateResult {
+/** Where nothing can be done with a file. */
+export function noWork(name: string, { print, faces, problem }: PrintWork['known']): TemplateResult {
   const message =
     print === undefined ? r('unreadable', { name }) : r(print.surfaces.length === 0 ? 'noTops' : 'noFaces', { name });
   return html`<div class="problem" role="alert">
@@ -72,42 +64,26 @@ export function noWork(
   </div>`;
 }
 
-export interface Foot {
-  wish: Wish;
-  print: SlicedFile;
-  /** Of the file that is saved. */
-  name: string;
-  progress: Progress | undefined;
-  problem: Problem | undefined;
-  cancelled: boolean;
-  /** Of the choices as they are now. */
-  done: Rebrushed | undefined;
-  /** What was saved, in a sentence; empty: nothing. */
-  saved: string;
-  onCancel: () => void;
-  onAgain: () => void;
-  onSave: () => void;
-}
-
-export function foot(of: Foot): TemplateResult {
-  const { wish, progress, problem, cancelled, done } = of;
+export function foot(work: PrintWork, print: SlicedFile, name: string): TemplateResult {
+  const { wish } = work;
+  const { progress, problem, cancelled, done, saved } = work.known;
   const lack = lackOf(wish);
-  return html`${progress === undefined ? nothing : making(wish, progress, of.onCancel)}
+  return html`${progress === undefined ? nothing : making(wish, progress, work.cancel)}
     ${problem === undefined ? nothing : failed(problem)}
     ${lack === '' ? nothing : html`<p class="note" role="status">${r(lack)}</p>`}
     ${
       cancelled || (problem !== undefined && lack === '')
         ? html`<div class="buttons">
             ${cancelled ? html`<span role="status">${r('cancelled')}</span>` : nothing}
-            <button type="button" @click=${of.onAgain}>${r('again')}</button>
+            <button type="button" @click=${() => void work.lay()}>${r('again')}</button>
           </div>`
         : nothing
     }
-    ${done === undefined ? nothing : ready(done, of.print)}
-    <button type="button" class="main" ?disabled=${done === undefined} @click=${of.onSave}>
-      ${icon('download')} <span>${r('download', { name: of.name })}</span>
+    ${done === undefined ? nothing : ready(done, print)}
+    <button type="button" class="main" ?disabled=${done === undefined} @click=${work.save}>
+      ${icon('download')} <span>${r('download', { name: brushedName(name) })}</span>
     </button>
-    ${of.saved === '' ? nothing : html`<p class="note" role="status">${of.saved}</p>`}`;
+    ${saved === '' ? nothing : html`<p class="note" role="status">${saved}</p>`}`;
 }
 
 function making({ chosen }: Wish, { fraction, secondsLeft }: Progress, onCancel: () => void): TemplateResult {

@@ -34,8 +34,6 @@ export abstract class PrintBench extends LitElement {
   @property({ type: Boolean }) dark = false;
 
   protected outlines: readonly Outline[] = [];
-  /** Nobody has moved or magnified the print: it fits whatever size the view gets. */
-  protected fitted = true;
   #gestures: Gestures | undefined;
   #observer: ResizeObserver | undefined;
   #frame = 0;

@@ -46,6 +46,8 @@ export class RebrushTilted extends PrintBench {
   #renderer: TiltedRenderer | undefined;
   /** In CSS pixels. */
   #orbit: Orbit = { ...start, scale: 1, x: 0, y: 0 };
+  /** Nobody has moved or magnified the print: it fits whatever size the view gets. */
+  #fitted = true;
   /** Where the pointer that turns the print was last. */
   #held: Place | undefined;
   #picture: OffscreenCanvas | undefined;
@@ -149,7 +151,7 @@ export class RebrushTilted extends PrintBench {
 
   protected override resize(width: number, height: number): void {
     this.#renderer?.resize(Math.round(width * devicePixelRatio), Math.round(height * devicePixelRatio));
-    if (this.fitted) this.#fitTo(this.#orbit);
+    if (this.#fitted) this.#fitTo(this.#orbit);
     this.redraw();
   }
 
@@ -162,7 +164,7 @@ export class RebrushTilted extends PrintBench {
     const { columns, rows, cell, heights } = this.relief;
     const highest = heights.reduce((most, one) => Math.max(most, one), 0);
     this.#orbit = fitted(way, [columns * cell, rows * cell, highest], [width, height], margin);
-    this.fitted = true;
+    this.#fitted = true;
     this.redraw();
   }
 
@@ -170,19 +172,19 @@ export class RebrushTilted extends PrintBench {
     this.#orbit = turnedOver(this.#orbit);
     this.below = isBelow(this.#orbit);
     this.points = undefined;
-    if (this.fitted && this.hasUpdated) this.#fitTo(this.#orbit);
+    if (this.#fitted && this.hasUpdated) this.#fitTo(this.#orbit);
   };
 
   #turn(turn: number, tilt: number): void {
     this.#orbit = orbited(this.#orbit, turn, tilt);
-    if (this.fitted) this.#fitTo(this.#orbit);
+    if (this.#fitted) this.#fitTo(this.#orbit);
     this.redraw();
   }
 
   #move(dx: number, dy: number): void {
     const { width, height } = this.getBoundingClientRect();
     this.#orbit = shifted(this.#orbit, dx, dy, [width, height]);
-    this.fitted = false;
+    this.#fitted = false;
     this.redraw();
   }
 
@@ -199,7 +201,7 @@ export class RebrushTilted extends PrintBench {
     const { width, height } = this.getBoundingClientRect();
     const least = width / (8 * Math.max(this.relief.columns, this.relief.rows) * this.relief.cell);
     this.#orbit = magnified(this.#orbit, factor, x ?? width / 2, y ?? height / 2, least, closest);
-    this.fitted = false;
+    this.#fitted = false;
     this.redraw();
   }
 

@@ -47,10 +47,11 @@ async function downloaded(visit) {
 
 /** Changes a choice, and waits until other beads are laid for it: the button may be disabled for too short to be seen. */
 async function relaid(visit, change) {
-  const before = await view(visit).evaluateHandle(({ done }) => done);
+  const before = await view(visit).evaluateHandle(({ work }) => work.known.done);
   await change();
   await until(
-    () => view(visit).evaluate(({ done }, before) => done !== undefined && done !== before, before),
+    () =>
+      view(visit).evaluate(({ work: { known } }, before) => known.done !== undefined && known.done !== before, before),
     'new beads',
   );
 }
@@ -88,7 +89,7 @@ test(
     // One face alone, by its place in the list of the command line.
     await faces.nth(1).uncheck();
     const one = await downloaded(visit);
-    const chosen = await view(visit).evaluate((element) => [...element.wish.chosen][0] + 1);
+    const chosen = await view(visit).evaluate((element) => [...element.work.wish.chosen][0] + 1);
     assert.equal(one.bytes.compare(natively('part.gcode', text, '--angle', '75', '--only', String(chosen))), 0);
     assert.notEqual(one.bytes.compare(turned.bytes), 0);
     await view(visit).getByRole('button', { name: 'None' }).click();
@@ -124,8 +125,8 @@ test('a packed print becomes a packed print, under a picture or as the plate', {
   await until(async () => (await view(visit).locator('.picture').count()) === 1, 'the picture is taken');
   await view(visit).getByLabel('Covers').selectOption('all');
   const shown = await downloaded(visit);
-  const lamp = await view(visit).evaluate(({ wish }) => wish.lamp.join());
-  const spool = await view(visit).evaluate(({ wish }) => wish.spool);
+  const lamp = await view(visit).evaluate(({ work: { wish } }) => wish.lamp.join());
+  const spool = await view(visit).evaluate(({ work: { wish } }) => wish.spool);
   const options = ['--picture', join(inputs, 'photo.png'), '--lamp', lamp, '--spool', spool, '--fit', 'all'];
   assert.equal(gunzipSync(shown.bytes).compare(natively('part.gcode', text, ...options)), 0);
   assert.match(await view(visit).locator('.side').innerText(), /Seen under the lamp: \d+% like the picture/);
@@ -344,7 +345,7 @@ test('faces are combed from aside; with Shift the print moves and nothing is dra
     await page.mouse.move(x + 20, y, { steps: 5 });
     await page.mouse.up();
   };
-  const strokes = () => view(visit).evaluate(({ wish }) => wish.strokes);
+  const strokes = () => view(visit).evaluate(({ work: { wish } }) => wish.strokes);
   const shot = async () => {
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     return (await canvas.screenshot()).toString('base64');
@@ -487,7 +488,7 @@ test('faces are combed by hand: beads follow the stroke, and lie at the angle el
     await page.mouse.down();
     await page.mouse.move(box.x + x + (wide / 2) * scale, box.y + y, { steps: 6 });
     await page.mouse.up();
-    assert.equal(await view(visit).evaluate(({ wish }) => wish.strokes.length), 1);
+    assert.equal(await view(visit).evaluate(({ work: { wish } }) => wish.strokes.length), 1);
   });
   const combed = await downloaded(visit);
   assert.notEqual(combed.bytes.compare(straight.bytes), 0);
@@ -501,7 +502,7 @@ test('faces are combed by hand: beads follow the stroke, and lie at the angle el
   await page.keyboard.press('Space');
   for (let k = 0; k < 3; ++k) await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Space');
-  assert.equal(await view(visit).evaluate(({ wish }) => wish.strokes.length), 2);
+  assert.equal(await view(visit).evaluate(({ work: { wish } }) => wish.strokes.length), 2);
   await view(visit).getByRole('button', { name: 'Undo the last stroke' }).click();
   assert.equal((await downloaded(visit)).bytes.compare(combed.bytes), 0);
   await view(visit).getByRole('button', { name: 'Remove all strokes' }).click();
@@ -518,7 +519,7 @@ test('strokes are undone by keys, and Escape loses none: one goes on with them',
   await view(visit).getByLabel('Angle', { exact: true }).and(page.locator('input')).fill('75');
   await view(visit).getByRole('checkbox').nth(1).uncheck();
   const overlay = view(visit).locator('sillon-rebrush-bench .overlay');
-  const strokes = () => view(visit).evaluate(({ wish }) => wish.strokes.map(({ points }) => points.length));
+  const strokes = () => view(visit).evaluate(({ work: { wish } }) => wish.strokes.map(({ points }) => points.length));
   await overlay.focus();
   for (const end of ['Space', 'Escape', 'Space']) {
     await page.keyboard.press('Space');
@@ -534,7 +535,11 @@ test('strokes are undone by keys, and Escape loses none: one goes on with them',
   await visit.button('Continue').click();
   await until(() => saves(visit).isEnabled(), 'beads are laid again');
   assert.deepEqual(await strokes(), [4, 4]);
-  assert.deepEqual(await view(visit).evaluate(({ wish }) => [wish.way, wish.angle, wish.chosen.size]), ['hand', 75, 1]);
+  assert.deepEqual(await view(visit).evaluate(({ work: { wish } }) => [wish.way, wish.angle, wish.chosen.size]), [
+    'hand',
+    75,
+    1,
+  ]);
   assert.equal(await page.getByText('Your strokes on part.gcode are kept').count(), 0);
 });
 

@@ -164,8 +164,8 @@ test('texts that the sources name are there, and all texts are for something', (
 });
 
 test('the view that re-brushes prints speaks every language, and shows all its words', async () => {
-  const view = ['view', 'foot', 'bench', 'tilted', 'faces', 'directions']
-    .map((part) => readFileSync(`web/src/rebrush/${part}.ts`, 'utf8'))
+  const view = readdirSync('web/src/rebrush')
+    .map((name) => readFileSync(join('web/src/rebrush', name), 'utf8'))
     .join('\n');
   const built = ['fit', 'way', 'side'].map((what) => `rebrush.${what}.`);
   for (const id of Object.keys(await wordsIn('rebrush'))) {

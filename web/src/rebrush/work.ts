@@ -1,0 +1,270 @@
+// What goes on with a sliced print: it is read, beads are laid as is wished, and the file with them is saved.
+import type { Cycle, PrintRelief, Rebrushed, SlicedFile } from 'sillon';
+import { download } from '../files/download.js';
+import { readable } from '../files/readable.js';
+import { brushedName } from '../files/sliced.js';
+import { sourceFile } from '../files/source-file.js';
+import { r } from '../i18n/rebrush.js';
+import { lampFor } from '../model/lamp.js';
+import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
+import { fineResolution, type DirectionRaster } from '../model/raster.js';
+import { boxOf, facesOf, howOf, lackOf, sides, type Face, type Side, type Wish } from '../model/rebrush.js';
+import { TimeLeft } from '../model/time-left.js';
+import type { Light } from '../model/view.js';
+import type { Studio } from '../studio/studio.js';
+
+const mostBytes = 256e6; // as the engine reads of text
+const reliefSide = 1600; // cells: a few per bead of a print of 200 mm
+const restAfter = 350; // [ms] without a change, after which beads are laid
+
+/** What was wanted of prints that were left with strokes of a hand on them. */
+const left = new WeakMap<File, Wish>();
+
+export interface Progress {
+  fraction: number;
+  secondsLeft: number | undefined;
+}
+
+interface Known {
+  print?: SlicedFile | undefined;
+  relief?: PrintRelief | undefined;
+  faces: readonly Face[];
+  /** Of the faces, those that are shown from above: bottoms where no top is meant. */
+  shown: readonly Face[];
+  /** What was made of the choices as they are now. */
+  done?: Rebrushed | undefined;
+  /** The latest beads of each face. */
+  laid: ReadonlyMap<number, readonly Cycle[]>;
+  progress?: Progress | undefined;
+  cancelled: boolean;
+  problem?: Problem | undefined;
+  /** What was saved, in a sentence; empty: nothing. */
+  saved: string;
+}
+
+const nothing: Known = {
+  faces: [],
+  shown: [],
+  laid: new Map(),
+  cancelled: false,
+  saved: '',
+};
+const begun: Progress = { fraction: 0, secondsLeft: undefined };
+
+export class PrintWork {
+  known = nothing;
+  wish: Wish;
+  #file: File | undefined;
+  #job = new AbortController();
+  #rest: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(
+    readonly studio: Studio,
+    light: Light,
+    private readonly changed: () => void,
+  ) {
+    const { plate } = studio.store.state;
+    this.wish = {
+      side: 'top',
+      chosen: new Set(),
+      way: 'angle',
+      angle: plate.directions.kind === 'angle' ? plate.directions.angle : 30,
+      picture: undefined,
+      lamp: lampFor([], light),
+      spool: plate.pictures.spool,
+      own: plate.spool,
+      fit: 'face',
+      strokes: [],
+    };
+  }
+
+  #know(change: Partial<Known>): void {
+    this.known = { ...this.known, ...change };
+    this.changed();
+  }
+
+  /** Another job takes the place of the one that goes on. */
+  #begin(): AbortSignal {
+    clearTimeout(this.#rest);
+    this.#job.abort();
+    this.#job = new AbortController();
+    return this.#job.signal;
+  }
+
+  // --- The file -----------------------------------------------------------------------------------------------------------
+
+  take(file: File): void {
+    if (file === this.#file) return;
+    this.leave();
+    this.#file = file;
+    void this.#read(file);
+  }
+
+  /** Strokes take long: they are kept, and one may go on. */
+  leave(): void {
+    this.#begin();
+    const file = this.#file;
+    if (file === undefined || this.wish.strokes.length === 0) return;
+    left.set(file, this.wish);
+    const goOn = {
+      label: r('goOn'),
+      run: () => {
+        this.studio.store.set({ sliced: file, dialog: 'rebrush' });
+      },
+    };
+    this.studio.tell({ text: r('kept', { name: file.name }), actions: [goOn], stays: true });
+  }
+
+  async #read(file: File): Promise<void> {
+    const signal = this.#begin();
+    this.wish = { ...this.wish, strokes: [] };
+    this.known = nothing;
+    this.#know({ progress: begun });
+    try {
+      if (file.size > mostBytes) {
+        const values = { name: file.name, mb: Math.ceil(file.size / 1e6), most: mostBytes / 1e6 };
+        throw new StudioError('TooLarge', {}, r('tooLarge', values));
+      }
+      const engine = await this.studio.services.engine();
+      // One after the other in one worker, which reads the file once. Each takes about half of the time.
+      const told = (begin: number) => ({
+        signal,
+        onProgress: ({ fraction }: { fraction: number }): void => {
+          if (!signal.aborted) this.#know({ progress: { ...begun, fraction: begin + fraction / 2 } });
+        },
+      });
+      const print = await engine.listSurfaces(file, told(0));
+      if (signal.aborted) return;
+      // What is seen of the print is no reason to refuse it.
+      const relief = await engine.printRelief(file, reliefSide, told(0.5)).catch(() => undefined);
+      if (signal.aborted as boolean) return;
+      const free = (side: Side): boolean => facesOf(print.surfaces, side).some((face) => face.left === '');
+      const kept = left.get(file);
+      this.#know({ print, relief, progress: undefined });
+      this.wish = {
+        ...this.wish,
+        ...this.#all(kept?.side ?? (!free('top') && free('bottom') ? 'bottom' : 'top')),
+        ...kept,
+      };
+      if (this.wish.chosen.size > 0) void this.lay();
+    } catch (error) {
+      if (!signal.aborted)
+        this.#know({ progress: undefined, ...(isAbort(error) ? {} : { problem: problemOf(error) }) });
+    }
+  }
+
+  // --- What is wanted -----------------------------------------------------------------------------------------------------
+
+  free = (): Face[] => this.known.faces.filter((face) => face.left === '');
+
+  /** Those that the file has. */
+  sides(): readonly Side[] {
+    const has = (side: Side): boolean => this.known.print?.surfaces.some((surface) => surface.side === side) === true;
+    return sides.filter((side) => (side === 'both' ? has('top') && has('bottom') : has(side)));
+  }
+
+  /** All faces of a side that can be replaced. */
+  #all(side: Side): Pick<Wish, 'side' | 'chosen'> {
+    const faces = facesOf(this.known.print?.surfaces ?? [], side);
+    this.#know({ faces, shown: side === 'bottom' ? faces : faces.filter((face) => face.side === 'top') });
+    return { side, chosen: new Set(this.free().map(({ index }) => index)) };
+  }
+
+  wantSide(side: Side): void {
+    this.want(this.#all(side));
+  }
+
+  toggle(index: number): void {
+    if (!this.free().some((face) => face.index === index)) return;
+    const chosen = new Set(this.wish.chosen);
+    if (!chosen.delete(index)) chosen.add(index);
+    this.want({ chosen });
+  }
+
+  /** For the way 'picture'. @throws what the engine cannot read */
+  async wantPicture(file: File, light: Light): Promise<void> {
+    const given = await readable(file);
+    const bytes = new Uint8Array(await given.arrayBuffer());
+    await (await this.studio.services.engine()).decodePicture(bytes);
+    const picture = await sourceFile(given.name, bytes);
+    this.want({ picture, way: 'picture', lamp: lampFor([], light) });
+  }
+
+  undoStroke(): void {
+    this.want({ strokes: this.wish.strokes.slice(0, -1) });
+  }
+
+  /** Beads follow. */
+  want(change: Partial<Wish>): void {
+    this.#begin();
+    this.wish = { ...this.wish, ...change };
+    const lacks = lackOf(this.wish) !== '';
+    const progress = lacks ? undefined : begun;
+    this.#know({ done: undefined, progress, cancelled: false, problem: undefined, saved: '' });
+    if (!lacks) this.#rest = setTimeout(() => void this.lay(), restAfter);
+  }
+
+  // --- Beads --------------------------------------------------------------------------------------------------------------
+
+  async lay(): Promise<void> {
+    const { wish, studio } = this;
+    const { print } = this.known;
+    const file = this.#file;
+    if (file === undefined || print === undefined) return;
+    const signal = this.#begin();
+    this.#know({ done: undefined, progress: begun, cancelled: false, problem: undefined });
+    const timeLeft = new TimeLeft(performance.now());
+    try {
+      const { plate } = studio.store.state;
+      const drawn = await this.#drawn(wish);
+      const engine = await studio.services.engine();
+      if (signal.aborted) return;
+      const how = howOf(wish, this.free(), plate, drawn, print.nozzle);
+      const done = await engine.rebrush(file, how, {
+        signal,
+        onProgress: ({ fraction }) => {
+          if (signal.aborted) return;
+          this.#know({ progress: { fraction, secondsLeft: timeLeft.estimate(fraction, performance.now()) } });
+        },
+      });
+      if (signal.aborted as boolean) return;
+      const laid = new Map(done.surfaces.map(({ index, cycles }) => [index, cycles]));
+      this.#know({ done, laid, progress: undefined });
+    } catch (error) {
+      if (!signal.aborted && !isAbort(error)) this.#know({ progress: undefined, problem: problemOf(error) });
+    }
+  }
+
+  /** What the engine cannot draw by itself. */
+  async #drawn(wish: Wish): Promise<DirectionRaster | undefined> {
+    const { store, services } = this.studio;
+    if (wish.way === 'hand') {
+      const { handRaster } = await import('./hand.js');
+      return handRaster(wish.strokes, boxOf(wish, this.known.faces), wish.angle, fineResolution);
+    }
+    const solved = store.state.plate.directions.kind === 'lamp'; // the engine solves for it
+    return wish.way === 'plate' && !solved ? services.directions() : undefined;
+  }
+
+  cancel = (): void => {
+    this.#begin();
+    this.#know({ progress: undefined, cancelled: true });
+  };
+
+  save = (): void => {
+    const { done } = this.known;
+    if (done === undefined || this.#file === undefined) return;
+    const name = brushedName(this.#file.name);
+    download(done.blob, name); // the visitor's own file: no page around this one is given it
+    this.#know({ saved: r('saved', { name }) });
+  };
+
+  /** Runs what may fail; a failure is told beside the print. */
+  async attempt(action: () => Promise<void>): Promise<void> {
+    try {
+      await action();
+    } catch (error) {
+      if (!isAbort(error)) this.#know({ problem: problemOf(error) });
+    }
+  }
+}
