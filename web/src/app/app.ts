@@ -22,31 +22,34 @@ declare global {
   }
 }
 
-const loadDialog: Record<Dialog, () => Promise<unknown>> = {
-  gallery: () => import('../plates/gallery.js'),
-  palette: () => import('./palette.js'),
-  plates: () => import('../plates/plates-dialog.js'),
-  help: () => import('../controls/help.js'),
-  files: () => import('../plates/files-dialog.js'),
-  share: () => import('../plates/share-dialog.js'),
-  brought: () => import('../print/blocks-dialog.js'),
-  blocks: () => import('../print/blocks-dialog.js'),
-  rebrush: () => import('../rebrush/view.js'),
-  calibrate: () => import('../calibrate/dialog.js'),
-  spools: () => import('../calibrate/dialog.js'),
-  first: () => import('./first-print.js'),
+/** The element of a part, and what fetches it: rare parts are fetched when they are first asked for. */
+type Part = [tag: string, load?: () => Promise<unknown>];
+
+const dialogs: Record<Dialog, Part> = {
+  gallery: ['sillon-gallery', () => import('../plates/gallery.js')],
+  palette: ['sillon-palette', () => import('./palette.js')],
+  plates: ['sillon-plates', () => import('../plates/plates-dialog.js')],
+  help: ['sillon-help', () => import('../controls/help.js')],
+  files: ['sillon-files', () => import('../plates/files-dialog.js')],
+  share: ['sillon-share', () => import('../plates/share-dialog.js')],
+  brought: ['sillon-blocks', () => import('../print/blocks-dialog.js')],
+  blocks: ['sillon-blocks', () => import('../print/blocks-dialog.js')],
+  rebrush: ['sillon-rebrush', () => import('../rebrush/view.js')],
+  calibrate: ['sillon-calibrate', () => import('../calibrate/dialog.js')],
+  spools: ['sillon-calibrate', () => import('../calibrate/dialog.js')],
+  first: ['sillon-first', () => import('./first-print.js')],
 };
 
 const loadTargets = (): Promise<unknown> => import('./drop-targets.js');
 
-/** Sections that no first visit begins with. */
-const loadPanel: Record<string, () => Promise<unknown>> = {
-  own: () => import('./own-panel.js'),
-  shape: () => import('../shape/shape-panel.js'),
-  layers: () => import('../layers/layers-panel.js'),
-  print: () => import('../print/print-panel.js'),
-  toolpath: () => import('../print/toolpath-panel.js'),
-  quality: () => import('../quality/quality-panel.js'),
+const panels: Record<string, Part> = {
+  own: ['sillon-own-panel', () => import('./own-panel.js')],
+  shape: ['sillon-shape-panel', () => import('../shape/shape-panel.js')],
+  directions: ['sillon-directions-panel'],
+  layers: ['sillon-layers-panel', () => import('../layers/layers-panel.js')],
+  toolpath: ['sillon-toolpath-panel', () => import('../print/toolpath-panel.js')],
+  print: ['sillon-print-panel', () => import('../print/print-panel.js')],
+  quality: ['sillon-quality-panel', () => import('../quality/quality-panel.js')],
 };
 
 const addresses = 'text/uri-list';
@@ -193,8 +196,9 @@ export class App extends StudioElement {
   ];
 
   override render(): TemplateResult {
-    const { panel, dropping, mode } = this.state;
+    const { panel, dialog, dropping, mode } = this.state;
     if (mode === 'view') {
+      this.#shown = {};
       return html`<sillon-stage class="only" role="main" .studio=${this.studio}></sillon-stage>`;
     }
     return html`
@@ -227,11 +231,11 @@ export class App extends StudioElement {
               this.studio.setPanel('');
             }}
           ></button>
-          ${this.#panel(panel)}
+          ${this.#part('panel', panels[panel])}
         </aside>
         <sillon-stage role="main" .studio=${this.studio}></sillon-stage>
       </div>
-      ${this.#dialog()}
+      ${this.#part('dialog', dialog && dialogs[dialog], dialog)}
       ${dropping && this.lazy(loadTargets) ? html`<sillon-drop .studio=${this.studio}></sillon-drop>` : nothing}
     `;
   }
@@ -243,57 +247,19 @@ export class App extends StudioElement {
     return ownControls(this.state).length > 0 ? [['own', 'shuffle', t('section.own')], ...offered] : offered;
   }
 
-  #panel(panel: string): TemplateResult | typeof nothing {
-    const load = loadPanel[panel];
-    if (load !== undefined && !this.lazy(load)) return nothing;
-    switch (panel) {
-      case 'own':
-        return html`<sillon-own-panel .studio=${this.studio}></sillon-own-panel>`;
-      case 'shape':
-        return html`<sillon-shape-panel .studio=${this.studio}></sillon-shape-panel>`;
-      case 'directions':
-        return html`<sillon-directions-panel .studio=${this.studio}></sillon-directions-panel>`;
-      case 'layers':
-        return html`<sillon-layers-panel .studio=${this.studio}></sillon-layers-panel>`;
-      case 'toolpath':
-        return html`<sillon-toolpath-panel .studio=${this.studio}></sillon-toolpath-panel>`;
-      case 'print':
-        return html`<sillon-print-panel .studio=${this.studio}></sillon-print-panel>`;
-      case 'quality':
-        return html`<sillon-quality-panel .studio=${this.studio}></sillon-quality-panel>`;
-      default:
-        return nothing;
-    }
-  }
+  /** Parts that are shown, by their tags: they stay for as long as they are. */
+  #shown: { panel?: HTMLElement | undefined; dialog?: HTMLElement | undefined } = {};
 
-  /** Rare, so loaded when first asked for; drawn once its element is known. */
-  #dialog(): TemplateResult | typeof nothing {
-    const { dialog } = this.state;
-    if (dialog === undefined || !this.lazy(loadDialog[dialog])) return nothing;
-    switch (dialog) {
-      case 'gallery':
-        return html`<sillon-gallery .studio=${this.studio}></sillon-gallery>`;
-      case 'palette':
-        return html`<sillon-palette .studio=${this.studio}></sillon-palette>`;
-      case 'plates':
-        return html`<sillon-plates .studio=${this.studio}></sillon-plates>`;
-      case 'help':
-        return html`<sillon-help .studio=${this.studio}></sillon-help>`;
-      case 'files':
-        return html`<sillon-files .studio=${this.studio}></sillon-files>`;
-      case 'share':
-        return html`<sillon-share .studio=${this.studio}></sillon-share>`;
-      case 'rebrush':
-        return html`<sillon-rebrush .studio=${this.studio}></sillon-rebrush>`;
-      case 'calibrate':
-      case 'spools':
-        return html`<sillon-calibrate .studio=${this.studio} .purpose=${dialog}></sillon-calibrate>`;
-      case 'first':
-        return html`<sillon-first .studio=${this.studio}></sillon-first>`;
-      case 'brought':
-      case 'blocks':
-        return html`<sillon-blocks .studio=${this.studio} .purpose=${dialog}></sillon-blocks>`;
+  /** @param purpose  of a dialog that has several @returns the part's element, once it is known */
+  #part(place: 'panel' | 'dialog', part: Part | undefined, purpose = ''): HTMLElement | typeof nothing {
+    const [tag, load] = part ?? [];
+    if (tag === undefined || (load !== undefined && !this.lazy(load))) {
+      this.#shown = { ...this.#shown, [place]: undefined };
+      return nothing;
     }
+    const shown = this.#shown[place];
+    const element = shown?.localName === tag ? shown : document.createElement(tag);
+    return (this.#shown[place] = Object.assign(element, { studio: this.studio, purpose }));
   }
 
   #skip = (): void => {

@@ -2,13 +2,13 @@
 import type { PrinterValues } from 'sillon';
 import type { Kept } from '../files/autosave.js';
 import { t } from '../i18n/text.js';
-import { onOwnPrinter } from '../model/brought.js';
+import { onOwnPrinter, withoutBrought } from '../model/brought.js';
 import type { Plate } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
+import { withPrinter } from '../model/printers.js';
 import type { Shimmer } from '../model/view.js';
 import type { Studio } from '../studio/studio.js';
 import { asked, firstVisit, framed } from './address.js';
-import { usePrinter } from './given.js';
 import type { Keeper } from './keeping.js';
 import type { Opener } from './opening.js';
 
@@ -62,6 +62,11 @@ async function ownPrinter({ store }: Studio, kept: Promise<Kept | undefined> | u
   const found = await Promise.race([kept, elapsed(restoreWithin)]);
   const plate = found !== undefined && 'steps' in found ? found.steps.plate : store.state.plate;
   return plate.printer;
+}
+
+/** @param key  of the printer that the address or a host asks for, whatever a plate brings */
+export function usePrinter({ store }: Studio, key = asked.given.printer): void {
+  if (key !== undefined) store.change((plate) => withPrinter(withoutBrought(plate), key));
 }
 
 /** In a frame nothing else is shown in the place of what its address names. */

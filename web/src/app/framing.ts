@@ -1,9 +1,11 @@
 // The studio in a frame of another page: what that page may have done, and what is shown before it asks for anything.
+import { spoken } from '../i18n/languages.js';
 import { t } from '../i18n/text.js';
+import { guestSettings, type GuestSettings } from '../model/guest.js';
+import { StudioError } from '../model/problem.js';
 import type { Studio } from '../studio/studio.js';
 import { asked } from './address.js';
-import { elapsed } from './arriving.js';
-import { configureAsHost, usePrinter } from './given.js';
+import { elapsed, usePrinter } from './arriving.js';
 import type { Keeper } from './keeping.js';
 import type { Opener } from './opening.js';
 import type { Pipeline } from './pipeline.js';
@@ -56,4 +58,30 @@ export async function frame({ studio, keeper, opener, pipeline }: Framing, arriv
       return found;
     },
   });
+}
+
+/** What the address, or the page around this one, sets. */
+export async function configure(
+  studio: Studio,
+  { mode, controls, units, theme, language, printer }: Partial<GuestSettings>,
+): Promise<void> {
+  const { store } = studio;
+  store.set({
+    ...(mode === undefined ? {} : { mode }),
+    ...(controls === undefined ? {} : { controls }),
+    ...(units === undefined ? {} : { units }),
+    ...(theme === undefined ? {} : { theme }),
+  });
+  if (mode !== undefined || controls !== undefined) store.set({ panel: studio.firstPanel(), tool: 'pan' });
+  usePrinter(studio, printer);
+  if (language !== undefined) await studio.speak(language);
+}
+
+/** @param textOf  what the host says of an attribute @throws StudioError GuestValue */
+async function configureAsHost(studio: Studio, textOf: (attribute: string) => unknown): Promise<void> {
+  const { given, wrong } = guestSettings(textOf, spoken);
+  const [first] = wrong;
+  if (first !== undefined) throw new StudioError('GuestValue', { where: first.where, value: first.value });
+  asked.given = { ...asked.given, ...given };
+  await configure(studio, given);
 }

@@ -8,9 +8,8 @@ import { newShown } from '../studio/shown.js';
 import { Studio } from '../studio/studio.js';
 import { asked, firstVisit, framed, threads } from './address.js';
 import './app.js';
-import { arrive, elapsed, openLink, restoreWithin } from './arriving.js';
+import { arrive, elapsed, openLink, restoreWithin, usePrinter } from './arriving.js';
 import { applyTheme, followState } from './following.js';
-import { configure, firstPanel, usePrinter } from './given.js';
 import { Keeper } from './keeping.js';
 import { createMaking } from './making.js';
 import { createOpener } from './opening.js';
@@ -33,6 +32,7 @@ const keeper = new Keeper(studio);
 const opener = createOpener(studio, keeper);
 const page = { studio, keeper, opener, pipeline, shimmer };
 const pictures = () => import('./own-pictures.js');
+const loadFraming = () => import('./framing.js');
 
 studio.services = {
   ...making,
@@ -74,8 +74,8 @@ async function dress(): Promise<void> {
   applyTheme(studio, theme);
   const language = given.language ?? (framed ? undefined : recall('language', spoken));
   await studio.speak(language ?? languageFor(navigator.languages));
-  store.set({ panel: firstPanel(studio) });
-  if (framed) await configure(studio, { ...given, theme, language });
+  store.set({ panel: studio.firstPanel() });
+  if (framed) await (await loadFraming()).configure(studio, { ...given, theme, language });
   else usePrinter(studio);
 }
 
@@ -102,7 +102,7 @@ async function start(): Promise<void> {
   const arrived = arrive(page);
   await Promise.race([arrived, elapsed(within)]);
   if (framed) {
-    await (await import('./framing.js')).frame(page, arrived);
+    await (await loadFraming()).frame(page, arrived);
     return; // other pages work as they work without a network
   }
   pipeline.start();

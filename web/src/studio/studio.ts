@@ -146,6 +146,13 @@ export class Studio {
     this.store.set({ view });
   }
 
+  /** The section that is open at first; '': none. */
+  firstPanel(): string {
+    const { mode } = this.store.state;
+    if (!matchMedia('(min-width: 721px)').matches) return '';
+    return mode === 'edit' ? 'directions' : mode === 'customize' ? 'own' : '';
+  }
+
   setPanel(panel: string): void {
     this.store.set({ panel });
     if (panel === 'quality') this.setView('quality');
