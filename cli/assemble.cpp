@@ -79,13 +79,13 @@ auto fileFields(OneProject& project) {
   };
   add(project.shapeFile);
   addFont(project.shapeFont);
-  add(project.directionFile);
-  add(project.modeFile);
-  for (auto& picture : project.pictures.files) add(picture.file);
   for (auto& layer : project.layers) {
-    add(layer.file);
+    const auto pictures = layer.template as<sillon::PictureLayer>();
+    for (std::size_t k = 0; pictures != nullptr && k < pictures->pictures.size(); ++k) add(pictures->pictures[k].file);
+    if (const auto part = layer.template as<sillon::LayerFile>()) add(part->file);
+    if (const auto part = layer.template as<sillon::LayerLetters>()) addFont(part->font);
+    add(layer.modeFile);
     add(layer.maskFile);
-    addFont(layer.font);
   }
   return fields;
 }

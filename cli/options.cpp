@@ -54,8 +54,8 @@ struct SetField {
   }
   void operator()(std::optional<Vec2>* out) const { (*this)(&out->emplace()); }
   void operator()(const ChoiceField& /*out*/) const { choice(); }
-  void operator()(std::vector<sillon::LampPicture>* /*has options of its own*/) const {}
-  void operator()(std::vector<sillon::RoundHole>* /*has an option of its own*/) const {}
+  template <class Item>
+  void operator()(std::vector<Item>* /*has an option of its own*/) const {}
   template <class Number>
   void operator()(Number* out) const {
     parseInto(option, text, *out);

@@ -96,7 +96,7 @@ Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
 Result<std::string> previewPng(const Job& job, int width, std::size_t shown, const sillon::RunContext& run) {
   sillon::PreviewParams params;
   params.width = width;
-  params.look = previewLook(job.pictureOptions, job.plate.project, job.plate.pictures, shown);
+  params.look = previewLook(job.pictureOptions, job.plate.project, job.plate.pictures(), shown);
   const auto picture = sillon::renderPreview(job.plate.toolpath(), job.plate.input.shape.page, params, run);
   if (!picture) return picture.error();
   return pngFile(picture.value());
@@ -104,7 +104,7 @@ Result<std::string> previewPng(const Job& job, int width, std::size_t shown, con
 
 std::optional<Error> addConflicts(const sillon::Plate& plate, const std::string& path, std::vector<OutputFile>& files) {
   constexpr int kSide = 800;  // [pixels]
-  const sillon::PlatePictures& pictures = plate.pictures;
+  const sillon::PlatePictures& pictures = plate.pictures();
   const sillon::PictureConflict conflict =
       sillon::conflictOf(plate.input.directions, pictures.shown, pictures.roughness, pictures.level);
   for (std::size_t k = 0; k < pictures.shown.size(); ++k) {
@@ -233,7 +233,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
     files.push_back({paths.svg, std::move(svg).value()});
   }
   if (!paths.preview.empty()) {
-    for (std::size_t k = 0; k < std::max<std::size_t>(1, plate.pictures.shown.size()); ++k) {
+    for (std::size_t k = 0; k < std::max<std::size_t>(1, plate.pictures().shown.size()); ++k) {
       Result<std::string> png = previewPng(job, paths.previewWidth, k, run);
       if (!png) return png.error();
       files.push_back({previewName(paths.preview, k), std::move(png).value()});
@@ -243,7 +243,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
     if (const auto error = addConflicts(plate, paths.conflict, files)) return *error;
   }
   if (!paths.view.empty()) {
-    const sillon::LookParams look = previewLook(job.pictureOptions, project, plate.pictures, 0);
+    const sillon::LookParams look = previewLook(job.pictureOptions, project, plate.pictures(), 0);
     const auto view = sillon::viewFile(plate.toolpath(), plate.input.shape.page, {look.colour, look.roughness});
     if (!view) return view.error();
     files.push_back({paths.view, std::string(view.value().begin(), view.value().end())});
@@ -291,7 +291,7 @@ std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& f
     out += print("kept       %.2f mm2 in %s narrower than a bead, widened to one\n", area,
                  plural(plate.input.shape.kept.size(), "place").c_str());
   }
-  out += pictureLines(plate.pictures, plate.shown);
+  out += pictureLines(plate);
   out += print("time       %.2f s on %s\n", seconds, plural(plate.threads, "thread").c_str());
   if (plate.gcode) {
     out += print("print      %s, %.2f m filament, %.1f g\n", durationText(plate.gcode->seconds).c_str(),

@@ -148,17 +148,14 @@ std::string applyPictures(const PictureOptions& options, sillon::Project& projec
   }
   if (options.smoothness) project.pictures.smoothness = *options.smoothness;
   if (options.localContrast) project.pictures.localContrast = *options.localContrast;
-  std::vector<sillon::LampPicture>& pictures = project.pictures.files;
-  if (!options.files.empty()) {
-    pictures.clear();
-    for (const std::string& file : options.files) pictures.push_back({file, std::nullopt});
-    project.directionFile.clear();
-  }
-  if (lamps.size() > std::max<std::size_t>(1, pictures.size())) {
-    return "--lamp is given " + plural(lamps.size(), "time") + " for " + plural(pictures.size(), "picture") +
+  const std::size_t count = sillon::groundPictures(project.layers).size();
+  if (lamps.size() > std::max<std::size_t>(1, count)) {
+    return "--lamp is given " + plural(lamps.size(), "time") + " for " + plural(count, "picture") +
            "; give at most one for each picture";
   }
-  for (std::size_t k = 0; k < std::min(lamps.size(), pictures.size()); ++k) pictures[k].lamp = lamps[k];
+  for (std::size_t k = 0; k < std::min(lamps.size(), count); ++k) {
+    project.layers[0].as<sillon::PictureLayer>()->pictures[k].lamp = lamps[k];
+  }
   return "";
 }
 
@@ -211,7 +208,18 @@ std::string cutOffNote(double leftOut) {
   return text;
 }
 
-std::string pictureLines(const sillon::PlatePictures& pictures, const std::vector<sillon::PictureMeasures>& measures) {
+namespace {
+
+std::string likeness(const sillon::PictureMeasures& measures) {
+  char text[80];
+  std::snprintf(text, sizeof text, ": r %.3f, SSIM %.3f, contrast %.1f", measures.r, measures.ssim, measures.contrast);
+  return text;
+}
+
+}  // namespace
+
+std::string pictureLines(const sillon::Plate& plate) {
+  const sillon::PlatePictures& pictures = plate.pictures();
   std::string out;
   for (std::size_t k = 0; k < pictures.shown.size(); ++k) {
     const sillon::ShownPicture& shown = pictures.shown[k];
@@ -219,14 +227,17 @@ std::string pictureLines(const sillon::PlatePictures& pictures, const std::vecto
     std::snprintf(text, sizeof text, " under a lamp at %.0f degrees, %.0f high%s", shown.lamp.azimuth,
                   shown.lamp.elevation, pictures.chosen[k] ? " (chosen)" : "");
     out += "picture    " + shown.file + text;
-    if (k < measures.size()) {
-      const sillon::PictureMeasures& m = measures[k];
-      std::snprintf(text, sizeof text, ": r %.3f, SSIM %.3f, contrast %.1f", m.r, m.ssim, m.contrast);
-      out += text;
-    }
+    if (k < plate.shown.size()) out += likeness(plate.shown[k].measures);
     out += "\n";
     const std::string note = cutOffNote(pictures.leftOut[k]);
     if (!note.empty()) out += "note       " + note + "\n";
+  }
+  for (std::size_t k = pictures.shown.size(); k < plate.shown.size(); ++k) {
+    const sillon::JudgedPicture& one = plate.shown[k];
+    char text[160];
+    std::snprintf(text, sizeof text, " in layer %zu under a lamp at %.0f degrees, %.0f high", one.layer,
+                  one.lamp.azimuth, one.lamp.elevation);
+    out += "picture    " + one.file + text + likeness(one.measures) + "\n";
   }
   if (!pictures.shown.empty() && pictures.contrast < sillon::kWeakContrast) {
     char text[160];

@@ -9,6 +9,7 @@
 
 #include "options.hpp"
 #include "sillon/base/result.hpp"
+#include "sillon/job/plate.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/project/project.hpp"
@@ -69,7 +70,7 @@ std::string previewName(const std::string& path, std::size_t picture);
 /// A note on a picture of which this share is cut off; empty where that is little.
 std::string cutOffNote(double leftOut);
 
-/// Lines of the summary. \param measures  one per picture, or none.
-std::string pictureLines(const sillon::PlatePictures& pictures, const std::vector<sillon::PictureMeasures>& measures);
+/// Lines of the summary about a plate's pictures.
+std::string pictureLines(const sillon::Plate& plate);
 
 }  // namespace cli

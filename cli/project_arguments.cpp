@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -18,6 +19,7 @@ namespace {
 using sillon::BuiltinShape;
 using sillon::Error;
 using sillon::ErrorCode;
+using sillon::Layer;
 using sillon::PerimeterMode;
 using sillon::ProfileKind;
 using sillon::Project;
@@ -99,17 +101,91 @@ std::string setSize(Project& project, Vec2 size, const std::string& text) {
   return "";
 }
 
+/// The lowest layer that fills the page; one is laid under all others where none does.
+Layer& lowestOf(Project& project) {
+  if (sillon::groundOf(project.layers) == nullptr) project.layers.emplace(project.layers.begin());
+  return project.layers[0];
+}
+
+/// The lowest layer as a map.
+sillon::MapLayer& lowestMap(Project& project) {
+  Layer& lowest = lowestOf(project);
+  if (lowest.kind() != sillon::LayerKind::Map) lowest.contents = sillon::MapLayer();
+  return *lowest.as<sillon::MapLayer>();
+}
+
+/// An option for a setting of one layer. \param find  that layer in a project.
+void layerSetting(Options& options, const char* key, std::vector<Change>& changes,
+                  const std::function<Layer&(Project&)>& find) {
+  const Setting& row = *sillon::findSetting(Section::Layers, key);
+  const sillon::SettingWords words = sillon::wordsOf(row);
+  const std::string option = words.option;
+  const std::vector<std::string> choices = sillon::splitWords(row.choices);
+  options.change(option, "HOW", std::string(words.help) + ": " + listed(choices), changes,
+                 [=, &row](const std::string& text) {
+                   const auto found = std::find(choices.begin(), choices.end(), text);
+                   if (found == choices.end()) refuse(option, text, listed(choices));
+                   const auto number = static_cast<std::size_t>(found - choices.begin());
+                   return [number, find, &row](Project& project) {
+                     sillon::SettingsView view;
+                     view.layer = &find(project);
+                     sillon::choose(row.field(view), number);
+                     return std::string();
+                   };
+                 });
+}
+
+void addLowest(Options& options, std::vector<Change>& changes) {
+  options.change("--directions", "F", "picture of the bead directions; alone it makes a rectangle of its proportions",
+                 changes, [](const std::string& text) {
+                   return [text](Project& project) {
+                     lowestMap(project).file = text;
+                     return std::string();
+                   };
+                 });
+  layerSetting(options, "encoding", changes, [](Project& project) -> Layer& {
+    lowestMap(project);
+    return project.layers[0];
+  });
+  options.change("--angle", "DEG", "one bead direction everywhere, counter-clockwise from the right [0]", changes,
+                 [](const std::string& text) {
+                   sillon::DirectionLayer one;
+                   parseInto("--angle", text, one.angle);
+                   return [one](Project& project) {
+                     lowestOf(project).contents = one;
+                     return std::string();
+                   };
+                 });
+  options.excludes("--angle", "--directions");
+  options.change("--modes", "F", "picture of the direction modes", changes, [](const std::string& text) {
+    return [text](Project& project) {
+      lowestOf(project).modeFile = text;
+      return std::string();
+    };
+  });
+  layerSetting(options, "mode", changes, [](Project& project) -> Layer& {
+    Layer& lowest = lowestOf(project);
+    lowest.modeFile.clear();
+    return lowest;
+  });
+  options.excludes("--mode", "--modes");
+}
+
 }  // namespace
 
 Result<Project> readProject(ProjectArguments& arguments) {
   if (const std::optional<Error> problem = readOwnSpools(arguments.pictures)) return *problem;
   Project project;
-  // Beads along the border would frame the picture in tones that it does not have.
-  if (!arguments.pictures.files.empty()) project.toolpath.perimeterMode = sillon::PerimeterMode::None;
+  if (!arguments.pictures.files.empty()) project.toolpath.perimeterMode = arguments.besidePictures;
   if (!arguments.scene.empty()) {
     Result<Project> scene = loadProject(arguments.scene);
     if (!scene) return scene.error();
     project = std::move(scene).value();
+  }
+  if (const std::vector<std::string>& files = arguments.pictures.files; !files.empty()) {
+    sillon::PictureLayer pictures;
+    for (const std::string& file : files) pictures.pictures.push_back({file, std::nullopt});
+    lowestOf(project).contents = pictures;
   }
   const Project given = project;
   for (const auto& change : arguments.changes) {
@@ -142,45 +218,11 @@ void addShape(Options& options, std::vector<Change>& changes) {
                    return [size, text](Project& project) { return setSize(project, size, text); };
                  });
   addHoles(options, changes);
-  options.change("--directions", "F", "picture of the bead directions; alone it makes a rectangle of its proportions",
-                 changes, [](const std::string& text) {
-                   return [text](Project& project) {
-                     project.directionFile = text;
-                     project.pictures.files.clear();
-                     return std::string();
-                   };
-                 });
-  options.change("--angle", "DEG", "one bead direction everywhere, counter-clockwise from the right [0]", changes,
-                 [](const std::string& text) {
-                   double angle = 0;
-                   parseInto("--angle", text, angle);
-                   return [angle](Project& project) {
-                     project.directionFile.clear();
-                     project.pictures.files.clear();
-                     project.angle = angle;
-                     return std::string();
-                   };
-                 });
-  options.excludes("--angle", "--directions");
-  options.change("--modes", "F", "picture of the direction modes", changes, [](const std::string& text) {
-    return [text](Project& project) {
-      project.modeFile = text;
-      return std::string();
-    };
-  });
-  const Setting& mode = *sillon::findSetting(Section::Modes, "mode");
-  options.change("--mode", "MODE",
-                 "one mode everywhere: " + listed(sillon::splitWords(mode.choices)) + " [constrained]", changes,
-                 [&mode](const std::string& text) {
-                   Project scratch;
-                   setField(mode, scratch, "--mode", text);
-                   return [mode = scratch.mode](Project& project) {
-                     project.modeFile.clear();
-                     project.mode = mode;
-                     return std::string();
-                   };
-                 });
-  options.excludes("--mode", "--modes");
+  addLayers(options, changes);
+}
+
+void addLayers(Options& options, std::vector<Change>& changes) {
+  addLowest(options, changes);
   options.list(
       "--layer", "JSON",
       "one more layer on top, as in a project's list; repeat for more: '{\"kind\": \"text\", \"text\": \"ANNA\"}'",
@@ -195,15 +237,7 @@ void addShape(Options& options, std::vector<Change>& changes) {
       });
 }
 
-void addToolpath(Options& options, std::vector<Change>& changes) {
-  options.group("Toolpath");
-  options.change("--preset", "NAME", "named set of values: " + listed(sillon::presets()) + " [standard]", changes,
-                 [](const std::string& text) {
-                   return [text](Project& project) {
-                     const std::string wrong = sillon::applyPreset(text, project.toolpath);
-                     return wrong.empty() ? wrong : "--preset: " + wrong;
-                   };
-                 });
+void addPerimeters(Options& options, std::vector<Change>& changes) {
   options.change("--perimeters", "none|soft|N", "how beads meet the border [1]", changes,
                  [](const std::string& text) {
                    PerimeterMode mode = PerimeterMode::Count;
@@ -227,6 +261,18 @@ void addToolpath(Options& options, std::vector<Change>& changes) {
                  {{"none", "they end there"},
                   {"soft", "they follow it where the directions allow"},
                   {"N", "N of them follow it"}});
+}
+
+void addToolpath(Options& options, std::vector<Change>& changes) {
+  options.group("Toolpath");
+  options.change("--preset", "NAME", "named set of values: " + listed(sillon::presets()) + " [standard]", changes,
+                 [](const std::string& text) {
+                   return [text](Project& project) {
+                     const std::string wrong = sillon::applyPreset(text, project.toolpath);
+                     return wrong.empty() ? wrong : "--preset: " + wrong;
+                   };
+                 });
+  addPerimeters(options, changes);
 }
 
 void addPrinter(Options& options, std::vector<Change>& changes) {

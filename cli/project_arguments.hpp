@@ -17,6 +17,9 @@ struct ProjectArguments {
   /// Changes that the options make to the scene, in a fixed order whatever the order on the line.
   std::vector<Change> changes;
   PictureOptions pictures;
+  /// Beads along the border where pictures are given and no project: they would frame them in tones that they do not
+  /// have
+  sillon::PerimeterMode besidePictures = sillon::PerimeterMode::None;
 };
 
 /// The scene with the options laid over it, every field in range. Reads the file of own spools, if one is named.
@@ -24,6 +27,8 @@ sillon::Result<sillon::Project> readProject(ProjectArguments& arguments);
 
 // Options of several commands that change the project.
 void addShape(Options& options, std::vector<Change>& changes);
+void addLayers(Options& options, std::vector<Change>& changes);
+void addPerimeters(Options& options, std::vector<Change>& changes);
 void addToolpath(Options& options, std::vector<Change>& changes);
 void addPrinter(Options& options, std::vector<Change>& changes);
 

@@ -35,7 +35,7 @@ int main() {
   sillon::Project project;  // what a project file would say
   project.builtin = sillon::BuiltinShape::Disc;
   project.builtinSize.x = 40;  // mm
-  project.directionFile = "spiral";
+  project.layers.emplace_back().contents.emplace<sillon::MapLayer>().file = "spiral";
   project.toolpath.spacing = 0.4;  // mm between neighbouring beads
 
   const sillon::RunContext run(4);  // threads

@@ -25,8 +25,10 @@ function projectZip(name) {
   const text = readFileSync(join(root, `examples/${name}.json`));
   const project = JSON.parse(text);
   const files = { 'project.json': text };
-  const sections = [project.shape, project.directions, project.modes, ...(project.pictures?.files ?? [])];
-  for (const { file } of sections.filter((section) => section?.file !== undefined)) {
+  const layers = project.layers ?? [];
+  const lit = layers.flatMap(({ pictures }) => pictures ?? []);
+  const named = [project.shape, ...layers, ...lit].flatMap((part) => [part?.file, part?.modeFile, part?.maskFile]);
+  for (const file of named.filter((name) => name !== undefined)) {
     if (!/^[\w/.-]+$/.test(file) || posix.normalize(file).startsWith('..'))
       throw new Error(`${name}: odd file ${file}`);
     files[file] = readFileSync(join(root, 'examples', file));
@@ -40,11 +42,15 @@ const decimal = (value, digits) => value.toFixed(digits);
 function settingsOf(name) {
   const project = JSON.parse(readFileSync(join(root, `examples/${name}.json`), 'utf8'));
   const told = [];
-  for (const section of ['shape', 'directions', 'modes', 'pictures', 'toolpath', 'print', 'printer']) {
-    for (const [key, value] of Object.entries(project[section] ?? {})) {
-      if (key !== 'file' && key !== 'files') told.push(`${section}.${key} ${JSON.stringify(value)}`);
+  const tell = (section, settings) => {
+    for (const [key, value] of Object.entries(settings ?? {})) {
+      if (!['file', 'modeFile', 'maskFile', 'pictures'].includes(key))
+        told.push(`${section}.${key} ${JSON.stringify(value)}`);
     }
-  }
+  };
+  tell('shape', project.shape);
+  (project.layers ?? []).forEach((layer, number) => tell(`layers[${number}]`, layer));
+  for (const section of ['pictures', 'toolpath', 'print', 'printer']) tell(section, project[section]);
   return told.join(', ');
 }
 

@@ -22,12 +22,12 @@ report: settings geometry look pipeline quality gcode_reader
 text: settings geometry input
 project: settings geometry input text
 pictures: geometry input look pipeline quality project
-rebrush: settings geometry input look pipeline quality gcode_reader
 gcode: settings geometry toolpath quality printer gcode_reader report
 calibrate: settings geometry look pipeline gcode
 export: settings geometry input toolpath look gcode_reader gcode
-compose: settings geometry input look quality report text project pictures
-job: settings geometry input look pipeline quality gcode_reader report project pictures gcode compose
+compose: settings geometry input look pipeline quality report text project pictures
+rebrush: settings geometry input look pipeline quality gcode_reader project compose
+job: settings geometry input look pipeline quality gcode_reader report project pictures gcode export compose
 printer_import: settings look gcode_reader project gcode export
 "
 

@@ -66,7 +66,8 @@ function docsRow(setting) {
   const meaning = typeset(help)
     .replaceAll('|', '\\|')
     .replaceAll(/"([a-z0-9-]+)"/g, '`$1`');
-  const sentence = `${meaning}${level === 'expert' ? ' (expert)' : ''}`;
+  const kinds = setting.kinds === undefined ? '' : `${setting.kinds.join(', ')}: `;
+  const sentence = `${kinds}${meaning}${level === 'expert' ? ' (expert)' : ''}`;
   const cells = [`\`${key}\``, defaultText(setting), unitOf(setting), rangeText(setting), sentence];
   cells.push(option === undefined ? '' : `\`${option}\``);
   return `| ${cells.join(' | ')} |`.replaceAll('|  |', '| |').replaceAll('|  |', '| |');
@@ -95,6 +96,8 @@ function typeOf({ type, choices, nullable }) {
     pair: '[number, number]',
     'integer pair': '[number, number]',
     pictures: 'LampPicture[]',
+    colours: 'ColourAngle[]',
+    strokes: 'Stroke[]',
     choice: choices?.map((choice) => `'${choice}'`).join(' | '),
   };
   return `${plain[type] ?? 'string'}${nullable ? ' | null' : ''}`;
@@ -106,8 +109,9 @@ const mostOf = ({ high }) => Math.min(high, Number.MAX_SAFE_INTEGER);
 function typeRow(setting) {
   const { key, low, help } = setting;
   const range = low === undefined ? '' : `${low}..${mostOf(setting)} ${unitOf(setting)}`.trim();
+  const kinds = setting.kinds === undefined ? '' : `of ${setting.kinds.join(', ')}`;
   const value = setting.default === undefined ? '' : `default ${JSON.stringify(setting.default)}`;
-  const facts = [range, value].filter((fact) => fact !== '').join(', ');
+  const facts = [range, value, kinds].filter((fact) => fact !== '').join(', ');
   return `  /** ${typeset(help)}.${facts === '' ? '' : ` ${facts[0].toUpperCase()}${facts.slice(1)}.`} */\n  ${key}: ${typeOf(setting)};`;
 }
 
@@ -146,8 +150,8 @@ function studioRow(setting) {
   return `${key}: { ${text.join(', ')} },`;
 }
 
-/** Files and names are no values of their own. */
-const isValue = ({ type }) => type !== 'name' && type !== 'pictures';
+/** Names are no values of their own, and lists have controls of their own. */
+const isValue = ({ type }) => !['name', 'pictures', 'colours', 'strokes'].includes(type);
 
 const studioRows = (section, indent) =>
   of(section)
@@ -174,10 +178,30 @@ const shapeRows = () =>
     )
     .join('\n');
 
-/** First visits need no layers: these stand apart. */
+/** First visits need these of layers. */
+const layerKinds = () => `// Made by tools/generate.mjs from the core's table of settings: ./dev generate.
+
+/** The kinds of layers that have a value; of what is not here, all kinds. */
+export const kindsOf: Readonly<Record<string, string>> = {
+${of('layers')
+  .filter(({ kinds }) => kinds !== undefined)
+  .map(({ key, kinds }) => `  ${key}: '${kinds.join(' ')}',`)
+  .join('\n')}
+};
+`;
+
+/** First visits need no more of layers: these stand apart. */
 const layerTable = () => `// Made by tools/generate.mjs from the core's table of settings: ./dev generate.
 export const layerTable = {
 ${studioRows('layers', '  ')}
+} as const;
+
+/** The most entries of each list that layers have. */
+export const mostEntries = {
+${of('layers')
+  .filter(({ most }) => most !== undefined)
+  .map(({ key, most }) => `  ${key}: ${most},`)
+  .join('\n')}
 } as const;
 `;
 
@@ -354,7 +378,7 @@ const factsOfPackage = () => `// Made by tools/generate.mjs from the core's fact
 /** Limits of core/include/sillon/text/text.hpp. */
 export const letterLimits = ${numbers(facts.letters)};
 
-/** Of texts and codes that name none. */
+/** Default of texts and codes that name none. */
 export const usualFont = '${usual('font')}';
 export const usualCorrection = '${usual('correction')}';
 
@@ -369,6 +393,7 @@ const made = {
   'wasm/sillon.d.ts': types,
   'web/src/model/setting-table.ts': settingTable,
   'web/src/model/layer-table.ts': layerTable,
+  'web/src/model/layer-kinds.ts': layerKinds,
   'web/src/i18n/en/core/settings.ts': () => labelsFile(sectionsAtFirst),
   'web/src/i18n/en/core/layer-settings.ts': () => labelsFile(['layers']),
   'web/src/i18n/en/core/setting-help.ts': () =>

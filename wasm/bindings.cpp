@@ -11,6 +11,8 @@ EMSCRIPTEN_BINDINGS(sillon) {
   function("generateToolpath", &bindings::generateToolpath);
   function("readShape", &bindings::readShape);
   function("placeLayers", &bindings::placeLayers);
+  function("drawLayers", &bindings::drawLayers);
+  function("makeZones", &bindings::makeZones);
   function("linesOfDrawing", &bindings::linesOfDrawing);
   function("decodePicture", &bindings::decodePicture);
   function("readProject", &bindings::readProject);

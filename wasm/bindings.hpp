@@ -24,6 +24,11 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
                      const val& onProgress);
 val readShape(const std::string& projectJson, const val& files);
 val placeLayers(const std::string& projectJson, const val& files);
+/// Directions and modes that the layers ask for.
+val drawLayers(const std::string& projectJson, const val& files, const val& onProgress);
+/// \param body  whether an STL has come, on whose top the layers lie. \param params  height of the prism without one,
+/// most directions, narrowest place, layer height.
+val makeZones(const std::string& projectJson, const val& files, bool body, const val& params, const val& onProgress);
 /// Names under which the calls above ask for lines of a drawing's text. \param file  bytes.
 val linesOfDrawing(const val& file);
 val decodePicture(const val& file, const std::string& name);
@@ -56,7 +61,7 @@ val readPrint();
 val listSurfaces(const val& onProgress);
 /// \param side  most cells of the longer side.
 val printRelief(int side, const val& onProgress);
-/// \param projectJson  whose directions, modes, pictures and toolpath count. \param sides, fit, only  as sillon.d.ts
+/// \param projectJson  whose layers, pictures and toolpath count. \param sides, fit, only  as sillon.d.ts
 /// names them. \param onPiece  takes the new file piece by piece: whole, it would be held once more.
 val rebrush(const std::string& projectJson, const val& files, const std::string& sides, const std::string& fit,
             const val& only, const val& onProgress, const val& onPiece);

@@ -21,6 +21,8 @@
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/printer_import/printer_import.hpp"
 #include "sillon/project/project.hpp"
+#include "sillon/report/input_note.hpp"
+#include "sillon/report/warning.hpp"
 
 namespace convert {
 
@@ -267,6 +269,14 @@ inline val toJs(const std::vector<sillon::NamedValue>& list) {
   return values;
 }
 
+inline val toJs(const sillon::InputNote& note) {
+  val out = val::object();
+  out.set("code", val(note.code));
+  out.set("values", toJs(note.values));
+  out.set("message", val(note.message));
+  return out;
+}
+
 inline val toJs(const sillon::Warning& warning) {
   val out = val::object();
   out.set("code", val(sillon::warningName(warning.code)));
@@ -275,9 +285,15 @@ inline val toJs(const sillon::Warning& warning) {
   return out;
 }
 
+/// A list of notes or warnings.
+template <class Told>
+val toJs(const std::vector<Told>& list) {
+  val out = val::array();
+  for (const Told& one : list) out.call<void>("push", toJs(one));
+  return out;
+}
+
 inline val toJs(const sillon::GcodeSummary& summary) {
-  val warnings = val::array();
-  for (const sillon::Warning& warning : summary.warnings) warnings.call<void>("push", toJs(warning));
   val out = val::object();
   out.set("filamentMm", summary.filamentMm);
   out.set("filamentCm3", summary.filamentCm3);
@@ -287,7 +303,7 @@ inline val toJs(const sillon::GcodeSummary& summary) {
   out.set("bytes", static_cast<double>(summary.bytes));
   out.set("clampedLengthMm", summary.clampedLengthMm);
   out.set("curveSlowedMm", summary.curveSlowedMm);
-  out.set("warnings", warnings);
+  out.set("warnings", toJs(summary.warnings));
   return out;
 }
 

@@ -2,6 +2,8 @@
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,7 +14,9 @@
 #include "call.hpp"
 #include "convert.hpp"
 #include "kept.hpp"
+#include "sillon/compose/compose.hpp"
 #include "sillon/job/plate.hpp"
+#include "sillon/job/zones.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/project/project.hpp"
@@ -58,10 +62,10 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
     val path = convert::toJs(plate.toolpath());
     path.set("shape", convert::toJs(plate.input.shape));
     path.set("notes", notes);
-    if (!plate.pictures.shown.empty()) path.set("look", convert::toJs(plate.project, plate.pictures));
+    if (!plate.pictures().shown.empty()) path.set("look", convert::toJs(plate.project, plate.pictures()));
     val out = val::object();
     out.set("toolpath", path);
-    if (plate.pictures.shown.size() > 1) out.set("conflict", convert::conflictOf(plate.input, plate.pictures));
+    if (plate.pictures().shown.size() > 1) out.set("conflict", convert::conflictOf(plate.input, plate.pictures()));
     sillon::Report report = plate.report();
     report.peakBytes = static_cast<std::int64_t>(emscripten_get_heap_size());
     out.set("report", val(sillon::reportJson(report)));
@@ -97,6 +101,77 @@ val placeLayers(const std::string& projectJson, const val& files) {
       if (layer.problem) one.set("problem", layer.problem->message);
       out.call<void>("push", one);
     }
+    return success(out);
+  });
+}
+
+val drawLayers(const std::string& projectJson, const val& files, const val& onProgress) {
+  return guarded([&](sillon::RunContext& run) {
+    tell(run, onProgress, 0, 1);
+    const auto project = call::projectOf(projectJson);
+    if (!project) return failure(project.error());
+    const sillon::ReadInput read = convert::reader(files);
+    auto ground = sillon::readPlateInput(project.value(), read, run);
+    if (!ground) return failure(ground.error());
+    const auto composed = sillon::compose(project.value(), std::move(ground).value(), {read, &keptPictures}, run);
+    if (!composed) return failure(composed.error());
+    const sillon::PlateInput laid = composed.value().laid();
+    const sillon::DirectionMap& directions = laid.directions;
+    const sillon::ModeMap& modes = laid.modes;
+    const int width = std::max(directions.width, modes.width);
+    const int height = std::max(directions.height, modes.height);
+    std::vector<std::uint16_t> angle;
+    std::vector<std::uint8_t> mode;
+    // Without layers above it, the lowest may have pictures of two sizes, of which either may be a single texel.
+    const auto texel = [&](const auto& map, int x, int y) {
+      const auto below = [](int k, int from, int to) {
+        return (2 * std::int64_t{k} + 1) * to / (2 * std::int64_t{from});
+      };
+      return static_cast<std::size_t>(below(y, height, map.height) * map.width + below(x, width, map.width));
+    };
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        angle.push_back(directions.angle[texel(directions, x, y)]);
+        mode.push_back(static_cast<std::uint8_t>(modes.mode[texel(modes, x, y)]));
+      }
+    }
+    val out = val::object();
+    out.set("width", width);
+    out.set("height", height);
+    out.set("angle", convert::copied(angle.data(), angle.size()));
+    out.set("mode", convert::copied(mode.data(), mode.size()));
+    return success(out);
+  });
+}
+
+val makeZones(const std::string& projectJson, const val& files, bool body, const val& params, const val& onProgress) {
+  return guarded([&](sillon::RunContext& run) {
+    tell(run, onProgress, 0, 1);
+    const auto project = call::projectOf(projectJson);
+    if (!project) return failure(project.error());
+    sillon::ZonesRequest request;
+    if (body) request.body = call::takenFile();
+    request.height = params[0].as<double>();
+    request.params.most = params[1].as<int>();
+    request.params.least = params[2].as<double>();
+    request.layerHeight = params[3].as<double>();
+    const auto made = sillon::makeZones(project.value(), request, convert::reader(files), run);
+    if (!made) return failure(made.error());
+    val zones = val::array();
+    for (const sillon::DirectionZone& zone : made.value().zones.zones) {
+      val one = val::object();
+      one.set("degrees", zone.degrees);
+      one.set("areaMm2", zone.areaMm2);
+      zones.call<void>("push", one);
+    }
+    val out = val::object();
+    const std::string& package = made.value().package;
+    out.set("file", convert::copied(reinterpret_cast<const std::uint8_t*>(package.data()), package.size()));
+    out.set("zones", zones);
+    out.set("error", made.value().zones.error);
+    out.set("openEdges", static_cast<double>(made.value().openEdges));
+    out.set("notes", convert::toJs(made.value().notes));
+    out.set("warnings", convert::toJs(made.value().warnings));
     return success(out);
   });
 }

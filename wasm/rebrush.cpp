@@ -75,11 +75,13 @@ val picturesOf(const sillon::RebrushedSurface& made) {
   val pictures = val::array();
   for (std::size_t k = 0; k < made.pictures.size(); ++k) {
     val out = val::object();
-    out.set("lamp", convert::toJs(sillon::Vec2{made.lamps[k].azimuth, made.lamps[k].elevation}));
-    out.set("r", made.pictures[k].r);
-    out.set("ssim", made.pictures[k].ssim);
-    out.set("contrast", made.pictures[k].contrast);
-    out.set("leftOut", made.leftOut[k]);
+    const auto& [layer, file, lamp, measures] = made.pictures[k];
+    out.set("layer", static_cast<double>(layer));
+    out.set("lamp", convert::toJs(sillon::Vec2{lamp.azimuth, lamp.elevation}));
+    out.set("r", measures.r);
+    out.set("ssim", measures.ssim);
+    out.set("contrast", measures.contrast);
+    if (k < made.leftOut.size()) out.set("leftOut", made.leftOut[k]);
     pictures.call<void>("push", out);
   }
   return pictures;
@@ -131,29 +133,13 @@ val rebrush(const std::string& projectJson, const val& files, const std::string&
   return guarded([&](sillon::RunContext& run) {
     const auto project = call::projectOf(projectJson);
     if (!project) return failure(project.error());
-    const sillon::PictureParams& asked = project.value().pictures;
-    auto field = sillon::readPlateField(project.value(), convert::reader(files));
-    if (!field) return failure(field.error());
-    auto pictures = sillon::readPictures(asked, convert::reader(files));
-    if (!pictures) return failure(pictures.error());
     if (print->plates > 1) {
       return failure("InvalidFile", "file holds " + std::to_string(print->plates) +
                                         " plates; export them one by one, so that none is forgotten");
     }
     sillon::RebrushOptions options;
-    options.toolpath = project.value().toolpath;
-    options.directions = std::move(field.value().directions);
-    options.modes = std::move(field.value().modes);
-    options.pictures = std::move(pictures).value();
-    options.inversion = sillon::inversionOf(asked);
-    options.proportions = asked.proportions;
-    options.spool = sillon::spoolOf(asked.spool).key;
-    sillon::Spool own;  // of the side that is seen, whichever that is
-    if (asked.slopes) {
-      const sillon::Roughness slopes{asked.slopes->x, asked.slopes->y};
-      own.fine = own.wide = {slopes, slopes};
-      options.ownSpool = &own;
-    }
+    options.project = project.value();
+    options.read = convert::reader(files);
     options.tops = sides != "bottom";
     options.bottoms = sides != "top";
     options.fit = fit == "object" ? sillon::PictureFit::Object

@@ -114,9 +114,14 @@ export interface Engine {
   /** Directions with their legend beside the look under one light, or the look alone, as PNG. */
   renderPreview(toolpath: Toolpath, params?: Partial<PreviewParams>, options?: RunOptions): Promise<Blob>;
 
-  /** The polygons of a shape, as generateToolpath would fill them. `directions` lends its proportions to a built-in
-   * shape without height. */
-  readShape(shape: ShapeInput, directions?: DirectionInput, options?: RunOptions): Promise<Shape>;
+  /** The polygons of a shape, as generateToolpath would fill them. The picture of the lowest layer lends its proportions to a
+   * built-in shape without height. */
+  readShape(shape: ShapeInput, layers?: readonly LayerInput[], options?: RunOptions): Promise<Shape>;
+  /** The directions and modes that the layers of a plate ask of its beads, without the plate. `params`: whose spacing counts. */
+  drawLayers(input: PlateInput, params?: Partial<ToolpathParams>, options?: RunOptions): Promise<DirectionRaster>;
+  /** A body whose top faces have zones of straight lines, as a 3MF for PrusaSlicer, OrcaSlicer and Bambu Studio: no G-code.
+   * Directions that vary become steps. */
+  makeZones(input: PlateInput, how?: Partial<ZoneOptions>, options?: RunOptions): Promise<Zones>;
   /** The places of a plate's layers: their boxes, before they turn, and how thin their letters are. For handles: no picture
    * is solved for, and layers that cannot be drawn are told one by one. `params`: whose spacing counts. */
   placeLayers(input: PlateInput, params?: Partial<ToolpathParams>, options?: RunOptions): Promise<PlacedLayer[]>;
@@ -302,19 +307,17 @@ export interface SpoolSlopes {
 
 /** What to lay on a print. */
 export interface RebrushOptions {
-  /** Default: angle 0. */
-  directions: DirectionInput;
-  /** Default: constrained, that is: as the directions say. */
-  modes: ModeInput;
-  /** Pictures to be seen under lamps, instead of `directions`; `slopes` are those of the spool. Beads then follow borders only
-   * where the pictures allow it, unless `toolpath.perimeterMode` says otherwise. */
-  pictures: PictureInput;
+  /** The same as of a plate. Where the lowest shows pictures, beads follow borders only as far as these allow it, unless
+   * `toolpath.perimeterMode` says otherwise. */
+  layers: readonly LayerInput[];
+  /** Settings that all pictures share. */
+  pictures: Partial<PictureParams>;
   /** The spacing is that of each surface. */
   toolpath: ToolpathOptions;
   /** Bottoms are those that lie on the bed. Default 'top'. */
   sides: 'top' | 'bottom' | 'both';
-  /** What pictures cover: each face, the faces of one object, the bed, or all faces; `pictures.proportions` says how. Default
-   * 'face'. */
+  /** The page that the layers lie on: each face, the box around the faces of one object, the bed, or the box around all faces.
+   * Default 'face'. */
   fit: 'face' | 'object' | 'bed' | 'all';
   /** Places in the list of listSurfaces: these alone, whatever their side. Default: all that `sides` names. */
   only: number[];
@@ -402,7 +405,7 @@ export interface Rebrushed {
     seconds: number;
     /** Lamps as azimuth and elevation, how well each picture is seen (docs/reference/metrics.md), and the share of it that is
      * cut off to keep its proportions, 0..1. */
-    pictures: { lamp: [number, number]; r: number; ssim: number; contrast: number; leftOut: number }[];
+    pictures: { layer: number; lamp: [number, number]; r: number; ssim: number; contrast: number; leftOut?: number }[];
     /** The new path, on the region's page; none where it was left. */
     cycles: Cycle[];
   })[];
@@ -414,25 +417,53 @@ export interface Rebrushed {
 export interface PlateInput {
   /** Default: a rectangle of the direction picture's proportions. */
   shape?: ShapeInput;
-  /** Default: angle 0. */
-  directions?: DirectionInput;
-  /** Default: constrained, that is: as the directions say. */
-  modes?: ModeInput;
-  /** Pictures to be seen under lamps, instead of `directions`. */
-  pictures?: PictureInput;
-  /** Texts, drawings, pictures, codes and patterns over the directions, the last on top. */
+  /** The plate shows these, the last on top; the lowest fills it. Default: beads at 0 degrees. */
   layers?: readonly LayerInput[];
+  /** Settings that all pictures share; the slopes are those of the spool from the nozzle of `printer` unless `slopes` says
+   * others. */
+  pictures?: Partial<PictureParams>;
   /** Whose nozzle lays the beads: it gives pictures the spool's slopes. As for writeGcode; default: 0.4 mm. */
   printer?: Partial<Printer>;
   /** Whose `showSide` is the side that pictures are seen on. As for writeGcode. */
   print?: Partial<PrintParams>;
 }
 
-/** Up to four pictures, each with its lamp as [azimuth, elevation]; without one it is chosen. The slopes are those of the spool
- * from the nozzle of `printer` unless `slopes` says others. */
-export type PictureInput = Partial<Omit<PictureParams, 'files'>> & {
-  files: readonly { file: InputFile; lamp?: readonly [number, number] | null }[];
-};
+/** Directions and modes over a page, row 0 on top. */
+export interface DirectionRaster {
+  width: number;
+  height: number;
+  /** 0..65535 is −90..90 degrees, counter-clockwise from the right. */
+  angle: Uint16Array;
+  /** 0 parallel, 1 orthogonal, 2 smoothest, 3 constrained. */
+  mode: Uint8Array;
+}
+
+/** Ways to cut a body into zones. */
+export interface ZoneOptions {
+  /** An STL, on whose top the layers lie. Default: a prism of the plate's shape. */
+  body: Bytes;
+  /** Height of that prism, 0.05..5000 mm. Default 2. */
+  height: number;
+  /** The most directions, 2..12. Default 6. */
+  most: number;
+  /** Narrowest place of a zone, 0.5..100 mm. Default 3. */
+  least: number;
+  /** Layer height that the slicer is told, 0.01..2 mm. Default 0.2. */
+  layerHeight: number;
+}
+
+export interface Zones {
+  /** model/3mf */
+  file: Blob;
+  /** By angle, 0 to 180 degrees. */
+  zones: { degrees: number; areaMm2: number }[];
+  /** Mean angle between the directions that were asked for and those of the zones [degrees]. */
+  error: number;
+  /** Edges of the body that an odd number of triangles share: slicers may find no layers where there are any. */
+  openEdges: number;
+  notes: DrawingNote[];
+  warnings: GcodeWarning[];
+}
 
 /** The box of a layer on the page. */
 export interface PlacedLayer {
@@ -447,11 +478,13 @@ export interface PlacedLayer {
 }
 
 /** One layer: its kind, and whatever differs from the defaults. A `font` is a built-in one, or a file's bytes. */
-export type LayerInput = Partial<Omit<Layer, 'file' | 'maskFile' | 'font'>> & {
+export type LayerInput = Partial<Omit<Layer, 'file' | 'maskFile' | 'modeFile' | 'font' | 'pictures'>> & {
   kind: Layer['kind'];
   file?: InputFile;
   maskFile?: InputFile;
+  modeFile?: InputFile;
   font?: string | Bytes;
+  pictures?: readonly { file: InputFile; lamp?: readonly [number, number] | null }[];
 };
 
 /** A round hole: its middle in mm from the page's lower left corner, to the right and upwards, and its diameter in mm. */
@@ -495,12 +528,8 @@ export type ShapeInput = ShapeChanges &
     | { size?: readonly [number, number] }
   );
 
-export type DirectionInput = { angle: number } | { file: InputFile; encoding?: DirectionEncoding };
-
 /** Grey 0..1 is -90..90°; grey 0..1 is 0..180°; red and green are x and y. */
 export type DirectionEncoding = 'angle' | 'rotation' | 'tangent';
-
-export type ModeInput = { mode: DirectionMode } | { file: InputFile };
 
 /** In a mode picture grey 0, 85, 170, 255. */
 export type DirectionMode = 'parallel' | 'orthogonal' | 'smoothest' | 'constrained';
@@ -534,10 +563,29 @@ export interface LampPicture {
   lamp: [number, number] | null;
 }
 
-/** One of the `layers` of docs/reference/project.md. */
+/** A colour as '#rrggbb', and the direction of what is painted in it [degrees]. */
+export interface ColourAngle {
+  colour: string;
+  angle: number;
+}
+
+/** One gesture of a brush. */
+export interface Stroke {
+  /** Turns beads to the way of the brush, sets `mode`, or brings back what lies below the layer. Default 'comb'. */
+  tool?: 'comb' | 'mode' | 'erase';
+  /** Radius of the brush, 0.1..1000 mm. Default 4. */
+  radius?: number;
+  /** Rim of the brush: 0 is hard, 1 fades from its middle. Default 0.5. */
+  soft?: number;
+  mode?: DirectionMode;
+  /** x0, y0, x1, y1, ... from the lower left corner of the page [mm]. */
+  points: number[];
+}
+
+/** One of the `layers` of docs/reference/project.md; which kind has which setting is told there. */
 export interface Layer {
-  /** The content of the layer: one direction, a direction picture, a picture under its lamp, a text, a QR code, a pattern, a drawing, or a band along the border. Default "direction". */
-  kind: 'direction' | 'map' | 'picture' | 'text' | 'qr' | 'pattern' | 'drawing' | 'border';
+  /** The content of the layer: one direction, a direction picture, pictures under their lamps, a text, a QR code, a pattern, the tones of a picture, a drawing, a band along the border, or strokes of brushes. Default "direction". */
+  kind: 'direction' | 'map' | 'picture' | 'text' | 'code' | 'pattern' | 'tones' | 'drawing' | 'border' | 'strokes';
   /** A layer that is not visible draws nothing. Default true. */
   visible: boolean;
   /** Middle of the layer, from the lower left corner of the page; null: the middle of the page. -10000..10000 mm, default null. */
@@ -554,48 +602,68 @@ export interface Layer {
   maskFile: string;
   /** Width over which its directions turn into those below, about its edge. 0..100 mm, default 0. */
   soft: number;
-  /** Direction of its beads on the page, counter-clockwise from the right. -360..360 °, default 0. */
+  /** Beads lie along the border, across it, as smoothly as possible, or as the directions say. Default "constrained". */
+  mode: 'parallel' | 'orthogonal' | 'smoothest' | 'constrained';
+  /** Picture of the modes, over the layer’s box; empty: the mode everywhere. Default "". */
+  modeFile: string;
+  /** Direction of its beads on the page, counter-clockwise from the right; turns rays, rings and edges. -360..360 °, default 0, of direction, text, code, pattern, tones, drawing, border. */
   angle: number;
-  /** Direction in the box around letters or a drawing; null: what lies below shows, and the light modules of a QR code lie across the dark ones. -360..360 °, default null. */
+  /** Direction in the box around letters or a drawing; null: what lies below shows, and the light modules of a QR code lie across the dark ones. -360..360 °, default null, of text, code, drawing. */
   ground: number | null;
-  /** Beads fill letters, drawings and borders in one direction, along the outline, or across what lies below. Default "across". */
+  /** Beads fill letters, drawings and borders in one direction, along the outline, or across what lies below. Default "across", of text, drawing, border. */
   fill: 'angle' | 'along' | 'across';
-  /** File of a map, a picture, a drawing or an echo. Default "". */
+  /** File of a map, of tones, of a drawing or of an echo. Default "", of map, pattern, tones, drawing. */
   file: string;
-  /** Reading of a map’s picture as directions: grey is −90 to 90°; grey is 0 to 180°; red and green are x and y. Default "angle". */
+  /** Reading of a map’s picture as directions: grey is −90 to 90°; grey is 0 to 180°; red and green are x and y. Default "angle", of map. */
   encoding: 'angle' | 'rotation' | 'tangent';
-  /** Lower left corner of the part of a picture that is used, in shares of the picture. 0..1, default [0,0]. */
+  /** Pictures to show, one per lamp: {"file", "lamp"}; lamp is [azimuth, elevation] in degrees; null: the solver chooses, and above other layers it is the lamp of the lowest pictures, or 60 and 45. Default [], of picture. */
+  pictures: LampPicture[];
+  /** Lower left corner of the part of a picture that is used, in shares of the picture. 0..1, default [0,0], of map, picture, tones. */
   cropMin: [number, number];
-  /** Upper right corner of that part. 0..1, default [1,1]. */
+  /** Upper right corner of that part. 0..1, default [1,1], of map, picture, tones. */
   cropMax: [number, number];
-  /** Azimuth and elevation of the lamp that shows a picture; null: the lamp of the first picture, or 60 and 45. -360..360 °, default null. */
-  lamp: [number, number] | null;
-  /** Letters, in one or several lines, what a QR code says, or what an echo without a file follows. Default "". */
+  /** Letters, in one or several lines, what a QR code says, or what an echo without a file follows. Default "", of text, code, pattern. */
   text: string;
-  /** A built-in font, or a TTF or OTF file. Default "Nunito". */
+  /** A built-in font, or a TTF or OTF file. Default "Nunito", of text, pattern. */
   font: string;
-  /** Height of capitals, where the size is 0. 1..1000 mm, default 10. */
+  /** Height of capitals, where the size is 0. 1..1000 mm, default 10, of text, pattern. */
   textSize: number;
-  /** Radius of the circle that letters stand on; 0: straight; below 0: along the lower side, to be read from inside. -5000..5000 mm, default 0. */
+  /** Radius of the circle that letters stand on; 0: straight; below 0: along the lower side, to be read from inside. -5000..5000 mm, default 0, of text, pattern. */
   circle: number;
-  /** Place of shorter lines in the box. Default "middle". */
+  /** Place of shorter lines in the box. Default "middle", of text, pattern. */
   align: 'left' | 'middle' | 'right';
-  /** Share of a QR code that may be damaged: 7, 15, 25 or 30 percent. Default "medium". */
+  /** Share of a QR code that may be damaged: 7, 15, 25 or 30 percent. Default "medium", of code. */
   correction: 'low' | 'medium' | 'quartile' | 'high';
-  /** Rays from the middle turned by the angle (90 makes rings), waves, or contours around a drawing. Default "radial". */
-  pattern: 'radial' | 'waves' | 'echo';
-  /** Length of one wave. 1..1000 mm, default 20. */
+  /** Rays from the middle turned by the angle (90 makes rings), rays that turn on their way out, waves, smooth chance, or contours around a drawing or letters. Default "radial", of pattern. */
+  pattern: 'radial' | 'spiral' | 'waves' | 'noise' | 'echo';
+  /** Length of one wave, way out over which a spiral turns by 180°, or distance of the knots of noise. 1..1000 mm, default 20, of pattern. */
   waveLength: number;
-  /** Angle by which waves turn the directions to either side. 0..90 °, default 20. */
+  /** Angle by which waves and noise turn the directions to either side. 0..90 °, default 20, of pattern. */
   amplitude: number;
-  /** Width of a band along the border. 0.1..1000 mm, default 3. */
+  /** Another number makes another noise of the same kind. 0..9007199254740991, default 1, of pattern. */
+  seed: number;
+  /** Directions follow the brightness, two levels of it, the edges, or the flat colours of a picture or drawing. Default "brightness", of tones. */
+  by: 'brightness' | 'levels' | 'edges' | 'colours';
+  /** Direction where the picture is black, or darker than the threshold. -360..360 °, default 0, of tones. */
+  from: number;
+  /** Direction where the picture is white, or lighter than the threshold. -360..360 °, default 90, of tones. */
+  to: number;
+  /** Tone between dark and light levels: 0 is black, 1 is white. 0..1, default 0.5, of tones. */
+  threshold: number;
+  /** Contrast of brightness about the middle grey; 1 leaves the picture as it is. 0..10, default 1, of tones. */
+  contrast: number;
+  /** Blur of the brightness, or width over which edges are averaged. 0..100 mm, default 0, of tones. */
+  smoothing: number;
+  /** Directions of flat colours: {"colour": "#rrggbb", "angle": degrees}; other colours go with the nearest. Default [], of tones. */
+  colours: ColourAngle[];
+  /** Width of a band along the border. 0.1..1000 mm, default 3, of border. */
   width: number;
+  /** Gestures of brushes, in order: {"tool", "radius", "soft", "mode", "points"}; tool is comb, mode or erase; points are [x, y, x, y, ...] in mm on the page. Default [], of strokes. */
+  strokes: Stroke[];
 }
 
 /** Section `pictures` of docs/reference/project.md. */
 export interface PictureParams {
-  /** Pictures to show instead of directions, one per lamp: {"file", "lamp"}; lamp is [azimuth, elevation] in degrees, or null to let the solver choose. Default []. */
-  files: LampPicture[];
   /** Keep cuts off what sticks out of a page of other proportions, as much on either side; stretch covers the page with all of the picture. Default "keep". */
   proportions: 'keep' | 'stretch';
   /** The filament whose reflection the pictures are solved for. Default "bluePla". */
@@ -871,10 +939,9 @@ export interface Project {
     text: string;
     font: string;
   };
-  directions: { file: string; encoding: DirectionEncoding; angle: number };
-  modes: { file: string; mode: DirectionMode };
-  pictures: PictureParams;
+  /** Left out: none. */
   layers?: (Partial<Layer> & Pick<Layer, 'kind'>)[];
+  pictures: PictureParams;
   toolpath: ToolpathParams;
   print: Omit<PrintParams, 'date'>;
   printer: Printer;
@@ -1011,8 +1078,6 @@ export interface Report {
   pictures?: PictureReport[];
   /** Visible layers: the shares of their letters, drawing, modules or box that are not seen, each for one reason. */
   layers?: LayerReport[];
-  /** Pictures of layers, where they are on top. */
-  layerPictures?: ({ layer: number } & Pick<PictureReport, 'lamp' | 'r' | 'ssim' | 'contrast'>)[];
 }
 
 export interface LayerReport {
@@ -1031,6 +1096,8 @@ export interface LayerReport {
 }
 
 export interface PictureReport {
+  /** Number of its layer, from 1. */
+  layer: number;
   file: string;
   /** Azimuth and elevation, degrees. */
   lamp: [number, number];

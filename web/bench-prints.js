@@ -81,7 +81,7 @@ async function inPage(path, site) {
       await engine.listSurfaces(file);
       await engine.printRelief(file, 1600);
       const listed = performance.now();
-      const { blob } = await engine.rebrush(file, { directions: { angle: 30 } });
+      const { blob } = await engine.rebrush(file, { layers: [{ kind: 'direction', angle: 30 }] });
       return [listed - begin, performance.now() - listed, blob.size].map((value) => value / 1000);
     });
     clearInterval(watch);

@@ -93,7 +93,7 @@ std::vector<std::string> filesBesideScene(const Arguments& arguments, const sill
 /// Refuses what can be known to be wrong before the work begins.
 std::optional<Error> checkPaths(const Arguments& arguments, const sillon::Project& project) {
   const OutputPaths& outputs = arguments.outputs;
-  const std::size_t pictures = project.pictures.files.size();
+  const std::size_t pictures = sillon::groundPictures(project.layers).size();
   const std::vector<std::string> names = outputNames(outputs, pictures);
   std::vector<std::string> inputs = filesBesideScene(arguments, project);
   if (!arguments.project.scene.empty()) inputs.push_back(arguments.project.scene);

@@ -17,11 +17,11 @@
 #include "commands/commands.hpp"
 #include "files.hpp"
 #include "pictures.hpp"
+#include "project_arguments.hpp"
 #include "run.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/spools.hpp"
-#include "sillon/pictures/pictures.hpp"
 #include "sillon/rebrush/rebrush.hpp"
 #include "sillon/settings/table.hpp"
 #include "words.hpp"
@@ -29,11 +29,8 @@
 namespace cli {
 namespace {
 
-using sillon::DirectionEncoding;
-using sillon::DirectionMode;
 using sillon::Error;
 using sillon::ErrorCode;
-using sillon::PerimeterMode;
 using sillon::PictureFit;
 using sillon::RebrushedSurface;
 using sillon::Result;
@@ -49,12 +46,7 @@ struct Arguments {
   int previewWidth = 1600;  ///< of each panel [pixels]
   bool list = false;
   bool json = false;
-  double angle = 0;  ///< [degrees]
-  std::string directions;
-  sillon::DirectionEncoding encoding = sillon::DirectionEncoding::Angle;
-  std::string modes;  ///< a word, or a picture's name
-  PictureOptions pictures;
-  bool perimeters = false;  ///< given
+  ProjectArguments project;  ///< whose layers are laid
   sillon::RebrushOptions options;
   int threads = 1;
 };
@@ -124,11 +116,13 @@ std::string listJson(const SlicedFile& file) {
 nlohmann::ordered_json picturesJson(const RebrushedSurface& made) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t k = 0; k < made.pictures.size(); ++k) {
-    list.push_back({{"lamp", {made.lamps[k].azimuth, made.lamps[k].elevation}},
-                    {"r", made.pictures[k].r},
-                    {"ssim", made.pictures[k].ssim},
-                    {"contrast", made.pictures[k].contrast},
-                    {"leftOut", made.leftOut[k]}});
+    const auto& [layer, file, lamp, measures] = made.pictures[k];
+    list.push_back({{"layer", layer},
+                    {"lamp", {lamp.azimuth, lamp.elevation}},
+                    {"r", measures.r},
+                    {"ssim", measures.ssim},
+                    {"contrast", measures.contrast}});
+    if (k < made.leftOut.size()) list.back()["leftOut"] = made.leftOut[k];
   }
   return list;
 }
@@ -168,9 +162,9 @@ std::string summaryText(const sillon::Rebrushed& done) {
       out += line;
       for (std::size_t k = 0; k < made.pictures.size(); ++k) {
         std::snprintf(line, sizeof line, "       picture %zu under a lamp at %.0f degrees, %.0f high: r %.3f\n", k + 1,
-                      made.lamps[k].azimuth, made.lamps[k].elevation, made.pictures[k].r);
+                      made.pictures[k].lamp.azimuth, made.pictures[k].lamp.elevation, made.pictures[k].measures.r);
         out += line;
-        const std::string note = cutOffNote(made.leftOut[k]);
+        const std::string note = k < made.leftOut.size() ? cutOffNote(made.leftOut[k]) : "";
         if (!note.empty()) out += "       note: " + note + "\n";
       }
     } else {
@@ -184,63 +178,6 @@ std::string summaryText(const sillon::Rebrushed& done) {
                 std::llround(done.seconds), plural(done.totals, "line").c_str());
   out += line;
   return out;
-}
-
-Result<sillon::Image> readPicture(const std::string& path, const char* what) {
-  const Result<std::string> bytes = readFile(path, what, kMaxInputBytes);
-  if (!bytes) return bytes.error();
-  const std::string& text = bytes.value();
-  return sillon::decodeImage({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, path);
-}
-
-std::optional<DirectionMode> modeWord(const std::string& text) {
-  if (text == "parallel") return DirectionMode::Parallel;
-  if (text == "orthogonal") return DirectionMode::Orthogonal;
-  if (text == "smoothest") return DirectionMode::Smoothest;
-  if (text == "constrained" || text.empty()) return DirectionMode::Constrained;
-  return std::nullopt;
-}
-
-/// A project with the pictures that are asked for.
-Result<sillon::Project> pictureProject(const PictureOptions& pictures) {
-  sillon::Project project;
-  std::string problem = applyPictures(pictures, project);
-  if (!problem.empty()) return Error{ErrorCode::InvalidArgument, std::move(problem)};
-  if (auto wrong = sillon::invalidSettings(project)) return *std::move(wrong);
-  return project;
-}
-
-Result<sillon::RebrushOptions> readOptions(const Arguments& arguments, const sillon::PictureParams& asked) {
-  sillon::RebrushOptions options = arguments.options;
-  if (!arguments.pictures.files.empty()) {
-    Result<std::vector<sillon::LitPicture>> pictures = sillon::readPictures(asked, readInputFile);
-    if (!pictures) return pictures.error();
-    options.pictures = std::move(pictures).value();
-    options.inversion = sillon::inversionOf(asked);
-    options.proportions = asked.proportions;
-    options.spool = sillon::spoolOf(asked.spool).key;
-    options.ownSpool = ownSpool(arguments.pictures);
-    // A bead along the border would frame the picture in tones that it does not have.
-    if (!arguments.perimeters) options.toolpath.perimeterMode = PerimeterMode::Soft;
-  }
-  Result<sillon::DirectionMap> directions = sillon::uniformDirection(arguments.angle);
-  if (!arguments.directions.empty()) {
-    const Result<sillon::Image> picture = readPicture(arguments.directions, "direction picture");
-    if (!picture) return picture.error();
-    directions = sillon::directionMap(picture.value(), arguments.encoding);
-  }
-  if (!directions) return directions.error();
-  options.directions = std::move(directions).value();
-  if (const auto word = modeWord(arguments.modes)) {
-    options.modes = sillon::uniformMode(*word);
-    return options;
-  }
-  const Result<sillon::Image> picture = readPicture(arguments.modes, "mode picture");
-  if (!picture) return picture.error();
-  Result<sillon::ModeMap> modes = sillon::modeMap(picture.value());
-  if (!modes) return modes.error();
-  options.modes = std::move(modes).value();
-  return options;
 }
 
 /// Files of 200 MB are not held twice.
@@ -274,8 +211,8 @@ Result<std::string> previewPng(const Arguments& arguments, const sillon::Spool& 
   const SlicedSurface& surface = done.file.surfaces[made.surface];
   params.look.colour = spool.colour;
   params.look.roughness = sillon::roughnessOf(spool, done.file.nozzle, surface.side == SurfaceSide::Bottom);
-  if (!made.lamps.empty()) {
-    params.look.lamp = made.lamps.front();
+  if (!made.pictures.empty()) {
+    params.look.lamp = made.pictures.front().lamp;
     // Bottoms are drawn as they lie, seen through the plate.
     if (surface.side == SurfaceSide::Bottom) params.look.lamp.azimuth = 180 - params.look.lamp.azimuth;
     params.look.eyeDistance = 0;  // as the directions were solved for
@@ -285,10 +222,7 @@ Result<std::string> previewPng(const Arguments& arguments, const sillon::Spool& 
   return pngFile(picture.value());
 }
 
-Result<Outcome> brush(const Arguments& arguments, const sillon::RunContext& run) {
-  const Result<sillon::Project> project = pictureProject(arguments.pictures);
-  if (!project) return project.error();
-  const sillon::PictureParams& pictures = project.value().pictures;
+Result<Outcome> brush(Arguments& arguments, const sillon::RunContext& run) {
   const auto named = [&](const Error& error) {
     return Error{error.code, "\"" + arguments.file + "\": " + error.message};
   };
@@ -305,20 +239,24 @@ Result<Outcome> brush(const Arguments& arguments, const sillon::RunContext& run)
     return Outcome{{}, arguments.json ? listJson(file.value()) : listText(file.value()), true};
   }
   if (container.value().plates > 1) return severalPlates(arguments.file, container.value().plates);
-  const Result<sillon::RebrushOptions> options = readOptions(arguments, pictures);
-  if (!options) return options.error();
+  Result<sillon::Project> project = readProject(arguments.project);
+  if (!project) return project.error();
+  sillon::RebrushOptions options = arguments.options;
+  options.project = project.value();
+  options.read = readInputFile;
+  options.ownSpool = ownSpool(arguments.project.pictures);
   const std::string& out = arguments.out.empty() ? arguments.file : arguments.out;
   std::vector<std::string> outputs{out};
   for (const std::string* name : {&arguments.report, &arguments.preview}) {
     if (!name->empty()) outputs.push_back(*name);
   }
-  std::vector<std::string> inputs = arguments.pictures.files;
+  std::vector<std::string> inputs = inputFiles(options.project);
   if (!sameFile(out, arguments.file)) inputs.push_back(arguments.file);
-  for (const std::string* name : {&arguments.directions, &arguments.modes, &arguments.pictures.spoolsFile}) {
+  for (const std::string* name : {&arguments.project.scene, &arguments.project.pictures.spoolsFile}) {
     if (!name->empty()) inputs.push_back(*name);
   }
   if (const auto problem = checkOutputs(outputs, inputs)) return *problem;
-  Result<sillon::Rebrushed> done = sillon::rebrush(gcode, options.value(), run);
+  Result<sillon::Rebrushed> done = sillon::rebrush(gcode, options, run);
   if (!done) return named(done.error());
   std::vector<OutputFile> files;
   std::string brushed = sillon::withEdits(gcode, done.value().edits);
@@ -328,8 +266,8 @@ Result<Outcome> brush(const Arguments& arguments, const sillon::RunContext& run)
   if (!file) return file.error();
   files.push_back({out, std::move(file).value()});
   std::size_t drawn = 0;
-  const sillon::Spool* own = ownSpool(arguments.pictures);
-  const sillon::Spool& shown = own != nullptr ? *own : sillon::spoolOf(pictures.spool);
+  const sillon::Spool& shown =
+      options.ownSpool != nullptr ? *options.ownSpool : sillon::spoolOf(options.project.pictures.spool);
   for (const RebrushedSurface& made : done.value().surfaces) {
     if (arguments.preview.empty() || !made.replaced) continue;
     Result<std::string> png = previewPng(arguments, shown, done.value(), made, run);
@@ -345,7 +283,6 @@ Result<Outcome> brush(const Arguments& arguments, const sillon::RunContext& run)
 
 int run(Arguments& arguments) {
   Run run(arguments.threads);
-  if (const auto problem = readOwnSpools(arguments.pictures)) return fail(*problem);
   return commit(brush(arguments, run.context()), run);
 }
 
@@ -370,38 +307,17 @@ void addSurfaces(Options& options, Arguments& arguments) {
       ',');
 }
 
-void addDirections(Options& options, Arguments& arguments) {
-  options.group("Directions");
-  options.number("--angle", "DEG", "direction of the beads, counter-clockwise from +x [0]", arguments.angle);
-  options.text("--directions", "F", "picture of directions, instead of an angle", arguments.directions);
-  options.choice<DirectionEncoding>("--encoding", "angle|rotation|tangent",
-                                    "how the picture encodes directions [angle]",
-                                    {{"angle", DirectionEncoding::Angle},
-                                     {"rotation", DirectionEncoding::Rotation},
-                                     {"tangent", DirectionEncoding::Tangent}},
-                                    [&arguments](DirectionEncoding encoding) { arguments.encoding = encoding; });
-  options.text("--modes", "M", "parallel, orthogonal, smoothest, constrained, or a picture of modes [constrained]",
-               arguments.modes);
+void addLaid(Options& options, Arguments& arguments) {
+  ProjectArguments& project = arguments.project;
+  project.besidePictures = sillon::PerimeterMode::Soft;
+  options.group("Layers");
+  options.text("--project", "F.json", "project whose layers are laid on the surfaces", project.scene);
+  addLayers(options, project.changes);
   options.choice<PictureFit>(
-      "--fit", "face|object|bed|all",
-      "stretch pictures over each face, each object, the bed, or the box around all [face]",
+      "--fit", "face|object|bed|all", "lay them on each face, each object, the bed, or the box around all [face]",
       {{"face", PictureFit::Face}, {"object", PictureFit::Object}, {"bed", PictureFit::Bed}, {"all", PictureFit::All}},
       [&arguments](PictureFit fit) { arguments.options.fit = fit; });
-  options.take("--perimeters", "none|soft|N", "beads along the border of each surface [1; soft with --picture]",
-               [&arguments](const std::string& text) {
-                 sillon::ToolpathParams& params = arguments.options.toolpath;
-                 arguments.perimeters = true;
-                 if (text == "none" || text == "soft") {
-                   params.perimeterMode = text == "none" ? PerimeterMode::None : PerimeterMode::Soft;
-                   return;
-                 }
-                 if (text.empty() || text.size() > 3 || text.find_first_not_of("0123456789") != std::string::npos) {
-                   refuse("--perimeters", text, "none, soft or 0 to 100");
-                 }
-                 params.perimeterMode = PerimeterMode::Count;
-                 params.perimeters = std::atoi(text.c_str());
-               });
-  options.excludes("--angle", "--directions");
+  addPerimeters(options, project.changes);
 }
 
 Action add(Options& options) {
@@ -409,8 +325,8 @@ Action add(Options& options) {
   options.file("FILE.gcode", "file of PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio or Cura", arguments->file,
                true);
   addSurfaces(options, *arguments);
-  addDirections(options, *arguments);
-  addPictures(options, arguments->pictures);
+  addLaid(options, *arguments);
+  addPictures(options, arguments->project.pictures);
   options.group("Output");
   options.text("-o,--output", "F", "new file [the file itself]", arguments->out);
   options.text("--report", "F", "what became of each surface, JSON", arguments->report);
@@ -429,7 +345,8 @@ const Command rebrushCommand{
     "rebrush",
     "replace the beads of top surfaces in a file from your slicer",
     "FILE.gcode",
-    "--list --surfaces --only --angle --directions --fit --perimeters --picture --lamp --output --report --preview",
+    "--list --surfaces --only --angle --directions --layer --fit --perimeters --picture --lamp --output --report "
+    "--preview",
     "Examples:\n"
     "  sillon rebrush part.gcode --list\n"
     "  sillon rebrush part.gcode --angle 30 -o part_brushed.gcode\n"

@@ -10,10 +10,7 @@
 #include "files.hpp"
 #include "project_arguments.hpp"
 #include "run.hpp"
-#include "sillon/export/zones.hpp"
-#include "sillon/pictures/pictures.hpp"
-#include "sillon/report/input_note.hpp"
-#include "sillon/report/warning.hpp"
+#include "sillon/job/zones.hpp"
 #include "words.hpp"
 
 namespace cli {
@@ -25,11 +22,9 @@ using sillon::Result;
 
 struct Arguments {
   ProjectArguments project;
-  std::string out;    ///< a .3mf
-  std::string body;   ///< STL; empty: a prism of the shape
-  double height = 2;  ///< of that prism [mm]
-  sillon::ZoneParams params;
-  double layerHeight = 0.2;  ///< [mm]
+  std::string out;   ///< a .3mf
+  std::string body;  ///< STL; empty: a prism of the shape
+  sillon::ZonesRequest request;
   int threads = 1;
 };
 
@@ -37,99 +32,42 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
   if (!endsWith(arguments.out, ".3mf")) {
     return Error{ErrorCode::InvalidArgument, "--output is \"" + arguments.out + "\"; it must end in .3mf"};
   }
-  if (!project.modeFile.empty() || project.mode != sillon::DirectionMode::Constrained) {
-    return Error{
-        ErrorCode::InvalidArgument,
-        "zones show directions as they are given, so the mode must be constrained; --mode constrained sets it"};
-  }
   std::vector<std::string> inputs = inputFiles(project);
   if (!arguments.body.empty()) inputs.push_back(arguments.body);
   if (const auto problem = checkOutputs({arguments.out}, inputs)) return *problem;
 
-  sillon::Mesh body;
-  sillon::Shape seen;
-  sillon::Vec2 corner;
+  sillon::ZonesRequest request = arguments.request;
   if (!arguments.body.empty()) {
-    const Result<std::string> bytes = readFile(arguments.body, "body", kMaxInputBytes);
+    Result<std::string> bytes = readFile(arguments.body, "body", kMaxInputBytes);
     if (!bytes) return bytes.error();
-    Result<sillon::Mesh> read = sillon::readStl(bytes.value());
-    if (!read) return Error{read.error().code, "\"" + arguments.body + "\": " + read.error().message};
-    body = std::move(read).value();
-    Result<sillon::Shape> outline = sillon::silhouetteOf(body, corner);
-    if (!outline) return Error{outline.error().code, "\"" + arguments.body + "\": " + outline.error().message};
-    seen = std::move(outline).value();
-    // The page is the body's box.
-    project.shapeFile.clear();
-    project.builtin = sillon::BuiltinShape::Rectangle;
-    project.builtinSize = seen.page;
+    request.body = std::move(bytes).value();
   }
-  Result<sillon::PlateInput> input = assemblePlate(project, run);
-  if (!input) return input.error();
-  const auto pictures = sillon::solvePictures(project, readInputFile, input.value(), run);
-  if (!pictures) return pictures.error();
-  const auto layers = sillon::makeLayers(project, input.value().shape, readInputFile, run);
-  if (!layers) return layers.error();
-  const auto seenLayers = sillon::seeLayers(project, layers.value().placed, layers.value(), input.value().directions);
-  sillon::layOver(layers.value(), input.value());
-  if (arguments.body.empty()) {
-    seen = input.value().shape;
-    Result<sillon::Mesh> prism = sillon::prismOf(seen, arguments.height);
-    if (!prism) return prism.error();
-    body = std::move(prism).value();
-    corner = 0.5 * (project.printer.bedMin + project.printer.bedMax - seen.page);
-    for (auto& point : body.points) {
-      point[0] += corner.x;
-      point[1] += corner.y;
-    }
-  }
-  const Result<sillon::DirectionZones> zones =
-      sillon::directionZones(seen, input.value().directions, arguments.params, run);
-  if (!zones) return zones.error();
-  Result<std::string> package = sillon::zones3mf(body, zones.value(), corner, arguments.layerHeight);
-  if (!package) return package.error();
+  Result<sillon::ZonesMade> made = sillon::makeZones(project, request, readInputFile, run);
+  if (!made) return made.error();
+  const sillon::DirectionZones& zones = made.value().zones;
 
   std::string out;
-  if (arguments.body.empty()) {
-    for (const sillon::InputNote& note : sillon::inputNotes(project, seen.drawing)) {
-      out += "note   " + note.message + "\n";
-    }
-    for (const sillon::Warning& warning : sillon::drawingWarnings(seen.drawing)) {
-      out += "warning " + warning.message + "\n";
-    }
-  }
-  for (std::size_t k = 0; k < project.layers.size(); ++k) {
-    for (const sillon::DrawingFacts& drawing : layers.value().placed[k].drawings) {
-      for (const sillon::InputNote& note : sillon::layerNotes(drawing, k + 1)) out += "note   " + note.message + "\n";
-      for (const sillon::Warning& warning : sillon::drawingWarnings(drawing, k + 1)) {
-        out += "warning " + warning.message + "\n";
-      }
-    }
-  }
-  for (const sillon::Warning& warning : sillon::letterWarnings(layers.value().placed)) {
-    out += "warning " + warning.message + "\n";
-  }
-  for (const sillon::Warning& warning : sillon::layerWarnings(seenLayers, seen.page, project.toolpath.spacing)) {
-    out += "warning " + warning.message + "\n";
-  }
-  if (const std::size_t open = sillon::openEdges(body); open > 0) {
+  for (const sillon::InputNote& note : made.value().notes) out += "note   " + note.message + "\n";
+  for (const sillon::Warning& warning : made.value().warnings) out += "warning " + warning.message + "\n";
+  if (const std::size_t open = made.value().openEdges; open > 0) {
     out += "warning the body has " + plural(open, "open edge") +
            "; slicers may find no layers in it, so repair it first\n";
   }
   char line[160];
-  if (const std::size_t count = zones.value().zones.size(); count < static_cast<std::size_t>(arguments.params.most)) {
-    const bool narrow = static_cast<std::size_t>(zones.value().found) > count;
+  if (const std::size_t count = zones.zones.size(); count < static_cast<std::size_t>(arguments.request.params.most)) {
+    const bool narrow = static_cast<std::size_t>(zones.found) > count;
     std::snprintf(line, sizeof line, narrow ? "others are narrower than %g mm (--least)" : "no more directions differ",
-                  arguments.params.least);
-    out +=
-        "note   " + plural(count, "zone") + " instead of " + std::to_string(arguments.params.most) + ": " + line + "\n";
+                  arguments.request.params.least);
+    out += "note   " + plural(count, "zone") + " instead of " + std::to_string(arguments.request.params.most) + ": " +
+           line + "\n";
   }
-  for (const sillon::DirectionZone& zone : zones.value().zones) {
+  for (const sillon::DirectionZone& zone : zones.zones) {
     std::snprintf(line, sizeof line, "zone   %6.1f degrees %9.1f mm2\n", zone.degrees, zone.areaMm2);
     out += line;
   }
-  std::snprintf(line, sizeof line, "off    %.1f degrees on average from the directions that were given\n",
-                zones.value().error);
-  return Outcome{{{arguments.out, std::move(package).value()}}, out + line};
+  std::snprintf(line, sizeof line, "off    %.1f degrees on average from the directions that were given, in %zu steps\n",
+                zones.error, zones.zones.size());
+  return Outcome{{{arguments.out, std::move(made.value().package)}}, out + line};
 }
 
 int run(Arguments& arguments) {
@@ -142,7 +80,7 @@ int run(Arguments& arguments) {
 /// Settings of the shape and the directions, before there is a toolpath.
 bool isOfInput(const sillon::Setting& row) {
   using sillon::Section;
-  return row.section == Section::Shape || row.section == Section::Directions || row.section == Section::Modes;
+  return row.section == Section::Shape;
 }
 
 Action add(Options& options) {
@@ -154,11 +92,11 @@ Action add(Options& options) {
   options.text("-o,--output", "F.3mf", "file to write", arguments->out);
   options.require("--output");
   options.text("--body", "F.stl", "body whose top surfaces get the zones [a prism of the shape]", arguments->body);
-  options.number("--height", "MM", "height of that prism [2]", arguments->height);
+  options.number("--height", "MM", "height of that prism [2]", arguments->request.height);
   for (const char* other : {"--height", "--shape", "--size"}) options.excludes("--body", other);
-  options.number("--zones", "N", "most directions, 2 to 12 [6]", arguments->params.most);
-  options.number("--least", "MM", "narrowest place of a zone, 0.5 to 100 [3]", arguments->params.least);
-  options.number("--layer-height", "MM", "layer height that the slicer is told [0.2]", arguments->layerHeight);
+  options.number("--zones", "N", "most directions, 2 to 12 [6]", arguments->request.params.most);
+  options.number("--least", "MM", "narrowest place of a zone, 0.5 to 100 [3]", arguments->request.params.least);
+  options.number("--layer-height", "MM", "layer height that the slicer is told [0.2]", arguments->request.layerHeight);
   options.settings(arguments->project.changes, isOfInput);
   options.group("Run");
   options.threads(arguments->threads);

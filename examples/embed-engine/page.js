@@ -17,7 +17,7 @@ async function make() {
   const { signal } = running;
   try {
     const { toolpath, report } = await engine.generateToolpath(
-      { shape: { builtin: 'disc', size: [30, 30] }, directions: { angle: Number(slider.value) } },
+      { shape: { builtin: 'disc', size: [30, 30] }, layers: [{ kind: 'direction', angle: Number(slider.value) }] },
       { spacing: 0.5 },
       { signal, onProgress: ({ fraction }) => (output.value = `${Math.floor(100 * fraction)} %`) },
     );

@@ -9,4 +9,8 @@ element.addEventListener('result', ({ detail }) => {
   document.title = `${detail.report.toolpaths} toolpath, ${detail.report.points} points`;
 });
 document.querySelector('#app').append(element);
-await element.load({ sillon: 1, shape: { builtin: 'disc', size: [30, 30] }, directions: { angle: 45 } });
+await element.load({
+  sillon: 1,
+  shape: { builtin: 'disc', size: [30, 30] },
+  layers: [{ kind: 'direction', angle: 45 }],
+});

@@ -20,7 +20,7 @@ function rings(side) {
 const engine = await createEngine();
 try {
   const { toolpath, report } = await engine.generateToolpath(
-    { shape: { builtin: 'disc', size: [60, 60] }, directions: { file: rings(512) } },
+    { shape: { builtin: 'disc', size: [60, 60] }, layers: [{ kind: 'map', file: rings(512) }] },
     { spacing: 0.45, perimeterMode: 'soft' },
   );
   const { blob, summary } = await engine.writeGcode(toolpath, { nozzleTemperature: 210 }, { layers: 2 });

@@ -8,7 +8,7 @@ import { SillonError, preparePlate } from 'sillon';
 const [upload, folder] = process.argv.slice(2);
 try {
   const plate = await preparePlate(
-    { shape: { file: await readFile(upload), pageWidth: 60 }, directions: { angle: 30 } },
+    { shape: { file: await readFile(upload), pageWidth: 60 }, layers: [{ kind: 'direction', angle: 30 }] },
     { printer: { profile: 'prusa-mk4s', filament: 'pla' }, limits: { seconds: 30, memory: 256 } },
   );
   const { poster, view, gcode, page, grams, minutes, findings } = plate;

@@ -11,7 +11,7 @@ trap 'rm -rf "$folder"' EXIT
 
 mkdir "$folder/projects"
 for ((k = 0; k < count; k++)); do
-  printf '{ "sillon": 1, "shape": { "builtin": "disc", "size": [%d.%02d, 0] }, "directions": { "angle": %d } }' \
+  printf '{ "sillon": 1, "shape": { "builtin": "disc", "size": [%d.%02d, 0] }, "layers": [{ "kind": "direction", "angle": %d }] }' \
     $((20 + k % 20)) $((k / 20 % 100)) $((k % 180)) >"$folder/projects/$k.json"
 done
 

@@ -14,8 +14,8 @@
 
 #include "assemble.hpp"
 #include "gcode/read_back.hpp"
+#include "sillon/compose/compose.hpp"
 #include "sillon/gcode/writer.hpp"
-#include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 
@@ -24,8 +24,9 @@ namespace bench {
 /// A plate whose longer side is 100 mm, its beads 0.4 mm apart; blue PLA, softbox.
 inline sillon::Project lookProject(const std::vector<std::string>& files) {
   sillon::Project project;
-  for (const std::string& file : files) project.pictures.files.push_back({file, std::nullopt});
-  project.pictures.files[0].lamp = sillon::Vec2{60, 45};
+  auto& pictures = project.layers.emplace_back().contents.emplace<sillon::PictureLayer>().pictures;
+  for (const std::string& file : files) pictures.push_back({file, std::nullopt});
+  pictures[0].lamp = sillon::Vec2{60, 45};
   project.builtinSize.x = 100;
   project.toolpath.perimeterMode = sillon::PerimeterMode::None;
   project.print.layerHeight = 0.2;
@@ -96,36 +97,38 @@ inline void lookPlate(const std::vector<std::string>& files, const sillon::RunCo
     std::printf("%s\n", input.error().message.c_str());
     return;
   }
-  sillon::PlateInput plate = std::move(input).value();
-  const auto pictures = sillon::solvePictures(project, cli::readInputFile, plate, run);
-  if (!pictures) {
-    std::printf("%s\n", pictures.error().message.c_str());
+  auto composed = sillon::compose(project, std::move(input).value(), {cli::readInputFile}, run);
+  if (!composed) {
+    std::printf("%s\n", composed.error().message.c_str());
     return;
   }
+  sillon::Composition composition = std::move(composed).value();
+  const std::vector<sillon::ShownPicture> shown = composition.pictures.shown;
   std::string name;
   for (const std::string& file : files) {
     name += (name.empty() ? "" : " + ") + std::filesystem::path(file).stem().string();
   }
-  const auto make = [&](const sillon::PlateInput& tried, int /*round*/, int /*rounds*/) {
+  const auto make = [&](const sillon::PlateInput& tried) {
     return sillon::generateToolpath(tried, project.toolpath, run, true);
   };
-  const auto made = sillon::makeShownPlate(project, pictures.value(), plate, make, run);
-  const LookRow solved = judged(project, plate, made, pictures.value().shown, run);
+  const auto made = sillon::makeShown(project, composition, cli::readInputFile, make, run);
+  const LookRow solved = judged(project, composition.laid(), made, shown, run);
   printLook(name, solved);
   if (files.size() == 1) {
-    plate.directions = straight(pictures.value().shown[0]);
+    sillon::PlateInput plate = composition.laid();
+    plate.directions = straight(shown[0]);
     plate.showsPictures = false;
-    const LookRow line = judged(project, plate, make(plate, 0, 1), pictures.value().shown, run);
+    const LookRow line = judged(project, plate, make(plate), shown, run);
     std::printf("  %3.0f %%\n", 100.0 * static_cast<double>(solved.turns) / static_cast<double>(line.turns));
     printLook("  straight", line);
   }
   std::printf("\n");
   for (std::size_t k = 0; k < solved.measures.size() && files.size() == 2; ++k) {
     std::vector<float> own;
-    for (const float code : pictures.value().shown[1 - k].tones.value) own.push_back(sillon::lightOfCode(code));
-    const double between = sillon::compareTones(own, pictures.value().shown[k].tones).r;
-    std::printf("  lamp %zu at %.0f: with the other %.3f, the pictures themselves %.3f\n", k + 1,
-                pictures.value().shown[k].lamp.azimuth, solved.measures[k].others[1 - k], between);
+    for (const float code : shown[1 - k].tones.value) own.push_back(sillon::lightOfCode(code));
+    const double between = sillon::compareTones(own, shown[k].tones).r;
+    std::printf("  lamp %zu at %.0f: with the other %.3f, the pictures themselves %.3f\n", k + 1, shown[k].lamp.azimuth,
+                solved.measures[k].others[1 - k], between);
   }
 }
 

@@ -576,6 +576,29 @@ TEST_CASE("rebrush shows pictures, and leaves files as they are where it refuses
   CHECK(folder.run(lit + "-o gold.gcode --spool goldPla").code == 0);
   CHECK(readAll(folder.at("own.gcode")) == readAll(folder.at("gold.gcode")));
   CHECK(readAll(folder.at("own.gcode")) != readAll(folder.at("new.gcode")));
+  // A project's layers are laid, and those of the line on top of them.
+  folder.write("laid.json", R"({"sillon": 1, "toolpath": {"perimeterMode": "soft"}, "layers": [
+    {"kind": "direction"}, {"kind": "picture", "pictures": [{"file": "half.png", "lamp": [0, 35]}], "size": [8, 8]}]})");
+  const Run laid = folder.run("rebrush part.gcode --project laid.json -o laid.gcode --report laid-report.json");
+  CAPTURE(laid.err);
+  REQUIRE(laid.code == 0);
+  const Json above = Json::parse(readAll(folder.at("laid-report.json")))["surfaces"][0]["pictures"];
+  REQUIRE(above.size() == 1);
+  CHECK(above[0]["layer"] == 2);
+  CHECK_FALSE(above[0].contains("leftOut"));
+  CHECK(picture["layer"] == 1);
+  CHECK(picture["leftOut"] < 0.03);  // the face is no square
+  REQUIRE(
+      folder
+          .run(R"(rebrush part.gcode --project laid.json --layer '{"kind": "direction", "angle": 45, "size": [4, 4]}' )"
+               "-o more.gcode")
+          .code == 0);
+  CHECK(readAll(folder.at("more.gcode")) != readAll(folder.at("laid.gcode")));
+  for (const char* mode : {"parallel", "orthogonal"}) {
+    REQUIRE(folder.run("rebrush part.gcode --mode " + std::string(mode) + " -o " + mode + ".gcode").code == 0);
+    CHECK(readAll(folder.at(std::string(mode) + ".gcode")) != readAll(folder.at("new.gcode")));
+  }
+  CHECK(readAll(folder.at("parallel.gcode")) != readAll(folder.at("orthogonal.gcode")));
   // Squeezed in, a wide picture shows what is cut off it otherwise.
   folder.picture("wide.png", 60, 20,
                  [](int column, int) { return column < 20 || (column >= 30 && column < 40) ? 230 : 20; });
@@ -592,15 +615,19 @@ TEST_CASE("rebrush shows pictures, and leaves files as they are where it refuses
   const std::pair<const char*, const char*> refused[] = {
       {"part.gcode --picture half.png --lamp x", "it must be AZ or AZ,EL"},
       {"part.gcode --picture half.png --angle 3", "--angle"},
+      {"part.gcode --project half.png", "scene \"half.png\""},
+      {"part.gcode --project laid.json -o laid.json", "also an input"},
+      {"part.gcode --mode diagonal", "parallel, orthogonal, smoothest or constrained"},
+      {"part.gcode --modes half.png --mode parallel", "--modes excludes --mode"},
       {"part.gcode --picture nowhere.png", "cannot be read"},
       {"part.gcode --picture half.png --fit bed", "fit is bed, but the file does not give its bed"},
       {"part.gcode --fit sideways", "must be face, object, bed or all"},
-      {"part.gcode --surfaces bottom --perimeters many", "must be none, soft or 0 to 100"},
+      {"part.gcode --surfaces bottom --perimeters many", "must be none, soft or a whole number from 0 to 100"},
       {"part.gcode --angle 3 -o part.gcode --report part.gcode", "two outputs"},
       {"part.gcode --angle 3 --report part.gcode", "two outputs"},
       {"part.gcode --json", "--json requires --list"},
       {"part.gcode --list -o other.gcode", "--list excludes --output"},
-      {"part.gcode --directions half.png --angle 3", "--angle excludes --directions"},
+      {"part.gcode --directions half.png --angle 3", "--directions excludes --angle"},
       {"part.gcode -o ''", "--output is \"\"; it must be followed by its value"},
       {"''", "file is \"\"; it must be a name"},
       {"part.gcode --angle 0x10", "--angle is \"0x10\"; it must be a number"},
@@ -667,8 +694,18 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
   folder.write("open.stl", open.substr(0, 84 + 50 * triangles));
   CHECK(has(folder.run("zones --body open.stl --angle 30 -o body.3mf").out, "the body has 3 open edges"));
 
+  // Letters lie on the body's top, across what is below them.
+  const Run letters = folder.run(
+      R"(zones --body body.stl --angle 30 --layer '{"kind": "text", "text": "I", "textSize": 12}' --least 1 -o i.3mf)");
+  CAPTURE(letters.err);
+  REQUIRE(letters.code == 0);
+  CHECK(has(letters.out, "zone     30.0 degrees"));
+  CHECK(has(letters.out, "zone    120.0 degrees"));
+
   const auto files = folder.files();
   const std::pair<const char*, const char*> refused[] = {
+      {R"(--body body.stl --layer '{"kind": "text", "text": "I", "mode": "smoothest"}' -o a.3mf)",
+       "the mode must be constrained"},
       {"--shape disc --angle 3 --zones 1 -o a.3mf", "zones is 1; it must be 2 to 12"},
       {"--shape disc --angle 3 -o a.stl", "it must end in .3mf"},
       {"--body two.png --angle 3 -o a.3mf", "the STL is cut off, or another kind of file"},
@@ -1003,8 +1040,9 @@ TEST_CASE("a printer is imported from G-code and prints") {
 
 TEST_CASE("what a start block leaves behind is told once, by its place in the block") {
   const Folder folder;
-  folder.write("mine.json",
-               R"({"sillon": 1, "shape": {"builtin": "disc", "size": [12, 12]}, "directions": {"angle": 30},
+  folder.write(
+      "mine.json",
+      R"({"sillon": 1, "shape": {"builtin": "disc", "size": [12, 12]}, "layers": [{"kind": "direction", "angle": 30}],
     "print": {"layers": 1, "base": 0}, "printer": {"startGcode": "G28\nM190 S60\nM109 S210\nM211 S0"}})");
   const Run run = folder.run("generate mine.json --gcode out.gcode");
   REQUIRE(run.code == 0);
@@ -1073,26 +1111,29 @@ TEST_CASE("a project written elsewhere repeats the plate") {
   REQUIRE(again.code == 0);
   CHECK(readAll(folder.at("a.gcode")) == readAll(folder.at("b.gcode")));
   CHECK(has(readAll(folder.at("a.gcode")), "plate = 16.0x8.0 mm"));
-  CHECK(Json::parse(readAll(folder.at("out/p.json")))["directions"]["file"] == "../in/lines.png");
+  CHECK(Json::parse(readAll(folder.at("out/p.json")))["layers"] ==
+        Json::parse(R"([{"kind": "map", "file": "../in/lines.png"}])"));
 }
 
 TEST_CASE("the files of a plate are listed, and nothing is made") {
   Folder folder;
-  folder.write(
-      "in/p.json",
-      R"({"sillon": 1, "shape": {"file": "a.svg"}, "directions": {"file": "sub/d.png"}, "modes": {"file": "/m.png"},
-               "layers": [{"kind": "text", "text": "A", "textSize": 9, "font": "own.ttf", "mask": "inside", "maskFile": "k.svg"},
+  folder.write("in/p.json",
+               R"({"sillon": 1, "shape": {"file": "a.svg"},
+               "layers": [{"kind": "map", "file": "sub/d.png", "modeFile": "/m.png"},
+                          {"kind": "picture", "pictures": [{"file": "p.png"}, {"file": "sub/q.png"}], "size": [9, 9]},
+                          {"kind": "text", "text": "A", "textSize": 9, "font": "own.ttf", "mask": "inside", "maskFile": "k.svg"},
                           {"kind": "text", "text": "A", "textSize": 9, "font": "Caveat"},
                           {"kind": "drawing", "file": "../e.svg", "size": [9, 9]}]})");
   // None of them is there.
   const Run listed = folder.run("generate in/p.json --list-files");
   CAPTURE(listed.err);
   CHECK(listed.code == 0);
-  CHECK(listed.out == R"(["in/a.svg","in/sub/d.png","/m.png","in/k.svg","in/own.ttf","in/../e.svg"])"
-                      "\n");
+  CHECK(listed.out ==
+        R"(["in/a.svg","in/sub/d.png","/m.png","in/p.png","in/sub/q.png","in/own.ttf","in/k.svg","in/../e.svg"])"
+        "\n");
   // Options and their files, too.
   folder.picture("face.png", 8, 8, [](int, int) { return 200; });
-  CHECK(folder.run("generate face.png --modes m.png --shape disc --list-files").out == R"(["m.png","face.png"])"
+  CHECK(folder.run("generate face.png --modes m.png --shape disc --list-files").out == R"(["face.png","m.png"])"
                                                                                        "\n");
   CHECK(folder.run("generate --shape disc --list-files").out == "[]\n");
   checkRefused(folder, "generate in/p.json --list-files --svg p.svg",
@@ -1124,7 +1165,8 @@ TEST_CASE("a picture is shown under the lamp that is asked for, and judged from 
 
   // The project holds all of it, under keys of its own.
   const Json project = Json::parse(readAll(folder.at("a.project.json")));
-  CHECK(project["pictures"]["files"] == Json::parse(R"([{"file": "disc.png", "lamp": [75, 50]}])"));
+  CHECK(project["layers"] ==
+        Json::parse(R"([{"kind": "picture", "pictures": [{"file": "disc.png", "lamp": [75, 50]}]}])"));
   CHECK(project["toolpath"]["perimeterMode"] == "none");
   REQUIRE(folder.run("generate a.project.json --threads 1 --gcode b.gcode", date).code == 0);
   CHECK(readAll(folder.at("a.gcode")) == readAll(folder.at("b.gcode")));
@@ -1186,11 +1228,13 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   const Folder folder;
   folder.picture("tiny.png", 4, 4, [](int column, int row) { return 60 * (column ^ row); });
   folder.write("text.png", "hello, this is no picture at all");
-  folder.write("both.json",
-               R"({"sillon": 1, "directions": {"file": "tiny.png"}, "pictures": {"files": [{"file": "tiny.png"}]}})");
-  folder.write("key.json", R"({"sillon": 1, "pictures": {"files": [{"file": "tiny.png", "light": [1, 2]}]}})");
-  folder.write("bare.json", R"({"sillon": 1, "pictures": {"files": ["tiny.png"]}})");
-  folder.write("low.json", R"({"sillon": 1, "pictures": {"files": [{"file": "tiny.png", "lamp": [60, 0]}]}})");
+  const auto lit = [&folder](const char* name, const std::string& pictures, const std::string& more = "") {
+    folder.write(name, R"({"sillon": 1, "layers": [{"kind": "picture", "pictures": )" + pictures + more + "}]}");
+  };
+  lit("both.json", R"([{"file": "tiny.png"}])", R"(, "file": "tiny.png")");
+  lit("key.json", R"([{"file": "tiny.png", "light": [1, 2]}])");
+  lit("bare.json", R"(["tiny.png"])");
+  lit("low.json", R"([{"file": "tiny.png", "lamp": [60, 0]}])");
   const std::string one = "generate --picture tiny.png ";
   checkRefused(folder, one + "--lamp north" + kOutputs, "--lamp is \"north\"; it must be AZ or AZ,EL");
   checkRefused(folder, one + "--lamp 60,91" + kOutputs, "elevation from 1 to 90");
@@ -1229,11 +1273,11 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, "generate --picture text.png" + kOutputs, "text.png");
   checkRefused(folder, "generate --picture none.png" + kOutputs, "\"none.png\" cannot be read");
   checkRefused(folder, one + one.substr(9) + one.substr(9) + one.substr(9) + one.substr(9) + kOutputs,
-               "pictures.files has 5 pictures; it may have up to 4");
-  checkRefused(folder, "generate both.json" + kOutputs, "directions come from one of them");
-  checkRefused(folder, "generate key.json" + kOutputs, "unknown key \"pictures.files[0].light\"");
-  checkRefused(folder, "generate bare.json" + kOutputs, "pictures.files[0] is text; it must be an object");
-  checkRefused(folder, "generate low.json" + kOutputs, "pictures.files[0].lamp.y is 0 degrees; it must be 1 to 90");
+               "layers[0].pictures has 5 pictures; it may have up to 4");
+  checkRefused(folder, "generate both.json" + kOutputs, "layers[0].file is not for the kind \"picture\"");
+  checkRefused(folder, "generate key.json" + kOutputs, "unknown key \"layers[0].pictures[0].light\"");
+  checkRefused(folder, "generate bare.json" + kOutputs, "layers[0].pictures[0] is text; it must be an object");
+  checkRefused(folder, "generate low.json" + kOutputs, "layers[0].pictures[0].lamp.y is 0 degrees; it must be 1 to 90");
 }
 
 TEST_CASE("options override the scene") {
@@ -1257,8 +1301,7 @@ TEST_CASE("options override the scene") {
   project = Json::parse(readAll(folder.at("q.json")));
   CHECK(project["shape"]["file"] == "");
   CHECK(project["shape"]["size"] == Json::array({10, 6}));
-  CHECK(project["directions"]["file"] == "");
-  CHECK(project["directions"]["angle"] == -45);
+  CHECK(project["layers"] == Json::parse(R"([{"kind": "direction", "angle": -45}])"));
 }
 
 TEST_CASE("of an option given twice the last one counts") {
@@ -1418,6 +1461,22 @@ TEST_CASE("a published scene finds its files from the root of its repository, an
   CHECK(has(readAll(folder.at("whole.json")), R"("paint": "ignore")"));
   CHECK(has(readAll(folder.at("whole.json")), R"("file": "data/svg/s.svg")"));
   CHECK_FALSE(has(run.out, "nothing in the drawing"));
+  CHECK(Json::parse(readAll(folder.at("whole.json")))["layers"] ==
+        Json::parse(R"([{"kind": "map", "file": "data/png/l.png"}])"));
+  // Modes, with and without directions.
+  folder.picture("data/png/m.png", 2, 1, [](int column, int) { return 170 * column; });
+  const std::string modes = R"("line_mode_field_path": "data/png/m.png", )";
+  folder.write("scenes/paper/m.json", R"({"nozzle_width": 1, )" + modes + files);
+  folder.write("scenes/paper/n.json", R"({"nozzle_width": 1, )" + modes + R"("svg_path": "data/svg/s.svg"})");
+  for (const auto& [name, layers] :
+       {std::pair{"m", R"([{"kind": "map", "file": "data/png/l.png", "modeFile": "data/png/m.png"}])"},
+        {"n", R"([{"kind": "direction", "modeFile": "data/png/m.png"}])"}}) {
+    const Run moded =
+        folder.run("generate scenes/paper/" + std::string(name) + ".json --project whole.json --svg a.svg");
+    CAPTURE(moded.err);
+    REQUIRE(moded.code == 0);
+    CHECK(Json::parse(readAll(folder.at("whole.json")))["layers"] == Json::parse(layers));
+  }
   // Beside the scene comes first; a project is not looked for elsewhere; other shells are asked for in vain.
   folder.write("scenes/paper/data/svg/s.svg", R"(<svg width="30" height="30"><rect width="9" height="9"/></svg>)");
   CHECK(has(folder.run("generate scenes/paper/s.json").out, "plate      30.00 x 30.00 mm"));
@@ -1571,6 +1630,27 @@ TEST_CASE("directions on the command line take the place of a project's pictures
   CHECK(folder.run("generate lit.json --angle 30 --svg a.svg").code == 0);
   CHECK(folder.run("generate lit.json --angle 80 --svg b.svg").code == 0);
   CHECK(readAll(folder.at("a.svg")) != readAll(folder.at("b.svg")));
+  // Whatever lies above stays, and a mode picture; where no layer fills the plate, one is laid under all others.
+  folder.write("sign.json", R"({"sillon": 1, "shape": {"builtin": "disc", "size": [20, 0]}, "layers": [
+    {"kind": "direction", "modeFile": "half.png"}, {"kind": "border"}]})");
+  const auto layersOf = [&folder](const std::string& options) {
+    REQUIRE(folder.run("generate sign.json " + options + " --project out.json").code == 0);
+    return Json::parse(readAll(folder.at("out.json")))["layers"];
+  };
+  const Json border = {{"kind", "border"}};
+  CHECK(layersOf("--directions half.png --encoding rotation") ==
+        Json::array(
+            {{{"kind", "map"}, {"file", "half.png"}, {"encoding", "rotation"}, {"modeFile", "half.png"}}, border}));
+  CHECK(
+      layersOf("--picture half.png --lamp 20") ==
+      Json::array(
+          {{{"kind", "picture"}, {"pictures", {{{"file", "half.png"}, {"lamp", {20, 45}}}}}, {"modeFile", "half.png"}},
+           border}));
+  CHECK(layersOf("--mode smoothest") == Json::array({{{"kind", "direction"}, {"mode", "smoothest"}}, border}));
+  folder.write("sign.json",
+               R"({"sillon": 1, "shape": {"builtin": "disc", "size": [20, 0]}, "layers": [{"kind": "border"}]})");
+  CHECK(layersOf("--angle 30") == Json::array({{{"kind", "direction"}, {"angle", 30}}, border}));
+  CHECK(layersOf("") == Json::array({border}));
 }
 
 TEST_CASE("what is written in the place of a file has its permissions, and links stay links") {

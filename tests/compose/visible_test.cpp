@@ -3,12 +3,15 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sillon/compose/compose.hpp"
+#include "sillon/project/project.hpp"
 #include "sillon/report/layers.hpp"
 #include "sillon/text/qr_code.hpp"
 
@@ -23,18 +26,24 @@ struct Plate {
   Project project;
   Shape shape = makeRectangle(kPage).value();
 
-  Layer& add(LayerKind kind, Vec2 at, Vec2 size) {
+  /// Puts a layer on top. \return its contents
+  template <class Contents>
+  Contents& add(Vec2 at, Vec2 size) {
     Layer& layer = project.layers.emplace_back();
-    layer.kind = kind;
+    layer.contents = Contents();
     layer.at = at;
     layer.size = size;
-    return layer;
+    return *layer.as<Contents>();
   }
   /// A drawing that is a filled box.
-  Layer& box(Vec2 at, Vec2 size) {
-    Layer& layer = add(LayerKind::Drawing, at, size);
-    layer.file = "box.svg";
-    return layer;
+  DrawingLayer& box(Vec2 at, Vec2 size) {
+    DrawingLayer& drawing = add<DrawingLayer>(at, size);
+    drawing.file = "box.svg";
+    return drawing;
+  }
+  template <class Part>
+  [[nodiscard]] Part& of(std::size_t layer) {
+    return *project.layers[layer].as<Part>();
   }
   [[nodiscard]] std::vector<SeenLayer> seen() const {
     const ReadInput read = [](const std::string& name, const std::string&) -> Result<InputFile> {
@@ -43,9 +52,11 @@ struct Plate {
           "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm' viewBox='0 0 1 1'><path d='M0 0h1v1h-1z'/>"
           "</svg>")};
     };
-    const auto made = makeLayers(project, shape, read, RunContext());
+    auto ground = readPlateInput(project, shape, read);
+    REQUIRE(ground.ok());
+    const auto made = compose(project, std::move(ground).value(), {read}, RunContext());
     REQUIRE_MESSAGE(made.ok(), (made.ok() ? "" : made.error().message));
-    return seeLayers(project, made.value().placed, made.value(), uniformDirection(0).value());
+    return seeLayers(project, made.value().layers.placed, made.value());
   }
   [[nodiscard]] std::vector<Warning> warnings() const {
     return layerWarnings(seen(), shape.page, project.toolpath.spacing);
@@ -141,7 +152,7 @@ TEST_CASE("layers above cover, also where two that lie across make one that does
 
   // Others may be covered until nothing of them is left.
   plate.project.layers.clear();
-  plate.add(LayerKind::Direction, {30, 20}, {10, 10}).angle = 45;
+  plate.add<DirectionLayer>({30, 20}, {10, 10}).angle = 45;
   plate.box({30, 20}, {9, 10});
   CHECK(plate.warnings().empty());
   plate.box({30, 20}, {10, 10});
@@ -150,25 +161,24 @@ TEST_CASE("layers above cover, also where two that lie across make one that does
 
 TEST_CASE("letters that lie as what is below them, within 15 degrees, are told") {
   Plate plate;
-  Layer& layer = plate.box({30, 20}, {20, 10});
-  layer.fill = LayerFill::Angle;
+  plate.box({30, 20}, {20, 10}).fill = LayerFill::Angle;
   for (const double angle : {0.0, 14.0, -14.0, 180.0, 194.0}) {
-    plate.project.layers[0].angle = angle;
+    plate.of<LayerAngle>(0).angle = angle;
     CHECK(plate.seen()[0].alike == 1);
   }
   CHECK(percentOf(Plate::find(plate.warnings(), WarningCode::LayerAlike, 1)) == 100);
   for (const double angle : {16.0, -16.0, 90.0, 160.0}) {
-    plate.project.layers[0].angle = angle;
+    plate.of<LayerAngle>(0).angle = angle;
     CHECK(plate.seen()[0].alike == 0);
   }
-  plate.project.layers[0].fill = LayerFill::Across;
+  plate.of<LayerFilled>(0).fill = LayerFill::Across;
   CHECK(plate.warnings().empty());
 
   // Over another layer, and half beside it; a layer below everything is what the others stand out from.
-  plate.project.layers[0].fill = LayerFill::Angle;
-  plate.project.layers[0].angle = 70;
+  plate.of<LayerFilled>(0).fill = LayerFill::Angle;
+  plate.of<LayerAngle>(0).angle = 70;
   Layer below;
-  below.angle = 75;
+  below.as<LayerAngle>()->angle = 75;
   below.at = Vec2{20, 20};
   below.size = {20, 40};
   plate.project.layers.insert(plate.project.layers.begin(), below);
@@ -180,30 +190,30 @@ TEST_CASE("letters that lie as what is below them, within 15 degrees, are told")
   plate.box({30, 20}, {30, 20});
   plate.box({30, 20}, {10, 10}).fill = LayerFill::Angle;
   CHECK(plate.seen()[1].alike == 0);
-  plate.project.layers[1].angle = 90;
+  plate.of<LayerAngle>(1).angle = 90;
   CHECK(plate.seen()[1].alike == 1);
 }
 
 TEST_CASE("a ground is what its letters stand out from") {
   Plate plate;
-  Layer& text = plate.add(LayerKind::Text, {30, 20}, {});
+  TextLayer& text = plate.add<TextLayer>({30, 20}, {});
   text.text = "HH";
   text.fill = LayerFill::Angle;
   text.ground = 90;
   CHECK(plate.warnings().empty());
-  plate.project.layers[0].ground = 10;
+  plate.of<LayerGround>(0).ground = 10;
   CHECK(plate.seen()[0].alike == 1);
-  plate.project.layers[0].fill = LayerFill::Across;  // at 90, whatever the angle
+  plate.of<LayerFilled>(0).fill = LayerFill::Across;  // at 90, whatever the angle
   CHECK(plate.seen()[0].alike == 0);
-  plate.project.layers[0].ground = 80;
+  plate.of<LayerGround>(0).ground = 80;
   CHECK(plate.seen()[0].alike == 1);
 }
 
 TEST_CASE("a direction tells that nothing of it is left, unless the plate lies on it") {
   Plate plate;
-  plate.add(LayerKind::Direction, {30, 20}, {10, 10});
+  plate.add<DirectionLayer>({30, 20}, {10, 10});
   CHECK(Plate::find(plate.warnings(), WarningCode::LayerAlike, 1) != nullptr);
-  plate.project.layers[0].angle = 30;
+  plate.of<LayerAngle>(0).angle = 30;
   CHECK(plate.warnings().empty());
   plate.project.layers[0].at = Vec2{64, 20};  // a tenth is seen, which may be meant
   CHECK(plate.warnings().empty());
@@ -211,11 +221,14 @@ TEST_CASE("a direction tells that nothing of it is left, unless the plate lies o
   CHECK(percentOf(Plate::find(plate.warnings(), WarningCode::LayerBeside, 1)) == 100);
   plate.project.layers[0] = {};
   CHECK(plate.warnings().empty());
+  plate.project.layers.emplace_back();  // over all of it, too
+  CHECK(plate.seen().size() == 1);
+  CHECK(plate.warnings().empty());
 }
 
 TEST_CASE("a code tells whether it can be read where it lies") {
   Plate plate;
-  Layer& code = plate.add(LayerKind::Qr, {30, 20}, {29, 29});  // modules of 1 mm: 21, and twice 4 around them
+  CodeLayer& code = plate.add<CodeLayer>({30, 20}, {29, 29});  // modules of 1 mm: 21, and twice 4 around them
   code.text = "SILLON";
   code.correction = QrCorrection::Low;
   CHECK(plate.seen()[0].readable == true);
@@ -234,16 +247,16 @@ TEST_CASE("a code tells whether it can be read where it lies") {
   plate.project.layers[0].mirror = true;
   plate.project.layers[0].rotation = 20;
   CHECK(plate.seen()[0].readable == true);
-  plate.project.layers[0].ground = 25;
+  plate.of<LayerGround>(0).ground = 25;
   CHECK(plate.seen()[0].readable == false);
-  plate.project.layers[0].ground = 40;
+  plate.of<LayerGround>(0).ground = 40;
   CHECK(plate.seen()[0].readable == true);
   plate.project.layers[0] = {};
 
   // A round plate cuts corners off: first those of the patterns, which nobody needs, then their middles.
   Plate round;
   round.shape = makeDisc(40).value();
-  Layer& cut = round.add(LayerKind::Qr, {20, 20}, {38, 38});
+  CodeLayer& cut = round.add<CodeLayer>({20, 20}, {38, 38});
   cut.text = "https://example.org/ab";
   CHECK(round.seen()[0].readable == true);
   CHECK(Plate::find(round.warnings(), WarningCode::LayerBeside, 1) != nullptr);
@@ -253,7 +266,7 @@ TEST_CASE("a code tells whether it can be read where it lies") {
 
 TEST_CASE("modules narrower than two beads are told, and those narrower than one are not read") {
   Plate plate;
-  Layer& code = plate.add(LayerKind::Qr, {30, 20}, {29, 29});
+  CodeLayer& code = plate.add<CodeLayer>({30, 20}, {29, 29});
   code.text = "SILLON";
   code.correction = QrCorrection::Low;
   plate.project.toolpath.spacing = 0.6;
@@ -271,7 +284,7 @@ TEST_CASE("modules narrower than two beads are told, and those narrower than one
 TEST_CASE("what lies on a code harms it as far as its correction does not reach") {
   for (const auto correction : {QrCorrection::Low, QrCorrection::High}) {
     Plate plate;
-    Layer& code = plate.add(LayerKind::Qr, {30, 20}, {29, 29});
+    CodeLayer& code = plate.add<CodeLayer>({30, 20}, {29, 29});
     // 21 modules either way. A longer text leaves no room for more correction.
     code.text = correction == QrCorrection::Low ? "SILLONSILLONSILLONSILLON" : "SILLON";
     code.correction = correction;

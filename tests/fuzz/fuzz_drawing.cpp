@@ -1,4 +1,4 @@
-// Any bytes as a drawing: a shape within its page, or an error with a message.
+// Any bytes as a drawing: a shape within its page that can be painted, or an error with a message.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -26,20 +26,22 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       shaped.letters.assign(line.size(), {0, {}, 600});
       return shaped;
     };
-    const auto shape = sillon::readSvg({reinterpret_cast<const char*>(data), size}, options);
-    if (!shape) {
-      if (shape.error().message.empty()) std::abort();
+    const auto painting = sillon::readSvgPainting({reinterpret_cast<const char*>(data), size}, options);
+    if (!painting) {
+      if (painting.error().message.empty()) std::abort();
       continue;
     }
-    const sillon::Vec2 page = shape.value().page;
+    if (sillon::paintedPicture(painting.value(), 64).samples.empty()) std::abort();
+    const sillon::Shape& shape = painting.value().shape;
+    const sillon::Vec2 page = shape.page;
     if (!(page.x > 0 && page.y > 0 && page.x <= 100'000 && page.y <= 100'000)) std::abort();
-    for (const sillon::FilledPath& path : shape.value().paths) {
+    for (const sillon::FilledPath& path : shape.paths) {
       for (const sillon::Ring& ring : path.rings) {
         for (const sillon::Vec2 point : ring) {
           if (!std::isfinite(point.x) || !std::isfinite(point.y)) std::abort();
           const bool inside =
               point.x >= -kEdge && point.x <= page.x + kEdge && point.y >= -kEdge && point.y <= page.y + kEdge;
-          const bool painted = !ignorePaint && !shape.value().drawing.unpainted;
+          const bool painted = !ignorePaint && !shape.drawing.unpainted;
           if (painted && !inside) std::abort();
         }
       }

@@ -68,6 +68,23 @@ void change(const Setting& setting, const SettingsView& view, fuzz::Bytes& bytes
     } else if constexpr (std::is_same_v<Kind, std::vector<RoundHole>*>) {
       const double x = 30 * bytes.share(), y = 30 * bytes.share();
       at->push_back({{x, y}, 8 * bytes.share()});
+    } else if constexpr (std::is_same_v<Kind, std::uint64_t*>) {
+      *at = bytes.byte();
+    } else if constexpr (std::is_same_v<Kind, std::vector<LampPicture>*>) {
+      at->push_back({"picture", std::nullopt});
+      if (bytes.byte() % 2 == 1) at->back().lamp = Vec2{360 * bytes.share(), 1 + 89 * bytes.share()};
+    } else if constexpr (std::is_same_v<Kind, std::vector<ColourAngle>*>) {
+      at->push_back({bytes.byte() % 2 == 1 ? "#ff8000" : "#000000", 360 * bytes.share()});
+    } else if constexpr (std::is_same_v<Kind, std::vector<Stroke>*>) {
+      Stroke& stroke = at->emplace_back();
+      stroke.tool = static_cast<StrokeTool>(bytes.byte() % 3);
+      stroke.mode = static_cast<DirectionMode>(bytes.byte() % 4);
+      stroke.radius = 0.1 + 8 * bytes.share();
+      stroke.soft = bytes.share();
+      for (int k = bytes.byte() % 8; k > 0; --k) {
+        const double x = 40 * bytes.share() - 10;
+        stroke.points.push_back({x, 40 * bytes.share() - 10});
+      }
     } else if constexpr (std::is_same_v<Kind, bool*>) {
       *at = bytes.byte() % 2 == 1;
     } else if constexpr (std::is_same_v<Kind, ChoiceField>) {
@@ -97,15 +114,17 @@ Project projectFrom(fuzz::Bytes& bytes) {
   for (int k = bytes.byte() % 16; k > 0; --k) change(*others[bytes.byte() % others.size()], viewOf(project), bytes);
   while (!bytes.empty() && project.layers.size() < kMost) {
     Layer layer;
-    layer.text = "A";
-    layer.file = layer.maskFile = "picture";
+    layer.maskFile = "picture";
     SettingsView view;
     view.layer = &layer;
     change(*ofLayers[0], view, bytes);  // its kind
+    if (auto* words = layer.as<LayerWords>()) words->text = "A";
+    if (auto* file = layer.as<LayerFile>()) file->file = "picture";
+    if (auto* lit = layer.as<PictureLayer>()) lit->pictures = {{"picture", std::nullopt}};
     for (int k = bytes.byte() % 16; k > 0; --k) change(*ofLayers[bytes.byte() % ofLayers.size()], view, bytes);
     // Larger letters and drawings take seconds under sanitizers, to tell how thin they are.
     layer.size = {std::min(layer.size.x, 100.0), std::min(layer.size.y, 100.0)};
-    layer.textSize = std::min(layer.textSize, 30.0);
+    if (auto* letters = layer.as<LayerLetters>()) letters->textSize = std::min(letters->textSize, 30.0);
     project.layers.push_back(layer);
   }
   // Larger plates would be fewer in the same time; a width of 0 is 80 mm.
@@ -151,10 +170,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   const PlateInput& input = plate.value().input;
-  require(plate.value().layers.size() == project.layers.size());
+  const std::vector<PlacedLayer>& all = plate.value().composition.layers.placed;
+  require(all.size() == project.layers.size());
   for (std::size_t k = 0; k < project.layers.size(); ++k) {
-    const PlacedLayer& placed = plate.value().layers[k];
-    const bool drawn = project.layers[k].visible && !placed.problem;
+    const PlacedLayer& placed = all[k];
+    const bool ground = &project.layers[k] == groundOf(project.layers);
+    const bool drawn = project.layers[k].visible && !placed.problem && !ground;
     require(std::isfinite(placed.at.x) && std::isfinite(placed.at.y));
     require(!drawn || (placed.size.x > 0 && placed.size.y > 0));
     require(placed.thin >= 0 && placed.thin <= 1);

@@ -23,8 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   sillon::RebrushOptions options;
-  options.directions = sillon::uniformDirection(30).value();
-  options.modes = sillon::uniformMode(sillon::DirectionMode::Constrained);
+  options.project.layers.emplace_back().as<sillon::LayerAngle>()->angle = 30;
   options.bottoms = true;
   const sillon::RunContext run(1);
   const auto done = sillon::rebrush(text, options, run);

@@ -128,15 +128,11 @@ Cells coverOf(const std::vector<BeadPath>& paths, Vec2 page, double radius) {
 
 void turn(Shape& shape, double angle) {
   const Vec2 middle = shape.page * 0.5;
-  for (FilledPath& path : shape.paths) {
-    for (Ring& ring : path.rings) {
-      for (Vec2& p : ring) {
-        const Vec2 d = p - middle;
-        p = middle + Vec2{std::cos(angle) * d.x - std::sin(angle) * d.y, std::sin(angle) * d.x + std::cos(angle) * d.y};
-        p = {std::round(p.x * 1e6) / 1e6, std::round(p.y * 1e6) / 1e6};  // as drawings are read
-      }
-    }
-  }
+  movePoints(shape, [&](Vec2 p) {
+    const Vec2 d = p - middle;
+    p = middle + Vec2{std::cos(angle) * d.x - std::sin(angle) * d.y, std::sin(angle) * d.x + std::cos(angle) * d.y};
+    return Vec2{std::round(p.x * 1e6) / 1e6, std::round(p.y * 1e6) / 1e6};  // as drawings are read
+  });
 }
 
 // Many small solids, each a path of its own, that meet in one way or another.

@@ -128,7 +128,7 @@ TEST_CASE("the delay of a file is what a comparison of all pieces with all other
     Project project;
     project.builtin = BuiltinShape::Disc;
     project.builtinSize = {16, 0};
-    project.angle = angle;
+    project.layers.emplace_back().as<LayerAngle>()->angle = angle;
     project.toolpath.spacing = 0.4;
     project.toolpath.order = BeadOrder::Plain;  // so that there are long delays
     project.toolpath.spacingVariation = 0;

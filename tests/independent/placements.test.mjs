@@ -49,8 +49,8 @@ function compare({ disc, page, layer, below }, name) {
   const project = join(folder, `${name}.json`);
   const view = join(folder, `${name}.png`);
   const shape = disc ? { builtin: 'disc', size: [page[0], 0] } : { builtin: 'rectangle', size: page };
-  const directions = { angle: below };
-  writeFileSync(project, JSON.stringify({ sillon: 1, shape, directions, layers: [layer], toolpath: { spacing: 0.4 } }));
+  const layers = [{ kind: 'direction', angle: below }, layer];
+  writeFileSync(project, JSON.stringify({ sillon: 1, shape, layers, toolpath: { spacing: 0.4 } }));
   run(nativeProgram, ['generate', project, '--view', view, '--quiet']);
   return JSON.parse(run(python, [script, 'compare', JSON.stringify({ disc, page, layer, below, view })]));
 }

@@ -950,6 +950,8 @@ TEST_CASE("several colours are told, in whatever words they are written") {
                                                                  {"#1A2b3c80", "rgba(26, 43, 60, .5)"},
                                                                  {"#f80", "#ff8800"},
                                                                  {"teal", "Teal"},
+                                                                 {"teal", "#008080"},
+                                                                 {"green", "hsl(120 100% 25%)"},
                                                                  {"currentColor", "#000000"},
                                                                  {"url(#a)", "url(#a)"},
                                                                  {"hsl(120 40% 50%)", "hsl(120 40% 50%)"},

@@ -53,7 +53,7 @@ Project disc() {
   Project project;
   project.builtin = BuiltinShape::Disc;
   project.builtinSize = {20, 0};
-  project.angle = 30;
+  project.layers.emplace_back().as<LayerAngle>()->angle = 30;
   project.toolpath.spacing = 0.8;
   project.printer.nozzle = 0.8;
   return project;
@@ -61,7 +61,7 @@ Project disc() {
 
 Project pictured() {
   Project project = disc();
-  project.pictures.files = {{"ball.png", std::nullopt}};
+  project.layers[0].contents.emplace<PictureLayer>().pictures = {{"ball.png", std::nullopt}};
   project.pictures.corrections = 1;
   return project;
 }
@@ -199,11 +199,10 @@ TEST_CASE("a layer shows a picture as well as the whole plate does, and correcti
   whole.builtinSize = {50, 50};
   whole.toolpath.perimeterMode = PerimeterMode::None;
   Project layered = whole;
-  whole.pictures.files = {{"ball.png", Vec2{60, 45}}};
-  Layer& layer = layered.layers.emplace_back();
-  layer.kind = LayerKind::Picture;
-  layer.file = "ball.png";
-  layer.lamp = Vec2{60, 45};
+  PictureLayer lit;
+  lit.pictures = {{"ball.png", Vec2{60, 45}}};
+  whole.layers[0].contents = lit;
+  layered.layers.emplace_back().contents = lit;
   const auto shows = [](Project project, int corrections) {
     project.pictures.corrections = corrections;
     const Plate plate = made(project);
@@ -221,15 +220,19 @@ TEST_CASE("a layer shows a picture as well as the whole plate does, and correcti
   // The report tells the same of the picture, of cells of the layer's window instead of the page's.
   layered.pictures.corrections = 1;
   const Report report = made(layered).report();
-  REQUIRE(report.layerPictures.size() == 1);
-  const ReportedLayer& told = report.layerPictures[0];
-  CHECK(told.layer == 1);
+  REQUIRE(report.pictures.size() == 1);
+  const ReportedPicture& told = report.pictures[0];
+  CHECK(told.layer == 2);
+  CHECK(told.file == "ball.png");
   CHECK(told.lamp.azimuth == 60);
   CHECK(told.measures.r == doctest::Approx(shows(layered, 1)).epsilon(0.01));
-  CHECK(reportJson(report).find("\"layerPictures\"") != std::string::npos);
+  const std::string json = reportJson(report);
+  const std::string pictures = json.substr(json.find("\"pictures\""));
+  CHECK(has(pictures.substr(0, 100), "\"layer\": 2,"));
+  CHECK_FALSE(has(json, "layerPictures"));
   PlateOptions unmeasured;
   unmeasured.measure = false;
-  CHECK(made(layered, unmeasured).report().layerPictures.empty());
+  CHECK(made(layered, unmeasured).report().pictures.empty());
 
   // A layer on top of the picture is no fault of its beads.
   layered.layers.emplace_back().size = {20, 20};
@@ -239,12 +242,11 @@ TEST_CASE("a layer shows a picture as well as the whole plate does, and correcti
 TEST_CASE("a picture beside its plate changes nothing") {
   Project project = disc();
   Layer& layer = project.layers.emplace_back();
-  layer.kind = LayerKind::Picture;
-  layer.file = "ball.png";
+  layer.contents.emplace<PictureLayer>().pictures = {{"ball.png", std::nullopt}};
   layer.size = {10, 0};
   layer.at = Vec2{-50, -50};
   const Plate plate = made(project);
-  CHECK(plate.report().layerPictures.empty());
+  CHECK(plate.report().pictures.empty());
   layer.visible = false;
   CHECK(digestOf(plate.toolpath()) == digestOf(made(project).toolpath()));
 }
@@ -262,8 +264,8 @@ TEST_CASE("layers become smaller with their plate") {
   const Plate fitted = made(project, options);
   const double scale = fitted.input.shape.page.x / 60;
   CHECK(scale < 0.7);
-  CHECK(fitted.layers.at(0).at.x == doctest::Approx(40 * scale));
-  CHECK(fitted.layers.at(0).size.y == doctest::Approx(20 * scale));
+  CHECK(fitted.composition.layers.placed.at(1).at.x == doctest::Approx(40 * scale));
+  CHECK(fitted.composition.layers.placed.at(1).size.y == doctest::Approx(20 * scale));
 }
 
 TEST_CASE("a plate with an offset and holes fits the bed with them") {
@@ -299,7 +301,7 @@ TEST_CASE("what is kept from plate to plate changes nothing") {
     anew.countDislocations = true;
     const Plate fresh = made(project, anew);
     CHECK(digestOf(again.toolpath()) == digestOf(fresh.toolpath()));
-    CHECK(again.shown.front().r == fresh.shown.front().r);
+    CHECK(again.shown.front().measures.r == fresh.shown.front().measures.r);
     CHECK(again.measures->dislocations == fresh.measures->dislocations);
     CHECK(kept.has_value());
   }
@@ -317,8 +319,8 @@ TEST_CASE("pictures are judged by the toolpath, and then by the G-code") {
   const Toolpath read =
       readBack(text, plate.input.shape, plate.project.printer, plate.project.print, plate.toolpath().spacing).value();
   const auto judged =
-      measurePictures(read, plate.input.shape.page, plate.pictures.shown, plate.pictures.roughness, RunContext(1));
-  CHECK(plate.shown.front().r == judged.value().front().r);
+      measurePictures(read, plate.input.shape.page, plate.pictures().shown, plate.pictures().roughness, RunContext(1));
+  CHECK(plate.shown.front().measures.r == judged.value().front().r);
   CHECK(plate.findings.size() == checkGcode(text, plate.project.printer).findings.size());
   const Report report = plate.report();
   CHECK(report.fromGcode);
@@ -377,12 +379,9 @@ TEST_CASE("what was taken for granted of the input is told as a code, its values
 TEST_CASE("drawings and masks of visible layers tell what that of the shape would, with the layer's number") {
   Project project = disc();
   project.layers.resize(3);
-  for (Layer& layer : project.layers) {
-    layer.kind = LayerKind::Drawing;
-    layer.file = "spaced.svg";
-  }
+  for (Layer& layer : project.layers) layer.contents.emplace<DrawingLayer>().file = "spaced.svg";
   project.layers[0].visible = false;
-  project.layers[2].kind = LayerKind::Direction;
+  project.layers[2].contents = DirectionLayer();
   project.layers[2].mask = LayerMask::Inside;
   project.layers[2].maskFile = "text.svg";
   PlateOptions options;
@@ -418,9 +417,7 @@ TEST_CASE("drawings and masks of visible layers tell what that of the shape woul
 
 TEST_CASE("a letter that no font has is told once of the drawing of a layer") {
   Project project = disc();
-  project.layers.resize(1);
-  project.layers[0].kind = LayerKind::Drawing;
-  project.layers[0].file = "lacking.svg";
+  project.layers[0].contents.emplace<DrawingLayer>().file = "lacking.svg";
   PlateOptions options;
   options.measure = false;
   std::vector<std::string> told;

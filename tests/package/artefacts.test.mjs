@@ -82,7 +82,7 @@ test('the program makes letters and codes in a root that holds the C++ runtime a
     copyFileSync(path, join(inside, path));
   }
   const text = { kind: 'text', text: 'AV', size: [20, 8], at: [12, 8] };
-  const code = { kind: 'qr', text: 'sillon', size: [14, 14], at: [32, 8] };
+  const code = { kind: 'code', text: 'sillon', size: [14, 14], at: [32, 8] };
   writeFileSync(
     join(inside, 'plate.json'),
     JSON.stringify({ sillon: 1, shape: { builtin: 'rectangle', size: [40, 16] }, layers: [text, code] }),

@@ -52,7 +52,7 @@ const makes = `
     shape: { builtin: 'disc', size: [30, 30] },
     layers: [
       { kind: 'text', text: 'ANNA', textSize: 5, at: [15, 6] },
-      { kind: 'qr', text: 'x', size: [12, 12], at: [15, 18] },
+      { kind: 'code', text: 'x', size: [12, 12], at: [15, 18] },
     ],
   });
   const { blob } = await engine.writeGcode(toolpath, {}, { date: new Date(0) });

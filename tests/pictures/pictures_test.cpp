@@ -57,109 +57,43 @@ Result<InputFile> readBall(const std::string& name, const std::string& what) {
 
 Project projectOf(std::vector<LampPicture> files) {
   Project project;
-  project.pictures.files = std::move(files);
+  project.layers.emplace_back().contents.emplace<PictureLayer>().pictures = std::move(files);
   project.builtinSize.x = 20;
   project.toolpath.perimeterMode = PerimeterMode::Soft;
   return project;
 }
 
-struct Made {
-  ToolpathResult plate;
+PictureLayer& pictureLayer(Project& project) { return *project.layers[0].as<PictureLayer>(); }
+
+struct Solved {
   PlatePictures pictures;
   PlateInput input;
-  int times = 0;
 };
 
-Made made(const Project& project) {
-  Made out;
-  const RunContext run(1);
+Solved solved(const Project& project) {
   auto input = readPlateInput(project, readBall);
   REQUIRE(input.ok());
-  out.input = std::move(input).value();
-  auto pictures = solvePictures(project, readBall, out.input, run);
+  Solved out{{}, std::move(input).value()};
+  auto pictures = solvePictures(project, readBall, out.input, RunContext(1));
   REQUIRE(pictures.ok());
   out.pictures = std::move(pictures).value();
-  auto plate = makeShownPlate(
-      project, out.pictures, out.input,
-      [&](const PlateInput& tried, int round, int rounds) {
-        CHECK(round == out.times++);
-        CHECK(round < rounds);
-        return generateToolpath(tried, project.toolpath, run);
-      },
-      run);
-  REQUIRE(plate.ok());
-  out.plate = std::move(plate).value();
   return out;
-}
-
-double rOf(const Made& plate, std::size_t picture = 0) {
-  const auto measures = measurePictures(plate.plate.toolpath, plate.input.shape.page, plate.pictures.shown,
-                                        plate.pictures.roughness, RunContext(1));
-  REQUIRE(measures.ok());
-  return measures.value()[picture].r;
 }
 
 }  // namespace
 
 TEST_CASE("a picture alone makes a rectangle of its proportions") {
-  const Made plate = made(projectOf({{"ball.png", Vec2{60, 45}}}));
+  const Solved plate = solved(projectOf({{"ball.png", Vec2{60, 45}}}));
   CHECK(plate.input.shape.page == Vec2{20, 20});
   CHECK(plate.pictures.shown[0].file == "ball.png");
   CHECK(plate.pictures.shown[0].lamp == Lamp{60, 45, 0.1});
   CHECK_FALSE(plate.pictures.chosen[0]);
 }
 
-TEST_CASE("corrections bring the plate nearer to its picture, and the directions stay those of the plate") {
-  Project project = projectOf({{"ball.png", Vec2{60, 45}}});
-  project.builtinSize.x = 32;
-  project.pictures.corrections = 0;
-  const Made once = made(project);
-  project.pictures.corrections = 3;
-  const Made thrice = made(project);
-  CHECK(once.times == 1);
-  CHECK(thrice.times == 4);
-  CHECK(rOf(thrice) > rOf(once) + 0.001);
-  const auto again = generateToolpath(thrice.input, project.toolpath, RunContext(1));
-  REQUIRE(again.ok());
-  CHECK(again.value().toolpath.cycles[0].points == thrice.plate.toolpath.cycles[0].points);
-}
-
-TEST_CASE("beads of a plate with pictures keep to their directions, which shows more of the picture") {
-  Project project = projectOf({{"ball.png", Vec2{60, 45}}});
-  project.builtinSize.x = 32;
-  project.pictures.corrections = 0;
-  Made plate = made(project);
-  CHECK(plate.input.showsPictures);
-  const double kept = rOf(plate);
-  plate.input.showsPictures = false;
-  plate.plate = generateToolpath(plate.input, project.toolpath, RunContext(1)).value();
-  CHECK(kept > rOf(plate) + 0.001);
-}
-
-TEST_CASE("corrections bring a plate of two pictures nearer to both") {
-  Project project = projectOf({{"ball.png", std::nullopt}, {"stripes.png", std::nullopt}});
-  project.builtinSize.x = 32;
-  project.pictures.corrections = 0;
-  const Made once = made(project);
-  project.pictures.corrections = 3;
-  const Made thrice = made(project);
-  CHECK(once.times == 1);
-  CHECK(thrice.times == 4);
-  CHECK(rOf(thrice, 0) + rOf(thrice, 1) > rOf(once, 0) + rOf(once, 1) + 0.001);
-  CHECK(thrice.pictures.chosen == std::vector<bool>{true, true});
-  CHECK(thrice.pictures.shown[1].lamp.azimuth > thrice.pictures.shown[0].lamp.azimuth + 20);
-}
-
-TEST_CASE("pictures with other tones than their own are made once") {
-  Project project = projectOf({{"ball.png", Vec2{60, 45}}});
-  project.pictures.localContrast = 0.5;
-  CHECK(made(project).times == 1);
-}
-
 TEST_CASE("pictures that leave one of them unseen are told, with how much of it is shown") {
   // Under one lamp a direction has one tone: of a picture and its negative, each is shown by half at most.
   const Vec2 lamp{60, 45};
-  const Made contrary = made(projectOf({{"ball.png", lamp}, {"negative.png", lamp}}));
+  const Solved contrary = solved(projectOf({{"ball.png", lamp}, {"negative.png", lamp}}));
   const std::vector<Warning> told = pictureWarnings(pictureFacts(contrary.pictures, {}));
   REQUIRE(told.size() == 1);
   CHECK(told[0].code == WarningCode::PicturesCrowded);
@@ -171,10 +105,10 @@ TEST_CASE("pictures that leave one of them unseen are told, with how much of it 
   CHECK(std::abs(contrary.pictures.fieldR[picture - 1] - r) <= 0.005 + 1e-9);
   CHECK(contrary.pictures.fieldR[2 - picture] >= contrary.pictures.fieldR[picture - 1]);
 
-  const Made alike = made(projectOf({{"ball.png", lamp}, {"ball.png", lamp}}));
+  const Solved alike = solved(projectOf({{"ball.png", lamp}, {"ball.png", lamp}}));
   CHECK(alike.pictures.fieldR[0] > 0.98);
   CHECK(pictureWarnings(pictureFacts(alike.pictures, {})).empty());
-  CHECK(pictureWarnings(pictureFacts(made(projectOf({{"ball.png", lamp}})).pictures, {})).empty());
+  CHECK(pictureWarnings(pictureFacts(solved(projectOf({{"ball.png", lamp}})).pictures, {})).empty());
 }
 
 TEST_CASE("of pictures the one that is shown least is told, and those with one tone") {
@@ -208,11 +142,11 @@ TEST_CASE("pictures keep their proportions: what sticks out of the page is cut o
   Project project = projectOf({{"wide.png", Vec2{60, 45}}});
   project.builtin = BuiltinShape::Rectangle;
   project.builtinSize = {20, 20};
-  const auto solved = [&] {
+  const auto solve = [&] {
     PlateInput input = readPlateInput(project, wide).value();
     return solvePictures(project, wide, input, RunContext(1)).value();
   };
-  const PlatePictures kept = solved();
+  const PlatePictures kept = solve();
   CHECK(kept.leftOut[0] == doctest::Approx(0.5));
   const Tones& middle = kept.shown[0].tones;
   for (int x = 0; x < middle.width; ++x) {  // all of the gradient, from black to white
@@ -220,7 +154,7 @@ TEST_CASE("pictures keep their proportions: what sticks out of the page is cut o
     CHECK(std::abs(static_cast<double>(middle.at(x, 5)) - share) < 0.04);
   }
   project.pictures.proportions = PictureProportions::Stretch;
-  const PlatePictures stretched = solved();
+  const PlatePictures stretched = solve();
   CHECK(stretched.leftOut[0] == 0);
   const Tones& all = stretched.shown[0].tones;
   CHECK(all.at(all.width / 8, 5) == 0);
@@ -228,7 +162,7 @@ TEST_CASE("pictures keep their proportions: what sticks out of the page is cut o
   // On a page of their own proportions nothing is cut off.
   project.pictures.proportions = PictureProportions::Keep;
   project.builtinSize = {20, 10};
-  CHECK(solved().leftOut[0] == 0);
+  CHECK(solve().leftOut[0] == 0);
 }
 
 TEST_CASE("levels are those of what is printed") {
@@ -279,7 +213,7 @@ TEST_CASE("a lamp that nobody chose is the one of three whose plate shows the pi
     Project other = project;
     other.toolpath = {};
     other.toolpath.spacing = kSpacing;
-    other.pictures.files[0].lamp = Vec2{azimuth, 45};
+    pictureLayer(other).pictures[0].lamp = Vec2{azimuth, 45};
     PlateInput tried = readPlateInput(other, readBall).value();
     const PlatePictures pictures = solvePictures(other, readBall, tried, run).value();
     const auto plate = generateToolpath(tried, other.toolpath, run).value();
@@ -287,7 +221,10 @@ TEST_CASE("a lamp that nobody chose is the one of three whose plate shows the pi
         measurePictures(plate.toolpath, tried.shape.page, pictures.shown, pictures.roughness, run).value();
     return seen[0].r + seen[0].ssim;
   };
-  const std::vector<LitPicture> lit = readPictures(project.pictures, readBall).value();
+  std::vector<LitPicture> lit = unlit(pictureLayer(project).pictures, project.pictures.lampSize);
+  REQUIRE(lit.size() == 1);
+  CHECK(lit[0].chooseAzimuth);
+  lit[0].tones = tonesOf(ball());
   const auto first =
       solveDirections(lit, chosen.roughness, {input.shape.page, kSpacing}, inversionOf(project.pictures), run).value();
   REQUIRE(first.azimuths.size() == 2);
@@ -314,7 +251,7 @@ TEST_CASE("without pictures directions stay as they were read") {
   Project project;
   project.builtin = BuiltinShape::Rectangle;
   project.builtinSize = {20, 20};
-  project.angle = 30;
+  project.layers.emplace_back().as<LayerAngle>()->angle = 30;
   const RunContext run(1);
   auto input = readPlateInput(project, readBall);
   REQUIRE(input.ok());
@@ -353,7 +290,7 @@ TEST_CASE("pictures that were solved for before are what they would be, whatever
   check(true);
   project.toolpath.maxWidth = 1.9;  // of beads, not of directions
   check(true);
-  project.pictures.files[0].lamp = Vec2{70, 45};
+  pictureLayer(project).pictures[0].lamp = Vec2{70, 45};
   check(false);
   project.pictures.smoothness *= 2;
   check(false);

@@ -18,6 +18,12 @@ Image grey(int width, int height, std::uint16_t value) {
   return {width, height, 1, std::vector<std::uint16_t>(static_cast<std::size_t>(width * height), value)};
 }
 
+/// The lowest layer as a map; it is made one.
+MapLayer& mapOf(Project& project) {
+  if (project.layers.empty()) project.layers.emplace_back().contents = MapLayer();
+  return *project.layers[0].as<MapLayer>();
+}
+
 /// Files by name; `asked` keeps what was asked for.
 struct Files {
   std::map<std::string, InputFile> byName;
@@ -94,7 +100,7 @@ TEST_CASE("a direction picture lends its proportions to a plate without shape") 
   Files files;
   files.byName = {{"lines", grey(3, 6, 65535)}};
   Project project;
-  project.directionFile = "lines";
+  mapOf(project).file = "lines";
   const auto input = readPlateInput(project, files.reader());
   REQUIRE(input.ok());
   CHECK(input.value().shape.page == Vec2{80, 160});
@@ -112,7 +118,7 @@ TEST_CASE("all built-in shapes are made, in heights of their own or the directio
     Project project;
     project.builtin = builtin;
     project.builtinSize = {40, 0};
-    project.directionFile = lines;
+    if (!lines.empty()) mapOf(project).file = lines;
     const auto input = readPlateInput(project, files.reader());
     REQUIRE_MESSAGE(input.ok(), input.error().message);
     return input.value().shape.page;
@@ -125,6 +131,39 @@ TEST_CASE("all built-in shapes are made, in heights of their own or the directio
        {BuiltinShape::Hexagon, BuiltinShape::Heart, BuiltinShape::Shield, BuiltinShape::Star, BuiltinShape::Tag}) {
     CHECK(pageOf(builtin, "lines").y == 30);
   }
+}
+
+TEST_CASE("a plate without shape has the proportions of the part that is used of the lowest picture") {
+  Files files;
+  files.byName = {{"wide", Image{8, 2, 1, std::vector<std::uint16_t>(16, 40000)}}};
+  Project project;
+  mapOf(project).file = "wide";
+  mapOf(project).cropMin = {0.5, 0};
+  CHECK(readPlateInput(project, files.reader()).value().shape.page == Vec2{80, 40});
+  CHECK(readPlateInput(project, files.reader()).value().directions.width == 4);
+  PictureLayer lit;
+  lit.pictures = {{"wide", std::nullopt}};
+  project.layers[0].contents = lit;
+  CHECK(readPlateInput(project, files.reader()).value().shape.page == Vec2{80, 20});
+  // One that lies somewhere, or that is hidden, is no ground.
+  project.layers[0].size = {10, 10};
+  CHECK(readPlateInput(project, files.reader()).error().message.find("there is no shape") == 0);
+}
+
+TEST_CASE("another surface has the directions of the lowest layer, and no picture lends it anything") {
+  Files files;
+  files.byName = {{"lines", Image{2, 1, 1, {0, 65535}}}, {"modes", Image{2, 1, 1, {0, 21845}}}};
+  Project project;
+  mapOf(project).file = "lines";
+  project.layers[0].modeFile = "modes";
+  const Shape disc = makeDisc(30).value();
+  const auto input = readPlateInput(project, disc, files.reader());
+  REQUIRE(input.ok());
+  CHECK(input.value().shape == disc);
+  CHECK(input.value().directions == DirectionMap{2, 1, {0, 65535}});
+  CHECK(input.value().modes.mode == std::vector<DirectionMode>{DirectionMode::Parallel, DirectionMode::Orthogonal});
+  project.layers.clear();
+  CHECK(readPlateInput(project, disc, files.reader()).value().directions == uniformDirection(0).value());
 }
 
 TEST_CASE("a project's offset comes before its holes, which are where the page says") {
@@ -157,14 +196,15 @@ TEST_CASE("an angle, a mode and a mode picture") {
   Project project;
   project.builtin = BuiltinShape::Rectangle;
   project.builtinSize = {10, 5};
-  project.angle = 90;
-  project.mode = DirectionMode::Smoothest;
+  Layer& lowest = project.layers.emplace_back();
+  lowest.as<LayerAngle>()->angle = 90;
+  lowest.mode = DirectionMode::Smoothest;
   auto input = readPlateInput(project, files.reader());
   REQUIRE(input.ok());
   CHECK(input.value().directions.angle == uniformDirection(90).value().angle);
   CHECK(input.value().modes.mode == std::vector<DirectionMode>{DirectionMode::Smoothest});
   CHECK(files.asked.empty());
-  project.modeFile = "modes";
+  lowest.modeFile = "modes";
   input = readPlateInput(project, files.reader());
   REQUIRE(input.ok());
   CHECK(input.value().modes.mode == std::vector<DirectionMode>{DirectionMode::Parallel, DirectionMode::Orthogonal});
@@ -178,12 +218,12 @@ TEST_CASE("what is missing or unreadable is named") {
   REQUIRE(!input.ok());
   CHECK(input.error().code == ErrorCode::InvalidArgument);
   CHECK(input.error().message.find("there is no shape") == 0);
-  project.directionFile = "noise.png";
+  mapOf(project).file = "noise.png";
   CHECK(readPlateInput(project, files.reader()).error().message.find("noise.png") == 0);
-  project.directionFile = "grey";
-  project.encoding = DirectionEncoding::Tangent;
+  mapOf(project).file = "grey";
+  mapOf(project).encoding = DirectionEncoding::Tangent;
   CHECK(readPlateInput(project, files.reader()).error().code == ErrorCode::InvalidArgument);
-  project.encoding = DirectionEncoding::Angle;
-  project.modeFile = "absent";
+  mapOf(project).encoding = DirectionEncoding::Angle;
+  project.layers[0].modeFile = "absent";
   CHECK(readPlateInput(project, files.reader()).error().message == "no absent");
 }

@@ -2,19 +2,24 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "sillon/project/project.hpp"
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"
+#include "support/layer_of.hpp"
 #include "support/wrong_settings.hpp"
 
 using namespace sillon;
@@ -30,38 +35,73 @@ std::string problem(const std::string& text) {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+/// One layer of each kind, all of whose fields differ from their defaults.
+std::vector<Layer> unusualLayers() {
+  std::vector<Layer> layers;
+  const auto add = [&layers](auto contents) {
+    layers.push_back({.contents = std::move(contents),
+                      .visible = false,
+                      .at = Vec2{-3.25, 1.0 / 3.0},
+                      .size = {10, 0},
+                      .rotation = -30,
+                      .mirror = true,
+                      .mask = LayerMask::Outside,
+                      .maskFile = "mask.svg",
+                      .soft = 2,
+                      .mode = DirectionMode::Orthogonal,
+                      .modeFile = "modes.png"});
+    Layer& layer = layers.back();
+    if (auto* part = layer.as<LayerAngle>()) part->angle = 12.5;
+    if (auto* part = layer.as<LayerFile>()) part->file = "a \"b\".png";
+    if (auto* part = layer.as<LayerCrop>()) *part = {{0.1, 0.2}, {0.8, 0.9}};
+    if (auto* part = layer.as<LayerFilled>()) part->fill = LayerFill::Along;
+    if (auto* part = layer.as<LayerGround>()) part->ground = 100;
+    if (auto* part = layer.as<LayerWords>()) part->text = "two\nlines";
+    if (auto* part = layer.as<LayerLetters>()) *part = {"own.ttf", 4, -20, TextAlign::Right};
+  };
+  add(DirectionLayer());
+  MapLayer map;
+  map.encoding = DirectionEncoding::Tangent;
+  add(map);
+  PictureLayer lit;
+  lit.pictures = {{"one.png", Vec2{10.5, 20}}, {"\xC3\xA9.png", std::nullopt}};
+  add(lit);
+  add(TextLayer());
+  CodeLayer code;
+  code.correction = QrCorrection::High;
+  add(code);
+  PatternLayer pattern;
+  pattern.pattern = LayerPattern::Waves;
+  pattern.waveLength = 7;
+  pattern.amplitude = 8;
+  pattern.seed = std::numeric_limits<std::uint64_t>::max();
+  add(pattern);
+  TonesLayer tones;
+  tones.by = TonesBy::Colours;
+  tones.from = -10;
+  tones.to = 80;
+  tones.threshold = 0.1 + 0.2;
+  tones.contrast = 1.5;
+  tones.smoothing = 0.7;
+  tones.colours = {{"#ff00aA", 33}, {"#000000", -1.0 / 3.0}};
+  add(tones);
+  add(DrawingLayer());
+  BorderLayer border;
+  border.width = 9;
+  add(border);
+  StrokesLayer strokes;
+  strokes.strokes = {{StrokeTool::Comb, 2.5, 0.25, DirectionMode::Constrained, {{1, 2}, {-0.1, 1.0 / 3.0}}},
+                     {StrokeTool::Mode, 1, 0, DirectionMode::Smoothest, {{4, 5}}},
+                     {StrokeTool::Comb, 1, 0, DirectionMode::Parallel, {{4, 5}}},
+                     {StrokeTool::Erase, 4, 1, DirectionMode::Constrained, {}}};
+  add(strokes);
+  return layers;
+}
+
 /// Every field differs from its default.
 Project unusualProject() {
   Project p;
-  Layer& layer = p.layers.emplace_back();
-  layer = {.kind = LayerKind::Text,
-           .visible = false,
-           .at = Vec2{-3.25, 1.0 / 3.0},
-           .size = {10, 0},
-           .rotation = -30,
-           .mirror = true,
-           .mask = LayerMask::Outside,
-           .maskFile = "mask.svg",
-           .soft = 2,
-           .angle = 12.5,
-           .ground = 100,
-           .fill = LayerFill::Across,
-           .encoding = DirectionEncoding::Tangent,
-           .file = "map.png",
-           .cropMin = {0.1, 0.2},
-           .cropMax = {0.8, 0.9},
-           .lamp = Vec2{10, 20},
-           .text = "two\nlines",
-           .font = "own.ttf",
-           .textSize = 4,
-           .circle = -20,
-           .align = TextAlign::Right,
-           .correction = QrCorrection::High,
-           .pattern = LayerPattern::Waves,
-           .waveLength = 7,
-           .amplitude = 8,
-           .width = 9};
-  p.layers.emplace_back().angle = 5;
+  p.layers = unusualLayers();
   p.shapeText = "ABC";
   p.shapeFont = "Caveat";
   p.shapeFile = "shapes/leaf \xC3\xA9.svg";
@@ -76,11 +116,6 @@ Project unusualProject() {
   p.unitlessIsMm = true;
   p.ignorePaint = true;
   p.keepThin = true;
-  p.directionFile = "a.png";
-  p.encoding = DirectionEncoding::Tangent;
-  p.angle = -33.3;
-  p.modeFile = "m.png";
-  p.mode = DirectionMode::Smoothest;
   p.toolpath.spacing = 0.45;
   p.toolpath.perimeterMode = PerimeterMode::Soft;
   p.toolpath.perimeters = 3;
@@ -227,8 +262,6 @@ TEST_CASE("every field survives writing and reading bit for bit") {
   CHECK(p.layers == q.layers);
   CHECK(p.shapeText == q.shapeText);
   CHECK(p.outlineOffset == q.outlineOffset);
-  CHECK(p.encoding == q.encoding);
-  CHECK(p.mode == q.mode);
   CHECK(p.toolpath.seed == q.toolpath.seed);
   CHECK(p.toolpath.bridge == q.toolpath.bridge);
   CHECK(p.toolpath.perimeterMode == q.toolpath.perimeterMode);
@@ -241,6 +274,110 @@ TEST_CASE("every field survives writing and reading bit for bit") {
   CHECK(p.printer.machineAcceleration == 3000);
 }
 
+TEST_CASE("each kind of layer survives writing and reading with all of its fields, none of which is forgotten here") {
+  const std::vector<Layer> layers = unusualLayers();
+  REQUIRE(layers.size() == std::variant_size_v<LayerContents>);
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    CAPTURE(k);
+    REQUIRE(layers[k].contents.index() == k);
+    for (const bool visible : {false, true}) {
+      Project one;
+      one.layers = {layers[k]};
+      one.layers[0].visible = visible;
+      const std::string text = writeProject(one);
+      const Result<Project> read = readProject(text);
+      REQUIRE_MESSAGE(read, problem(text));
+      CHECK(read.value().layers == one.layers);
+      CHECK(writeProject(read.value()) == text);
+    }
+    // What differs from its default is written: all that the kind has.
+    Project one;
+    one.layers = {layers[k]};
+    const Json written = Json::parse(writeProject(one))["layers"][0];
+    SettingsView view;
+    view.layer = &one.layers[0];
+    for (const Setting& setting : settings()) {
+      if (setting.section != Section::Layers) continue;
+      CAPTURE(setting.key);
+      CHECK(written.contains(setting.key) == !std::holds_alternative<std::monostate>(setting.field(view)));
+    }
+  }
+}
+
+TEST_CASE("a key of another kind of layer is refused by name, and told which ones it has") {
+  const std::string known = "visible, at, size, rotation, mirror, mask, maskFile, soft, mode, modeFile";
+  CHECK(problem(R"({"sillon": 1, "layers": [{"kind": "direction"}, {"kind": "border", "pictures": []}]})") ==
+        "layers[1].pictures is not for the kind \"border\"; it has kind, " + known + ", angle, fill, width");
+  // Without a kind it is a direction; where the kind stands does not count.
+  CHECK(problem(R"({"sillon": 1, "layers": [{"file": "a.png"}]})") ==
+        "layers[0].file is not for the kind \"direction\"; it has kind, " + known + ", angle");
+  CHECK(problem(R"({"sillon": 1, "layers": [{"file": "a.png", "kind": "map"}]})").empty());
+  // Each kind refuses each key that it has not.
+  Layer layer;
+  SettingsView view;
+  view.layer = &layer;
+  const Setting& kind = *findSetting(Section::Layers, "kind");
+  const std::vector<std::string> kinds = splitWords(kind.choices);
+  int refused = 0;
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    choose(kind.field(view), k);
+    for (const Setting& setting : settings()) {
+      if (setting.section != Section::Layers || !std::holds_alternative<std::monostate>(setting.field(view))) continue;
+      const Json one{{"kind", kinds[k]}, {setting.key, nullptr}};
+      CHECK(has(problem(Json{{"sillon", 1}, {"layers", Json::array({one})}}.dump()),
+                "layers[0]." + std::string(setting.key) + " is not for the kind \"" + kinds[k] + "\""));
+      ++refused;
+    }
+  }
+  CHECK(refused > 100);
+  // What no kind has, and what once was a kind or a section, is unknown.
+  CHECK(has(problem(R"({"sillon": 1, "layers": [{"kind": "picture", "lamp": [60, 45]}]})"),
+            "unknown key \"layers[0].lamp\""));
+  CHECK(has(problem(R"({"sillon": 1, "layers": [{"kind": "qr", "text": "A"}]})"), "layers[0].kind is \"qr\""));
+  CHECK(has(problem(R"({"sillon": 1, "directions": {"angle": 30}})"), "unknown key \"directions\""));
+  CHECK(has(problem(R"({"sillon": 1, "modes": {"mode": "parallel"}})"), "unknown key \"modes\""));
+  CHECK(has(problem(R"({"sillon": 1, "pictures": {"files": []}})"), "unknown key \"pictures.files\""));
+}
+
+TEST_CASE("strokes and colours that are none are named") {
+  const auto strokes = [](const std::string& one) {
+    return problem(R"({"sillon": 1, "layers": [{"kind": "strokes", "strokes": [)" + one + "]}]}");
+  };
+  CHECK(strokes(R"({"points": [1, 2]})").empty());
+  CHECK(strokes(R"({"tool": "comb"})") ==
+        "layers[0].strokes[0].points must be a list of numbers x, y, x, y, ... in mm");
+  CHECK(strokes(R"({"points": [1, 2, 3]})") ==
+        "layers[0].strokes[0].points must be a list of numbers x, y, x, y, ... in mm");
+  CHECK(strokes(R"({"points": [1, "2"]})") == "layers[0].strokes[0].points is text; it must be a number");
+  CHECK(strokes(R"({"points": [], "tool": "brush"})") ==
+        "layers[0].strokes[0].tool is \"brush\"; it must be \"comb\", \"mode\" or \"erase\"");
+  CHECK(strokes(R"({"points": [], "radius": 0})") == "layers[0].strokes[0].radius is 0 mm; it must be 0.1 to 1000");
+  CHECK(strokes(R"({"points": [], "soft": 1.5})") == "layers[0].strokes[0].soft is 1.5; it must be 0 to 1");
+  CHECK(strokes(R"({"points": [0, 20000]})") == "layers[0].strokes[0].points is 20000 mm; it must be -10000 to 10000");
+  CHECK(has(strokes(R"({"points": [], "size": 3})"), "unknown key \"layers[0].strokes[0].size\""));
+  Project many;
+  many.layers.emplace_back().contents.emplace<StrokesLayer>().strokes.resize(2);
+  auto& all = many.layers[0].as<StrokesLayer>()->strokes;
+  all[0].points.resize(kMostStrokePoints);
+  CHECK(wrongSettings(many).empty());
+  all[1].points.resize(1);
+  CHECK(wrongSettings(many) == "layers[0].strokes have 200001 points; they may have up to 200000");
+  all.assign(10'001, {});
+  CHECK(wrongSettings(many) == "layers[0].strokes has 10001 strokes; it may have up to 10000");
+
+  const auto colours = [](const std::string& one) {
+    return problem(R"({"sillon": 1, "layers": [{"kind": "tones", "file": "a.png", "colours": [)" + one + "]}]}");
+  };
+  CHECK(colours(R"({"colour": "#0a0B0c", "angle": 3})").empty());
+  CHECK(colours(R"({"angle": 3})") == "layers[0].colours[0] has no colour; it must be \"#rrggbb\"");
+  for (const char* wrong : {"red", "#0a0b0", "#0a0b0cd", "#0a0b0g"}) {
+    CHECK(colours("{\"colour\": \"" + std::string(wrong) + "\"}") ==
+          "layers[0].colours[0].colour is \"" + std::string(wrong) + "\"; it must be \"#rrggbb\"");
+  }
+  CHECK(colours(R"({"colour": "#000000", "angle": 361})") ==
+        "layers[0].colours[0].angle is 361 degrees; it must be -360 to 360");
+}
+
 TEST_CASE("an angle without a fill is one, and files keep what they meant") {
   const auto fillOf = [](const std::string& layer) {
     const Result<Project> read = readProject("{\"sillon\": 1, \"layers\": [" + layer + "]}");
@@ -248,7 +385,7 @@ TEST_CASE("an angle without a fill is one, and files keep what they meant") {
     const Result<Project> again = readProject(writeProject(read.value()));
     REQUIRE(again.ok());
     CHECK(again.value().layers == read.value().layers);
-    return read.value().layers[0].fill;
+    return read.value().layers[0].as<LayerFilled>()->fill;
   };
   CHECK(fillOf(R"({"kind": "text", "text": "A"})") == LayerFill::Across);
   CHECK(fillOf(R"({"kind": "text", "text": "A", "angle": 30})") == LayerFill::Angle);
@@ -266,8 +403,6 @@ TEST_CASE("no two fields share a key: each written value differs from its defaul
       CAPTURE(section.key() + "." + field.key());
       // A file and a built-in shape exclude each other, so one of the two keeps its default.
       if (section.key() == "shape" && field.key() == "builtin") continue;
-      // Likewise a picture of directions and pictures to be seen; tests/settings/table_test.cpp has those.
-      if (section.key() == "pictures" && field.key() == "files") continue;
       CHECK(unusual[section.key()][field.key()] != field.value());
     }
   }
@@ -468,14 +603,35 @@ TEST_CASE("a published scene means what its reader meant") {
   CHECK(p.shapeFile == "svg/a.svg");
   CHECK(p.unitlessIsMm);
   CHECK(p.ignorePaint);
-  CHECK(p.directionFile == "png/l.png");
-  CHECK(p.modeFile == "png/m.png");
+  REQUIRE(p.layers.size() == 1);
+  MapLayer map;
+  map.file = "png/l.png";
+  Layer lowest = layerOf(map);
+  lowest.modeFile = "png/m.png";
+  CHECK(p.layers[0] == lowest);
+  CHECK(groundOf(p.layers) == p.layers.data());
   CHECK(p.toolpath.perimeterMode == PerimeterMode::Count);
   CHECK(p.toolpath.perimeters == 4);
   CHECK(p.toolpath.sweepsPerLevel == 16);
   CHECK(p.toolpath.seed == 7);
   CHECK(p.toolpath.relaxationRounds == 0);
   CHECK(p.print.layerHeight == 0.125);
+}
+
+TEST_CASE("a scene without directions or modes has the lowest layer that the others ask for") {
+  const auto layersOf = [](const std::string& more) {
+    const Result<Project> read = readProject(R"({"nozzle_width": 0.4, "svg_path": "a.svg")" + more + "}");
+    REQUIRE(read);
+    CHECK(readProject(writeProject(read.value())).value().layers == read.value().layers);
+    return read.value().layers;
+  };
+  CHECK(layersOf("").empty());
+  MapLayer map;
+  map.file = "l.png";
+  CHECK(layersOf(R"(, "line_field_path": "l.png")") == std::vector<Layer>{layerOf(map)});
+  Layer modes;
+  modes.modeFile = "m.png";
+  CHECK(layersOf(R"(, "line_mode_field_path": "m.png")") == std::vector<Layer>{modes});
 }
 
 TEST_CASE("a scene without perimeters has beads that end at the border") {
@@ -515,6 +671,14 @@ TEST_CASE("every published scene is read") {
     text << file.rdbuf();
     CAPTURE(entry.path().string());
     CHECK(problem(text.str()) == "");
+    const Json scene = Json::parse(text.str());
+    const std::vector<Layer> layers = readProject(text.str()).value().layers;
+    REQUIRE(layers.size() == (scene.contains("line_field_path") || scene.contains("line_mode_field_path") ? 1 : 0));
+    if (!layers.empty()) {
+      CHECK(layers[0].modeFile == scene.value("line_mode_field_path", ""));
+      CHECK((layers[0].kind() == LayerKind::Map) == scene.contains("line_field_path"));
+      if (const auto* map = layers[0].as<MapLayer>()) CHECK(map->file == scene["line_field_path"]);
+    }
     ++scenes;
   }
   CHECK(scenes > 0);
@@ -528,7 +692,7 @@ TEST_CASE("an unknown key is named, with the ones near it") {
   CHECK(has(deep, "\"spacing\""));
   CHECK(has(problem(R"({"sillon": 1, "print": {"layer_height": 1}})"), "\"layerHeight\""));
   CHECK(has(problem(R"({"nozzle_widht": 0.4})"), "\"nozzle_width\""));
-  CHECK(has(problem(R"({"sillon": 1, "modes": {"qqqqqqqqqq": 1}})"), "known are file, mode"));
+  CHECK(has(problem(R"({"sillon": 1, "pictures": {"qqqqqqqqqq": 1}})"), "known are proportions, spool, slopes"));
 }
 
 TEST_CASE("what the studio keeps of its own is written as it was read") {
@@ -641,7 +805,7 @@ TEST_CASE("what is no JSON is told with its line") {
 
 TEST_CASE("a key given twice is an error, the same key in two sections is none") {
   CHECK(problem(R"({"sillon": 1, "sillon": 1})") == "key \"sillon\" is given twice; each key may be given once");
-  CHECK(problem(R"({"sillon": 1, "directions": {"file": "a"}, "modes": {"file": "b"}})") == "");
+  CHECK(problem(R"({"sillon": 1, "shape": {"file": "a"}, "layers": [{"kind": "map", "file": "b"}]})") == "");
 }
 
 TEST_CASE("hostile files end quickly in an error") {

@@ -33,6 +33,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -40,6 +42,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rebrush/blocks.hpp"
@@ -48,7 +51,9 @@
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/outline.hpp"
+#include "sillon/text/text.hpp"
 #include "support/damaged.hpp"
+#include "support/layer_of.hpp"
 #include "support/rebrushed.hpp"
 
 using namespace sillon;
@@ -487,8 +492,7 @@ TEST_CASE("beads wider than the slicer's are slowed to the flow that the file te
   const std::string plain = Slices(kDialects[0], {}).text();  // beads of 0.4 x 0.2 mm2 at 15 mm/s: 1.2 mm3/s
   // The fastest bead of the new text [mm3/s], and that of the slicer's walls, of the same section at 30 mm/s.
   const auto mostFlow = [](const std::string& text) {
-    RebrushOptions how = options(30);
-    how.directions = {2, 1, {20000, 50000}};  // bends
+    RebrushOptions how = mapped({2, 1, 1, {20000, 50000}});  // bends
     const auto done = rebrush(text, how, RunContext(1));
     REQUIRE(done);
     double most = 0;
@@ -659,7 +663,7 @@ TEST_CASE("files that cannot be read so are refused with what to do") {
   none.tops = false;
   CHECK(why(Slices(kDialects[0], {}).text(), none).find("no surface of the kind") != std::string::npos);
   RebrushOptions wrong = options(0);
-  wrong.toolpath.jitter = 9;
+  wrong.project.toolpath.jitter = 9;
   CHECK(why(Slices(kDialects[0], {}).text(), wrong).find("jitter") != std::string::npos);
 }
 
@@ -821,14 +825,19 @@ std::string twoFaces(const Dialect& dialect) {
   return text.insert(end, moved) + "; bed_shape = 0x0,200x0,200x200,0x200\n";
 }
 
-// Bright on the right half.
-LitPicture halves() {
-  LitPicture picture;
-  picture.tones.width = 64;
-  picture.tones.height = 64;
-  for (int k = 0; k < 64 * 64; ++k) picture.tones.value.push_back(k % 64 < 32 ? 0.1F : 0.9F);
-  picture.lamp = {0, 35, 0.1};
-  return picture;
+// A picture under a lamp at 0 degrees, 35 high; in columns of these tones, from the left.
+RebrushOptions pictured(const std::vector<double>& columns) {
+  Image image{static_cast<int>(32 * columns.size()), 64, 1, {}};
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      image.samples.push_back(static_cast<std::uint16_t>(65535 * columns[static_cast<std::size_t>(x) / 32]));
+    }
+  }
+  PictureLayer lit;
+  lit.pictures = {{"picture", Vec2{0, 35}}};
+  RebrushOptions how = options(lit, std::move(image));
+  how.project.toolpath.perimeterMode = PerimeterMode::Soft;
+  return how;
 }
 
 // Mean of cos 2 angle of the beads of the left and the right half of a page, by length.
@@ -848,12 +857,25 @@ std::pair<double, double> leanings(const RebrushedSurface& made, Vec2 page) {
   return {sum.first / all.first, sum.second / all.second};
 }
 
+// The same of the beads in a box.
+double leaningIn(const RebrushedSurface& made, Vec2 middle, double halfWidth, double halfHeight) {
+  double sum = 0, all = 0;
+  const auto& points = made.toolpath.cycles.front().points;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const Vec2 from = wide(points[k]), d = wide(points[k + 1]) - from;
+    const Vec2 off = from + d * 0.5 - middle;
+    const double size = length(d);
+    if (!(size > 0) || std::abs(off.x) > halfWidth || std::abs(off.y) > halfHeight) continue;
+    sum += (d.x * d.x - d.y * d.y) / size;
+    all += size;
+  }
+  return all > 0 ? sum / all : 0;
+}
+
 TEST_CASE("a picture is shown on each face, or runs across them") {
   const RunContext run(2);
   const std::string text = twoFaces(kDialects[0]);
-  RebrushOptions how = options(0);
-  how.pictures = {halves()};
-  how.toolpath.perimeterMode = PerimeterMode::Soft;
+  RebrushOptions how = pictured({0.1, 0.9});
   std::vector<std::vector<std::pair<double, double>>> seen;
   for (const PictureFit fit : {PictureFit::Face, PictureFit::All, PictureFit::Bed}) {
     how.fit = fit;
@@ -865,8 +887,9 @@ TEST_CASE("a picture is shown on each face, or runs across them") {
     for (const RebrushedSurface& made : done.value().surfaces) {
       REQUIRE(made.replaced);
       REQUIRE(made.pictures.size() == 1);
-      if (fit == PictureFit::Face) CHECK(made.pictures.front().r > 0.6);
-      CHECK(made.lamps.front().azimuth == 0);
+      if (fit == PictureFit::Face) CHECK(made.pictures.front().measures.r > 0.6);
+      CHECK(made.pictures.front().lamp.azimuth == 0);
+      CHECK(made.pictures.front().layer == 1);
       CHECK(made.coverage >= 97);  // the picture's edge turns beads by a right angle
       seen.back().push_back(leanings(made, done.value().file.surfaces[made.surface].region.page));
     }
@@ -884,25 +907,17 @@ TEST_CASE("a picture is shown on each face, or runs across them") {
   const auto bedless = rebrush(text.substr(0, text.find("; bed_shape")), how, run);
   REQUIRE_FALSE(bedless);
   CHECK(bedless.error().message.find("does not give its bed") != std::string::npos);
-  how.spool = "none";
+  how.project.pictures.spool = static_cast<SpoolName>(9);
   CHECK_FALSE(rebrush(text, how, run));
 }
 
 TEST_CASE("a picture that is wider than a face loses its sides, or is squeezed in") {
   const RunContext run(2);
   const std::string text = twoFaces(kDialects[0]);
-  RebrushOptions how = options(0);
-  how.toolpath.perimeterMode = PerimeterMode::Soft;
   // The middle third is dark, then bright; what lies beside it is the other way round.
-  LitPicture wide = halves();
-  wide.tones = {192, 64, {}};
-  for (int k = 0; k < 192 * 64; ++k) {
-    const int sixth = k % 192 / 32;
-    wide.tones.value.push_back(sixth == 2 || sixth >= 4 ? 0.1F : 0.9F);
-  }
-  how.pictures = {wide};
+  RebrushOptions how = pictured({0.9, 0.9, 0.1, 0.9, 0.1, 0.1});
   for (const PictureProportions proportions : {PictureProportions::Keep, PictureProportions::Stretch}) {
-    how.proportions = proportions;
+    how.project.pictures.proportions = proportions;
     const auto done = rebrush(text, how, run);
     REQUIRE(done);
     for (const RebrushedSurface& made : done.value().surfaces) {
@@ -928,11 +943,8 @@ TEST_CASE("chosen faces alone are replaced, and share their picture with no othe
     if (listed.value().surfaces[k].side == SurfaceSide::Top) tops.push_back(k);
   }
   REQUIRE(tops.size() == 2);
-  RebrushOptions how = options(0);
+  RebrushOptions how = mapped({2, 1, 1, {32768, 65535}});  // along x on the left, along y on the right
   how.fit = PictureFit::All;
-  how.directions.width = 2;
-  how.directions.height = 1;
-  how.directions.angle = {32768, 65535};  // along x on the left, along y on the right
   how.only = {tops[1]};
   std::vector<std::pair<std::size_t, std::size_t>> told;
   how.onSurface = [&](std::size_t done, std::size_t all) { told.emplace_back(done, all); };
@@ -977,11 +989,8 @@ TEST_CASE("a file that was read once is brushed as often as wanted, with the sam
 
 TEST_CASE("maps are cut where they lie over faces that share them") {
   const RunContext run(2);
-  RebrushOptions how = options(0);
-  how.fit = PictureFit::Object;  // neither face has a name: they are one object
-  how.directions.width = 2;
-  how.directions.height = 1;
-  how.directions.angle = {32768, 65535};  // along x on the left, along y on the right
+  RebrushOptions how = mapped({2, 1, 1, {32768, 65535}});  // along x on the left, along y on the right
+  how.fit = PictureFit::Object;                            // neither face has a name: they are one object
   const auto done = rebrush(twoFaces(kDialects[0]), how, run);
   REQUIRE(done);
   REQUIRE(done.value().surfaces.size() == 2);
@@ -991,4 +1000,60 @@ TEST_CASE("maps are cut where they lie over faces that share them") {
   CHECK(leanings(done.value().surfaces[0], page(0)).first > 0.5);
   CHECK(leanings(done.value().surfaces[0], page(0)).second > 0.5);
   CHECK(leanings(done.value().surfaces[1], page(1)).first < -0.5);
+}
+
+TEST_CASE("letters lie across waves on a top, and on the bottom they are read from below") {
+  const RunContext run(2);
+  const std::string text = Slices(kDialects[0], {}, 20).text();
+  RebrushOptions how = options(0);
+  PatternLayer waves;
+  waves.pattern = LayerPattern::Waves;
+  waves.waveLength = 8;
+  waves.amplitude = 10;
+  TextLayer letter;
+  letter.text = "L";
+  letter.font = "Bebas Neue";
+  letter.textSize = 14;
+  how.project.layers = {layerOf(waves), layerOf(letter)};
+  how.project.toolpath.perimeterMode = PerimeterMode::Soft;
+  how.bottoms = true;
+  const auto done = rebrush(text, how, run);
+  CAPTURE(done ? std::string() : done.error().message);
+  REQUIRE(done);
+  checkKept(text, done.value());
+  REQUIRE(done.value().surfaces.size() == 2);
+  const Vec2 drawn = textShape({letter.text, letter.font, letter.textSize}, how.read).value().page;
+  for (const RebrushedSurface& made : done.value().surfaces) {
+    CAPTURE(made.why);
+    REQUIRE(made.replaced);
+    CHECK(made.pictures.empty());
+    const SlicedSurface& surface = done.value().file.surfaces[made.surface];
+    const Vec2 page = surface.region.page;
+    // The stem of the letter stands on its left; its right is empty above the foot.
+    const double stem = (page.x - drawn.x) / 2 + drawn.x / 6;
+    const double left = leaningIn(made, {stem, page.y / 2}, 0.6, drawn.y / 4);
+    const double right = leaningIn(made, {page.x - stem, page.y / 2}, 0.6, drawn.y / 4);
+    const bool top = surface.side == SurfaceSide::Top;
+    CHECK((top ? left : right) < -0.5);  // seen from above
+    CHECK((top ? right : left) > 0.5);
+  }
+}
+
+TEST_CASE("a layer of pictures over others is judged where it lies") {
+  const RunContext run(2);
+  const std::string text = Slices(kDialects[0], {}, 20).text();
+  RebrushOptions how = pictured({0.1, 0.9});
+  how.project.layers[0].size = {14, 14};
+  how.project.layers.insert(how.project.layers.begin(), Layer());
+  const auto done = rebrush(text, how, run);
+  CAPTURE(done ? std::string() : done.error().message);
+  REQUIRE(done);
+  const RebrushedSurface& made = done.value().surfaces.front();
+  REQUIRE(made.pictures.size() == 1);
+  CHECK(made.pictures[0].layer == 2);
+  CHECK(made.pictures[0].measures.r > 0.6);
+  CHECK(made.leftOut.empty());  // nothing of it sticks out
+  const Vec2 page = done.value().file.surfaces[made.surface].region.page;
+  CHECK(leaningIn(made, {page.x / 2 - 3.5, page.y / 2}, 2, 5) >
+        leaningIn(made, {page.x / 2 + 3.5, page.y / 2}, 2, 5) + 0.5);
 }

@@ -108,7 +108,10 @@ TEST_CASE("pictures, the print and the warnings stand at the end of a report, in
   CHECK_FALSE(has(reportJson(report), "\"print\""));
   CHECK(has(reportJson(report), ",\n  \"warnings\": []\n}\n"));
   PictureMeasures measures{0.91234, 0.5, 12.345, {0.91234, -0.25}};
-  report.pictures.push_back({"\xFF.png", {60, 45, 0.05}, measures});
+  report.pictures.push_back({1, "\xFF.png", {60, 45, 0.05}, measures});
+  measures.others = {0.5, 0.75};
+  report.pictures.push_back({3, "b.png", {60, 45, 0.05}, measures});
+  report.pictures.push_back({3, "c.png", {60, 45, 0.05}, measures});
   report.fromGcode = true;
   report.print = PrintTotals{59.6, 1234.5678, 3.14159};
   report.warnings.push_back({WarningCode::DrawingUnread, {{"what", "a\"b"}}});
@@ -118,8 +121,14 @@ TEST_CASE("pictures, the print and the warnings stand at the end of a report, in
   CHECK(has(text, R"(  "print": {"seconds":60.0,"filamentMm":1234.57,"grams":3.14},)"));
   const Json read = Json::parse(text, nullptr, false);
   REQUIRE(read.is_object());
-  CHECK(read["pictures"] == Json::parse(R"([{"file": "\ufffd.png", "lamp": [60, 45], "r": 0.9123, "ssim": 0.5,
-                                             "contrast": 12.35, "others": [-0.25], "from": "gcode"}])"));
+  REQUIRE(read["pictures"].size() == 3);
+  CHECK(read["pictures"][0] ==
+        Json::parse(R"({"layer": 1, "file": "\ufffd.png", "lamp": [60, 45], "r": 0.9123, "ssim": 0.5,
+                                             "contrast": 12.35, "others": [-0.25], "from": "gcode"})"));
+  // The others of a layer, without the picture itself.
+  CHECK(read["pictures"][1]["layer"] == 3);
+  CHECK(read["pictures"][1]["others"] == Json::array({0.75}));
+  CHECK(read["pictures"][2]["others"] == Json::array({0.5}));
   REQUIRE(read["warnings"].size() == 2);
   CHECK(read["warnings"][0]["code"] == "DrawingUnread");
   CHECK(read["warnings"][0]["values"] == Json{{"what", "a\"b"}});

@@ -2,16 +2,22 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "sillon/look/spools.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"
+#include "support/layer_of.hpp"
 #include "support/told_reason.hpp"
 #include "support/wrong_settings.hpp"
 
@@ -27,8 +33,24 @@ std::string problem(const Json& project) {
   return read ? "" : read.error().message;
 }
 
+/// The first kind of layer that has a setting.
+std::string kindWith(const Setting& row) {
+  Layer layer;
+  SettingsView view;
+  view.layer = &layer;
+  const Setting& kind = *findSetting(Section::Layers, "kind");
+  const std::vector<std::string> kinds = splitWords(kind.choices);
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    choose(kind.field(view), k);
+    if (!std::holds_alternative<std::monostate>(row.field(view))) return kinds[k];
+  }
+  return "";
+}
+
 Json projectWith(const Setting& row, const Json& value) {
-  const Json fields = {{row.key, value}};
+  Json fields = {{row.key, value}};
+  // Hidden, it need not be whole.
+  if (row.section == Section::Layers) fields.update({{"kind", kindWith(row)}, {"visible", false}});
   return {{"sillon", 1}, {sectionName(row.section), row.section == Section::Layers ? Json::array({fields}) : fields}};
 }
 
@@ -76,8 +98,8 @@ TEST_CASE("both ends of each range are allowed, and one step past them is not") 
       // At these ends no bed can be: it would have no other corner.
       const std::string key = row.key;
       if ((key == "bedMin" && end == row.high) || (key == "bedMax" && end == row.low)) continue;
-      // Nor would anything be left of a picture; and a lamp's elevation has a range of its own.
-      if ((key == "cropMin" && end == row.high) || (key == "cropMax" && end == row.low) || key == "lamp") continue;
+      // Nor would anything be left of a picture.
+      if ((key == "cropMin" && end == row.high) || (key == "cropMax" && end == row.low)) continue;
       CHECK(problem(besides(row, projectWith(row, valueOf(row, end)), end)) == "");
     }
     for (const double past : {below, above}) {
@@ -117,8 +139,6 @@ TEST_CASE("the words of choices stand in the order of their enumerators") {
   p.corners = CornerStyle::Chamfer;
   p.unitlessIsMm = true;
   p.ignorePaint = true;
-  p.encoding = DirectionEncoding::Tangent;
-  p.mode = DirectionMode::Smoothest;
   p.toolpath.perimeterMode = PerimeterMode::Soft;
   p.toolpath.mapFilter = MapFilter::Nearest;
   p.toolpath.phaseTransport = PhaseTransport::Neighbour;
@@ -130,8 +150,6 @@ TEST_CASE("the words of choices stand in the order of their enumerators") {
   p.builtin = BuiltinShape::Tag;
   CHECK(text(Section::Shape, "builtin") == "tag");
   CHECK(text(Section::Shape, "unitless") == "mm");
-  CHECK(text(Section::Directions, "encoding") == "tangent");
-  CHECK(text(Section::Modes, "mode") == "smoothest");
   CHECK(text(Section::Toolpath, "perimeterMode") == "soft");
   CHECK(text(Section::Toolpath, "mapFilter") == "nearest");
   CHECK(text(Section::Toolpath, "phaseTransport") == "neighbour");
@@ -148,6 +166,77 @@ TEST_CASE("the words of choices stand in the order of their enumerators") {
   }
 }
 
+TEST_CASE("the words of layers' choices stand in the order of their enumerators") {
+  const auto words = [](const char* key) { return splitWords(findSetting(Section::Layers, key)->choices); };
+  const auto is = [&](const char* key, auto value, const char* word) {
+    return words(key).at(static_cast<std::size_t>(value)) == word;
+  };
+  const std::pair<LayerContents, const char*> kinds[] = {{DirectionLayer(), "direction"}, {MapLayer(), "map"},
+                                                         {PictureLayer(), "picture"},     {TextLayer(), "text"},
+                                                         {CodeLayer(), "code"},           {PatternLayer(), "pattern"},
+                                                         {TonesLayer(), "tones"},         {DrawingLayer(), "drawing"},
+                                                         {BorderLayer(), "border"},       {StrokesLayer(), "strokes"}};
+  for (const auto& [contents, word] : kinds) CHECK(is("kind", layerOf(contents).kind(), word));
+  CHECK(words("kind").size() == std::variant_size_v<LayerContents>);
+  CHECK(is("mode", DirectionMode::Parallel, "parallel"));
+  CHECK(is("mode", DirectionMode::Orthogonal, "orthogonal"));
+  CHECK(is("mode", DirectionMode::Smoothest, "smoothest"));
+  CHECK(is("mode", DirectionMode::Constrained, "constrained"));
+  CHECK(is("encoding", DirectionEncoding::Rotation, "rotation"));
+  CHECK(is("encoding", DirectionEncoding::Tangent, "tangent"));
+  CHECK(is("mask", LayerMask::Disc, "disc"));
+  CHECK(is("mask", LayerMask::Outside, "outside"));
+  CHECK(is("fill", LayerFill::Along, "along"));
+  CHECK(is("fill", LayerFill::Across, "across"));
+  CHECK(is("align", TextAlign::Right, "right"));
+  CHECK(is("correction", QrCorrection::Quartile, "quartile"));
+  CHECK(is("pattern", LayerPattern::Spiral, "spiral"));
+  CHECK(is("pattern", LayerPattern::Noise, "noise"));
+  CHECK(is("pattern", LayerPattern::Echo, "echo"));
+  CHECK(is("by", TonesBy::Levels, "levels"));
+  CHECK(is("by", TonesBy::Colours, "colours"));
+}
+
+TEST_CASE("the lowest layer fills the page by itself if it is a direction, a map or pictures in no place of its own") {
+  const LayerContents fills[] = {DirectionLayer(), MapLayer(), PictureLayer()};
+  const LayerContents others[] = {TextLayer(),    CodeLayer(),   PatternLayer(), TonesLayer(),
+                                  DrawingLayer(), BorderLayer(), StrokesLayer()};
+  CHECK(groundOf({}) == nullptr);
+  for (const LayerContents& contents : others) {
+    const std::vector<Layer> layers{layerOf(contents)};
+    CHECK(groundOf(layers) == nullptr);
+  }
+  for (const LayerContents& contents : fills) {
+    std::vector<Layer> layers{layerOf(contents), layerOf(TextLayer())};
+    CHECK(groundOf(layers) == layers.data());
+    layers[0].mode = DirectionMode::Parallel;
+    layers[0].modeFile = "modes.png";
+    layers[0].maskFile = "unused.svg";
+    CHECK(groundOf(layers) == layers.data());
+    const Layer before = layers[0];
+    const std::function<void(Layer&)> places[] = {
+        [](Layer& layer) { layer.visible = false; }, [](Layer& layer) { layer.at = Vec2{0, 0}; },
+        [](Layer& layer) { layer.size = {0, 1}; },   [](Layer& layer) { layer.rotation = 90; },
+        [](Layer& layer) { layer.mirror = true; },   [](Layer& layer) { layer.mask = LayerMask::Page; },
+        [](Layer& layer) { layer.soft = 0.1; },
+    };
+    for (const auto& place : places) {
+      layers[0] = before;
+      place(layers[0]);
+      CHECK(groundOf(layers) == nullptr);
+      CHECK(groundPictures(layers).empty());
+    }
+    // Only the lowest.
+    layers[0] = before;
+    layers.insert(layers.begin(), layerOf(TextLayer()));
+    CHECK(groundOf(layers) == nullptr);
+  }
+  PictureLayer lit;
+  lit.pictures = {{"a.png", std::nullopt}};
+  CHECK(groundPictures({layerOf(lit)}) == lit.pictures);
+  CHECK(groundPictures({layerOf(DirectionLayer()), layerOf(lit)}).empty());
+}
+
 TEST_CASE("spools are called as the measured ones are, in the same order") {
   const std::vector<std::string> words = splitWords(findSetting(Section::Pictures, "spool")->choices);
   REQUIRE(words.size() == spools().size());
@@ -158,25 +247,35 @@ TEST_CASE("spools are called as the measured ones are, in the same order") {
 }
 
 TEST_CASE("pictures with their lamps are written as they were read") {
-  const Json given = {{"sillon", 1},
-                      {"pictures",
-                       {{"files", {{{"file", "a \"b\".png"}, {"lamp", {60.5, 45}}}, {{"file", "c.png"}}}},
-                        {"spool", "goldPla"},
-                        {"slopes", {2.5, 17}}}}};
+  const Json lit = {{"kind", "picture"},
+                    {"pictures", {{{"file", "a \"b\".png"}, {"lamp", {60.5, 45}}}, {{"file", "c.png"}}}}};
+  const Json given = {
+      {"sillon", 1}, {"layers", Json::array({lit})}, {"pictures", {{"spool", "goldPla"}, {"slopes", {2.5, 17}}}}};
   const Result<Project> read = readProject(given.dump());
   REQUIRE(read);
-  const PictureParams& pictures = read.value().pictures;
-  REQUIRE(pictures.files.size() == 2);
-  CHECK(pictures.files[0] == LampPicture{"a \"b\".png", Vec2{60.5, 45}});
-  CHECK(pictures.files[1] == LampPicture{"c.png", std::nullopt});
-  CHECK(pictures.spool == SpoolName::GoldPla);
-  CHECK(pictures.slopes == Vec2{2.5, 17});
+  const std::vector<LampPicture> pictures = groundPictures(read.value().layers);
+  REQUIRE(pictures.size() == 2);
+  CHECK(pictures[0] == LampPicture{"a \"b\".png", Vec2{60.5, 45}});
+  CHECK(pictures[1] == LampPicture{"c.png", std::nullopt});
+  CHECK(read.value().pictures.spool == SpoolName::GoldPla);
+  CHECK(read.value().pictures.slopes == Vec2{2.5, 17});
   const std::string text = writeProject(read.value());
-  CHECK(Json::parse(text)["pictures"]["files"][1] == Json{{"file", "c.png"}, {"lamp", nullptr}});
+  CHECK(Json::parse(text)["layers"][0]["pictures"][1] == Json{{"file", "c.png"}, {"lamp", nullptr}});
   const Result<Project> again = readProject(text);
   REQUIRE(again);
-  CHECK(again.value().pictures.files == pictures.files);
+  CHECK(again.value().layers == read.value().layers);
   CHECK(writeProject(again.value()) == text);
+
+  const auto wrong = [](const Json& one) {
+    const Json layer = {{"kind", "picture"}, {"pictures", one}};
+    return problem({{"sillon", 1}, {"layers", Json::array({layer})}});
+  };
+  CHECK(wrong(Json::array()) == "layers[0].pictures is empty; it must have at least one picture");
+  CHECK(wrong(Json(5, {{"file", "a"}})) == "layers[0].pictures has 5 pictures; it may have up to 4");
+  CHECK(has(wrong(Json::array({{{"file", "a"}, {"lamp", {0, 91}}}})), "layers[0].pictures[0].lamp.y is 91 degrees"));
+  CHECK(has(wrong(Json::array({{{"file", "a"}, {"lamp", {361, 1}}}})), "layers[0].pictures[0].lamp.x is 361 degrees"));
+  CHECK(wrong(Json::array({{{"lamp", {0, 45}}}})) == "layers[0].pictures[0] has no file; it must name a picture");
+  CHECK(wrong(Json::array({{{"file", ""}}})) == "layers[0].pictures[0].file is empty; it must name a picture");
 }
 
 TEST_CASE("holes are written as they were read, and told what is wrong with them") {

@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sillon/gcode_reader/check.hpp"
@@ -25,11 +26,31 @@ inline std::string number(double value, int digits) {
   return text;
 }
 
+/// One direction everywhere.
 inline RebrushOptions options(double degrees) {
   RebrushOptions out;
-  out.directions = uniformDirection(degrees).value();
-  out.modes = uniformMode(DirectionMode::Constrained);
+  out.project.layers.emplace_back().as<LayerAngle>()->angle = degrees;
+  out.read = [](const std::string& name, const std::string& /*what*/) -> Result<InputFile> {
+    return Error{ErrorCode::InvalidFile, "there is no " + name};
+  };
   return out;
+}
+
+/// A picture of directions or pictures as the only layer. \param contents  whose files are all this image
+inline RebrushOptions options(LayerContents contents, Image image) {
+  RebrushOptions out;
+  out.project.layers.emplace_back().contents = std::move(contents);
+  out.read = [image = std::move(image)](const std::string& /*name*/, const std::string& /*what*/) {
+    return Result<InputFile>(InputFile(image));
+  };
+  return out;
+}
+
+/// A picture of directions, from -90 to 90 degrees.
+inline RebrushOptions mapped(Image image) {
+  MapLayer map;
+  map.file = "map";
+  return options(map, std::move(image));
 }
 
 inline std::vector<std::string> lines(const std::string& text) {

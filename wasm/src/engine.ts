@@ -71,7 +71,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       // Browsers compile for speed what has run for a while: some thirty beads are enough, and take no longer than they save.
       const { sections, files } = input.plate({
         shape: { builtin: 'disc', size: [12, 12] },
-        directions: { angle: 30 },
+        layers: [{ kind: 'direction', angle: 30 }],
       });
       const project = input.projectText(sections);
       await make({ project, files, measure: true, across: false }, input.callOptions(options));
@@ -132,9 +132,9 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       return (await run(call, checked)) as Blob;
     },
 
-    async readShape(shape, directions, options) {
+    async readShape(shape, layers, options) {
       const checked = input.callOptions(options);
-      const { sections, files } = input.plate({ shape, directions });
+      const { sections, files } = input.plate({ shape, layers });
       if (needsTexts(sections, files)) await texts.addTo(files, sections);
       return (await run({ name: 'readShape', project: input.projectText(sections), files }, checked)) as api.Shape;
     },
@@ -146,6 +146,27 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       const project = input.projectText({ ...sections, toolpath: input.section(params, 'params') });
       const call: Call = { name: 'placeLayers', project, files };
       return (await runAside(call, checked)) as api.PlacedLayer[];
+    },
+
+    async drawLayers(plateInput, params, options) {
+      const checked = input.callOptions(options);
+      const { sections, files } = input.plate(plateInput);
+      if (needsTexts(sections, files)) await texts.addTo(files, sections);
+      const project = input.projectText({ ...sections, toolpath: input.section(params, 'params') });
+      return (await runAside({ name: 'drawLayers', project, files }, checked)) as api.DirectionRaster;
+    },
+
+    async makeZones(plateInput, how, options) {
+      const checked = input.callOptions(options);
+      const { sections, files } = input.plate(plateInput);
+      if (needsTexts(sections, files)) await texts.addTo(files, sections);
+      const call: Call = {
+        name: 'makeZones',
+        project: input.projectText(sections),
+        files,
+        ...input.zoneOptions(how),
+      };
+      return (await runAside(call, checked)) as api.Zones;
     },
 
     async decodePicture(file, options) {
@@ -213,6 +234,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
     async rebrush(file, how, options) {
       const checked = input.callOptions(options);
       const { sides, fit, only, sections, files: given } = input.rebrushOptions(how);
+      if (needsTexts(sections, given)) await texts.addTo(given, sections);
       const call: Call = {
         name: 'rebrush',
         file: input.print(file),

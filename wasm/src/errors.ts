@@ -17,7 +17,14 @@ const hints: Record<api.ErrorCode, string> = {
 };
 
 const aboutPictures = 'Shapes are SVG, PNG, JPEG, BMP or TGA; draw other formats to a canvas and hand over its pixels.';
-const readers: Call['name'][] = ['generateToolpath', 'readShape', 'placeLayers', 'decodePicture'];
+const readers: Call['name'][] = [
+  'generateToolpath',
+  'readShape',
+  'placeLayers',
+  'drawLayers',
+  'makeZones',
+  'decodePicture',
+];
 
 export type SillonError = api.SillonError;
 

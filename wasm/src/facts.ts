@@ -3,7 +3,7 @@
 /** Limits of core/include/sillon/text/text.hpp. */
 export const letterLimits = { usualCapHeight: 0.7, mostPathBytes: 4194304, mostLackedTold: 8 } as const;
 
-/** Of texts and codes that name none. */
+/** Default of texts and codes that name none. */
 export const usualFont = 'Nunito';
 export const usualCorrection = 'medium';
 

@@ -276,56 +276,60 @@ export const blockText = (value: unknown): string => text(value, 'block');
 
 export const projectJson = (value: unknown): string => text(value, 'json');
 
-/** A layer or a shape that names its files as their fields are called. */
+/** A layer, one of its pictures, or a shape, that names its files as their fields are called. */
 function named(value: unknown, path: string, files: Files): Fields {
   const fields = { ...fieldsOf(value, path) };
-  for (const key of ['file', 'maskFile', 'font']) {
+  for (const key of ['file', 'maskFile', 'modeFile', 'font']) {
     const content = fields[key];
     const none = content === undefined || (content === '' && path !== 'shape'); // layers have files of no name
     if (none || (key === 'font' && typeof content === 'string')) continue;
     files[`${path}.${key}`] = file(content, `${path}.${key}`);
     fields[key] = `${path}.${key}`;
   }
-  return fields;
+  const { pictures } = fields;
+  if (pictures === undefined) return fields;
+  return { ...fields, pictures: listOf(pictures, `${path}.pictures`, (one, at) => named(one, at, files)) };
 }
 
 /** Sections that name the files as their fields are called. */
 export function plate(value: unknown): { sections: Fields; files: Files } {
-  const given = fieldsOf(value, 'input');
-  refuseUnknown(given, '', ['shape', 'directions', 'modes', 'pictures', 'layers', 'printer', 'print']);
-  const sections: Fields = {};
+  const { shape, layers, pictures, printer, print, ...others } = fieldsOf(value, 'input');
+  refuseUnknown(others, '', ['shape', 'layers', 'pictures', 'printer', 'print']);
   const files: Files = {};
-  for (const [name, part] of Object.entries(given)) {
-    if (part === undefined) continue;
-    if (name === 'printer' || name === 'print') {
-      sections[name] = { ...fieldsOf(part, name), ...(name === 'print' && { date: undefined }) };
-      continue;
-    }
-    if (name === 'pictures') {
-      const { files: list, ...rest } = fieldsOf(part, name);
-      const named = listOf(list, 'pictures.files', (one, path) => {
-        const { file: content, ...lamp } = fieldsOf(one, path);
-        files[`${path}.file`] = file(content, `${path}.file`);
-        return { ...lamp, file: `${path}.file` };
-      });
-      sections[name] = { ...rest, files: named };
-      continue;
-    }
-    if (name === 'layers') {
-      sections[name] = listOf(part, name, (one, path) => named(one, path, files));
-      continue;
-    }
-    if (name === 'shape') {
-      sections[name] = named(part, name, files);
-      continue;
-    }
-    const { file: content, ...rest } = fieldsOf(part, name);
-    sections[name] = rest;
-    if (content === undefined) continue;
-    files[`${name}.file`] = file(content, `${name}.file`);
-    rest['file'] = `${name}.file`;
-  }
+  const given: Fields = {
+    shape: shape === undefined ? shape : named(shape, 'shape', files),
+    layers: layers === undefined ? layers : listOf(layers, 'layers', (one, path) => named(one, path, files)),
+    pictures: pictures === undefined ? pictures : fieldsOf(pictures, 'pictures'),
+    printer: printer === undefined ? printer : fieldsOf(printer, 'printer'),
+    print: print === undefined ? print : { ...fieldsOf(print, 'print'), date: undefined },
+  };
+  const sections = Object.fromEntries(Object.entries(given).filter(([, part]) => part !== undefined));
   return { sections, files };
+}
+
+export function zoneOptions(value: unknown): {
+  file: KnownFile | undefined;
+  height: number;
+  most: number;
+  least: number;
+  layerHeight: number;
+} {
+  const given = optionalFields(value, 'how');
+  refuseUnknown(given, 'how', ['body', 'height', 'most', 'least', 'layerHeight']);
+  const number = (key: string, usual: number): number =>
+    given[key] === undefined ? usual : finite(given[key], `how.${key}`);
+  const most = number('most', 6);
+  // The engine would cut it to a whole number of 32 bits.
+  if (!Number.isInteger(most) || Math.abs(most) >= 2 ** 31) {
+    throw mustBe('how.most', most, 'a whole number from 2 to 12');
+  }
+  return {
+    file: given['body'] === undefined ? undefined : bytesFile(given['body'], undefined, 'how.body'),
+    height: number('height', 2),
+    most,
+    least: number('least', 3),
+    layerHeight: number('layerHeight', 0.2),
+  };
 }
 
 /** In a list. */
@@ -345,8 +349,8 @@ export function rebrushOptions(value: unknown): {
   files: Files;
 } {
   const given = optionalFields(value, 'how');
-  refuseUnknown(given, 'how', ['directions', 'modes', 'pictures', 'toolpath', 'sides', 'fit', 'only']);
-  const { directions, modes, pictures, toolpath, sides = 'top', fit = 'face' } = given;
+  refuseUnknown(given, 'how', ['layers', 'pictures', 'toolpath', 'sides', 'fit', 'only']);
+  const { layers, pictures, toolpath, sides = 'top', fit = 'face' } = given;
   if (sides !== 'top' && sides !== 'bottom' && sides !== 'both') {
     throw mustBe('how.sides', sides, '"top", "bottom" or "both"');
   }
@@ -355,9 +359,10 @@ export function rebrushOptions(value: unknown): {
   }
   const only = given['only'] === undefined ? [] : listOf(given['only'], 'how.only', place);
   if (given['only'] !== undefined && only.length === 0) throw invalid('how.only is empty; it must name a surface');
-  const { sections, files } = plate({ directions, modes, pictures });
+  const { sections, files } = plate({ layers, pictures });
   // A bead along the border would frame the pictures in tones that they do not have.
-  const border = pictures === undefined ? {} : { perimeterMode: 'soft' };
+  const lowest = (sections['layers'] as Fields[] | undefined)?.[0];
+  const border = lowest?.['kind'] === 'picture' ? { perimeterMode: 'soft' } : {};
   const params = { ...border, ...section(toolpath, 'how.toolpath') };
   return { sides, fit, only, sections: { ...sections, toolpath: params }, files };
 }
@@ -460,10 +465,10 @@ export function pixels(value: unknown, path: string): api.Picture {
 }
 
 /** Bytes in any form. @param numberOf  of a Blob that the worker may keep */
-export function bytesFile(value: unknown, numberOf: (file: Blob) => number = () => 0): KnownFile {
-  const content = bytes(value, 'file');
+export function bytesFile(value: unknown, numberOf: (file: Blob) => number = () => 0, path = 'file'): KnownFile {
+  const content = bytes(value, path);
   if (content === undefined)
-    throw mustBe('file', value, fileKinds.replace('SVG text, ', '').replace(' or a Picture', ''));
+    throw mustBe(path, value, fileKinds.replace('SVG text, ', '').replace(' or a Picture', ''));
   return { number: content instanceof Uint8Array ? 0 : numberOf(content), value: content };
 }
 

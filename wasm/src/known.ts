@@ -72,7 +72,7 @@ type Change = <T>(part: Known<T>, name: string) => Promise<Known<T>>;
 /** The call with everything that the worker may know put through `change`. */
 export async function withKnown(call: Call, change: Change): Promise<Call> {
   const sent = { ...call };
-  if ('file' in sent) sent.file = await change(sent.file, 'file');
+  if ('file' in sent && sent.file !== undefined) sent.file = await change(sent.file, 'file');
   if ('toolpath' in sent) sent.toolpath = { ...sent.toolpath, cycles: await change(sent.toolpath.cycles, 'toolpath') };
   if ('below' in sent && sent.below !== undefined) {
     sent.below = { ...sent.below, cycles: await change(sent.below.cycles, 'below') };

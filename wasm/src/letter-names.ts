@@ -3,7 +3,7 @@
 /** @param key  font of the line, or error correction of the code */
 export const nameOf = (kind: 'line' | 'qr', key: string, text: string): string => `${kind}:${key}\n${text}`;
 
-/** What such a name asks for. */
+/** The question that such a name asks. */
 export function lettersOf(name: string): { kind: string; key: string; text: string } {
   const [, kind = '', key = '', text = ''] = /^(line|qr):([^\n]*)\n([^]*)$/.exec(name) ?? [];
   return { kind, key, text };

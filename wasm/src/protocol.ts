@@ -40,6 +40,18 @@ export type Call =
   | { name: 'generateToolpath'; project: string; files: Files; measure: boolean; across: boolean; number: number }
   | { name: 'readShape'; project: string; files: Files }
   | { name: 'placeLayers'; project: string; files: Files }
+  | { name: 'drawLayers'; project: string; files: Files }
+  /** `file`: an STL; undefined: a prism of the project's shape. */
+  | {
+      name: 'makeZones';
+      project: string;
+      files: Files;
+      file: KnownFile | undefined;
+      height: number;
+      most: number;
+      least: number;
+      layerHeight: number;
+    }
   | { name: 'linesOfDrawing'; file: KnownFile }
   | { name: 'decodePicture'; file: KnownFile }
   | { name: 'readProject'; project: string }

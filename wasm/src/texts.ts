@@ -27,16 +27,32 @@ const hasText = (bytes: Uint8Array): boolean =>
 /** Lines that drawings ask for. A Blob cannot change, so that each is read once. */
 const linesOfBlobs = new WeakMap<Blob, string[]>();
 
-/** Others begin at once, so that calls enter the queue in their order. */
-export const needsTexts = ({ layers, shape }: Record<string, unknown>, files: Files): boolean => {
-  if (layers !== undefined || (shape as { builtin?: unknown } | undefined)?.builtin === 'text') return true;
-  const drawing = files['shape.file']?.value;
-  if (drawing instanceof Blob) return linesOfBlobs.get(drawing)?.length !== 0;
-  return drawing instanceof Uint8Array && hasText(drawing);
-};
+const layersOf = ({ layers }: Record<string, unknown>): Lettering[] =>
+  Array.isArray(layers) ? (layers as Lettering[]) : [];
 
-/** Names of the shape and of files of layers, which may be pictures. */
-const drawingName = /^shape\.file$|^layers\[\d+\]\.(?:file|maskFile)$/;
+/** The layers of a plate, and its shape where it is letters. */
+function lettersIn(sections: Record<string, unknown>): Lettering[] {
+  const cut = sections['shape'] as (Lettering & { builtin?: unknown }) | undefined;
+  return [...layersOf(sections), ...(cut?.builtin === 'text' ? [{ ...cut, kind: 'text' }] : [])];
+}
+
+/** Files of the shape and of layers that may be drawings; others are pictures. */
+function drawingsIn(sections: Record<string, unknown>, files: Files): (Blob | Uint8Array)[] {
+  const names = layersOf(sections).flatMap(({ kind }, k) => [
+    ...(kind === 'map' ? [] : [`layers[${k}].file`]),
+    `layers[${k}].maskFile`,
+  ]);
+  const values = ['shape.file', ...names].map((name) => files[name]?.value);
+  return values.filter((value) => value instanceof Blob || value instanceof Uint8Array);
+}
+
+const mayHaveText = (file: Blob | Uint8Array): boolean =>
+  file instanceof Blob ? linesOfBlobs.get(file)?.length !== 0 : hasText(file);
+
+/** Others begin at once, so that calls enter the queue in their order. */
+export const needsTexts = (sections: Record<string, unknown>, files: Files): boolean =>
+  lettersIn(sections).some(({ text }) => typeof text === 'string' && text !== '') ||
+  drawingsIn(sections, files).some(mayHaveText);
 
 /** Makes the letters of one engine; what they need is loaded with the first of them. */
 export class Texts {
@@ -58,21 +74,14 @@ export class Texts {
   /** Adds to the files what texts and codes of the project need.
    * @throws SillonError LoadFailed, InvalidFile */
   async addTo(files: Files, sections: Record<string, unknown>): Promise<void> {
-    const { layers, shape } = sections;
-    const drawn: Lettering[] = Array.isArray(layers) ? (layers as Lettering[]) : [];
-    const cut = shape as (Lettering & { builtin?: unknown }) | undefined;
-    for (const layer of cut?.builtin === 'text' ? [...drawn, { ...cut, kind: 'text' }] : drawn) {
+    for (const layer of lettersIn(sections)) {
       const { kind, text, font = usualFont, correction = usualCorrection } = layer;
       if (typeof text !== 'string' || text === '') continue;
-      if (kind === 'qr') await this.#addCode(files, text, correction);
-      if (kind === 'qr' || typeof font !== 'string') continue;
+      if (kind === 'code') await this.#addCode(files, text, correction);
+      if (kind === 'code' || typeof font !== 'string') continue;
       for (const line of text.split('\n')) await this.#addLine(files, font, line.replace(/\r$/, ''));
     }
-    for (const [name, { value }] of Object.entries(files)) {
-      if (drawingName.test(name) && (value instanceof Blob || value instanceof Uint8Array)) {
-        await this.#addLinesOf(files, value);
-      }
-    }
+    for (const drawing of drawingsIn(sections, files)) await this.#addLinesOf(files, drawing);
   }
 
   async #addLinesOf(files: Files, drawing: Blob | Uint8Array): Promise<void> {

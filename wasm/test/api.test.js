@@ -38,7 +38,7 @@ describe('results', () => {
   });
 
   test('a warm engine makes the same plates, and gives nothing for being warmed', async () => {
-    const input = { shape: { builtin: 'disc', size: [9, 9] }, directions: { angle: 20 } };
+    const input = { shape: { builtin: 'disc', size: [9, 9] }, layers: [{ kind: 'direction', angle: 20 }] };
     const engine = await createEngine({ threads: 'off' });
     assert.equal(await engine.warm(), undefined);
     const { toolpath } = await engine.generateToolpath(input, { spacing: 0.5 });
@@ -48,7 +48,7 @@ describe('results', () => {
   });
 
   test('a plate is plain data with a report', async () => {
-    const input = { shape: { file: svg }, directions: { angle: 20 } };
+    const input = { shape: { file: svg }, layers: [{ kind: 'direction', angle: 20 }] };
     const { toolpath, report } = await st.generateToolpath(input, { spacing: 0.5 });
     assert.equal(toolpath.spacing, 0.5);
     assert.deepEqual(Object.keys(toolpath).sort(), ['cycles', 'notes', 'shape', 'spacing']);
@@ -90,7 +90,10 @@ describe('results', () => {
   });
 
   test('every number of threads gives the same plate, G-code, drawing and preview', async () => {
-    const input = { shape: { builtin: 'rounded', size: [24, 18], radius: 4 }, directions: { file: turning(64, 48) } };
+    const input = {
+      shape: { builtin: 'rounded', size: [24, 18], radius: 4 },
+      layers: [{ kind: 'map', file: turning(64, 48) }],
+    };
     const all = [];
     for (const engine of engines) {
       const { toolpath, report } = await engine.generateToolpath(input, { spacing: 0.5 });
@@ -233,7 +236,7 @@ describe('results', () => {
     assert.notEqual(lines, svg);
     assert.equal((await st.readShape({ file: lines })).unpainted, true);
     assert.deepEqual((await st.readShape({ file: svg, pageWidth: 40 })).page, [40, 20]);
-    const like = await st.readShape({ builtin: 'rectangle', size: [30, 0] }, { file: turning(40, 20) });
+    const like = await st.readShape({ builtin: 'rectangle', size: [30, 0] }, [{ kind: 'map', file: turning(40, 20) }]);
     assert.deepEqual(like.page, [30, 15]);
     const mask = await st.readShape({ file: png(4, 2, 1, new Uint8Array(8).fill(255)), pageWidth: 8 });
     assert.deepEqual(mask.page, [8, 4]);
@@ -255,8 +258,9 @@ describe('results', () => {
     // Light on the left, dark on the right.
     const halves = { width: 2, height: 1, channels: 1, samples: Uint8Array.of(230, 40) };
     const shape = { builtin: 'rectangle', size: [24, 12] };
-    const seen = async (files) => {
-      const { toolpath, report } = await st.generateToolpath({ shape, pictures: { files, spool: 'clearPetg' } });
+    const seen = async (pictures) => {
+      const layers = [{ kind: 'picture', pictures }];
+      const { toolpath, report } = await st.generateToolpath({ shape, layers, pictures: { spool: 'clearPetg' } });
       return { toolpath, look: toolpath.look, picture: report.pictures[0] };
     };
     const given = await seen([{ file: halves, lamp: [200, 50] }]);
@@ -288,8 +292,9 @@ describe('results', () => {
     const picture = { width: 2, height: 1, channels: 1, samples: Uint8Array.of(230, 40) };
     const slopes = async (others) => {
       const shape = { builtin: 'rectangle', size: [24, 12] };
-      const pictures = { files: [{ file: picture, lamp: [60, 45] }], spool: 'redPetg', ...others.pictures };
-      const { toolpath } = await st.generateToolpath({ shape, ...others, pictures }, { spacing: 0.8 });
+      const layers = [{ kind: 'picture', pictures: [{ file: picture, lamp: [60, 45] }] }];
+      const pictures = { spool: 'redPetg', ...others.pictures };
+      const { toolpath } = await st.generateToolpath({ shape, layers, ...others, pictures }, { spacing: 0.8 });
       return toolpath.look.slopes;
     };
     assert.deepEqual(await slopes({}), [6.2, 12.98]);
@@ -304,8 +309,8 @@ describe('results', () => {
   test('pictures that contradict each other under one lamp take half of their tones from each other', async () => {
     const one = (tone) => ({ width: 2, height: 1, channels: 1, samples: Uint8Array.of(tone, 255 - tone) });
     const shape = { builtin: 'rectangle', size: [12, 6] };
-    const files = [0, 255].map((tone) => ({ file: one(tone), lamp: [60, 45] }));
-    const { conflict } = await st.generateToolpath({ shape, pictures: { files } });
+    const pictures = [0, 255].map((tone) => ({ file: one(tone), lamp: [60, 45] }));
+    const { conflict } = await st.generateToolpath({ shape, layers: [{ kind: 'picture', pictures }] });
     assert.deepEqual([conflict.width, conflict.height], [60, 30]);
     const middle = 15 * 60 + 10; // black in the first picture, white in the second
     assert.ok(conflict.missing.every((cells) => cells instanceof Int8Array && cells.length === 60 * 30));
@@ -366,7 +371,7 @@ describe('inputs', () => {
     const before = structuredClone(holders);
     const digests = {};
     for (const [name, holder] of Object.entries(holders)) {
-      digests[name] = await digestOf({ shape: { size: [8, 4] }, directions: { file: holder } });
+      digests[name] = await digestOf({ shape: { size: [8, 4] }, layers: [{ kind: 'map', file: holder }] });
     }
     assert.deepEqual([...new Set(Object.values(digests))].length, 1, JSON.stringify(digests));
     const { Blob: _, ...after } = structuredClone(holders);
@@ -383,7 +388,10 @@ describe('inputs', () => {
 
   test('what is changed after the call does not reach it', async () => {
     const samples = Uint8Array.from(picture.samples);
-    const input = { shape: { builtin: 'disc', size: [9, 9] }, directions: { file: { ...picture, samples } } };
+    const input = {
+      shape: { builtin: 'disc', size: [9, 9] },
+      layers: [{ kind: 'map', file: { ...picture, samples } }],
+    };
     const expected = await digestOf(input);
     const params = { spacing: 0.4 };
     const pending = st.generateToolpath(input, params, { measure: false });
@@ -400,13 +408,13 @@ describe('inputs', () => {
   });
 
   test('without a shape the plate has the proportions of the direction picture', async () => {
-    const { toolpath } = await st.generateToolpath({ directions: { file: turning(32, 8) } }, { spacing: 1 });
+    const { toolpath } = await st.generateToolpath({ layers: [{ kind: 'map', file: turning(32, 8) }] }, { spacing: 1 });
     assert.deepEqual(toolpath.shape.page, [80, 20]);
   });
 
   test('fields that are undefined are left out', async () => {
     const plain = await digestOf({ shape: { builtin: 'disc', size: [9, 9] } });
-    const input = { shape: { builtin: 'disc', size: [9, 9], radius: undefined }, directions: undefined };
+    const input = { shape: { builtin: 'disc', size: [9, 9], radius: undefined }, layers: undefined };
     const { report } = await st.generateToolpath(input, { seed: undefined }, { measure: false, signal: undefined });
     assert.equal(report.digest, plain);
   });

@@ -245,7 +245,7 @@ test('a Blob that stands for a file on disk is read like any other', async () =>
   const file = await openAsBlob(join(root, 'examples/inputs/photo.png'));
   const picture = await engine.decodePicture(file);
   assert.deepEqual(picture, await engine.decodePicture(await file.arrayBuffer()));
-  const input = { shape: { size: [20, 0] }, directions: { file } };
+  const input = { shape: { size: [20, 0] }, layers: [{ kind: 'map', file }] };
   assert.equal((await engine.generateToolpath(input, {}, { measure: false })).report.toolpaths, 1);
   engine.dispose();
 });

@@ -9,6 +9,7 @@ import { after, before, test } from 'node:test';
 import { createEngine } from 'sillon';
 
 import { atWork, turning } from './support/jobs.js';
+import { png } from './support/png.js';
 import { nativeProgram, openProject, projectPaths, publishedScenes, root } from './support/projects.js';
 
 const date = new Date(0);
@@ -111,7 +112,7 @@ test('the base body is that of the native program, as 3MF and as STL, wherever t
     const path = join(root, `examples/${name}.json`);
     const { input, project } = await openProject(engines[0], path);
     const print = { ...project.print, base: 3, rotate: 30, copies: [1, 2] };
-    const shape = await engines[0].readShape(input.shape, input.directions);
+    const shape = await engines[0].readShape(input.shape, input.layers);
     for (const format of ['3mf', 'stl']) {
       const file = join(folder, `body.${format}`);
       const args = ['generate', path, '--base', '3', '--rotate', '30', '--copies', '1x2', '--body', file, '--quiet'];
@@ -127,15 +128,15 @@ test('the base body is that of the native program, as 3MF and as STL, wherever t
 });
 
 test('after any edit, and after calls that were given up, a plate is that of a new engine', async () => {
-  const input = { shape: { builtin: 'rounded', size: [16, 12] }, directions: { angle: 20 } };
+  const input = { shape: { builtin: 'rounded', size: [16, 12] }, layers: [{ kind: 'direction', angle: 20 }] };
   const params = { perimeterMode: 'soft' };
   const edits = [
     () => {},
-    () => (input.directions = { angle: 65 }),
+    () => (input.layers = [{ kind: 'direction', angle: 65 }]),
     () => (params.widthBalance = 0.3),
     () => (params.borderWeight = 1),
-    () => (input.directions = { file: turning(40, 30) }),
-    () => (input.modes = { mode: 'smoothest' }),
+    () => (input.layers = [{ kind: 'map', file: turning(40, 30) }]),
+    () => (input.layers = [{ ...input.layers[0], mode: 'smoothest' }]),
     () => (params.directionTolerance = 4),
     () => (input.shape = { builtin: 'disc', size: [14, 14] }),
     () => (params.spacing = 0.5),
@@ -149,7 +150,7 @@ test('after any edit, and after calls that were given up, a plate is that of a n
     for (const engine of engines) {
       const { running, onProgress } = atWork();
       const stop = new AbortController();
-      const other = { ...input, directions: { angle: 3 * k } };
+      const other = { ...input, layers: [{ kind: 'direction', angle: 3 * k, mode: input.layers[0].mode }] };
       const given = engine.generateToolpath(other, params, { signal: stop.signal, onProgress });
       await running;
       stop.abort();
@@ -161,6 +162,70 @@ test('after any edit, and after calls that were given up, a plate is that of a n
         if (what === 'again') assert.ok(!('distance' in report.time) && !('phases' in report.time), `edit ${k}`);
       }
     }
+  }
+});
+
+/** A project with a layer of every kind, and of every kind of file that layers read; no layer says a default. */
+function everyKind() {
+  const files = {
+    'lines.png': png(16, 12, 1, turning(16, 12).samples),
+    'modes.png': png(2, 1, 1, Uint8Array.of(170, 255)),
+    'tones.png': png(32, 32, 1, turning(32, 32).samples),
+    'drawing.svg':
+      '<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm" viewBox="0 0 9 9"><path d="M1 1h7v3h-7z"/></svg>',
+    'font.ttf': readFileSync(join(root, 'core/data/fonts/fredoka.ttf')),
+  };
+  for (const [name, content] of Object.entries(files)) writeFileSync(join(folder, name), content);
+  const layers = [
+    { kind: 'map', file: 'lines.png', modeFile: 'modes.png' },
+    { kind: 'direction', angle: 15, size: [20, 20], at: [20, 20], soft: 3 },
+    { kind: 'pattern', pattern: 'echo', file: 'drawing.svg', size: [14, 14], at: [10, 38], mask: 'disc' },
+    { kind: 'tones', file: 'tones.png', size: [14, 14], at: [28, 38], by: 'levels', from: 20, to: 80 },
+    { kind: 'drawing', file: 'drawing.svg', size: [14, 14], at: [46, 38], mask: 'inside', maskFile: 'tones.png' },
+    { kind: 'picture', pictures: [{ file: 'tones.png', lamp: [60, 45] }], size: [14, 14], at: [62, 38] },
+    { kind: 'code', text: 'SILLON', size: [17, 17], at: [58, 12] },
+    { kind: 'text', text: 'Anna', font: 'font.ttf', textSize: 6, at: [20, 10], fill: 'along' },
+    { kind: 'border', width: 1.6, fill: 'along' },
+    {
+      kind: 'strokes',
+      strokes: [
+        { tool: 'comb', radius: 2, soft: 0.25, points: [2, 24, 40, 26] },
+        { tool: 'mode', radius: 3, soft: 0.5, mode: 'smoothest', points: [60, 26, 70, 26] },
+        { tool: 'erase', radius: 4, soft: 0.5, points: [40, 26] },
+      ],
+    },
+  ];
+  const size = [72, 48];
+  const toolpath = { spacing: 0.8 };
+  return { sillon: 1, shape: { builtin: 'rectangle', size }, layers, pictures: { corrections: 0 }, toolpath };
+}
+
+test('a project with every kind of layer is read as it was written, and makes the native program’s plate', async () => {
+  const written = everyKind();
+  const [engine] = engines;
+  assert.equal(new Set(written.layers.map(({ kind }) => kind)).size, 10);
+  const text = await engine.writeProject(written);
+  const project = await engine.readProject(text);
+  assert.deepEqual(project.layers, written.layers);
+  assert.deepEqual(await engine.readProject(await engine.writeProject(project)), project);
+  assert.equal(await engine.writeProject(project), text);
+
+  const path = join(folder, 'every-kind.json');
+  writeFileSync(path, text);
+  const expected = native(path);
+  for (const each of engines) {
+    const { input, project } = await openProject(each, path);
+    const { report } = await each.generateToolpath(input, project.toolpath);
+    assert.deepEqual(plateOf(report), plateOf(expected.report), each.info.variant);
+    const pictures = report.pictures.map(({ layer, file, r }) => [layer, file, r > 0.5]);
+    assert.deepEqual(pictures, [[6, 'layers[5].pictures[0].file', true]]);
+  }
+  // No layer is there for nothing.
+  const { input } = await openProject(engine, path);
+  for (const k of input.layers.keys()) {
+    const layers = input.layers.filter((_, other) => other !== k);
+    const { report } = await engine.generateToolpath({ ...input, layers }, project.toolpath, { measure: false });
+    assert.notEqual(report.digest, expected.report.digest, `without layers[${k}]`);
   }
 });
 

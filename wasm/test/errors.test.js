@@ -41,7 +41,7 @@ for (let k = 0; k < 1e5; ++k) deep = { deep };
 
 const generate = (input, params, options) => () => engine.generateToolpath(input, params, options);
 const withShape = (file, more) => generate({ shape: { file, ...more } });
-const withDirections = (file, more) => generate({ shape: disc, directions: { file, ...more } });
+const withDirections = (file, more) => generate({ shape: disc, layers: [{ kind: 'map', file, ...more }] });
 const withPath = (changes) => () => engine.writeSvg({ ...plate.toolpath, ...changes });
 const withCycle = (changes) => () => withPath({ cycles: [{ ...plate.toolpath.cycles[0], ...changes }] })();
 const withRing = (ring) => withPath({ shape: { page: [10, 10], paths: [{ fillRule: 'evenodd', rings: [ring] }] } });
@@ -55,7 +55,14 @@ const cases = {
     [generate('disc'), 'InvalidArgument', /^input is "disc"/],
     [generate([]), 'InvalidArgument', /^input is a list/],
     [generate({ shape: 'leaf.svg' }), 'InvalidArgument', /^shape is "leaf.svg"; it must be an object/],
-    [generate({ shape: disc, directions: 7 }), 'InvalidArgument', /^directions is 7/],
+    [generate({ shape: disc, layers: 7 }), 'InvalidArgument', /^layers is 7; it must be a list/],
+    [generate({ shape: disc, layers: [7] }), 'InvalidArgument', /^layers\[0\] is 7; it must be an object/],
+    [generate({ shape: disc, pictures: 7 }), 'InvalidArgument', /^pictures is 7; it must be an object/],
+    [
+      generate({ shape: disc, layers: [{ kind: 'picture', pictures: 7 }] }),
+      'InvalidArgument',
+      /^layers\[0\]\.pictures is 7; it must be a list/,
+    ],
     [generate({ shape: disc }, 0.4), 'InvalidArgument', /^params is 0.4/],
     [
       generate({ shape: disc }, { spacing: '0.4' }),
@@ -98,7 +105,11 @@ const cases = {
       /^toolpath\.spacing is NaN; it must be a finite number$/,
     ],
     [generate({ shape: { builtin: 'disc', size: [Infinity, 1] } }), 'InvalidArgument', /^shape\.size\[0\] is Infinity/],
-    [generate({ shape: disc, directions: { angle: -Infinity } }), 'InvalidArgument', /^directions\.angle is -Infinity/],
+    [
+      generate({ shape: disc, layers: [{ kind: 'direction', angle: -Infinity }] }),
+      'InvalidArgument',
+      /^layers\[0\]\.angle is -Infinity/,
+    ],
     [
       generate({ shape: disc }, { seed: 2 ** 53 }),
       'InvalidArgument',
@@ -115,17 +126,25 @@ const cases = {
     [
       generate({ shap: disc }),
       'InvalidArgument',
-      /^unknown key "shap"; known are shape, directions, modes, pictures, layers, printer, print$/,
+      /^unknown key "shap"; known are shape, layers, pictures, printer, print$/,
     ],
     [generate({ shape: disc, toolpath: {} }), 'InvalidArgument', /^unknown key "toolpath"/],
     [generate({ shape: disc, svg_path: 'a.svg' }), 'InvalidArgument', /^unknown key "svg_path"/],
     [generate({ shape: { builtin: 'disc', sise: [1, 1] } }), 'InvalidArgument', /unknown key "shape\.sise".*"size"/],
+    // Sections that plates once had: the lowest layer says what they said.
+    [generate({ shape: disc, directions: { angle: 3 } }), 'InvalidArgument', /^unknown key "directions"; .*layers/],
+    [generate({ shape: disc, modes: { mode: 'parallel' } }), 'InvalidArgument', /^unknown key "modes"; .*layers/],
+    [generate({ shape: disc, pictures: { files: [] } }), 'InvalidArgument', /unknown key "pictures\.files"/],
     [
-      generate({ shape: disc, directions: { angel: 3 } }),
+      generate({ shape: disc, layers: [{ kind: 'direction', angel: 3 }] }),
       'InvalidArgument',
-      /unknown key "directions\.angel".*"angle"/,
+      /unknown key "layers\[0\]\.angel".*"angle"/,
     ],
-    [generate({ shape: disc, modes: { mod: 'parallel' } }), 'InvalidArgument', /unknown key "modes\.mod".*"mode"/],
+    [
+      generate({ shape: disc, layers: [{ kind: 'direction', mod: 'parallel' }] }),
+      'InvalidArgument',
+      /unknown key "layers\[0\]\.mod".*"mode"/,
+    ],
     [generate({ shape: disc }, { spacin: 1 }), 'InvalidArgument', /unknown key "toolpath\.spacin".*"spacing"/],
     [
       generate({ shape: disc }, { __proto__: null, ['__proto__']: 1 }),
@@ -133,11 +152,11 @@ const cases = {
       /unknown key "toolpath\.__proto__"/,
     ],
     [generate({ shape: disc }, {}, { mesure: false }), 'InvalidArgument', /^unknown key "options\.mesure".*measure/],
-    [withDirections({ ...picture, depth: 8 }), 'InvalidArgument', /^unknown key "directions\.file\.depth"/],
+    [withDirections({ ...picture, depth: 8 }), 'InvalidArgument', /^unknown key "layers\[0\]\.file\.depth"/],
     [
-      generate({ shape: disc, pictures: { files: [{ file: picture, lamps: [1, 2] }] } }),
+      generate({ shape: disc, layers: [{ kind: 'picture', pictures: [{ file: picture, lamps: [1, 2] }] }] }),
       'InvalidArgument',
-      /unknown key "pictures\.files\[0\]\.lamps"/,
+      /unknown key "layers\[0\]\.pictures\[0\]\.lamps"/,
     ],
     [gcode({ nozle: 1 }), 'InvalidArgument', /unknown key "printer\.nozle".*"nozzle"/],
     [gcode({}, { layer: 1 }), 'InvalidArgument', /unknown key "print\.layer".*"layers"/],
@@ -178,11 +197,11 @@ const cases = {
     [withShape(new ArrayBuffer(0)), 'InvalidFile', /shape\.file.*empty/],
     [withShape(new Blob([])), 'InvalidFile', /shape\.file.*empty/],
     [withShape(noise), 'InvalidFile', /shape\.file/],
-    [withDirections('veins.png'), 'InvalidArgument', /^directions\.file is "veins\.png"/],
-    [withDirections(goodPng.subarray(0, 50)), 'InvalidFile', /directions\.file/],
-    [withDirections(goodPng.subarray(0, goodPng.length - 20)), 'InvalidFile', /directions\.file/],
-    [withDirections(noise), 'InvalidFile', /directions\.file/],
-    [generate({ shape: disc, modes: { file: noise } }), 'InvalidFile', /modes\.file/],
+    [withDirections('veins.png'), 'InvalidArgument', /^layers\[0\]\.file is "veins\.png"/],
+    [withDirections(goodPng.subarray(0, 50)), 'InvalidFile', /layers\[0\]\.file/],
+    [withDirections(goodPng.subarray(0, goodPng.length - 20)), 'InvalidFile', /layers\[0\]\.file/],
+    [withDirections(noise), 'InvalidFile', /layers\[0\]\.file/],
+    [withDirections(goodPng, { modeFile: noise }), 'InvalidFile', /layers\[0\]\.modeFile/],
     [() => engine.importPrinter(noise), 'InvalidFile', /no section of a printer/],
     [() => engine.importPrinter(new TextEncoder().encode('[printer:A]\na = b\n'), 'B'), 'InvalidArgument', /"B"/],
     [() => engine.importPrinter('a.ini'), 'InvalidArgument', /^file is "a\.ini"/],
@@ -237,17 +256,17 @@ const cases = {
     [
       withDirections({ ...picture, samples: detached(Uint8Array.of(1)) }),
       'InvalidArgument',
-      /^directions\.file.*transferred/,
+      /^layers\[0\]\.file.*transferred/,
     ],
     [
       withDirections({ ...picture, samples: [1, 2] }),
       'InvalidArgument',
-      /^directions\.file\.samples is a list; it must be a Uint8Array/,
+      /^layers\[0\]\.file\.samples is a list; it must be a Uint8Array/,
     ],
     [
       withDirections({ width: 8, height: 8, data: picture.samples }),
       'InvalidArgument',
-      /^unknown key "directions\.file\.data"/,
+      /^unknown key "layers\[0\]\.file\.data"/,
     ],
     [
       withDirections({ ...picture, samples: new Float32Array(64) }),
@@ -255,7 +274,7 @@ const cases = {
       /samples is of type Float32Array/,
     ],
     [withDirections({ ...picture, width: 9 }), 'InvalidArgument', /direction picture.*samples/],
-    [withDirections({ ...picture, width: '8' }), 'InvalidArgument', /^directions\.file\.width is "8"/],
+    [withDirections({ ...picture, width: '8' }), 'InvalidArgument', /^layers\[0\]\.file\.width is "8"/],
     [withDirections({ ...picture, width: -8, height: -8 }), 'InvalidArgument', /direction picture/],
     [withDirections({ ...picture, width: 1e9, height: 1e9 }), 'InvalidArgument', /direction picture/],
     [withDirections({ ...picture, channels: 5 }), 'InvalidArgument', /direction picture/],

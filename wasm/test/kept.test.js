@@ -129,15 +129,29 @@ for (const threads of [1, 2]) {
       );
       assert.ok((await engine.checkGcode(file)).moves > 10);
       const drawn = new Blob([picture(3)]);
-      const input = { ...disc(12), directions: { file: drawn, encoding: 'angle' } };
+      const input = { ...disc(12), layers: [{ kind: 'map', file: drawn, encoding: 'angle' }] };
       await engine.generateToolpath(input, {}, { measure: false });
       assert.equal((await engine.decodePicture(drawn)).width, 32);
+    });
+
+    test('a plate of a picture is made before what is asked for after it', async () => {
+      const file = new Blob([picture(3)]);
+      await Promise.all([
+        engine.generateToolpath({ ...disc(12), layers: [{ kind: 'map', file }] }, {}, { measure: false }),
+        engine.profiles(),
+        engine.readShape(disc(12).shape, [{ kind: 'direction', angle: 3, visible: true }]),
+        engine.profiles(),
+      ]);
+      assert.deepEqual(
+        calls.map(({ name }) => name),
+        ['generateToolpath', 'profiles', 'readShape', 'profiles'],
+      );
     });
 
     test('a picture travels once, and again when its bytes have changed', async () => {
       const bytes = Uint8Array.from(picture(5));
       const make = async (file) => {
-        const input = { ...disc(12), directions: { file, encoding: 'angle' } };
+        const input = { ...disc(12), layers: [{ kind: 'map', file, encoding: 'angle' }] };
         return (await engine.generateToolpath(input, {}, { measure: false })).report.digest;
       };
       const first = await make(bytes);
@@ -146,7 +160,7 @@ for (const threads of [1, 2]) {
       bytes.set(other.subarray(0, bytes.length));
       const changed = other.length === bytes.length ? await make(bytes) : await make(other);
       assert.notEqual(changed, first);
-      const travelled = calls.map((call) => call.files['directions.file'].value !== undefined);
+      const travelled = calls.map((call) => call.files['layers[0].file'].value !== undefined);
       assert.deepEqual(travelled, [true, false, true]);
     });
   });
@@ -172,7 +186,7 @@ test('what needs no plate does not wait for one', { timeout: 600_000 }, async ()
   const engine = await createEngine({ threads: 1 });
   const control = new AbortController();
   const endless = engine.generateToolpath(
-    { shape: { builtin: 'rounded', size: [150, 150] }, directions: { angle: 30 } },
+    { shape: { builtin: 'rounded', size: [150, 150] }, layers: [{ kind: 'direction', angle: 30 }] },
     { spacing: 0.16, sweepsPerLevel: 1000 },
     { signal: control.signal },
   );

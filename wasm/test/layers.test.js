@@ -9,6 +9,7 @@ import { after, before, test } from 'node:test';
 import { createEngine } from 'sillon';
 
 import { copyEngine } from './support/engine-copy.js';
+import { turning } from './support/jobs.js';
 import { engineFolder } from './support/pages.js';
 import { nativeProgram, root } from './support/projects.js';
 
@@ -39,7 +40,7 @@ function native(...layers) {
 test('boxes of layers are told without a plate', async () => {
   const [letters, code, box] = await place(
     { kind: 'text', text: 'HH', textSize: 10 },
-    { kind: 'qr', text: 'SILLON', at: [10, 10] },
+    { kind: 'code', text: 'SILLON', at: [10, 10] },
     { kind: 'direction', angle: 20, size: [8, 4], visible: false },
   );
   assert.deepEqual(letters.at, [30, 15]);
@@ -69,7 +70,7 @@ test('a layer that cannot be drawn keeps no other from its box, and the spacing 
 test('the report tells how much of each layer is seen, and whether codes can be read', async () => {
   const { report } = await make(
     { kind: 'text', text: 'HH', at: [0, 15] },
-    { kind: 'qr', text: 'SILLON', size: [26, 0], at: [40, 15] },
+    { kind: 'code', text: 'SILLON', size: [26, 0], at: [40, 15] },
     { kind: 'direction', visible: false },
     { kind: 'direction', size: [9, 9], at: [40, 15], angle: 45 },
   );
@@ -135,17 +136,85 @@ test('the report tells how alike the pictures of layers are', async () => {
   const samples = Uint8Array.from({ length: side * side }, (_, k) => (k % side) * 8);
   const layer = {
     kind: 'picture',
-    file: { width: side, height: side, channels: 1, samples },
+    pictures: [{ file: { width: side, height: side, channels: 1, samples }, lamp: [60, 45] }],
     size: [24, 24],
-    lamp: [60, 45],
   };
   const layers = [{ kind: 'direction', angle: 10 }, layer];
-  const { report } = await engine.generateToolpath({ shape, layers, pictures: { files: [], corrections: 0 } });
-  assert.equal(report.layerPictures.length, 1);
-  const [{ layer: number, lamp, r }] = report.layerPictures;
+  const { report } = await engine.generateToolpath({ shape, layers, pictures: { corrections: 0 } });
+  assert.equal(report.pictures.length, 1);
+  const [{ layer: number, lamp, r }] = report.pictures;
   assert.equal(number, 2);
   assert.deepEqual(lamp, [60, 45]);
   assert.ok(r > 0.5, `r is ${r}`);
+});
+
+const angleOf = (degrees) => Math.round(((degrees + 90) / 180) * 65535);
+const constrained = 3;
+
+test('one direction for all is drawn as one texel, and no layer as 0 degrees', async () => {
+  const one = (...layers) => engine.drawLayers({ shape, layers });
+  for (const [layers, degrees, mode] of [
+    [[], 0, constrained],
+    [[{ kind: 'direction', angle: 30 }], 30, constrained],
+    [[{ kind: 'direction', angle: -45, mode: 'smoothest' }], -45, 2],
+  ]) {
+    const { angle, mode: modes, ...size } = await one(...layers);
+    assert.deepEqual(size, { width: 1, height: 1 });
+    assert.ok(angle instanceof Uint16Array && modes instanceof Uint8Array);
+    assert.ok(angle.length === 1 && Math.abs(angle[0] - angleOf(degrees)) <= 1, `${angle} for ${degrees}`);
+    assert.deepEqual([...modes], [mode]);
+  }
+  assert.deepEqual(await engine.drawLayers({ shape }), await one());
+});
+
+test('layers are drawn in quarters of the spacing, each where it lies', async () => {
+  const layers = [
+    { kind: 'direction', angle: 20 },
+    { kind: 'direction', angle: 70, mode: 'parallel', size: [30, 30], at: [15, 15] },
+    { kind: 'text', text: 'I', textSize: 12, at: [45, 15], fill: 'angle', angle: -40 },
+  ];
+  const { width, height, angle, mode } = await engine.drawLayers({ shape, layers }, { spacing: 0.8 });
+  assert.deepEqual([width, height, angle.length, mode.length], [300, 150, 45000, 45000]);
+  const at = (x, y) => 300 * Math.floor(149.99 - 5 * y) + Math.floor(5 * x); // [mm] from the lower left corner
+  const near = (k, degrees) => Math.abs(angle[k] - angleOf(degrees)) <= 1;
+  assert.ok(near(at(5, 5), 70) && near(at(29.5, 29.5), 70) && near(at(30.5, 15), 20) && near(at(45, 15), -40));
+  assert.deepEqual([mode[at(5, 5)], mode[at(45, 2)], mode[at(45, 15)]], [0, constrained, constrained]);
+  const count = (degrees) => angle.reduce((sum, _, k) => sum + (near(k, degrees) ? 1 : 0), 0);
+  assert.equal(count(70), 22500);
+  assert.ok(count(-40) > 25 * 12 && count(-40) < 25 * 12 * 4, count(-40)); // a stem of 12 mm, 1 to 4 mm wide
+  assert.equal(count(20) + count(-40), 22500);
+  assert.equal((await engine.drawLayers({ shape, layers }, { spacing: 0.4 })).width, 600);
+});
+
+test('pictures of directions and of modes may have other sizes, and both are drawn', async () => {
+  const lines = { width: 4, height: 2, channels: 1, samples: Uint16Array.of(0, 9, 99, 999, 9999, 2, 3, 65535) };
+  const modes = { width: 2, height: 4, channels: 1, samples: Uint8Array.of(0, 85, 170, 255, 255, 170, 85, 0) };
+  const both = await engine.drawLayers({ shape, layers: [{ kind: 'map', file: lines, modeFile: modes }] });
+  assert.deepEqual(both, {
+    width: 4,
+    height: 4,
+    angle: Uint16Array.of(0, 9, 99, 999, 0, 9, 99, 999, 9999, 2, 3, 65535, 9999, 2, 3, 65535),
+    mode: Uint8Array.of(0, 0, 1, 1, 2, 2, 3, 3, 3, 3, 2, 2, 1, 1, 0, 0),
+  });
+  const alone = await engine.drawLayers({ shape, layers: [{ kind: 'direction', modeFile: modes }] });
+  assert.deepEqual([alone.width, alone.height, [...alone.mode]], [2, 4, [0, 1, 2, 3, 3, 2, 1, 0]]);
+  assert.equal(new Set(alone.angle).size, 1);
+});
+
+test('what is drawn is what the plate is made from', async () => {
+  const layers = [
+    { kind: 'pattern', pattern: 'waves', amplitude: 35 },
+    { kind: 'border', width: 4, fill: 'along' },
+    { kind: 'text', text: 'HI', textSize: 12, fill: 'across', soft: 1 },
+    { kind: 'direction', mode: 'smoothest', size: [10, 10], at: [50, 15] },
+    { kind: 'strokes', strokes: [{ radius: 4, points: [5, 5, 20, 25] }] },
+  ];
+  const { width, height, angle, mode } = await engine.drawLayers({ shape, layers }, { spacing: 0.8 });
+  const picture = (samples) => ({ width, height, channels: 1, samples });
+  const modeFile = picture(Uint8Array.from(mode, (number) => 85 * number));
+  assert.equal(await digest({ kind: 'map', file: picture(angle), modeFile }), await digest(...layers));
+  const turned = angle.with(Math.floor(angle.length / 2), 0);
+  assert.notEqual(await digest({ kind: 'map', file: picture(turned.fill(9)), modeFile }), await digest(...layers));
 });
 
 test('a font as bytes makes the letters of the built-in one', async () => {
@@ -189,11 +258,22 @@ test('what cannot be drawn is refused with the number of its layer', async () =>
       [{ ...text, font: 'Comic' }],
       /the font is "Comic"; it must be a file that is handed over, or one of Nunito, Bebas Neue/,
     ],
-    [[{ kind: 'qr', text: 'x'.repeat(3000) }], /the text has 3000 bytes; no QR code/],
+    [[{ kind: 'code', text: 'x'.repeat(3000) }], /the text has 3000 bytes; no QR code/],
     [[{ kind: 'drawing' }], /^layers\[0\]\.file is empty/],
     [[{ kind: 'cloud' }], /^layers\[0\]\.kind is "cloud"/],
+    [[{ kind: 'qr', text: 'x' }], /^layers\[0\]\.kind is "qr"; .*"code"/],
     [[{ ...text, size: [-1, 0] }], /^layers\[0\]\.size\.x is -1 mm/],
     [[{ ...text, colour: 'red' }], /unknown key "layers\[0\]\.colour"/],
+    // A key that another kind has.
+    [
+      [text, { ...text, waveLength: 3 }],
+      /^layers\[1\]\.waveLength is not for the kind "text"; it has kind, visible, at,/,
+    ],
+    [[{ kind: 'direction', pictures: [] }], /^layers\[0\]\.pictures is not for the kind "direction"/],
+    [[{ kind: 'picture', file: turning(8, 8) }], /^layers\[0\]\.file is not for the kind "picture"/],
+    [[{ kind: 'border', font: 'Nunito' }], /^layers\[0\]\.font is not for the kind "border"/],
+    [[{ kind: 'picture', pictures: [] }], /layers\[0\]\.pictures/],
+    [[{ kind: 'map' }], /layers\[0\]\.file is empty/],
     ['letters', /^layers is "letters"; it must be a list/],
     [Array.from({ length: 33 }, () => text), /layers has 33 entries; it may have up to 32/],
   ];

@@ -50,10 +50,10 @@ async function plate(number, file, changes = {}) {
   const project = JSON.stringify({
     sillon: 1,
     shape: { builtin: 'disc', size: [8, 8] },
-    directions: { file: 'directions.file', encoding: 'angle' },
+    layers: [{ kind: 'map', file: 'layers[0].file' }],
     toolpath: { spacing: 0.5, ...changes },
   });
-  const files = { 'directions.file': { number, value: file } };
+  const files = { 'layers[0].file': { number, value: file } };
   return ask({
     type: 'call',
     call: { name: 'generateToolpath', project, files, measure: false, across: false, number: newNumber() },
@@ -72,7 +72,7 @@ test('a picture that is kept is decoded once, and needs no file', async () => {
     assert.ok(first.kept.includes(number));
     const second = await plate(number, undefined);
     const third = await plate(number, undefined, { widthBalance: 0.2 });
-    assert.deepEqual(globalThis.decoded, ['directions.file']);
+    assert.deepEqual(globalThis.decoded, ['layers[0].file']);
     assert.deepEqual(second.value.toolpath, first.value.toolpath);
     assert.equal(third.type, 'done');
   }
@@ -84,7 +84,7 @@ test('the plate is the same as of the file itself', async () => {
   const { value: ofFile } = await plate(3, Uint8Array.from(bytes));
   globalThis.refuses = false;
   const { value: ofPixels } = await plate(3, Uint8Array.from(bytes));
-  const [file, pixels] = globalThis.taken.map((files) => files['directions.file']);
+  const [file, pixels] = globalThis.taken.map((files) => files['layers[0].file']);
   assert.ok(file instanceof Uint8Array && pixels.samples instanceof Uint16Array);
   assert.deepEqual(ofPixels.toolpath, ofFile.toolpath);
 });
@@ -105,14 +105,13 @@ test('a picture that comes with one that is kept does not take its place before 
   const numbers = [21, 22, 23, 24];
   for (const number of numbers) await plate(number, picture(1020, number));
   const files = {
-    'modes.file': { number: 25, value: picture(1020, 25) },
-    'directions.file': { number: 21, value: undefined },
+    'layers[0].modeFile': { number: 25, value: picture(1020, 25) },
+    'layers[0].file': { number: 21, value: undefined },
   };
   const project = JSON.stringify({
     sillon: 1,
     shape: { builtin: 'disc', size: [8, 8] },
-    directions: { file: 'directions.file', encoding: 'angle' },
-    modes: { file: 'modes.file' },
+    layers: [{ kind: 'map', file: 'layers[0].file', modeFile: 'layers[0].modeFile' }],
     toolpath: { spacing: 0.5 },
   });
   const { type, message } = await ask({
@@ -127,7 +126,7 @@ test('a picture that is too large to be kept goes into the engine as it came', a
   assert.equal(type, 'done');
   assert.equal(kept.includes(31), false);
   assert.equal(globalThis.decoded.length, 0);
-  assert.ok(globalThis.taken[0]['directions.file'] instanceof Uint8Array);
+  assert.ok(globalThis.taken[0]['layers[0].file'] instanceof Uint8Array);
 });
 
 test('what is no picture is refused with the sentence that names it', async () => {
@@ -136,5 +135,5 @@ test('what is no picture is refused with the sentence that names it', async () =
     Uint8Array.from({ length: 100 }, (_, k) => k),
   );
   assert.equal(`${type} ${code}`, 'failed InvalidFile');
-  assert.match(message, /directions\.file/);
+  assert.match(message, /layers\[0\]\.file/);
 });

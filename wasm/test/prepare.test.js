@@ -18,7 +18,7 @@ const upload = {
       '<svg xmlns="http://www.w3.org/2000/svg" width="30mm" height="20mm" viewBox="0 0 30 20">' +
       '<ellipse cx="15" cy="10" rx="14" ry="9"/></svg>',
   },
-  directions: { file: png(60, 40, 1, samples) },
+  layers: [{ kind: 'map', file: png(60, 40, 1, samples) }],
 };
 const date = new Date(0);
 
@@ -68,7 +68,7 @@ test('hostile uploads end in one sentence', async () => {
   const huge = png(8, 8, 1, new Uint8Array(64));
   huge.writeUInt32BE(60_000, 16);
   huge.writeUInt32BE(60_000, 20);
-  const cut = upload.directions.file.subarray(0, 100);
+  const cut = upload.layers[0].file.subarray(0, 100);
   for (const [file, codes] of [
     ['<svg', ['InvalidFile']],
     ['', ['InvalidFile', 'InvalidArgument']],
@@ -89,11 +89,11 @@ test('hostile uploads end in one sentence', async () => {
       return true;
     });
   }
-  await refused({ directions: { file: cut } }, {}, 'InvalidFile', /./);
+  await refused({ layers: [{ kind: 'map', file: cut }] }, {}, 'InvalidFile', /./);
   await refused(upload, { printer: { profile: 'no-such-printer' } }, 'InvalidArgument', /no-such-printer/);
 });
 
-const large = { shape: { builtin: 'rounded', size: [200, 200] }, directions: { angle: 30 } };
+const large = { shape: { builtin: 'rounded', size: [200, 200] }, layers: [{ kind: 'direction', angle: 30 }] };
 
 test('a plate that takes too long is given up, and one that takes too much memory', async () => {
   await refused(large, { toolpath: { spacing: 0.2 }, limits: { seconds: 0.001 } }, 'TooLarge', /more than 0.001 s/);
@@ -113,7 +113,7 @@ test('what JavaScript itself takes is limited, too: the heap of a worker, and a 
   } finally {
     copy.remove();
   }
-  const plate = { shape: { builtin: 'rounded', size: [60, 40] }, directions: { angle: 30 } }; // more than 200 KB a layer
+  const plate = { shape: { builtin: 'rounded', size: [60, 40] }, layers: [{ kind: 'direction', angle: 30 }] }; // more than 200 KB a layer
   const tower = { printer: { maxZ: 1000 }, print: { layers: 400 } };
   await refused(plate, { ...tower, limits: { memory: 64 } }, 'OutOfMemory', /more than 64 MiB/);
 });

@@ -48,7 +48,7 @@ test('the surfaces of a sliced file are those that the native program lists', as
     assert.deepEqual(await engine.listSurfaces(onDisk), read);
     assert.deepEqual(await engine.printRelief(onDisk, 64), await engine.printRelief(file, 64));
     const [one, other] = await Promise.all(
-      [onDisk, file].map((it) => engine.rebrush(it, { directions: { angle: 3 } })),
+      [onDisk, file].map((it) => engine.rebrush(it, { layers: [{ kind: 'direction', angle: 3 }] })),
     );
     assert.ok(Buffer.from(await one.blob.arrayBuffer()).equals(Buffer.from(await other.blob.arrayBuffer())));
     // A Blob goes in by pieces of 4 MiB: the same as whole, and not what was there before.
@@ -75,14 +75,14 @@ test('a re-brushed file is that of the native program, byte for byte', async () 
       out,
     ]);
     assert.equal(made.status, 0, String(made.stderr));
-    const done = await engine.rebrush(file, { directions: { angle: 30 }, sides: 'both' });
+    const done = await engine.rebrush(file, { layers: [{ kind: 'direction', angle: 30 }], sides: 'both' });
     assert.equal(Buffer.from(await done.blob.arrayBuffer()).compare(readFileSync(out)), 0, name);
     assert.equal(done.surfaces.filter(({ replaced }) => replaced).length, 2);
     for (const { coverage, beyond, left } of done.surfaces) {
       assert.ok(coverage > 97 && beyond < 0.05, `${coverage} % ${beyond} mm ${left}`);
     }
     // What was packed is packed again.
-    const packed = await engine.rebrush(gzipSync(file), { directions: { angle: 30 }, sides: 'both' });
+    const packed = await engine.rebrush(gzipSync(file), { layers: [{ kind: 'direction', angle: 30 }], sides: 'both' });
     const text = gunzipSync(Buffer.from(await packed.blob.arrayBuffer()));
     assert.equal(text.compare(readFileSync(out)), 0);
   }
@@ -101,7 +101,11 @@ test('chosen surfaces under a picture become what the native program makes of th
   const fractions = [];
   const done = await engine.rebrush(
     readFileSync(join(samples, name)),
-    { pictures: { files: [{ file: readFileSync(picture), lamp: [60, 35] }] }, only: [1], fit: 'all' },
+    {
+      layers: [{ kind: 'picture', pictures: [{ file: readFileSync(picture), lamp: [60, 35] }] }],
+      only: [1],
+      fit: 'all',
+    },
     { onProgress: ({ fraction }) => fractions.push(fraction) },
   );
   assert.equal(Buffer.from(await done.blob.arrayBuffer()).compare(readFileSync(out)), 0);
@@ -110,6 +114,32 @@ test('chosen surfaces under a picture become what the native program makes of th
   assert.deepEqual(face.pictures[0].lamp, [60, 35]);
   assert.ok(face.cycles[0].widths.length > 100);
   assert.equal(fractions.at(-1), 1);
+});
+
+test('letters across waves, and strokes, are laid on a face as the native program does', async () => {
+  const name = 'prusa.gcode';
+  const layers = [
+    { kind: 'pattern', pattern: 'waves', waveLength: 12, amplitude: 30 },
+    { kind: 'text', text: 'HI', font: 'Fredoka', textSize: 5, fill: 'across' },
+    { kind: 'strokes', strokes: [{ tool: 'comb', radius: 3, points: [0, 2, 30, 4] }] },
+  ];
+  const made = async (...layers) => Buffer.from(await (await brushed(...layers)).blob.arrayBuffer());
+  const brushed = (...layers) => engine.rebrush(readFileSync(join(samples, name)), { layers, sides: 'both' });
+  const out = join(folder, 'layers.gcode');
+  const options = layers.flatMap((layer) => ['--layer', JSON.stringify(layer)]);
+  const native = spawnSync(nativeProgram, [
+    ...['rebrush', join(samples, name), '--surfaces', 'both', '-o', out, ...options],
+  ]);
+  assert.equal(native.status, 0, String(native.stderr));
+  const all = await made(...layers);
+  assert.equal(all.compare(readFileSync(out)), 0);
+  // Each of them is seen.
+  for (const left of layers) assert.notEqual(all.compare(await made(...layers.filter((one) => one !== left))), 0);
+  const { surfaces } = await brushed(...layers);
+  assert.deepEqual(
+    surfaces.map(({ replaced, pictures }) => [replaced, pictures]),
+    surfaces.map(() => [true, []]),
+  );
 });
 
 test('a picture that is wider than its face is cut or squeezed, as by the native program', async () => {
@@ -122,8 +152,8 @@ test('a picture that is wider than its face is cut or squeezed, as by the native
     const out = join(folder, `${proportions}.gcode`);
     const options = ['--picture', join(folder, 'wide.png'), '--lamp', '60,35', '--proportions', proportions];
     assert.equal(spawnSync(nativeProgram, ['rebrush', join(samples, 'prusa.gcode'), ...options, '-o', out]).status, 0);
-    const pictures = { files: [{ file: picture, lamp: [60, 35] }], proportions };
-    const done = await engine.rebrush(file, { pictures });
+    const layers = [{ kind: 'picture', pictures: [{ file: picture, lamp: [60, 35] }] }];
+    const done = await engine.rebrush(file, { layers, pictures: { proportions } });
     made.push(Buffer.from(await done.blob.arrayBuffer()));
     const shares = done.surfaces.filter(({ replaced }) => replaced).map(({ pictures: [{ leftOut }] }) => leftOut);
     assert.ok(shares.length > 0 && shares.every((share) => (proportions === 'keep' ? share > 0.3 : share === 0)));
@@ -150,11 +180,22 @@ test('what cannot be re-brushed is refused in a sentence', async () => {
   const file = readFileSync(join(samples, names[0]));
   const refused = [
     [() => engine.listSurfaces(Buffer.from('G28\n')), 'InvalidFile', /does not mark its surfaces/],
-    [() => engine.rebrush(file, { fit: 'bed', directions: { angle: 3 } }), 'InvalidArgument', /does not give its bed/],
+    [
+      () => engine.rebrush(file, { fit: 'bed', layers: [{ kind: 'direction', angle: 3 }] }),
+      'InvalidArgument',
+      /does not give its bed/,
+    ],
     [() => engine.rebrush(file, { sides: 'left' }), 'InvalidArgument', /how\.sides is "left"/],
     [() => engine.rebrush(file, { fit: 'page' }), 'InvalidArgument', /how\.fit is "page"/],
     [() => engine.rebrush(file, { angle: 3 }), 'InvalidArgument', /unknown key "how\.angle"/],
+    [() => engine.rebrush(file, { directions: { angle: 3 } }), 'InvalidArgument', /unknown key "how\.directions"/],
     [() => engine.rebrush(file, { toolpath: { seed: -1 } }), 'InvalidArgument', /seed/],
+    [() => engine.rebrush(file, { layers: 7 }), 'InvalidArgument', /^layers is 7; it must be a list/],
+    [
+      () => engine.rebrush(file, { layers: [{ kind: 'direction', font: 'Nunito' }] }),
+      'InvalidArgument',
+      /^layers\[0\]\.font is not for the kind "direction"/,
+    ],
     [() => engine.rebrush('file'), 'InvalidArgument', /^file is "file"/],
     [() => engine.rebrush(file, { only: [] }), 'InvalidArgument', /how\.only is empty/],
     [() => engine.rebrush(file, { only: [0.5] }), 'InvalidArgument', /how\.only\[0\] is 0\.5/],

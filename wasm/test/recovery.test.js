@@ -205,7 +205,7 @@ describe('memory', { timeout: 600_000 }, () => {
   for (const threads of [1, 2]) {
     test(`is refused before work begins, and what the refusal names can be made, with ${threads} threads`, async () => {
       const engine = await createEngine({ threads, memory: 96 });
-      const plate = { shape: { builtin: 'rectangle', size: [300, 300] }, directions: { angle: 30 } };
+      const plate = { shape: { builtin: 'rectangle', size: [300, 300] }, layers: [{ kind: 'direction', angle: 30 }] };
       const stages = new Set();
       const onProgress = ({ stage }) => stages.add(stage);
       const { code, message } = await failureOf(engine.generateToolpath(plate, { spacing: 0.2 }, { onProgress }));

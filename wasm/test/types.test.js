@@ -91,8 +91,10 @@ test('reports and summaries have the declared fields, and no others', async () =
   const file = { width: 2, height: 1, channels: 1, samples: Uint8Array.of(9, 200) };
   const { toolpath, report } = await engine.generateToolpath({
     shape: { builtin: 'disc', size: [10, 10] },
-    pictures: { files: [{ file }] },
-    layers: [{ kind: 'picture', file, size: [4, 4] }],
+    layers: [
+      { kind: 'picture', pictures: [{ file }] },
+      { kind: 'picture', pictures: [{ file }], size: [4, 4] },
+    ],
   });
   const { summary } = await engine.writeGcode(toolpath);
   const { membersOf } = declared();
@@ -103,7 +105,7 @@ test('reports and summaries have the declared fields, and no others', async () =
   assert.deepEqual(Object.keys(report.pictures[0]).sort(), membersOf('PictureReport').sort());
   const two = await engine.generateToolpath({
     shape: { builtin: 'disc', size: [10, 10] },
-    pictures: { files: [{ file }, { file }] },
+    layers: [{ kind: 'picture', pictures: [{ file }, { file }] }],
   });
   assert.deepEqual(Object.keys(two).sort(), membersOf('ToolpathResult').sort());
   assert.deepEqual(Object.keys(two.conflict).sort(), membersOf('Conflict').sort());

@@ -30,8 +30,7 @@ const said = (...words) => {
 };
 
 const { settings } = JSON.parse(spawnSync(program, ['settings', '--json'], { encoding: 'utf8' }).stdout);
-// A lamp's elevation has a range of its own.
-const rows = settings.filter(({ section, key, low }) => low !== undefined && !(section === 'layers' && key === 'lamp'));
+const rows = settings.filter(({ low }) => low !== undefined);
 
 /** The name in messages, which number layers. */
 const nameOf = ({ section, key }) => `${section === 'layers' ? 'layers[0]' : section}.${key}`;
@@ -67,9 +66,17 @@ function besides(row, value) {
   return {};
 }
 
+/** A layer of the first kind that has the setting, and with what such a layer needs. */
+const layerWith = ({ kinds: [kind] = ['direction'] }, fields) => ({
+  ...{ kind, ...(kind === 'picture' ? { pictures: [{ file: 'missing.png' }] } : {}) },
+  ...(['map', 'tones', 'drawing'].includes(kind) ? { file: 'missing.png' } : {}),
+  ...(['text', 'code'].includes(kind) ? { text: 'A' } : {}),
+  ...fields,
+});
+
 const projectOf = (row, value) => {
   const fields = { ...besides(row, value), [row.key]: pairOf(row) ? [value, value] : value };
-  return { [row.section]: row.section === 'layers' ? [fields] : fields };
+  return { [row.section]: row.section === 'layers' ? [layerWith(row, fields)] : fields };
 };
 
 /** Whether text tells of the setting, or of what comes after all settings were read. */
@@ -85,7 +92,7 @@ const doors = {
     const project = { sillon: 1, ...projectOf(row, value) };
     // A file that is missing is looked for only after all settings are known to be right.
     if (row.section === 'shape') {
-      project.directions = { file: 'missing.png' };
+      project.layers = [{ kind: 'map', file: 'missing.png' }];
       project.shape.builtin = 'rectangle';
     } else {
       project.shape = { file: 'missing.svg' };

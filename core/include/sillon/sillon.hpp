@@ -32,6 +32,7 @@
 #include "sillon/field/dislocations.hpp"
 #include "sillon/job/path_gcode.hpp"
 #include "sillon/job/plate.hpp"
+#include "sillon/job/zones.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"

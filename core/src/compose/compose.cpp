@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -13,14 +14,13 @@
 #include "compose/content.hpp"
 #include "compose/ink.hpp"
 #include "compose/placement.hpp"
+#include "compose/redraw.hpp"
+#include "compose/region.hpp"
 #include "compose/visible.hpp"
 #include "input/stored_angle.hpp"
 
 namespace sillon {
 namespace {
-
-constexpr double kTexelsPerBead = 4;
-constexpr int kMostTexels = 4096;  // on a side
 
 Error ofLayer(std::size_t number, const Error& error) {
   if (error.code == ErrorCode::Cancelled) return error;
@@ -35,32 +35,33 @@ struct ReadLayer {
   Placement place;
 };
 
-Result<ReadLayer> readLayer(const Layer& layer, const Shape& shape, const ReadInput& read) {
-  Result<LayerContent> content = readContent(layer, shape.page, read);
+Result<ReadLayer> readLayer(const Project& project, std::size_t number, const Shape& shape, const ReadInput& read) {
+  const Layer& layer = project.layers[number];
+  Result<LayerContent> content = readContent(layer, shape.page, number == 0, read);
   if (!content) return content.error();
   const Placement place(layer, layer.at.value_or(shape.page * 0.5), content.value().size);
   return ReadLayer{std::move(content).value(), place};
 }
 
 /// \param spacing  of the beads that letters may be too thin for; 0: that is known.
-PlacedLayer placedLayer(LayerKind kind, const ReadLayer& layer, double spacing) {
+PlacedLayer placedLayer(const Layer& told, const ReadLayer& layer, double spacing) {
   PlacedLayer placed{layer.place.middle(), layer.place.size(), 0, {}, {}};
-  for (const std::optional<Shape>* drawn : {&layer.content.shape, &layer.content.mask}) {
-    if (!*drawn) continue;
-    DrawingFacts facts = (*drawn)->drawing;
+  const auto tell = [&](DrawingFacts facts) {
     placed.lacked.insert(placed.lacked.end(), facts.lacked.begin(), facts.lacked.end());
-    facts.lacked.clear();                                                          // they are told with the layer's own
-    facts.severalColours = facts.severalColours && drawn == &layer.content.shape;  // a mask shows no colours
+    facts.lacked.clear();  // they are told with the layer's own
     placed.drawings.push_back(std::move(facts));
-  }
-  if (spacing > 0 && (kind == LayerKind::Text || kind == LayerKind::Drawing)) {
+  };
+  const auto withoutColours = [](DrawingFacts facts) {
+    facts.severalColours = false;
+    return facts;
+  };
+  if (layer.content.shape) tell(layer.content.shape->drawing);
+  if (layer.content.picture) tell(withoutColours(layer.content.painted));  // it shows them all
+  if (layer.content.mask) tell(withoutColours(layer.content.mask->drawing));
+  if (spacing > 0 && outlined(told)) {
     Shape shape = *layer.content.shape;
     const Vec2 scale{placed.size.x / shape.page.x, placed.size.y / shape.page.y};
-    for (FilledPath& path : shape.paths) {
-      for (Ring& ring : path.rings) {
-        for (Vec2& point : ring) point = {point.x * scale.x, point.y * scale.y};
-      }
-    }
+    movePoints(shape, [scale](Vec2 point) { return Vec2{point.x * scale.x, point.y * scale.y}; });
     shape.page = placed.size;
     placed.thin = thinShare(shape, spacing);
   }
@@ -81,40 +82,51 @@ int texelsOn(double side, double spacing) {
   return std::clamp(static_cast<int>(std::ceil(side / spacing * kTexelsPerBead)), 1, kMostTexels);
 }
 
-}  // namespace
+/// Inputs of a stack besides its project.
+struct StackRun {
+  const ReadInput& read;
+  std::optional<Lamp> lamp;  ///< of pictures that name none
+  /// Stack whose pictures are solved for anew; null: they are solved for as they are asked for
+  const LayerStack* before = nullptr;
+};
 
-Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const ReadInput& read, const RunContext& run,
-                              const LayerStack* before) {
+Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const StackRun& with, const RunContext& run) {
   LayerStack stack;
   const double spacing = project.toolpath.spacing;
+  const Layer* const ground = groundOf(project.layers);
   for (std::size_t k = 0; k < project.layers.size(); ++k) {
     const Layer& layer = project.layers[k];
-    if (!layer.visible) {
+    if (!layer.visible || &layer == ground) {
       stack.placed.push_back(boxOf(layer, shape));
       continue;
     }
-    const Result<ReadLayer> known = readLayer(layer, shape, read);
+    const Result<ReadLayer> known = readLayer(project, k, shape, with.read);
     if (!known && lacksLetter(known.error())) {
       stack.placed.push_back(boxOf(layer, shape, ofLayer(k, known.error())));
       continue;
     }
     if (!known) return ofLayer(k, known.error());
-    stack.placed.push_back(placedLayer(layer.kind, known.value(), before == nullptr ? spacing : 0));
+    stack.placed.push_back(placedLayer(layer, known.value(), with.before == nullptr ? spacing : 0));
     if (stack.width == 0) {
       stack.width = texelsOn(shape.page.x, spacing);
       stack.height = texelsOn(shape.page.y, spacing);
       stack.texels.resize(static_cast<std::size_t>(stack.width) * static_cast<std::size_t>(stack.height));
       markPlate({project, shape, stack.width, stack.height}, stack);
     }
-    if (before != nullptr && before->pictures.contains(k)) stack.pictures[k] = before->pictures.at(k);
+    if (with.before != nullptr && with.before->pictures.contains(k)) stack.pictures[k] = with.before->pictures.at(k);
     const auto& [content, place] = known.value();
-    if (auto error = drawLayer(k, content, place, {project, shape, stack.width, stack.height}, stack, run)) {
-      return ofLayer(k, *error);
-    }
+    const LayerPlate plate{project, shape, stack.width, stack.height, with.lamp};
+    if (auto error = drawLayer(k, content, place, plate, stack, run)) return ofLayer(k, *error);
   }
   return stack;
 }
 
+/// The lamp of the pictures at the bottom: under it, those of layers show at the same time.
+std::optional<Lamp> lampOf(const PlatePictures& pictures) {
+  return !pictures.shown.empty() ? std::optional(pictures.shown[0].lamp) : std::nullopt;
+}
+
+/// Warnings about layers that are left out, and about letters that come from other fonts or from none.
 std::vector<Warning> letterWarnings(const std::vector<PlacedLayer>& placed) {
   std::vector<Warning> warnings;
   for (std::size_t k = 0; k < placed.size(); ++k) {
@@ -130,33 +142,74 @@ std::vector<Warning> letterWarnings(const std::vector<PlacedLayer>& placed) {
   return warnings;
 }
 
+}  // namespace
+
+Result<Composition> compose(const Project& project, PlateInput ground, const ComposeOptions& options,
+                            const RunContext& run) {
+  Composition made{std::move(ground), {}, {}};
+  auto pictures = solvePictures(project, options.read, made.ground, run, options.kept, options.onTrial);
+  if (!pictures) return pictures.error();
+  made.pictures = std::move(pictures).value();
+  auto layers = makeLayers(project, made.ground.shape, {options.read, lampOf(made.pictures)}, run);
+  if (!layers) return layers.error();
+  made.layers = std::move(layers).value();
+  return made;
+}
+
+std::optional<Error> redrawLayers(const Project& project, Composition& made, const ReadInput& read,
+                                  const RunContext& run) {
+  auto layers = makeLayers(project, made.ground.shape, {read, lampOf(made.pictures), &made.layers}, run);
+  if (!layers) return layers.error();
+  layers.value().placed = std::move(made.layers.placed);  // with what thin letters were told of
+  made.layers = std::move(layers).value();
+  return std::nullopt;
+}
+
 std::vector<PlacedLayer> placeLayers(const Project& project, const Shape& shape, const ReadInput& read) {
   std::vector<PlacedLayer> placed;
   for (std::size_t k = 0; k < project.layers.size(); ++k) {
     const Layer& layer = project.layers[k];
-    const Result<ReadLayer> known = readLayer(layer, shape, read);
-    placed.push_back(known ? placedLayer(layer.kind, known.value(), project.toolpath.spacing)
+    const Result<ReadLayer> known = readLayer(project, k, shape, read);
+    placed.push_back(known ? placedLayer(layer, known.value(), project.toolpath.spacing)
                            : boxOf(layer, shape, ofLayer(k, known.error())));
   }
   return placed;
 }
 
-void layOver(const LayerStack& stack, PlateInput& input) {
-  if (stack.width == 0) return;
-  const Background background(input.directions, stack.width, stack.height);
-  const auto texels = stack.texels.size();
-  DirectionMap directions{stack.width, stack.height, std::vector<std::uint16_t>(texels)};
-  ModeMap modes{stack.width, stack.height, std::vector<DirectionMode>(texels)};
+LayersTold toldOf(const std::vector<PlacedLayer>& placed, const std::vector<SeenLayer>& seen, Vec2 page,
+                  double spacing) {
+  LayersTold told;
+  const auto add = [](auto& list, auto more) {
+    list.insert(list.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
+  for (std::size_t k = 0; k < placed.size(); ++k) {
+    for (const DrawingFacts& drawing : placed[k].drawings) {
+      add(told.notes, layerNotes(drawing, k + 1));
+      add(told.warnings, drawingWarnings(drawing, k + 1));
+    }
+  }
+  add(told.warnings, letterWarnings(placed));
+  add(told.warnings, layerWarnings(seen, page, spacing));
+  return told;
+}
+
+PlateInput Composition::laid() const {
+  PlateInput input = ground;
+  input.showsPictures = input.showsPictures || !layers.pictures.empty();
+  if (layers.width == 0) return input;
+  const Background background(ground.directions, layers.width, layers.height);
+  const auto texels = layers.texels.size();
+  DirectionMap directions{layers.width, layers.height, std::vector<std::uint16_t>(texels)};
+  ModeMap modes{layers.width, layers.height, std::vector<DirectionMode>(texels)};
   const auto below = [](int k, int from, int to) { return static_cast<int>((k + 0.5) * to / from); };
-  for (int y = 0; y < stack.height; ++y) {
-    for (int x = 0; x < stack.width; ++x) {
-      const auto k = static_cast<std::size_t>(y) * static_cast<std::size_t>(stack.width) + static_cast<std::size_t>(x);
-      const LayerStack::Texel& texel = stack.texels[k];
-      const auto column = static_cast<std::size_t>(below(x, stack.width, input.modes.width));
-      const auto row = static_cast<std::size_t>(below(y, stack.height, input.modes.height));
-      modes.mode[k] = texel.cover >= 0.5F
-                          ? DirectionMode::Constrained
-                          : input.modes.mode[row * static_cast<std::size_t>(input.modes.width) + column];
+  for (int y = 0; y < layers.height; ++y) {
+    for (int x = 0; x < layers.width; ++x) {
+      const auto k = static_cast<std::size_t>(y) * static_cast<std::size_t>(layers.width) + static_cast<std::size_t>(x);
+      const LayerStack::Texel& texel = layers.texels[k];
+      const auto column = static_cast<std::size_t>(below(x, layers.width, ground.modes.width));
+      const auto row = static_cast<std::size_t>(below(y, layers.height, ground.modes.height));
+      modes.mode[k] =
+          texel.mode.value_or(ground.modes.mode[row * static_cast<std::size_t>(ground.modes.width) + column]);
       if (texel.cover == 0) {
         directions.angle[k] = background.angleAt(x, y);
         continue;
@@ -169,9 +222,9 @@ void layOver(const LayerStack& stack, PlateInput& input) {
       directions.angle[k] = storedAngle(exact::atan2(line.y, line.x) / (2 * std::numbers::pi));
     }
   }
-  input.showsPictures = input.showsPictures || !stack.pictures.empty();
   input.directions = std::move(directions);
   input.modes = std::move(modes);
+  return input;
 }
 
 }  // namespace sillon

@@ -30,52 +30,30 @@ Vec2 within(Vec2 box, Vec2 proportions) {
   return proportions * scale;
 }
 
-/// The part of a picture inside its crop.
-Image cropped(const Image& image, const Layer& layer) {
-  const auto place = [](double share, int count) {
-    return std::clamp(static_cast<int>(std::lround(share * count)), 0, count);
-  };
-  int left = place(layer.cropMin.x, image.width), right = place(layer.cropMax.x, image.width);
-  int top = place(1 - layer.cropMax.y, image.height), bottom = place(1 - layer.cropMin.y, image.height);
-  left = std::min(left, image.width - 1);
-  right = std::max(right, left + 1);
-  top = std::min(top, image.height - 1);
-  bottom = std::max(bottom, top + 1);
-  Image out{right - left, bottom - top, image.channels, {}};
-  for (int y = top; y < bottom; ++y) {
-    for (int x = left; x < right; ++x) {
-      for (int c = 0; c < image.channels; ++c) out.samples.push_back(image.at(x, y, c));
-    }
-  }
-  return out;
-}
-
 /// A drawing on a page as large as its ink.
 Shape onItsInk(Shape shape) {
   const Bounds ink = bounds(shape);
-  for (FilledPath& path : shape.paths) {
-    for (Ring& ring : path.rings) {
-      for (Vec2& point : ring) point = point - ink.min;
-    }
-  }
+  movePoints(shape, [&](Vec2 point) { return point - ink.min; });
   shape.page = ink.size();
   return shape;
 }
 
 std::optional<Error> readText(const Layer& layer, const ReadInput& read, LayerContent& content) {
-  Result<Shape> shape = textShape({layer.text, layer.font, layer.textSize, layer.circle, layer.align}, read);
+  const LayerLetters& letters = *layer.as<LayerLetters>();
+  Result<Shape> shape =
+      textShape({layer.as<LayerWords>()->text, letters.font, letters.textSize, letters.circle, letters.align}, read);
   if (!shape) return shape.error();
   content.shape = std::move(shape).value();
   const Vec2 drawn = content.shape->page;
   // Letters on a circle have the size of their circle; stretched letters would be another font.
-  const bool sized = layer.circle == 0 && (layer.size.x > 0 || layer.size.y > 0);
+  const bool sized = letters.circle == 0 && (layer.size.x > 0 || layer.size.y > 0);
   const Vec2 box{layer.size.x > 0 ? layer.size.x : 1e9, layer.size.y > 0 ? layer.size.y : 1e9};
   content.size = sized ? within(box, drawn) : drawn;
   return std::nullopt;
 }
 
-std::optional<Error> readQr(const Layer& layer, Vec2 page, const ReadInput& read, LayerContent& content) {
-  const Result<Image> modules = qrModules(layer.text, layer.correction, read);
+std::optional<Error> readCode(const Layer& layer, Vec2 page, const ReadInput& read, LayerContent& content) {
+  const Result<Image> modules = qrModules(layer.as<LayerWords>()->text, layer.as<CodeLayer>()->correction, read);
   if (!modules) return modules.error();
   const Image& code = modules.value();
   const int side = code.width + 2 * kQuietZone;
@@ -93,25 +71,52 @@ std::optional<Error> readQr(const Layer& layer, Vec2 page, const ReadInput& read
   return std::nullopt;
 }
 
-std::optional<Error> readPictureOf(const Layer& layer, Vec2 page, const ReadInput& read, LayerContent& content) {
-  const bool map = layer.kind == LayerKind::Map;
-  const Result<Image> image = readPicture(read, layer.file, map ? "direction picture" : "picture");
+/// Size of the box of a picture.
+/// \param usual  without a size of its own: the page, or empty for the largest of its proportions within it.
+Vec2 boxOf(const Layer& layer, const Image& image, Vec2 page, bool fills) {
+  const Vec2 proportions{static_cast<double>(image.width), static_cast<double>(image.height)};
+  return sizeOf(layer.size, proportions, fills ? page : within(page, proportions));
+}
+
+std::optional<Error> readMap(const Layer& layer, Vec2 page, bool lowest, const ReadInput& read, LayerContent& content) {
+  const MapLayer& map = *layer.as<MapLayer>();
+  const Result<Image> image = readPicture(read, map.file, "direction picture");
   if (!image) return image.error();
-  const Image part = cropped(image.value(), layer);
-  if (map) {
-    Result<DirectionMap> directions = directionMap(part, layer.encoding);
-    if (!directions) return directions.error();
-    content.map = std::move(directions).value();
-  } else {
-    content.tones = tonesOf(part);
+  const Image part = cropped(image.value(), map);
+  Result<DirectionMap> directions = directionMap(part, map.encoding);
+  if (!directions) return directions.error();
+  content.map = std::move(directions).value();
+  content.size = boxOf(layer, part, page, lowest);
+  return std::nullopt;
+}
+
+std::optional<Error> readPictures(const Layer& layer, Vec2 page, bool lowest, const ReadInput& read,
+                                  LayerContent& content) {
+  const PictureLayer& pictures = *layer.as<PictureLayer>();
+  for (const LampPicture& one : pictures.pictures) {
+    const Result<Image> image = readPicture(read, one.file, "picture");
+    if (!image) return image.error();
+    const Image part = cropped(image.value(), pictures);
+    if (content.tones.empty()) content.size = boxOf(layer, part, page, lowest);
+    content.tones.push_back(tonesOf(part));
   }
-  const Vec2 proportions{static_cast<double>(part.width), static_cast<double>(part.height)};
-  content.size = sizeOf(layer.size, proportions, within(page, proportions));
+  return std::nullopt;
+}
+
+std::optional<Error> readTones(const Layer& layer, Vec2 page, bool lowest, const ReadInput& read,
+                               LayerContent& content) {
+  const TonesLayer& tones = *layer.as<TonesLayer>();
+  Result<PaintedFile> painted = readPainted(read, tones.file, "picture");
+  if (!painted) return painted.error();
+  content.picture = cropped(painted.value().picture, tones);
+  content.painted = std::move(painted.value().drawing);
+  content.size = boxOf(layer, *content.picture, page, lowest);
+  content.fills = lowest && layer.size == Vec2{};
   return std::nullopt;
 }
 
 std::optional<Error> readDrawingOf(const Layer& layer, Vec2 page, const ReadInput& read, LayerContent& content) {
-  Result<Shape> shape = readDrawing(read, layer.file, "drawing");
+  Result<Shape> shape = readDrawing(read, layer.as<LayerFile>()->file, "drawing");
   if (!shape) return shape.error();
   content.shape = onItsInk(std::move(shape).value());
   const Vec2 drawn = content.shape->page, room = page * kMostOfPage;
@@ -120,23 +125,29 @@ std::optional<Error> readDrawingOf(const Layer& layer, Vec2 page, const ReadInpu
   return std::nullopt;
 }
 
-std::optional<Error> readKind(const Layer& layer, Vec2 page, const ReadInput& read, LayerContent& content) {
+std::optional<Error> readKind(const Layer& layer, Vec2 page, bool lowest, const ReadInput& read,
+                              LayerContent& content) {
   content.size = sizeOf(layer.size, page, page);
-  switch (layer.kind) {
+  switch (layer.kind()) {
     case LayerKind::Text:
       return readText(layer, read, content);
-    case LayerKind::Qr:
-      return readQr(layer, page, read, content);
+    case LayerKind::Code:
+      return readCode(layer, page, read, content);
     case LayerKind::Map:
+      return readMap(layer, page, lowest, read, content);
     case LayerKind::Picture:
-      return readPictureOf(layer, page, read, content);
+      return readPictures(layer, page, lowest, read, content);
+    case LayerKind::Tones:
+      return readTones(layer, page, lowest, read, content);
     case LayerKind::Drawing:
       return readDrawingOf(layer, page, read, content);
     case LayerKind::Pattern:
-      if (layer.pattern != LayerPattern::Echo) return std::nullopt;
-      return layer.file.empty() ? readText(layer, read, content) : readDrawingOf(layer, page, read, content);
+      if (layer.as<PatternLayer>()->pattern != LayerPattern::Echo) return std::nullopt;
+      return layer.as<LayerFile>()->file.empty() ? readText(layer, read, content)
+                                                 : readDrawingOf(layer, page, read, content);
     case LayerKind::Direction:
     case LayerKind::Border:
+    case LayerKind::Strokes:
       break;
   }
   return std::nullopt;
@@ -144,9 +155,12 @@ std::optional<Error> readKind(const Layer& layer, Vec2 page, const ReadInput& re
 
 }  // namespace
 
-Result<LayerContent> readContent(const Layer& layer, Vec2 page, const ReadInput& read) {
+Result<LayerContent> readContent(const Layer& layer, Vec2 page, bool lowest, const ReadInput& read) {
   LayerContent content;
-  if (auto error = readKind(layer, page, read, content)) return *std::move(error);
+  if (auto error = readKind(layer, page, lowest, read, content)) return *std::move(error);
+  Result<ModeMap> modes = readModes(layer, read);
+  if (!modes) return modes.error();
+  content.modes = std::move(modes).value();
   if (layer.mask == LayerMask::Inside || layer.mask == LayerMask::Outside) {
     Result<Shape> mask = readDrawing(read, layer.maskFile, "mask");
     if (!mask) return mask.error();

@@ -9,6 +9,7 @@
 
 #include "base/exact_math.hpp"
 #include "compose/background.hpp"
+#include "compose/lines.hpp"
 #include "sillon/text/qr_code.hpp"
 
 namespace sillon {
@@ -53,7 +54,7 @@ Window windowAround(const Placement& place, const LayerPlate& plate) {
 /// Tells whether a layer's region ends at the page, so that none of it lies beyond.
 bool endsAtPage(const Layer& layer) {
   const bool everywhere = layer.mask == LayerMask::Page || layer.mask == LayerMask::Outside || unbounded(layer);
-  return layer.kind == LayerKind::Border || (everywhere && !outlined(layer.kind));
+  return layer.as<BorderLayer>() != nullptr || (everywhere && !outlined(layer));
 }
 
 /// Ink of a layer in a window, by where it lies.
@@ -130,7 +131,7 @@ bool reads(const PlacedCode& code, const Layer& layer, double module, double spa
            const Laid& laid) {
   constexpr double kContrast = 0.5;  // of directions 30 degrees apart, 1 - cos 60 degrees
   constexpr double kClear = 0.25;    // of the way from between the two directions to either
-  const CodeLines lines = codeLines(layer);
+  const CodeLines lines = codeLines(*layer.as<CodeLayer>());
   const Vec2 dark = wide(lines.dark), light = wide(lines.light);
   const double contrast = 1 - dot(dark, light);
   if (contrast < kContrast || module < spacing) return false;
@@ -203,10 +204,11 @@ Ink inkOver(const Texel& texel, std::optional<Vec2f> line, std::optional<Vec2f> 
 }
 
 std::vector<SeenLayer> seeLayers(const Project& project, const std::vector<PlacedLayer>& placed,
-                                 const LayerStack& stack, const DirectionMap& below) {
+                                 const Composition& composition) {
+  const LayerStack& stack = composition.layers;
   std::vector<SeenLayer> seen;
   if (stack.inks.empty()) return seen;
-  const Laid laid(stack, below);
+  const Laid laid(stack, composition.ground.directions);
   std::vector<std::size_t> onTop(project.layers.size() + 1), turned(onTop.size());
   for (std::size_t k = 0; k < stack.texels.size(); ++k) {
     const Texel& texel = stack.texels[k];
@@ -214,8 +216,9 @@ std::vector<SeenLayer> seeLayers(const Project& project, const std::vector<Place
     bool differs = texel.ink == Ink::Turned;
     if (texel.ink == Ink::OnBelow || texel.ink == Ink::AcrossBelow) {
       const Layer& layer = project.layers[texel.top - 1U];
-      const bool grounded = outlined(layer.kind) && layer.ground;
-      const Vec2 own = grounded ? wide(lineOf(*layer.ground * std::numbers::pi / 180)) : laid.line(k);
+      const bool grounded = outlined(layer) && layer.as<LayerGround>()->ground;
+      const Vec2 own =
+          grounded ? wide(lineOf(*layer.as<LayerGround>()->ground * std::numbers::pi / 180)) : laid.line(k);
       differs = !alike(own, laid.below(k) * (texel.ink == Ink::OnBelow ? 1 : -1));
     }
     ++onTop[texel.top];
@@ -227,7 +230,7 @@ std::vector<SeenLayer> seeLayers(const Project& project, const std::vector<Place
     one.layer = ink.layer + 1;
     one.size = placed[ink.layer].size;
     one.thin = placed[ink.layer].thin;
-    one.kind = layer.kind;
+    one.kind = layer.kind();
     one.beside = ink.beside;
     one.underRim = ink.underRim;
     if (ink.texels > 0) {

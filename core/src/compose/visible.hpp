@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "compose/content.hpp"
-#include "compose/ink.hpp"
 #include "compose/placement.hpp"
+#include "compose/region.hpp"
 #include "sillon/compose/compose.hpp"
 
 namespace sillon {

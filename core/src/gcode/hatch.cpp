@@ -24,11 +24,7 @@ struct Frame {
 
 Shape turned(const Shape& shape, const Frame& frame) {
   Shape result = shape;
-  for (FilledPath& path : result.paths) {
-    for (Ring& ring : path.rings) {
-      for (Vec2& p : ring) p = frame.to(p);
-    }
-  }
+  movePoints(result, [&](Vec2 p) { return frame.to(p); });
   return result;
 }
 

@@ -59,11 +59,7 @@ Toolpath PlateTransform::apply(const Toolpath& toolpath) const {
 Shape PlateTransform::apply(const Shape& shape) const {
   Shape out = shape;
   out.page = 2 * to_;
-  for (FilledPath& path : out.paths) {
-    for (Ring& ring : path.rings) {
-      for (Vec2& p : ring) p = apply(p);
-    }
-  }
+  movePoints(out, [this](Vec2 p) { return apply(p); });
   return out;
 }
 

@@ -43,6 +43,13 @@ std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double fi
   return intervals;
 }
 
+CellRange cellsWithin(const Interval& interval, double step, int count) {
+  const auto cellAt = [&](double x) {
+    return static_cast<int>(std::clamp(std::ceil(x / step - 0.5), 0.0, static_cast<double>(count)));
+  };
+  return {cellAt(interval.begin), cellAt(interval.end)};
+}
+
 std::vector<char> insideCells(const Shape& shape, int width, int height) {
   const double stepX = shape.page.x / width, stepY = shape.page.y / height;
   std::vector<char> inside(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
@@ -50,10 +57,8 @@ std::vector<char> insideCells(const Shape& shape, int width, int height) {
   for (int y = 0; y < height; ++y) {
     char* const row = &inside[static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width)];
     for (const Interval& span : rows[static_cast<std::size_t>(y)]) {
-      const double most = width;
-      const int first = static_cast<int>(std::clamp(std::ceil(span.begin / stepX - 0.5), 0.0, most));
-      const int end = static_cast<int>(std::clamp(std::ceil(span.end / stepX - 0.5), 0.0, most));
-      std::fill(row + first, row + std::max(first, end), char{1});
+      const CellRange cells = cellsWithin(span, stepX, width);
+      std::fill(row + cells.begin, row + cells.end, char{1});
     }
   }
   return inside;

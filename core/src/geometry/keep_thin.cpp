@@ -112,14 +112,10 @@ Result<Shape> keepThinPlaces(Shape shape, double spacing, const RunContext& run)
     kept.push_back(widest);
   }
   if (kept.empty()) return shape;
-  const Result<Shape> added = discs.outline();
+  Result<Shape> added = discs.outline();
   if (!added) return added.error();
-  for (FilledPath path : added.value().paths) {
-    for (Ring& ring : path.rings) {
-      for (Vec2& p : ring) p = p + cells.grid.origin;
-    }
-    shape.paths.push_back(std::move(path));
-  }
+  movePoints(added.value(), [&](Vec2 p) { return p + cells.grid.origin; });
+  for (FilledPath& path : added.value().paths) shape.paths.push_back(std::move(path));
   sortBy(kept, [](const ThinPlace& place) { return -place.areaMm2; });
   shape.kept = std::move(kept);
   return shape;

@@ -1,7 +1,9 @@
-// SVG text to a Shape.
+// SVG text to a Shape, and to a picture.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/shaped_line.hpp"
@@ -44,5 +46,25 @@ struct SvgOptions {
 ///   TooLarge (page over 100000 mm, more than 2 million points or 100,000 bytes of letters, elements nested deeper than
 ///   200, `<use>`, clipping or rules without measure).
 Result<Shape> readSvg(std::string_view text, const SvgOptions& options = {});
+
+/// Paint of a path of a drawing.
+struct PathPaint {
+  std::uint32_t colour = 0;  ///< 0xRRGGBB, of a gradient the mean of its stops
+  double alpha = 1;          ///< 0..1
+};
+
+/// A drawing in its colours.
+struct SvgPainting {
+  Shape shape;
+  std::vector<PathPaint> paints;  ///< one for each path of the shape; later ones lie on top
+};
+
+/// Does the same as readSvg, with its errors.
+Result<SvgPainting> readSvgPainting(std::string_view text, const SvgOptions& options = {});
+
+/// The page of a drawing as viewers show it: RGBA, clear where nothing is painted. Edges are hard, so that flat colours
+/// stay flat.
+/// \param longest  side [pixels]; drawings of very many lines have fewer, so that this ends in time.
+Image paintedPicture(const SvgPainting& painting, int longest);
 
 }  // namespace sillon

@@ -1,10 +1,28 @@
 #include "job/place_on_bed.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "gcode/layout.hpp"
 
 namespace sillon {
+
+namespace {
+
+/// The settings of a layer that are mm, besides its place and size.
+std::vector<double*> lengthsOf(Layer& layer) {
+  std::vector<double*> lengths{&layer.soft};
+  if (auto* letters = layer.as<LayerLetters>()) lengths.insert(lengths.end(), {&letters->textSize, &letters->circle});
+  if (auto* pattern = layer.as<PatternLayer>()) lengths.push_back(&pattern->waveLength);
+  if (auto* tones = layer.as<TonesLayer>()) lengths.push_back(&tones->smoothing);
+  if (auto* border = layer.as<BorderLayer>()) lengths.push_back(&border->width);
+  if (auto* strokes = layer.as<StrokesLayer>()) {
+    for (Stroke& stroke : strokes->strokes) lengths.push_back(&stroke.radius);
+  }
+  return lengths;
+}
+
+}  // namespace
 
 bool placeOnBed(Project& project, const Shape& shape, Placing placing) {
   if (placing == Placing::AsGiven) return false;
@@ -35,8 +53,11 @@ bool placeOnBed(Project& project, const Shape& shape, Placing placing) {
   for (Layer& layer : project.layers) {
     if (layer.at) layer.at = percent * *layer.at;
     layer.size = percent * layer.size;
-    for (double* length : {&layer.soft, &layer.textSize, &layer.circle, &layer.waveLength, &layer.width}) {
-      *length *= percent;
+    for (double* length : lengthsOf(layer)) *length *= percent;
+    if (auto* strokes = layer.as<StrokesLayer>()) {
+      for (Stroke& stroke : strokes->strokes) {
+        for (Vec2& point : stroke.points) point = percent * point;
+      }
     }
   }
   return true;

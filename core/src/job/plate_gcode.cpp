@@ -12,8 +12,8 @@ std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& opti
   const Project& project = plate.project;
   // A plate without pictures has the same thumbnails everywhere, whatever its spool.
   LookParams look;
-  if (!plate.pictures.shown.empty()) {
-    look = lookOf(project, plate.pictures, 0);
+  if (!plate.pictures().shown.empty()) {
+    look = lookOf(project, plate.pictures(), 0);
     if (options.colour) look.colour = *options.colour;
   }
   if (needsAcross(project.print) && !plate.below) {
@@ -38,11 +38,10 @@ std::optional<Error> checkPlateGcode(Plate& plate, std::string_view gcode, const
   GcodeCheck check = checkGcode(gcode, project.printer);
   plate.findings = std::move(check.findings);
   plate.delay = check.delay;
-  if (plate.pictures.shown.empty() || !plate.measures) return std::nullopt;
+  if (!plate.composition.showsPictures() || !plate.measures) return std::nullopt;
   const auto read = readBack(gcode, plate.input.shape, project.printer, project.print, plate.toolpath().spacing);
   if (!read) return read.error();
-  auto shown =
-      measurePictures(read.value(), plate.input.shape.page, plate.pictures.shown, plate.pictures.roughness, run);
+  auto shown = judgePictures(plate.composition, read.value(), run);
   if (!shown) return shown.error();
   plate.shown = std::move(shown).value();
   plate.judgedByGcode = true;

@@ -10,6 +10,7 @@
 
 #include "base/parallel_for.hpp"
 #include "look/inversion_parts.hpp"
+#include "look/rasters.hpp"
 #include "toolpath/path.hpp"
 
 namespace sillon {
@@ -19,29 +20,9 @@ constexpr int kMostCells = 4096;
 constexpr double kLeastContrast = 1.5;
 constexpr double kQuarrel = 3;  // weight of smoothness for several pictures: they ask for many more turns
 
-void blurLine(float* first, std::size_t step, std::size_t count, float share, std::vector<float>& line) {
-  line.resize(count);
-  float v = first[0];
-  for (std::size_t k = 0; k < count; ++k) line[k] = v += share * (first[step * k] - v);
-  for (std::size_t k = count; k-- > 0;) first[step * k] = v += share * (line[k] - v);
-}
-
-/// Nearly Gaussian of `sigma` cells: two exponentials there and back along each axis.
-std::vector<float> blurred(std::vector<float> values, int width, int height, float sigma) {
-  const float share = (std::sqrt(1 + 4 * sigma * sigma) - 1) / (2 * sigma * sigma);
-  const auto columns = static_cast<std::size_t>(width);
-  const auto rows = static_cast<std::size_t>(height);
-  std::vector<float> line;
-  for (int pass = 0; pass < 2; ++pass) {
-    for (std::size_t y = 0; y < rows; ++y) blurLine(&values[y * columns], 1, columns, share, line);
-    for (std::size_t x = 0; x < columns; ++x) blurLine(&values[x], columns, rows, share, line);
-  }
-  return values;
-}
-
 void raiseDetails(std::vector<float>& values, int width, int height, double amount, double sigma) {
   if (!(amount > 0)) return;
-  const std::vector<float> soft = blurred(values, width, height, static_cast<float>(sigma));
+  const std::vector<float> soft = blurred(values, width, height, static_cast<float>(2 * sigma));
   for (std::size_t k = 0; k < values.size(); ++k) {
     values[k] = std::clamp(values[k] + static_cast<float>(amount) * (values[k] - soft[k]), 0.0f, 1.0f);
   }

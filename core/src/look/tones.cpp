@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "look/rasters.hpp"
+
 namespace sillon {
 namespace {
 
@@ -67,36 +69,6 @@ float between(const std::array<float, kCurveSteps + 2>& curve, float x) {
   return curve[k] + (curve[k + 1] - curve[k]) * (place - static_cast<float>(k));
 }
 
-/// Where the samples of one axis come from: weights of up to `count` sources from `first` on.
-struct Span {
-  int first = 0;
-  std::vector<float> weights;
-};
-
-std::vector<Span> spansOf(int from, int to) {
-  std::vector<Span> spans(static_cast<std::size_t>(to));
-  const double step = static_cast<double>(from) / to;
-  for (int k = 0; k < to; ++k) {
-    Span& span = spans[k];
-    if (step <= 1) {
-      const double place = std::clamp((k + 0.5) * step - 0.5, 0.0, from - 1.0);
-      span.first = std::min(static_cast<int>(place), std::max(0, from - 2));
-      const auto share = static_cast<float>(place - span.first);
-      span.weights = {1 - share};
-      if (from > 1) span.weights.push_back(share);
-      continue;
-    }
-    const double begin = k * step;
-    const double end = std::min<double>(from, (k + 1) * step);
-    span.first = static_cast<int>(begin);
-    for (int i = span.first; i < from && i < end; ++i) {
-      span.weights.push_back(
-          static_cast<float>((std::min<double>(i + 1, end) - std::max<double>(i, begin)) / (end - begin)));
-    }
-  }
-  return spans;
-}
-
 /// \param grey  of the codes of red, green and blue; pictures without colours have theirs.
 template <class Grey>
 Tones greysOf(const Image& image, Grey&& grey) {
@@ -132,28 +104,10 @@ Tones lumaOf(const Image& image) {
 
 Tones resampled(const Tones& tones, int width, int height) {
   if (tones.width == width && tones.height == height) return tones;
-  const std::vector<Span> columns = spansOf(tones.width, width), rows = spansOf(tones.height, height);
-  Tones out{width, height, {}};
-  out.value.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  std::vector<float> line(static_cast<std::size_t>(tones.width));
-  for (int y = 0; y < height; ++y) {
-    const Span& row = rows[y];
-    std::fill(line.begin(), line.end(), 0.0f);
-    for (std::size_t j = 0; j < row.weights.size(); ++j) {
-      for (int x = 0; x < tones.width; ++x) {
-        line[x] += row.weights[j] * lightOfCode(tones.at(x, row.first + static_cast<int>(j)));
-      }
-    }
-    for (int x = 0; x < width; ++x) {
-      const Span& column = columns[x];
-      float sum = 0;
-      for (std::size_t i = 0; i < column.weights.size(); ++i) {
-        sum += column.weights[i] * line[static_cast<std::size_t>(column.first) + i];
-      }
-      out.value[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
-          codeOfLight(sum);
-    }
-  }
+  Tones out = tones;
+  for (float& v : out.value) v = lightOfCode(v);
+  out = means(out, width, height);
+  for (float& v : out.value) v = codeOfLight(v);
   return out;
 }
 

@@ -19,9 +19,16 @@ namespace sillon {
 /// \param shape  outlives what is returned.
 InsideCells insideOf(const Shape& shape);
 
+/// The light under which pictures were solved for.
+struct SolvedLight {
+  Roughness roughness;
+  double level = 1;  ///< SolvedDirections::level
+};
+
 /// Each picture as the directions alone show it, on another raster. Tones that pictures take from each other are
 /// missing from it: no correction brings them back.
-std::vector<Tones> shownTones(const PlatePictures& pictures, const DirectionMap& directions, int width, int height);
+std::vector<Tones> shownTones(std::span<const ShownPicture> shown, const DirectionMap& directions,
+                              const SolvedLight& light, int width, int height);
 
 // Tones that a plate leaves out of a picture, asked for on top of it.
 

@@ -17,11 +17,12 @@ InsideCells insideOf(const Shape& shape) {
   };
 }
 
-std::vector<Tones> shownTones(const PlatePictures& pictures, const DirectionMap& directions, int width, int height) {
-  const PictureConflict conflict = conflictOf(directions, pictures.shown, pictures.roughness, pictures.level);
+std::vector<Tones> shownTones(std::span<const ShownPicture> pictures, const DirectionMap& directions,
+                              const SolvedLight& light, int width, int height) {
+  const PictureConflict conflict = conflictOf(directions, pictures, light.roughness, light.level);
   std::vector<Tones> out;
-  for (std::size_t k = 0; k < pictures.shown.size(); ++k) {
-    Tones shown = pictures.shown[k].tones;
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    Tones shown = pictures[k].tones;
     for (std::size_t c = 0; c < shown.value.size(); ++c) shown.value[c] -= conflict.missing[k][c];
     out.push_back(resampled(shown, width, height));
   }

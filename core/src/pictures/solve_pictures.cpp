@@ -23,7 +23,8 @@ std::vector<double> fieldR(const PlatePictures& pictures, const DirectionMap& di
   if (pictures.shown.size() < 2) return r;
   // Cells of 2 tau, as plates are judged.
   const int width = std::max(1, directions.width / 4), height = std::max(1, directions.height / 4);
-  const std::vector<Tones> seen = shownTones(pictures, directions, width, height);
+  const std::vector<Tones> seen =
+      shownTones(pictures.shown, directions, {pictures.roughness, pictures.level}, width, height);
   for (std::size_t k = 0; k < seen.size(); ++k) {
     std::vector<float> light;
     light.reserve(seen[k].value.size());
@@ -60,20 +61,18 @@ InversionParams inversionOf(const PictureParams& params) {
   return inversion;
 }
 
-Result<std::vector<LitPicture>> readPictures(const PictureParams& params, const ReadInput& read) {
+std::vector<LitPicture> unlit(const std::vector<LampPicture>& pictures, double lampSize) {
   std::vector<LitPicture> lit;
-  for (const LampPicture& asked : params.files) {
-    const Result<Image> image = readPicture(read, asked.file, "picture");
-    if (!image) return image.error();
+  for (const LampPicture& asked : pictures) {
     Lamp lamp;
-    lamp.slope = params.lampSize;
+    lamp.slope = lampSize;
     if (asked.lamp) {
       lamp.azimuth = asked.lamp->x;
       lamp.elevation = asked.lamp->y;
     } else if (!lit.empty()) {
       lamp.elevation = lit[0].lamp.elevation;  // one lamp, carried around the plate
     }
-    lit.push_back({tonesOf(image.value()), lamp, !asked.lamp});
+    lit.push_back({{}, lamp, !asked.lamp});
   }
   return lit;
 }
@@ -83,10 +82,15 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
   const PictureParams& params = project.pictures;
   PlatePictures pictures;
   pictures.roughness = roughnessOf(project);
-  if (params.files.empty()) return pictures;
-  Result<std::vector<LitPicture>> decoded = readPictures(params, read);
-  if (!decoded) return decoded.error();
-  std::vector<LitPicture> lit = std::move(decoded).value();
+  const Layer* const ground = groundOf(project.layers);
+  const PictureLayer* const layer = ground == nullptr ? nullptr : ground->as<PictureLayer>();
+  if (layer == nullptr) return pictures;
+  std::vector<LitPicture> lit = unlit(layer->pictures, params.lampSize);
+  for (std::size_t k = 0; k < lit.size(); ++k) {
+    const Result<Image> image = readPicture(read, layer->pictures[k].file, "picture");
+    if (!image) return image.error();
+    lit[k].tones = tonesOf(cropped(image.value(), *layer));
+  }
   const Vec2 page = input.shape.page;
   const double spacing = project.toolpath.spacing;
   const InversionParams inversion = inversionOf(params);
@@ -102,7 +106,7 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
       if (before.spacing == spacing) {
         PlatePictures again = before.pictures;
         again.leftOut = pictures.leftOut;
-        for (std::size_t k = 0; k < lit.size(); ++k) again.shown[k].file = params.files[k].file;
+        for (std::size_t k = 0; k < lit.size(); ++k) again.shown[k].file = layer->pictures[k].file;
         input.directions = before.directions;
         input.showsPictures = true;
         return again;
@@ -127,7 +131,8 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
   for (std::size_t k = 0; k < lit.size(); ++k) {
     tones += lit[k].tones.value.size();
     pictures.chosen.push_back(lit[k].chooseAzimuth);
-    pictures.shown.push_back({params.files[k].file, solved.value().lamps[k], std::move(solved.value().shown[k])});
+    pictures.shown.push_back({layer->pictures[k].file, solved.value().lamps[k], std::move(solved.value().shown[k])});
+    pictures.solved.push_back(pictures.shown.back().tones);
   }
   pictures.level = solved.value().level;
   pictures.contrast = contrastOf(lobeOf(pictures.shown[0].lamp, pictures.roughness));

@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 64;
 constexpr const char* kStudio = "studio";
-constexpr std::array kSections{Section::Shape,  Section::Directions, Section::Modes, Section::Pictures,
-                               Section::Layers, Section::Toolpath,   Section::Print, Section::Printer};
+constexpr std::array kSections{Section::Shape,    Section::Layers, Section::Pictures,
+                               Section::Toolpath, Section::Print,  Section::Printer};
 
 /// Looks a JSON text over without building it: syntax, nesting, repeated keys.
 class Inspector : public nlohmann::json_sax<Json> {
@@ -91,9 +91,10 @@ std::string wrongKind(const Json& root) {
 
 /// \return what is wrong: an unknown key, a wrong type. Empty: nothing.
 std::string readRoot(const Json& root, Project& project) {
-  std::vector<std::string> known = sceneKeys();
-  known.insert(known.begin(), {"sillon", kStudio});
+  std::vector<std::string> known{"sillon"};
   for (const Section section : kSections) known.emplace_back(sectionName(section));
+  known.emplace_back(kStudio);
+  for (std::string& key : sceneKeys()) known.push_back(std::move(key));
   if (std::string wrong = unknownKey(root, "", known); !wrong.empty()) return wrong;
   if (std::string wrong = wrongKind(root); !wrong.empty()) return wrong;
   if (std::string wrong = readSceneKeys(root, project); !wrong.empty()) return wrong;

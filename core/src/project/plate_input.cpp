@@ -1,6 +1,7 @@
 #include "sillon/project/project.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +23,8 @@
 
 namespace sillon {
 namespace {
+
+constexpr int kPaintedSide = 1024;  // of a drawing in its colours [pixels]
 
 // By its content; what is no XML and no picture either may be meant for one by its name.
 bool looksLikeSvg(std::string_view bytes, std::string_view name) {
@@ -49,6 +52,23 @@ Error withoutLetters(const Error& error, const std::vector<LackedLetter>& lacked
   return error.code == ErrorCode::EmptyShape && lost != lacked.end() ? missingLetter("", *lost) : error;
 }
 
+/// Reads an SVG, and draws its text.
+Result<SvgPainting> paintingFrom(const ReadInput& read, std::string_view text, SvgOptions svg) {
+  svg.letters.choose = fontOfDrawing;
+  std::vector<LackedLetter> lacked;
+  svg.letters.shape = [&](const DrawingFont& font, const std::string& line) {
+    Result<ShapedLine> shaped = shapeLineOfDrawing(read, font, line);
+    if (shaped) {
+      for (const LackedLetter& letter : shaped.value().lacked) addLacked(lacked, letter);
+    }
+    return shaped;
+  };
+  Result<SvgPainting> painting = readSvgPainting(text, svg);
+  if (!painting) return withoutLetters(painting.error(), lacked);
+  painting.value().shape.drawing.lacked = std::move(lacked);
+  return painting;
+}
+
 struct DrawingOptions {
   SvgOptions svg;
   double maskWidth = kDefaultWidth;  // [mm]
@@ -60,19 +80,9 @@ Result<Shape> drawingFrom(const ReadInput& read, const std::string& name, const 
   if (!file) return file.error();
   const auto* text = std::get_if<std::string>(&file.value());
   if (text != nullptr && looksLikeSvg(*text, name)) {
-    SvgOptions svg = options.svg;
-    svg.letters.choose = fontOfDrawing;
-    std::vector<LackedLetter> lacked;
-    svg.letters.shape = [&](const DrawingFont& font, const std::string& line) {
-      Result<ShapedLine> shaped = shapeLineOfDrawing(read, font, line);
-      if (shaped) {
-        for (const LackedLetter& letter : shaped.value().lacked) addLacked(lacked, letter);
-      }
-      return shaped;
-    };
-    Result<Shape> shape = readSvg(*text, svg);
-    if (shape) shape.value().drawing.lacked = std::move(lacked);
-    return shape ? std::move(shape) : withoutLetters(shape.error(), lacked);
+    Result<SvgPainting> painting = paintingFrom(read, *text, options.svg);
+    if (!painting) return painting.error();
+    return std::move(painting).value().shape;
   }
   const Result<Image> mask = picture(std::move(file).value(), name);
   if (!mask) return mask.error();
@@ -107,11 +117,7 @@ Result<Shape> textOf(const Project& project, const ReadInput& read, Vec2 size) {
   if (!shape || size.y == 0) return shape;
   // The page is as large as asked; letters of other proportions stand in its middle.
   const Vec2 free = (size - shape.value().page) * 0.5;
-  for (FilledPath& path : shape.value().paths) {
-    for (Ring& ring : path.rings) {
-      for (Vec2& point : ring) point = point + free;
-    }
-  }
+  movePoints(shape.value(), [free](Vec2 point) { return point + free; });
   shape.value().page = size;
   return shape;
 }
@@ -164,32 +170,77 @@ Result<Image> readPicture(const ReadInput& read, const std::string& name, const 
   return picture(std::move(file).value(), name);
 }
 
+Image cropped(const Image& image, const LayerCrop& crop) {
+  if (crop == LayerCrop()) return image;
+  const auto place = [](double share, int count) {
+    return std::clamp(static_cast<int>(std::lround(share * count)), 0, count);
+  };
+  int left = place(crop.cropMin.x, image.width), right = place(crop.cropMax.x, image.width);
+  int top = place(1 - crop.cropMax.y, image.height), bottom = place(1 - crop.cropMin.y, image.height);
+  left = std::min(left, image.width - 1);
+  right = std::max(right, left + 1);
+  top = std::min(top, image.height - 1);
+  bottom = std::max(bottom, top + 1);
+  Image out{right - left, bottom - top, image.channels, {}};
+  for (int y = top; y < bottom; ++y) {
+    for (int x = left; x < right; ++x) {
+      for (int c = 0; c < image.channels; ++c) out.samples.push_back(image.at(x, y, c));
+    }
+  }
+  return out;
+}
+
+Result<ModeMap> readModes(const Layer& layer, const ReadInput& read) {
+  if (layer.modeFile.empty()) return uniformMode(layer.mode);
+  const Result<Image> decoded = readPicture(read, layer.modeFile, "mode picture");
+  if (!decoded) return decoded.error();
+  const LayerCrop* const crop = layer.as<LayerCrop>();
+  Result<ModeMap> map = modeMap(crop == nullptr ? decoded.value() : cropped(decoded.value(), *crop));
+  return map ? std::move(map) : Result<ModeMap>(named("mode picture", layer.modeFile, map.error()));
+}
+
 Result<Shape> readDrawing(const ReadInput& read, const std::string& name, const std::string& what) {
   Result<Shape> shape = drawingFrom(read, name, what, {});
   return shape ? std::move(shape) : Result<Shape>(named(what.c_str(), name, shape.error()));
 }
 
+Result<PaintedFile> readPainted(const ReadInput& read, const std::string& name, const std::string& what) {
+  Result<InputFile> file = read(name, what);
+  if (!file) return file.error();
+  const auto* text = std::get_if<std::string>(&file.value());
+  if (text == nullptr || !looksLikeSvg(*text, name)) {
+    Result<Image> decoded = picture(std::move(file).value(), name);
+    if (!decoded) return decoded.error();
+    return PaintedFile{std::move(decoded).value(), {}};
+  }
+  Result<SvgPainting> painting = paintingFrom(read, *text, {});
+  if (!painting) return named(what.c_str(), name, painting.error());
+  return PaintedFile{paintedPicture(painting.value(), kPaintedSide), std::move(painting.value().shape.drawing)};
+}
+
 namespace {
 
-/// \param lines  receives the picture of the directions, if there is one.
-Result<PlateField> fieldOf(const Project& project, const ReadInput& read, std::optional<Image>& lines) {
-  if (!project.directionFile.empty()) {
-    Result<Image> decoded = readPicture(read, project.directionFile, "direction picture");
-    if (!decoded) return decoded.error();
-    lines = std::move(decoded).value();
-  }
-  auto directions = lines ? directionMap(*lines, project.encoding) : uniformDirection(project.angle);
-  if (!directions) return named("direction picture", project.directionFile, directions.error());
+/// Directions and modes of the lowest layer.
+struct LowestField {
+  DirectionMap directions;
+  ModeMap modes;
+};
 
-  ModeMap modes = uniformMode(project.mode);
-  if (!project.modeFile.empty()) {
-    const Result<Image> decoded = readPicture(read, project.modeFile, "mode picture");
+/// \param lines  receives the picture of the lowest layer, if it has one.
+Result<LowestField> fieldOf(const Project& project, const ReadInput& read, std::optional<Image>& lines) {
+  const Layer* const ground = groundOf(project.layers);
+  if (ground == nullptr) return LowestField{uniformDirection(0).value(), uniformMode(DirectionMode::Constrained)};
+  auto directions = uniformDirection(ground->kind() == LayerKind::Direction ? ground->as<LayerAngle>()->angle : 0);
+  if (const MapLayer* const map = ground->as<MapLayer>()) {
+    const Result<Image> decoded = readPicture(read, map->file, "direction picture");
     if (!decoded) return decoded.error();
-    Result<ModeMap> map = modeMap(decoded.value());
-    if (!map) return named("mode picture", project.modeFile, map.error());
-    modes = std::move(map).value();
+    lines = cropped(decoded.value(), *map);
+    directions = directionMap(*lines, map->encoding);
+    if (!directions) return named("direction picture", map->file, directions.error());
   }
-  return PlateField{std::move(directions).value(), std::move(modes)};
+  Result<ModeMap> modes = readModes(*ground, read);
+  if (!modes) return modes.error();
+  return LowestField{std::move(directions).value(), std::move(modes).value()};
 }
 
 /// Takes as much memory as the plate.
@@ -208,21 +259,25 @@ Result<Shape> finished(Result<Shape> shape, const Project& project, const RunCon
 
 }  // namespace
 
-Result<PlateField> readPlateField(const Project& project, const ReadInput& read) {
+Result<PlateInput> readPlateInput(const Project& project, Shape shape, const ReadInput& read) {
   std::optional<Image> lines;
-  return fieldOf(project, read, lines);
+  Result<LowestField> field = fieldOf(project, read, lines);
+  if (!field) return field.error();
+  return PlateInput{std::move(shape), std::move(field.value().directions), std::move(field.value().modes)};
 }
 
 Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read, const RunContext& run) {
   std::optional<Image> lines;
-  Result<PlateField> field = fieldOf(project, read, lines);
+  Result<LowestField> field = fieldOf(project, read, lines);
   if (!field) return field.error();
-  // Its directions are solved for later; here it lends its proportions.
-  const bool proportions = project.shapeFile.empty() && !lines && !project.pictures.files.empty();
-  if (proportions && (project.builtin == BuiltinShape::None || project.builtinSize.y == 0)) {
-    Result<Image> decoded = readPicture(read, project.pictures.files[0].file, "picture");
+  // Pictures are solved for later; here the first lends its proportions.
+  const Layer* const ground = groundOf(project.layers);
+  const PictureLayer* const lit = ground == nullptr ? nullptr : ground->as<PictureLayer>();
+  const bool open = project.builtin == BuiltinShape::None || project.builtinSize.y == 0;
+  if (lit != nullptr && open && project.shapeFile.empty()) {
+    const Result<Image> decoded = readPicture(read, lit->pictures.at(0).file, "picture");
     if (!decoded) return decoded.error();
-    lines = std::move(decoded).value();
+    lines = cropped(decoded.value(), *lit);
   }
   Result<Shape> shape = project.shapeFile.empty() ? builtinShape(project, read, lines) : shapeFromFile(project, read);
   shape = finished(std::move(shape), project, run);

@@ -82,8 +82,14 @@ std::string readSceneKeys(const Json& root, Project& project) {
     project.printer.nozzle = std::min(width, nozzle.high);
   }
   if (reader.text(kShape, project.shapeFile)) project.unitlessIsMm = project.ignorePaint = true;
-  reader.text(kDirections, project.directionFile);
-  reader.text(kModes, project.modeFile);
+  std::string lines, modes;
+  if (reader.text(kDirections, lines)) {
+    project.layers.emplace_back().contents.emplace<MapLayer>().file = lines;
+  }
+  if (reader.text(kModes, modes)) {
+    if (project.layers.empty()) project.layers.emplace_back();
+    project.layers[0].modeFile = modes;
+  }
   int count = 0;
   if (reader.integer(kPerimeters, count, static_cast<int>(perimeters.low), static_cast<int>(perimeters.high))) {
     project.toolpath.perimeterMode = count == 0 ? PerimeterMode::None : PerimeterMode::Count;

@@ -281,6 +281,18 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
   }
 }
 
+std::vector<PictureMeasures> comparePictures(const std::vector<std::vector<float>>& lights,
+                                             std::span<const ShownPicture> pictures, int width, int height) {
+  std::vector<Tones> asked;
+  for (const ShownPicture& picture : pictures) asked.push_back(resampled(picture.tones, width, height));
+  std::vector<PictureMeasures> measures;
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    measures.push_back(compareTones(lights[k], asked[k]));
+    for (const Tones& other : asked) measures.back().others.push_back(correlation(sumsOf(lights[k], other)));
+  }
+  return measures;
+}
+
 Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, Vec2 page,
                                                      std::span<const ShownPicture> pictures, const Roughness& roughness,
                                                      const RunContext& run) {
@@ -295,14 +307,7 @@ Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, V
   const auto seen = seePlate(toolpath, page, lamps, roughness, run);
   if (!seen) return seen.error();
   const auto& [width, height, lights] = seen.value();
-  std::vector<Tones> asked;
-  for (const ShownPicture& picture : pictures) asked.push_back(resampled(picture.tones, width, height));
-  std::vector<PictureMeasures> measures;
-  for (std::size_t k = 0; k < pictures.size(); ++k) {
-    measures.push_back(compareTones(lights[k], asked[k]));
-    for (const Tones& other : asked) measures.back().others.push_back(correlation(sumsOf(lights[k], other)));
-  }
-  return measures;
+  return comparePictures(lights, pictures, width, height);
 }
 
 }  // namespace sillon

@@ -105,7 +105,7 @@ std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const
   Result<WantedDirections> wanted = source.of(made.surface, run);
   if (!wanted) return wanted.error();
   PlateInput input{surface.region, std::move(wanted.value().directions), std::move(wanted.value().modes)};
-  ToolpathParams params = options.toolpath;
+  ToolpathParams params = options.project.toolpath;
   params.spacing = surface.spacing;
   Result<LaidBeads> laid = layBeads(gcode, block, input, params, *file.blocks, run);
   if (!laid) return laid.error();
@@ -146,16 +146,10 @@ std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const
         "a new bead would reach " + fixed(made.beyond, 3) + " mm over it; " + fixed(kMostBeyond, 2) + " is the most";
     return std::nullopt;
   }
-  if (!wanted.value().shown.empty()) {
-    auto pictures = measurePictures(toolpath, input.shape.page, wanted.value().shown, wanted.value().roughness, run);
-    if (!pictures) return pictures.error();
-    made.pictures = std::move(pictures).value();
-    made.leftOut = wanted.value().leftOut;
-    for (const ShownPicture& picture : wanted.value().shown) {
-      made.lamps.push_back(picture.lamp);
-      if (surface.side == SurfaceSide::Bottom) made.lamps.back().azimuth = 180 - picture.lamp.azimuth;
-    }
-  }
+  auto pictures = source.judge(made.surface, toolpath, run);
+  if (!pictures) return pictures.error();
+  made.pictures = std::move(pictures).value();
+  made.leftOut = source.last().pictures.leftOut;
   const std::string_view oldMoves = old.substr(0, last);
   const std::string_view relaid = std::string_view(fresh).substr(0, fresh.size() - (old.size() - last));
   made.seconds = secondsOfMoves(relaid, block.before, block.acceleration) -
@@ -173,7 +167,7 @@ std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const
 
 Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const RebrushOptions& options,
                           const RunContext& run) {
-  if (auto wrong = invalidSettings(options.toolpath)) return *std::move(wrong);
+  if (auto wrong = invalidSettings(options.project)) return *std::move(wrong);
   if (file.blocks == nullptr) return Error{ErrorCode::InvalidArgument, "the file was not read by readSlicedFile"};
   const std::vector<SurfaceBlock>& blocks = file.blocks->blocks;
   std::vector<std::size_t> chosen;

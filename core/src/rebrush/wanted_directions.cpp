@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "look/inversion_parts.hpp"
 #include "rebrush/blocks.hpp"
 #include "sillon/look/spools.hpp"
+#include "sillon/project/project.hpp"
 
 namespace sillon {
 namespace {
@@ -40,14 +40,11 @@ Map cutMap(const Map& map, const Texels& texels, const Bounds& part, const Bound
   return cut;
 }
 
-// As it is seen through the plate.
-LitPicture mirrored(LitPicture picture) {
-  for (int row = 0; row < picture.tones.height; ++row) {
-    const auto begin = picture.tones.value.begin() + static_cast<std::ptrdiff_t>(row) * picture.tones.width;
-    std::reverse(begin, begin + picture.tones.width);
-  }
-  picture.lamp.azimuth = 180 - picture.lamp.azimuth;
-  return picture;
+/// A map as it is seen from the other side. \param turn  of a texel.
+template <class Texel, class Turn>
+void mirror(std::vector<Texel>& texels, int width, const Turn& turn) {
+  for (auto row = texels.begin(); row != texels.end(); row += width) std::reverse(row, row + width);
+  for (Texel& texel : texels) texel = turn(texel);
 }
 
 Bounds pageOf(const SlicedSurface& surface) {
@@ -64,13 +61,22 @@ bool isChosen(const SlicedSurface& surface, std::size_t index, const RebrushOpti
   return surface.side == SurfaceSide::Top ? options.tops : options.bottoms;
 }
 
-Bounds DirectionSource::shared(const SlicedSurface& surface) const {
-  if (options_.fit == PictureFit::Face) return pageOf(surface);
+bool DirectionSource::share(const SlicedSurface& one, std::size_t index, const SlicedSurface& other) const {
+  if (options_.fit == PictureFit::Face) return &one == &other;
+  if (!isChosen(one, index, options_) || one.left != LeftBecause::None || one.side != other.side) return false;
+  return options_.fit != PictureFit::Object || one.object == other.object;
+}
+
+Result<Bounds> DirectionSource::pageFor(const SlicedSurface& surface) const {
+  if (options_.fit == PictureFit::Bed) {
+    const Bounds& bed = file_.blocks->settings.bed;
+    const Vec2 size = bed.empty() ? Vec2{} : bed.size();
+    return size.x > 0 && size.y > 0 ? Result<Bounds>(bed) : Error{ErrorCode::InvalidArgument, kNoBed};
+  }
   Bounds box;
   for (std::size_t k = 0; k < file_.surfaces.size(); ++k) {
     const SlicedSurface& other = file_.surfaces[k];
-    if (!isChosen(other, k, options_) || other.left != LeftBecause::None) continue;
-    if (options_.fit == PictureFit::Object && other.object != surface.object) continue;
+    if (!share(other, k, surface)) continue;
     const Bounds page = pageOf(other);
     box.add(page.min);
     box.add(page.max);
@@ -78,57 +84,81 @@ Bounds DirectionSource::shared(const SlicedSurface& surface) const {
   return box;
 }
 
-Result<Bounds> DirectionSource::whole(const SlicedSurface& surface) const {
-  if (options_.fit != PictureFit::Bed) return shared(surface);
-  const Bounds& bed = file_.blocks->settings.bed;
-  const Vec2 size = bed.empty() ? Vec2{} : bed.size();
-  if (!(size.x > 0 && size.y > 0)) return Error{ErrorCode::InvalidArgument, kNoBed};
-  return bed;
+Shape DirectionSource::shapeOn(const Bounds& page, const SlicedSurface& surface) const {
+  Shape shape;
+  shape.page = page.size();
+  for (std::size_t k = 0; k < file_.surfaces.size(); ++k) {
+    const SlicedSurface& other = file_.surfaces[k];
+    if (!share(other, k, surface)) continue;
+    Shape region = other.region;
+    movePoints(region, [by = other.corner - page.min](Vec2 point) { return point + by; });
+    shape.paths.insert(shape.paths.end(), region.paths.begin(), region.paths.end());
+  }
+  if (surface.side == SurfaceSide::Bottom) {
+    movePoints(shape, [width = shape.page.x](Vec2 point) { return Vec2{width - point.x, point.y}; });
+  }
+  return shape;
+}
+
+Result<DirectionSource::Laid> DirectionSource::lay(const SlicedSurface& surface, const RunContext& run) const {
+  const Result<Bounds> page = pageFor(surface);
+  if (!page) return page.error();
+  const bool below = surface.side == SurfaceSide::Bottom;
+  Project project = options_.project;
+  project.toolpath.spacing = surface.spacing;
+  project.printer.nozzle = file_.nozzle;
+  project.print = {};
+  project.print.showSide = below ? ShowSide::Bed : ShowSide::Up;
+  if (options_.ownSpool != nullptr) {
+    const Roughness slopes = roughnessOf(*options_.ownSpool, file_.nozzle, below);
+    project.pictures.slopes = Vec2{slopes.along, slopes.across};
+  }
+  Result<PlateInput> ground = readPlateInput(project, shapeOn(page.value(), surface), options_.read);
+  if (!ground) return ground.error();
+  Result<Composition> composed = compose(project, std::move(ground).value(), {options_.read}, run);
+  if (!composed) return composed.error();
+  PlateInput input = composed.value().laid();
+  if (below) {
+    mirror(input.directions.angle, input.directions.width,
+           [](std::uint16_t angle) { return static_cast<std::uint16_t>(65535 - angle); });
+    mirror(input.modes.mode, input.modes.width, [](DirectionMode mode) { return mode; });
+  }
+  return Laid{std::move(composed).value(), std::move(input.directions), std::move(input.modes), page.value()};
 }
 
 Result<WantedDirections> DirectionSource::of(std::size_t block, const RunContext& run) {
   const SlicedSurface& surface = file_.surfaces[block];
-  const Result<Bounds> stretched = whole(surface);
-  if (!stretched) return stretched.error();
-  const Bounds page = pageOf(surface);
-  WantedDirections wanted;
-  wanted.modes = cutMap(options_.modes, &ModeMap::mode, page, stretched.value());
-  if (options_.pictures.empty()) {
-    wanted.directions = cutMap(options_.directions, &DirectionMap::angle, page, stretched.value());
-    return wanted;
+  std::string key = surface.side == SurfaceSide::Bottom ? "below " : "above ";
+  if (options_.fit == PictureFit::Face) {
+    key += std::to_string(block);
+    laid_.clear();  // nobody asks for it again
   }
-  const Spool* spool = options_.ownSpool != nullptr ? options_.ownSpool : findSpool(options_.spool);
-  if (spool == nullptr)
-    return Error{ErrorCode::InvalidArgument, "spool \"" + options_.spool + "\" is none of those listed"};
-  const bool below = surface.side == SurfaceSide::Bottom;
-  wanted.roughness = roughnessOf(*spool, file_.nozzle, below);
-
-  const Bounds box = shared(surface);
-  std::string key = below ? "below " : "above ";
-  if (options_.fit == PictureFit::Face) key += std::to_string(block);
   if (options_.fit == PictureFit::Object) key += surface.object;
-  auto found = solved_.find(key);
-  if (found == solved_.end()) {
-    std::vector<LitPicture> pictures;
-    std::vector<double> leftOut;
-    for (const LitPicture& given : options_.pictures) {
-      LitPicture& picture = pictures.emplace_back(below ? mirrored(given) : given);
-      picture.tones =
-          pageTones(std::move(picture.tones), stretched.value().size(), options_.proportions, leftOut.emplace_back());
-      picture.tones = cutMap(picture.tones, &Tones::value, box, stretched.value());
+  auto found = laid_.find(key);
+  if (found == laid_.end()) {
+    Result<Laid> laid = lay(surface, run);
+    if (!laid) return laid.error();
+    found = laid_.emplace(key, std::move(laid).value()).first;
+  }
+  last_ = &found->second;
+  const Bounds page = pageOf(surface);
+  return WantedDirections{cutMap(last_->directions, &DirectionMap::angle, page, last_->page),
+                          cutMap(last_->modes, &ModeMap::mode, page, last_->page)};
+}
+
+Result<std::vector<JudgedPicture>> DirectionSource::judge(std::size_t block, Toolpath toolpath,
+                                                          const RunContext& run) const {
+  const SlicedSurface& surface = file_.surfaces[block];
+  const Vec2 by = surface.corner - last_->page.min;
+  const double width = last_->page.size().x;
+  for (Cycle& cycle : toolpath.cycles) {
+    for (Vec2f& point : cycle.points) {
+      Vec2 at = wide(point) + by;
+      if (surface.side == SurfaceSide::Bottom) at.x = width - at.x;
+      point = {static_cast<float>(at.x), static_cast<float>(at.y)};
     }
-    if (options_.fit == PictureFit::Face) solved_.clear();  // nobody asks for it again
-    auto solved = solveDirections(pictures, wanted.roughness, {box.size(), surface.spacing}, options_.inversion, run);
-    if (!solved) return solved.error();
-    found = solved_.emplace(key, Solved{std::move(solved).value(), std::move(leftOut)}).first;
   }
-  const SolvedDirections& solved = found->second.directions;
-  wanted.leftOut = found->second.leftOut;
-  wanted.directions = cutMap(solved.directions, &DirectionMap::angle, page, box);
-  for (std::size_t k = 0; k < solved.shown.size(); ++k) {
-    wanted.shown.push_back({{}, solved.lamps[k], cutMap(solved.shown[k], &Tones::value, page, box)});
-  }
-  return wanted;
+  return judgePictures(last_->composition, toolpath, run);
 }
 
 }  // namespace sillon

@@ -1,4 +1,4 @@
-// What each surface shall look like: maps cut to it, or pictures solved for it.
+// The layers as each surface of a sliced file shows them.
 #pragma once
 
 #include <map>
@@ -6,47 +6,54 @@
 #include <vector>
 
 #include "sillon/base/run_context.hpp"
-#include "sillon/look/inversion.hpp"
-#include "sillon/quality/metrics.hpp"
+#include "sillon/compose/compose.hpp"
 #include "sillon/rebrush/rebrush.hpp"
 
 namespace sillon {
 
 struct WantedDirections {
-  DirectionMap directions;
+  DirectionMap directions;  ///< over the page of the surface, as seen from above
   ModeMap modes;
-  std::vector<ShownPicture> shown;  ///< as seen from above, also of bottoms; empty without pictures
-  std::vector<double> leftOut;      ///< share of each picture that is cut off, 0..1
-  Roughness roughness;
 };
 
-/// Solves each picture once for all surfaces that share it.
+/// Lays the layers once on all surfaces that share a page.
 class DirectionSource {
  public:
   /// \param options, file  must outlive this.
   DirectionSource(const RebrushOptions& options, const SlicedFile& file) : options_(options), file_(file) {}
 
-  /// \return as solveDirections; InvalidArgument for a spool that is none, or if the file does not tell its bed where
+  /// \return the errors of readPlateInput and compose; InvalidArgument if the file does not tell its bed where
   /// PictureFit::Bed needs it.
   Result<WantedDirections> of(std::size_t block, const RunContext& run);
 
- private:
-  /// What the maps of a surface are stretched over; empty: its own page.
-  [[nodiscard]] Result<Bounds> whole(const SlicedSurface& surface) const;
-  /// The box around all surfaces that share a picture with this one.
-  [[nodiscard]] Bounds shared(const SlicedSurface& surface) const;
+  /// Tells how well a surface shows the pictures that were wanted of it last.
+  Result<std::vector<JudgedPicture>> judge(std::size_t block, Toolpath toolpath, const RunContext& run) const;
 
-  struct Solved {
-    SolvedDirections directions;
-    std::vector<double> leftOut;
+  /// The composition that `of` gave directions of last.
+  [[nodiscard]] const Composition& last() const { return last_->composition; }
+
+ private:
+  /// One composition, on the page that several surfaces share, as it is seen from the side that they show.
+  struct Laid {
+    Composition composition;
+    DirectionMap directions;  ///< as seen from above
+    ModeMap modes;
+    Bounds page;  ///< on the bed
   };
+  /// The page that a surface shares with others.
+  [[nodiscard]] Result<Bounds> pageFor(const SlicedSurface& surface) const;
+  /// Tells whether two surfaces lie on the same page.
+  [[nodiscard]] bool share(const SlicedSurface& one, std::size_t index, const SlicedSurface& other) const;
+  [[nodiscard]] Shape shapeOn(const Bounds& page, const SlicedSurface& surface) const;
+  Result<Laid> lay(const SlicedSurface& surface, const RunContext& run) const;
 
   const RebrushOptions& options_;
   const SlicedFile& file_;
-  std::map<std::string, Solved> solved_;
+  std::map<std::string, Laid> laid_;
+  const Laid* last_ = nullptr;
 };
 
-/// Whether the options ask for this surface. \param index  of SlicedFile::surfaces
+/// Tells whether the options ask for this surface. \param index  of SlicedFile::surfaces
 bool isChosen(const SlicedSurface& surface, std::size_t index, const RebrushOptions& options);
 
 }  // namespace sillon

@@ -118,26 +118,18 @@ std::string layersJson(const std::vector<SeenLayer>& layers) {
   return "[" + list + "\n  ]";
 }
 
-std::string layerPicturesJson(const std::vector<ReportedLayer>& layers) {
-  std::string list;
-  for (const auto& [layer, lamp, measures] : layers) {
-    Object object("    ");
-    object.add("layer", std::to_string(layer));
-    addLikeness(object, lamp, measures);
-    list += (list.empty() ? "\n    " : ",\n    ") + object.text();
-  }
-  return "[" + list + "\n  ]";
-}
-
 std::string picturesJson(const std::vector<ReportedPicture>& pictures, bool fromGcode) {
   std::string list;
+  std::size_t own = 0;  // number among the pictures of its layer
   for (std::size_t k = 0; k < pictures.size(); ++k) {
-    const auto& [file, lamp, measures] = pictures[k];
+    const auto& [layer, file, lamp, measures] = pictures[k];
+    own = k > 0 && pictures[k - 1].layer == layer ? own + 1 : 0;
     std::string others;
     for (std::size_t other = 0; other < measures.others.size(); ++other) {
-      if (other != k) others += (others.empty() ? "" : ", ") + number(measures.others[other], 4);
+      if (other != own) others += (others.empty() ? "" : ", ") + number(measures.others[other], 4);
     }
     Object object("    ");
+    object.add("layer", std::to_string(layer));
     // File names need not be UTF-8; what is not becomes U+FFFD instead of an exception.
     object.add("file", jsonString(file));
     addLikeness(object, lamp, measures);
@@ -215,7 +207,6 @@ std::string reportJson(const Report& report) {
   object.add("digest", jsonString(report.digest));
   if (!report.pictures.empty()) object.add("pictures", picturesJson(report.pictures, report.fromGcode));
   if (!report.layers.empty()) object.add("layers", layersJson(report.layers));
-  if (!report.layerPictures.empty()) object.add("layerPictures", layerPicturesJson(report.layerPictures));
   if (report.print) object.add("print", printJson(*report.print));
   if (report.delay) object.add("neighbourDelay", delayJson(*report.delay));
   object.add("notes", notesJson(report.notes));

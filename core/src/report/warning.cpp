@@ -259,7 +259,7 @@ std::vector<Warning> layerWarnings(const std::vector<SeenLayer>& layers, Vec2 pa
     const double hidden = one.beside + one.underRim + one.covered;
     const double most = std::max({one.beside, one.underRim, one.covered, one.alike});
     const bool drawing = one.kind == LayerKind::Drawing;
-    const bool exact = drawing || one.kind == LayerKind::Text || one.kind == LayerKind::Qr;
+    const bool exact = drawing || one.kind == LayerKind::Text || one.kind == LayerKind::Code;
     const bool much = exact ? hidden > kMayBeHidden || one.alike > (drawing ? kOfDrawingAlike : kMayBeHidden)
                             : hidden + one.alike > 1 - kIsLeft;
     const auto tell = [&](WarningCode code, double share, std::vector<NamedValue> more = {}) {

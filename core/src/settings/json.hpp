@@ -19,6 +19,16 @@ namespace sillon {
 /// Shortest decimal that reads back as the same double, the same in every locale: "0.4", "1e-07", "60".
 std::string numberText(double value);
 
+/// Words of StrokeTool.
+inline constexpr const char* kStrokeTools = "comb mode erase";
+
+/// A field of an enumeration, by number.
+template <class Enum>
+ChoiceField choiceField(Enum& at) {
+  return {&at, [](const void* p) { return static_cast<std::size_t>(*static_cast<const Enum*>(p)); },
+          [](void* p, std::size_t index) { *static_cast<Enum*>(p) = static_cast<Enum>(index); }};
+}
+
 /// "[1.5, 20]"
 std::string pairText(Vec2 value);
 

@@ -83,40 +83,89 @@ struct ReadValue {
     return wrong;
   }
   std::string operator()(std::vector<LampPicture>* out) const {
-    if (!value.is_array()) return wrongType(name, "a list of pictures", value);
-    std::vector<LampPicture> read;
-    for (const Json& one : value) {
-      const std::string path = name + "[" + std::to_string(read.size()) + "]";
-      if (!one.is_object()) return wrongType(path, "an object with file and lamp", one);
-      LampPicture& picture = read.emplace_back();
-      if (std::string wrong = unknownKey(one, path + ".", {"file", "lamp"}); !wrong.empty()) return wrong;
-      if (!one.contains("file")) return path + " has no file; it must name a picture";
-      if (std::string wrong = readText(one["file"], path + ".file", picture.file); !wrong.empty()) return wrong;
-      if (!one.contains("lamp")) continue;
-      const ReadValue lamp{setting, field, one["lamp"], path + ".lamp"};
-      if (std::string wrong = lamp(&picture.lamp); !wrong.empty()) return wrong;
-    }
-    *out = std::move(read);
-    return "";
+    return list(*out, "pictures", {"file", "lamp"},
+                [this](const Json& one, const std::string& path, LampPicture& picture) {
+                  if (!one.contains("file")) return path + " has no file; it must name a picture";
+                  std::string wrong = readText(one["file"], path + ".file", picture.file);
+                  if (wrong.empty() && one.contains("lamp")) wrong = other(one["lamp"], path + ".lamp")(&picture.lamp);
+                  return wrong;
+                });
   }
   std::string operator()(std::vector<RoundHole>* out) const {
-    if (!value.is_array()) return wrongType(name, "a list of holes", value);
-    std::vector<RoundHole> read;
-    for (const Json& one : value) {
-      const std::string path = name + "[" + std::to_string(read.size()) + "]";
-      if (!one.is_object()) return wrongType(path, "an object with x, y and diameter", one);
-      RoundHole& hole = read.emplace_back();
-      if (std::string wrong = unknownKey(one, path + ".", {"x", "y", "diameter"}); !wrong.empty()) return wrong;
+    return list(*out, "holes", {"x", "y", "diameter"}, [](const Json& one, const std::string& path, RoundHole& hole) {
+      std::string wrong;
       for (const auto& [key, number] :
            {std::pair{"x", &hole.centre.x}, {"y", &hole.centre.y}, {"diameter", &hole.diameter}}) {
         if (!one.contains(key)) return path + " has no " + key + "; it must have x, y and diameter in mm";
-        if (std::string wrong = readNumber(one[key], path + "." + key, *number); !wrong.empty()) return wrong;
+        if (wrong = readNumber(one[key], path + "." + key, *number); !wrong.empty()) break;
       }
-    }
-    *out = std::move(read);
-    return "";
+      return wrong;
+    });
+  }
+  std::string operator()(std::vector<ColourAngle>* out) const {
+    return list(*out, "colours", {"colour", "angle"},
+                [](const Json& one, const std::string& path, ColourAngle& colour) {
+                  if (!one.contains("colour")) return path + " has no colour; it must be \"#rrggbb\"";
+                  std::string wrong = readText(one["colour"], path + ".colour", colour.colour);
+                  if (wrong.empty() && one.contains("angle"))
+                    wrong = readNumber(one["angle"], path + ".angle", colour.angle);
+                  return wrong;
+                });
+  }
+  std::string operator()(std::vector<Stroke>* out) const {
+    const auto read = [](const Json& one, const std::string& path, Stroke& stroke) {
+      std::string wrong;
+      const auto word = [&](const char* key, const Setting& choices, auto& field) {
+        if (!wrong.empty() || !one.contains(key)) return;
+        const ChoiceField choice = choiceField(field);
+        wrong = ReadValue{choices, choice, one[key], path + "." + key}.choice();
+      };
+      const auto number = [&](const char* key, double& field) {
+        if (wrong.empty() && one.contains(key)) wrong = readNumber(one[key], path + "." + key, field);
+      };
+      constexpr Setting kTools{.section = Section::Layers,
+                               .key = "tool",
+                               .type = SettingType::Choice,
+                               .field = nullptr,
+                               .choices = kStrokeTools};
+      word("tool", kTools, stroke.tool);
+      word("mode", *findSetting(Section::Layers, "mode"), stroke.mode);
+      number("radius", stroke.radius);
+      number("soft", stroke.soft);
+      if (!wrong.empty()) return wrong;
+      const auto points = one.find("points");
+      if (points == one.end() || !points->is_array() || points->size() % 2 != 0) {
+        return path + ".points must be a list of numbers x, y, x, y, ... in mm";
+      }
+      for (std::size_t k = 0; k < points->size() && wrong.empty(); k += 2) {
+        Vec2& point = stroke.points.emplace_back();
+        wrong = readNumber((*points)[k], path + ".points", point.x);
+        if (wrong.empty()) wrong = readNumber((*points)[k + 1], path + ".points", point.y);
+      }
+      return wrong;
+    };
+    return list(*out, "strokes", {"tool", "radius", "soft", "mode", "points"}, read);
   }
   std::string operator()(const ChoiceField& /*out*/) const { return choice(); }
+
+  /// The same setting with another value.
+  [[nodiscard]] ReadValue other(const Json& one, const std::string& path) const { return {setting, field, one, path}; }
+
+  /// Reads a list of objects that have these keys.
+  template <class Item, class Read>
+  std::string list(std::vector<Item>& out, const char* items, const std::vector<std::string>& keys,
+                   const Read& read) const {
+    if (!value.is_array()) return wrongType(name, std::string("a list of ") + items, value);
+    std::vector<Item> all;
+    for (const Json& one : value) {
+      const std::string path = name + "[" + std::to_string(all.size()) + "]";
+      if (!one.is_object()) return wrongType(path, "an object with " + keys.front() + " and " + keys.back(), one);
+      if (std::string wrong = unknownKey(one, path + ".", keys); !wrong.empty()) return wrong;
+      if (std::string wrong = read(one, path, all.emplace_back()); !wrong.empty()) return wrong;
+    }
+    out = std::move(all);
+    return "";
+  }
 
   std::string choice() const {
     if (!value.is_string()) return wrongType(name, choicesText(setting), value);
@@ -145,6 +194,20 @@ std::string readSetting(const Setting& setting, const Json& value, const std::st
   if (std::string* const* out = std::get_if<std::string*>(&field)) **out = id;
   const std::string wrong = applyNamed(setting, id, view);
   return wrong.empty() ? "" : name + ": " + wrong;
+}
+
+/// \param setting  that layers of this kind do not have.
+std::string otherKind(const Setting& setting, const Layer& layer) {
+  SettingsView view;
+  view.layer = const_cast<Layer*>(&layer);
+  std::string known;
+  for (const Setting& other : settings()) {
+    if (other.section != Section::Layers || std::holds_alternative<std::monostate>(other.field(view))) continue;
+    known += (known.empty() ? "" : ", ") + std::string(other.key);
+  }
+  const Setting& kind = *findSetting(Section::Layers, "kind");
+  return fullName(setting) + " is not for the kind " + inQuotes(splitWords(kind.choices)[layer.contents.index()]) +
+         "; it has " + known;
 }
 
 }  // namespace
@@ -204,8 +267,8 @@ std::string readLayers(const Json& value, Project& project) {
     if (!one.is_object()) return wrongType("layers[" + std::to_string(number) + "]", "an object", one);
     if (std::string wrong = readSection(one, Section::Layers, view); !wrong.empty()) return inLayer(wrong, number);
     // Otherwise an angle would be lost without a word.
-    if (hasFill(view.layer->kind) && one.contains("angle") && !one.contains("fill"))
-      view.layer->fill = LayerFill::Angle;
+    auto* filled = view.layer->as<LayerFilled>();
+    if (filled != nullptr && one.contains("angle") && !one.contains("fill")) filled->fill = LayerFill::Angle;
   }
   return "";
 }
@@ -220,6 +283,9 @@ std::string readSection(const Json& value, Section section, const SettingsView& 
     known.emplace_back(setting.key);
     const auto found = value.find(setting.key);
     if (found == value.end()) continue;
+    if (section == Section::Layers && std::holds_alternative<std::monostate>(setting.field(view))) {
+      return otherKind(setting, *view.layer);
+    }
     if (std::string wrong = readSetting(setting, *found, fullName(setting), view); !wrong.empty()) return wrong;
     if (section == Section::Printer && setting.key == std::string_view("profile")) profile = found->get<std::string>();
   }

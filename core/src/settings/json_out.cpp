@@ -32,23 +32,45 @@ struct ValueJson {
   std::string operator()(const std::optional<double>* value) const { return *value ? numberText(**value) : "null"; }
   std::string operator()(const std::optional<Vec2>* value) const { return *value ? (*this)(&**value) : "null"; }
   std::string operator()(const std::vector<LampPicture>* value) const {
-    std::string out;
-    for (const LampPicture& picture : *value) {
-      const std::string lamp = picture.lamp ? pairText(*picture.lamp) : "null";
-      out +=
-          (out.empty() ? "\n" : ",\n") + pad + "  {\"file\": " + jsonString(picture.file) + ", \"lamp\": " + lamp + "}";
-    }
-    return out.empty() ? "[]" : "[" + out + "\n" + pad + "]";
+    return list(*value, [](const LampPicture& one) {
+      return "{\"file\": " + jsonString(one.file) + ", \"lamp\": " + (one.lamp ? pairText(*one.lamp) : "null") + "}";
+    });
   }
   std::string operator()(const std::vector<RoundHole>* value) const {
-    std::string out;
-    for (const RoundHole& hole : *value) {
-      out += (out.empty() ? "\n" : ",\n") + pad + "  {\"x\": " + numberText(hole.centre.x) +
-             ", \"y\": " + numberText(hole.centre.y) + ", \"diameter\": " + numberText(hole.diameter) + "}";
-    }
-    return out.empty() ? "[]" : "[" + out + "\n" + pad + "]";
+    return list(*value, [](const RoundHole& one) {
+      return "{\"x\": " + numberText(one.centre.x) + ", \"y\": " + numberText(one.centre.y) +
+             ", \"diameter\": " + numberText(one.diameter) + "}";
+    });
+  }
+  std::string operator()(const std::vector<ColourAngle>* value) const {
+    return list(*value, [](const ColourAngle& one) {
+      return "{\"colour\": " + jsonString(one.colour) + ", \"angle\": " + numberText(one.angle) + "}";
+    });
+  }
+  std::string operator()(const std::vector<Stroke>* value) const {
+    return list(*value, [](const Stroke& one) {
+      const Setting& modes = *findSetting(Section::Layers, "mode");
+      std::string points;
+      for (const Vec2 point : one.points) {
+        points += (points.empty() ? "" : ", ") + numberText(point.x) + ", " + numberText(point.y);
+      }
+      const bool mode = one.tool == StrokeTool::Mode || one.mode != Stroke().mode;
+      return "{\"tool\": \"" + splitWords(kStrokeTools).at(static_cast<std::size_t>(one.tool)) +
+             "\", \"radius\": " + numberText(one.radius) + ", \"soft\": " + numberText(one.soft) +
+             (mode ? ", \"mode\": \"" + splitWords(modes.choices).at(static_cast<std::size_t>(one.mode)) + "\"" : "") +
+             ", \"points\": [" + points + "]}";
+    });
   }
   std::string operator()(const ChoiceField& /*value*/) const { return choice(); }
+
+  template <class Item, class Text>
+  std::string list(const std::vector<Item>& items, const Text& text) const {
+    std::string out;
+    for (const Item& item : items) {
+      out += (out.empty() ? "" : pad.empty() ? ", " : ",") + (pad.empty() ? "" : "\n" + pad + "  ") + text(item);
+    }
+    return out.empty() || pad.empty() ? "[" + out + "]" : "[" + out + "\n" + pad + "]";
+  }
 
   std::string choice() const { return "\"" + splitWords(setting.choices).at(chosen(field)) + "\""; }
 };
@@ -75,6 +97,10 @@ const char* typeName(SettingType type) {
       return "pictures";
     case SettingType::HoleList:
       return "holes";
+    case SettingType::ColourList:
+      return "colours";
+    case SettingType::StrokeList:
+      return "strokes";
     case SettingType::Name:
       break;
   }
@@ -96,7 +122,8 @@ void add(std::string& object, const char* key, const std::string& json) {
   object += std::string(object.empty() ? "" : ", ") + "\"" + key + "\": " + json;
 }
 
-std::string settingJson(const Setting& setting, const Field& field) {
+/// \param kinds  of layers that have it; empty: all.
+std::string settingJson(const Setting& setting, const Field& field, const std::string& kinds) {
   const SettingType type = setting.type;
   const bool number = type == SettingType::Number || type == SettingType::Integer || type == SettingType::Pair ||
                       type == SettingType::IntegerPair;
@@ -115,11 +142,13 @@ std::string settingJson(const Setting& setting, const Field& field) {
   const bool seed = std::holds_alternative<std::uint64_t*>(field);  // its end is no double
   if (number) add(out, "low", numberText(setting.low));
   if (number) add(out, "high", seed ? std::to_string(UINT64_MAX) : numberText(setting.high));
-  const bool list = type == SettingType::PictureList || type == SettingType::HoleList;
+  const bool list = type == SettingType::PictureList || type == SettingType::HoleList ||
+                    type == SettingType::ColourList || type == SettingType::StrokeList;
   if (list) add(out, "most", numberText(setting.high));
   const bool text = type == SettingType::Text || type == SettingType::Block;
   if (text && setting.high > 0) add(out, "maxBytes", numberText(setting.high));
   if (*setting.choices != '\0') add(out, "choices", listJson(setting.choices));
+  if (!kinds.empty()) add(out, "kinds", listJson(kinds.c_str()));
   const SettingWords words = wordsOf(setting);
   add(out, "label", jsonString(words.label));
   add(out, "help", jsonString(words.help));
@@ -173,14 +202,17 @@ namespace {
 std::string layerText(const Layer& layer) {
   Layer usual;
   SettingsView view, defaults;
-  view.layer = const_cast<Layer*>(&layer);
   defaults.layer = &usual;
+  choose(findSetting(Section::Layers, "kind")->field(defaults), layer.contents.index());
+  view.layer = const_cast<Layer*>(&layer);
   std::string out;
   for (const Setting& setting : settings()) {
     if (setting.section != Section::Layers) continue;
     const Field field = setting.field(view), other = setting.field(defaults);
+    if (std::holds_alternative<std::monostate>(field)) continue;
     const std::string json = std::visit(ValueJson{setting, field, ""}, field);
-    const bool angled = hasFill(layer.kind) && layer.angle != usual.angle && setting.key == std::string_view("fill");
+    const bool fill = setting.key == std::string_view("fill");
+    const bool angled = fill && layer.as<LayerAngle>()->angle != usual.as<LayerAngle>()->angle;
     const bool told = out.empty() || angled || json != std::visit(ValueJson{setting, other, ""}, other);
     if (told) add(out, setting.key, json);
   }
@@ -222,12 +254,24 @@ std::string projectText(const SettingsView& view) {
 
 std::string settingsJson() {
   Project defaults;
-  Layer layer;
   SettingsView view = viewOf(defaults);
-  view.layer = &layer;
+  const Setting& kind = *findSetting(Section::Layers, "kind");
+  const std::vector<std::string> kinds = splitWords(kind.choices);
   std::string out;
   for (const Setting& setting : settings()) {
-    out += (out.empty() ? "" : ",\n") + settingJson(setting, setting.field(view));
+    std::string having;  // the kinds of layers that have it
+    std::vector<Layer> layers(kinds.size());
+    Field field;
+    for (std::size_t k = kinds.size(); k-- > 0;) {
+      view.layer = &layers[k];
+      choose(kind.field(view), k);
+      Field one = setting.field(view);
+      if (std::holds_alternative<std::monostate>(one)) continue;
+      field = one;
+      having = kinds[k] + (having.empty() ? "" : " ") + having;
+    }
+    const bool some = setting.section == Section::Layers && having != kind.choices;
+    out += (out.empty() ? "" : ",\n") + settingJson(setting, field, some ? having : "");
   }
   return "{\n  \"version\": 1,\n  \"settings\": [\n" + out + "\n  ]\n}\n";
 }

@@ -76,11 +76,14 @@ Wrong wrongText(const Setting& setting, const std::string& value) {
                std::to_string(bytes) + " bytes");
 }
 
+Wrong tooMany(const Setting& setting, std::size_t count, const char* items) {
+  if (count <= static_cast<std::size_t>(setting.high)) return std::nullopt;
+  return wrong(fullName(setting) + " has " + std::to_string(count) + " " + items + "; it may have up to " +
+               numberText(setting.high));
+}
+
 Wrong wrongPictures(const Setting& setting, const std::vector<LampPicture>& pictures) {
-  if (pictures.size() > static_cast<std::size_t>(setting.high)) {
-    return wrong(fullName(setting) + " has " + std::to_string(pictures.size()) + " pictures; it may have up to " +
-                 numberText(setting.high));
-  }
+  if (Wrong found = tooMany(setting, pictures.size(), "pictures")) return found;
   Setting part = setting;
   for (std::size_t k = 0; k < pictures.size(); ++k) {
     std::string key = setting.key;
@@ -102,10 +105,7 @@ Wrong wrongPictures(const Setting& setting, const std::vector<LampPicture>& pict
 }
 
 Wrong wrongHoles(const Setting& setting, const std::vector<RoundHole>& holes) {
-  if (holes.size() > static_cast<std::size_t>(setting.high)) {
-    return wrong(fullName(setting) + " has " + std::to_string(holes.size()) + " holes; it may have up to " +
-                 numberText(setting.high));
-  }
+  if (Wrong found = tooMany(setting, holes.size(), "holes")) return found;
   Setting part = setting;
   part.type = SettingType::Number;
   part.unit = "mm";
@@ -117,6 +117,54 @@ Wrong wrongHoles(const Setting& setting, const std::vector<RoundHole>& holes) {
     if (Wrong found = wrongNumber(part, ".diameter", holes[k].diameter, {0.5, kFurthest})) return found;
   }
   return std::nullopt;
+}
+
+Wrong wrongColours(const Setting& setting, const std::vector<ColourAngle>& colours) {
+  if (Wrong found = tooMany(setting, colours.size(), "colours")) return found;
+  Setting part = setting;
+  part.type = SettingType::Number;
+  part.unit = "degrees";
+  for (std::size_t k = 0; k < colours.size(); ++k) {
+    const std::string& colour = colours[k].colour;
+    const std::string key = setting.key + ("[" + std::to_string(k) + "].");
+    const bool hex = colour.size() == 7 && colour[0] == '#' &&
+                     colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+    if (!hex) {
+      return wrong(std::string(sectionName(setting.section)) + "." + key + "colour is " + inQuotes(colour) +
+                   "; it must be \"#rrggbb\"");
+    }
+    const std::string angle = key + "angle";
+    part.key = angle.c_str();
+    if (Wrong found = wrongNumber(part, "", colours[k].angle, {-360, 360})) return found;
+  }
+  return std::nullopt;
+}
+
+Wrong wrongStrokes(const Setting& setting, const std::vector<Stroke>& strokes) {
+  if (Wrong found = tooMany(setting, strokes.size(), "strokes")) return found;
+  Setting part = setting;
+  part.type = SettingType::Number;
+  std::size_t points = 0;
+  for (std::size_t k = 0; k < strokes.size(); ++k) {
+    const std::string key = setting.key + ("[" + std::to_string(k) + "].");
+    const auto within = [&](const char* name, const char* unit, double value, Range range) {
+      const std::string full = key + name;
+      part.key = full.c_str();
+      part.unit = unit;
+      return wrongNumber(part, "", value, range);
+    };
+    if (Wrong found = within("radius", "mm", strokes[k].radius, {0.1, 1000})) return found;
+    if (Wrong found = within("soft", "", strokes[k].soft, {0, 1})) return found;
+    for (const Vec2 point : strokes[k].points) {
+      for (const double place : {point.x, point.y}) {
+        if (Wrong found = within("points", "mm", place, {-kFurthest, kFurthest})) return found;
+      }
+    }
+    points += strokes[k].points.size();
+  }
+  if (points <= kMostStrokePoints) return std::nullopt;
+  return wrong(fullName(setting) + " have " + std::to_string(points) + " points; they may have up to " +
+               std::to_string(kMostStrokePoints));
 }
 
 Wrong wrongChoice(const Setting& setting, const Field& field) {
@@ -146,6 +194,8 @@ struct WrongValue {
   }
   Wrong operator()(const std::vector<LampPicture>* value) const { return wrongPictures(setting, *value); }
   Wrong operator()(const std::vector<RoundHole>* value) const { return wrongHoles(setting, *value); }
+  Wrong operator()(const std::vector<ColourAngle>* value) const { return wrongColours(setting, *value); }
+  Wrong operator()(const std::vector<Stroke>* value) const { return wrongStrokes(setting, *value); }
   Wrong operator()(const ChoiceField& /*value*/) const { return wrongChoice(setting, field); }
 };
 
@@ -157,12 +207,6 @@ Wrong wrongShape(const Project& project) {
   }
   if (project.shapeFile.empty() || project.builtin == BuiltinShape::None) return std::nullopt;
   return wrong("shape has both file " + inQuotes(project.shapeFile) + " and a builtin; it must have one of them");
-}
-
-Wrong wrongDirections(const Project& project) {
-  if (project.directionFile.empty() || project.pictures.files.empty()) return std::nullopt;
-  return wrong("directions.file is " + inQuotes(project.directionFile) + " and pictures.files has " +
-               inQuotes(project.pictures.files[0].file) + "; directions come from one of them");
 }
 
 Wrong wrongPrint(const PrintParams& print) {
@@ -193,15 +237,22 @@ Wrong wrongPrinter(const Printer& printer) {
 
 /// Finds the field that a visible layer lacks.
 Wrong lackingLayer(const Layer& layer) {
-  const LayerKind kind = layer.kind;
-  const bool echo = kind == LayerKind::Pattern && layer.pattern == LayerPattern::Echo;
-  const bool needsFile = kind == LayerKind::Map || kind == LayerKind::Picture || kind == LayerKind::Drawing;
-  if (needsFile && layer.file.empty()) return wrong("layers.file is empty; it must name a picture or a drawing");
-  if (echo && layer.file.empty() && layer.text.empty()) {
+  const auto* file = layer.as<LayerFile>();
+  const auto* words = layer.as<LayerWords>();
+  const auto* pattern = layer.as<PatternLayer>();
+  const auto* pictures = layer.as<PictureLayer>();
+  const bool echo = pattern != nullptr && pattern->pattern == LayerPattern::Echo;
+  if (echo && pattern->file.empty() && pattern->text.empty()) {
     return wrong("layers.file is empty; an echo must name a drawing, or have letters in layers.text");
   }
-  if ((kind == LayerKind::Text || kind == LayerKind::Qr) && layer.text.empty()) {
+  if (pattern == nullptr && file != nullptr && file->file.empty()) {
+    return wrong("layers.file is empty; it must name a picture or a drawing");
+  }
+  if (pattern == nullptr && words != nullptr && words->text.empty()) {
     return wrong("layers.text is empty; it must have letters");
+  }
+  if (pictures != nullptr && pictures->pictures.empty()) {
+    return wrong("layers.pictures is empty; it must have at least one picture");
   }
   const bool masked = layer.mask == LayerMask::Inside || layer.mask == LayerMask::Outside;
   if (masked && layer.maskFile.empty()) return wrong("layers.maskFile is empty; it must name a drawing");
@@ -210,14 +261,10 @@ Wrong lackingLayer(const Layer& layer) {
 
 Wrong wrongLayer(const Layer& layer) {
   if (Wrong found = layer.visible ? lackingLayer(layer) : std::nullopt) return found;
-  if (!(layer.cropMin.x < layer.cropMax.x && layer.cropMin.y < layer.cropMax.y)) {
-    return wrong("layers.cropMax is " + pairText(layer.cropMax) + "; it must be right of and above cropMin " +
-                 pairText(layer.cropMin));
-  }
-  if (layer.lamp && !(layer.lamp->y >= 1 && layer.lamp->y <= 90)) {
-    return wrong("layers.lamp.y is " + numberText(layer.lamp->y) + " degrees; it must be 1 to 90");
-  }
-  return std::nullopt;
+  const auto* crop = layer.as<LayerCrop>();
+  if (crop == nullptr || (crop->cropMin.x < crop->cropMax.x && crop->cropMin.y < crop->cropMax.y)) return std::nullopt;
+  return wrong("layers.cropMax is " + pairText(crop->cropMax) + "; it must be right of and above cropMin " +
+               pairText(crop->cropMin));
 }
 
 Wrong wrongIn(const SettingsView& view);
@@ -245,7 +292,6 @@ Wrong wrongIn(const SettingsView& view) {
   }
   Wrong found;
   if (view.project != nullptr) found = wrongShape(*view.project);
-  if (!found && view.project != nullptr) found = wrongDirections(*view.project);
   if (!found && view.project != nullptr) found = wrongLayers(*view.project);
   if (!found && view.layer != nullptr) found = wrongLayer(*view.layer);
   if (!found && view.print != nullptr) found = wrongPrint(*view.print);

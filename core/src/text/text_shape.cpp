@@ -112,11 +112,7 @@ Result<Shape> shapeOf(const Drawing& drawing) {
 
 /// Moves all points; what lies at `corner` comes to the page's lower left corner.
 Shape moved(Shape shape, Vec2 corner, Vec2 page) {
-  for (FilledPath& path : shape.paths) {
-    for (Ring& ring : path.rings) {
-      for (Vec2& point : ring) point = point - corner;
-    }
-  }
+  movePoints(shape, [&](Vec2 point) { return point - corner; });
   shape.page = page;
   return shape;
 }

@@ -51,6 +51,14 @@ interface SillonModule {
   ): Outcome<CopiedBytes>;
   readShape(project: string, files: Inputs): Outcome<api.Shape>;
   placeLayers(project: string, files: Inputs): Outcome<api.PlacedLayer[]>;
+  drawLayers(project: string, files: Inputs, onProgress: OnProgress): Outcome<api.DirectionRaster>;
+  makeZones(
+    project: string,
+    files: Inputs,
+    body: boolean,
+    params: [number, number, number, number],
+    onProgress: OnProgress,
+  ): Outcome<Omit<api.Zones, 'file'> & { file: CopiedBytes }>;
   linesOfDrawing(file: Uint8Array): Outcome<string[]>;
   decodePicture(file: Uint8Array, name: string): Outcome<api.Picture>;
   room(size: number): Outcome<Uint8Array>;
@@ -505,6 +513,16 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       return valueOf(module.readShape(call.project, await inputsOf(call.files, module)));
     case 'placeLayers':
       return valueOf(module.placeLayers(call.project, await inputsOf(call.files, module)));
+    case 'drawLayers':
+      return valueOf(module.drawLayers(call.project, await inputsOf(call.files, module), onProgress));
+    case 'makeZones': {
+      const files = await inputsOf(call.files, module);
+      if (call.file !== undefined) await bringIn(call.file, module);
+      const { height, most, least, layerHeight } = call;
+      const body = call.file !== undefined;
+      const made = valueOf(module.makeZones(call.project, files, body, [height, most, least, layerHeight], onProgress));
+      return { ...made, file: new Blob([made.file], { type: 'model/3mf' }) } satisfies api.Zones;
+    }
     case 'linesOfDrawing': {
       const file = brought(call.file);
       return valueOf(module.linesOfDrawing(file instanceof Blob ? await bytesOf(file, 'file') : file));

@@ -73,7 +73,7 @@ test('every command that reads a drawing or a project reads one with letters', (
     ['generate', 'shape.json', '--gcode', 'project.gcode'],
     [...plate, '{"kind": "drawing", "file": "label.svg"}', '--gcode', 'drawn.gcode', '--project', 'drawn.json'],
     [...plate, '{"kind": "text", "text": "Anna"}', '--gcode', 'text.gcode'],
-    [...plate, '{"kind": "qr", "text": "Anna", "size": [20, 20]}', '--gcode', 'code.gcode'],
+    [...plate, '{"kind": "code", "text": "Anna", "size": [20, 20]}', '--gcode', 'code.gcode'],
     ['generate', 'letters.json', '--gcode', 'letters.gcode'],
     ['zones', '--shape', 'label.svg', '--output', 'shape.3mf'],
     ['zones', 'drawn.json', '--output', 'drawn.3mf'],

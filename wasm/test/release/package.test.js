@@ -206,7 +206,7 @@ import { SillonError, createEngine, type Engine, type ToolpathResult, type Repor
 
 const engine: Engine = await createEngine({ threads: 'auto', assetBase: new URL('https://example.org/engine/') });
 const plate: ToolpathResult = await engine.generateToolpath(
-  { shape: { file: '<svg/>', pageWidth: 80 }, directions: { file: new Blob([]), encoding: 'tangent' } },
+  { shape: { file: '<svg/>', pageWidth: 80 }, layers: [{ kind: 'map', file: new Blob([]), encoding: 'tangent' }] },
   { spacing: 0.45, perimeterMode: 'soft' },
   { signal: new AbortController().signal, onProgress: ({ stage, fraction }) => stage.repeat(fraction) },
 );

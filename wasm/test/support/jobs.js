@@ -5,7 +5,7 @@ export const small = [{ shape: { builtin: 'disc', size: [10, 10] } }, {}, { meas
 
 /** Many seconds of work. */
 export const large = [
-  { shape: { builtin: 'rounded', size: [150, 150] }, directions: { angle: 30 } },
+  { shape: { builtin: 'rounded', size: [150, 150] }, layers: [{ kind: 'direction', angle: 30 }] },
   { spacing: 0.16 },
 ];
 

@@ -1,26 +1,20 @@
 // A project's plate and G-code by the engine, in short: the same module runs in Node, in pages and in their workers.
 
 /** The input that a project describes. @param read  gives the Blob of a file that it names. */
-export async function inputOf({ shape, directions, modes, pictures, layers = [] }, read) {
-  const composed = [];
-  for (const layer of layers) {
+export async function inputOf({ shape, layers, pictures }, read) {
+  const withFiles = async (fields) => {
     const files = {};
-    for (const key of ['file', 'maskFile']) if (layer[key]) files[key] = await read(layer[key]);
-    if (/\.[to]tf$/i.test(layer.font ?? '')) files.font = await read(layer.font);
-    composed.push({ ...layer, ...files });
-  }
+    for (const key of ['file', 'maskFile', 'modeFile']) if (fields[key]) files[key] = await read(fields[key]);
+    if (/\.[to]tf$/i.test(fields.font ?? '')) files.font = await read(fields.font);
+    if (fields.pictures) files.pictures = await Promise.all(fields.pictures.map(withFiles));
+    return { ...fields, ...files };
+  };
   const { builtin, size, radius, pageWidth, unitless, paint } = shape;
-  const { encoding, angle } = directions;
-  const { mode } = modes;
   const drawn = builtin === 'none' ? { size } : { builtin, size, radius };
-  const lit = [];
-  for (const { file, lamp } of pictures.files) lit.push({ file: await read(file), lamp });
   return {
-    ...(lit.length > 0 && { pictures: { ...pictures, files: lit } }),
-    ...(composed.length > 0 && { layers: composed }),
     shape: shape.file === '' ? drawn : { file: await read(shape.file), pageWidth, unitless, paint },
-    directions: directions.file === '' ? { angle } : { file: await read(directions.file), encoding },
-    modes: modes.file === '' ? { mode } : { file: await read(modes.file) },
+    layers: await Promise.all(layers.map(withFiles)),
+    pictures,
   };
 }
 

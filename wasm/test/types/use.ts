@@ -34,7 +34,10 @@ declare const file: File;
 declare const image: ImageData;
 const controller = new AbortController();
 const plate: ToolpathResult = await engine.generateToolpath(
-  { shape: { file, pageWidth: 60, unitless: 'mm' }, directions: { file, encoding: 'tangent' }, modes: { file } },
+  {
+    shape: { file, pageWidth: 60, unitless: 'mm' },
+    layers: [{ kind: 'map', file, encoding: 'tangent', modeFile: file }],
+  },
   { spacing: 0.45, perimeterMode: 'soft', bridge: null },
   {
     signal: controller.signal,
@@ -42,8 +45,12 @@ const plate: ToolpathResult = await engine.generateToolpath(
     measure: false,
   },
 );
-await engine.generateToolpath({ shape: { builtin: 'disc', size: [30, 30] }, directions: { angle: 30 } });
-await engine.generateToolpath({ shape: { size: [30, 0] }, directions: { file: '...' }, modes: { mode: 'parallel' } });
+await engine.generateToolpath({
+  shape: { builtin: 'disc', size: [30, 30] },
+  layers: [{ kind: 'direction', angle: 30 }],
+});
+await engine.generateToolpath({ shape: { size: [30, 0] }, layers: [{ kind: 'map', file, mode: 'parallel' }] });
+await engine.generateToolpath({ layers: [{ kind: 'picture', pictures: [{ file, lamp: [60, 45] }, { file }] }] });
 await engine.generateToolpath({});
 // @ts-expect-error an input is needed
 await engine.generateToolpath();
@@ -53,6 +60,14 @@ await engine.generateToolpath({ shape: { builtin: 'cloud', size: [1, 1] } });
 await engine.generateToolpath({ shape: { builtin: 'disc', size: [1, 2, 3] } });
 // @ts-expect-error no such section
 await engine.generateToolpath({ shape: { builtin: 'disc' }, toolpath: {} });
+// @ts-expect-error the lowest layer says it
+await engine.generateToolpath({ directions: { angle: 30 } });
+// @ts-expect-error the lowest layer has them
+await engine.generateToolpath({ pictures: { files: [{ file }] } });
+// @ts-expect-error no such kind
+await engine.generateToolpath({ layers: [{ kind: 'qr', text: 'x' }] });
+// @ts-expect-error a layer has a kind
+await engine.generateToolpath({ layers: [{ angle: 30 }] });
 // @ts-expect-error misspelt
 await engine.generateToolpath({}, { spacin: 1 });
 // @ts-expect-error a number
@@ -112,7 +127,17 @@ const blobs: Blob[] = [
   await engine.renderPreview(toolpath, { width: 800 }),
   await engine.renderPreview(toolpath, { panels: 'look', colour: [1, 2, 3] }),
 ];
-const { page, paths } = await engine.readShape({ file }, { angle: 0 });
+const { page, paths } = await engine.readShape({ file }, [{ kind: 'direction', angle: 0 }]);
+const { width, height, angle, mode } = await engine.drawLayers({ layers: [{ kind: 'pattern' }] }, { spacing: 0.5 });
+const field: [number, number, Uint16Array, Uint8Array] = [width, height, angle, mode];
+const { file: body, zones } = await engine.makeZones({}, { body: file, most: 4, least: 2, layerHeight: 0.1 });
+const turns: number[] = zones.map(({ degrees, areaMm2 }) => degrees * areaMm2 * body.size);
+// @ts-expect-error no such setting
+await engine.makeZones({}, { zones: 4 });
+const brushed = await engine.rebrush(file, { layers: [{ kind: 'text', text: 'A' }], pictures: { corrections: 0 } });
+const numbers: number[] = brushed.surfaces.flatMap(({ pictures }) => pictures.map(({ layer }) => layer));
+// @ts-expect-error the lowest layer says it
+await engine.rebrush(file, { directions: { angle: 30 } });
 const { samples } = await engine.decodePicture(file);
 const project: Project = await engine.readProject('{}');
 const changes: DeepPartial<Project> = { toolpath: { spacing: 0.5 }, print: { place: [1, 2] } };
@@ -142,4 +167,21 @@ try {
     error.code = 'Internal';
   }
 }
-console.log(told, given, xs, measured, coverage, text, warnings, blobs, page, paths, samples, json, figures);
+console.log(
+  told,
+  given,
+  xs,
+  measured,
+  coverage,
+  text,
+  warnings,
+  blobs,
+  page,
+  paths,
+  samples,
+  json,
+  figures,
+  field,
+  turns,
+  numbers,
+);

@@ -59,6 +59,7 @@ export function createMaking(
     },
     gcode: () => pipeline.gcode(),
     body: () => pipeline.body(),
+    zones: () => pipeline.zones(),
     svg: () => pipeline.svg(),
     view: () => pipeline.view(),
     directions: () => pipeline.directions(),

@@ -30,6 +30,7 @@ const tools = [
 const products: readonly (readonly [Product, IconName, string?])[] = [
   ['gcode', 'print', 'Ctrl Shift S'],
   ['body', 'body'],
+  ['zones', 'body'],
   ['svg', 'toolpath'],
   ['png', 'camera'],
   ['view', 'sun'],

@@ -6,6 +6,7 @@ import type { Room } from '../generators/room.js';
 import type { Rasteriser } from '../generators/rasteriser.js';
 import type { StudioEngine } from '../engine/studio-engine.js';
 import { viewLook } from '../model/filaments.js';
+import { engineInput } from '../model/input.js';
 import { isOf, isRound, roomShape, sameDirections, sameSource } from '../model/result.js';
 import { pageOf, type Plate } from '../model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
@@ -99,6 +100,16 @@ export class Pipeline {
   async body(): Promise<Blob> {
     await this.directions();
     return this.engine.body(this.store.state.plate);
+  }
+
+  /** A body with zones of straight lines, as high as the print: other slicers make its G-code. */
+  async zones(): Promise<Blob> {
+    const raster = await this.directions();
+    const { plate } = this.store.state;
+    const { input } = engineInput({ plate, raster });
+    const { base, layers, layerHeight, firstLayerHeight } = plate.print;
+    const height = (base + layers - 1) * layerHeight + (firstLayerHeight || layerHeight);
+    return (await (await this.engine.engine()).makeZones(input, { height, layerHeight })).file;
   }
 
   async svg(): Promise<Blob> {

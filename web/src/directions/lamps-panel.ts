@@ -9,6 +9,7 @@ import {
   leastSeen,
   mostPictures,
   samePictures,
+  seenOfDirections,
   weaknessesOf,
   type LampSource,
 } from '../model/lamp.js';
@@ -94,7 +95,7 @@ export class LampsPanel extends StudioElement {
     if (directions.kind !== 'lamp') return nothing;
     const size = (Object.keys(lampSizes) as SizeName[]).find((name) => lampSizes[name] === plate.pictures.lampSize);
     const same = result?.plate.directions === directions && samePictures(result.plate, plate);
-    const seen = same ? result.report.pictures : undefined;
+    const seen = same ? seenOfDirections(result.report.pictures) : undefined;
     return html`
       <ul>
         ${directions.pictures.map((picture, k) => this.#picture(directions, picture, k, seen?.[k]?.contrast))}

@@ -67,15 +67,15 @@ function namedBy(bytes: ArrayBuffer): string[] {
     return [];
   }
   if (!isFields(project) || field(project, 'sillon') === undefined) return [];
-  const pictures = field(project, 'pictures');
-  const shown = isFields(pictures) ? field(pictures, 'files') : undefined;
-  const parts = [
-    ...['shape', 'directions', 'modes'].map((part) => field(project, part)),
-    ...(Array.isArray(shown) ? (shown as unknown[]) : []),
-  ];
+  const listOf = (list: unknown): unknown[] => (Array.isArray(list) ? (list as unknown[]) : []);
+  const layers = listOf(field(project, 'layers')).filter(isFields);
+  const parts = [field(project, 'shape'), ...layers, ...layers.flatMap((layer) => listOf(field(layer, 'pictures')))];
   const studio = field(project, 'studio');
   const kept = isFields(studio) ? field(studio, 'files') : undefined;
-  const names = [...parts.flatMap((part) => (isFields(part) ? [field(part, 'file')] : [])), ...Object.keys(kept ?? {})];
+  const named = ['file', 'maskFile', 'modeFile'];
+  const own = parts.filter(isFields).flatMap((part) => named.map((key) => field(part, key)));
+  const fonts = layers.map((layer) => field(layer, 'font')).filter((font) => /\.(?:ttf|otf)$/i.test(String(font)));
+  const names = [...own, ...fonts, ...Object.keys(kept ?? {})];
   return [...new Set(names.filter((name): name is string => typeof name === 'string' && name !== ''))];
 }
 

@@ -1,5 +1,5 @@
 // The boxes that the engine puts a plate's layers in.
-import type { Engine, PlacedLayer } from 'sillon';
+import type { Engine, LayerInput, PlacedLayer } from 'sillon';
 import { sectionsOf } from '../model/input.js';
 import { completeLayers } from '../model/layers.js';
 import { pageOf, type Plate } from '../model/plate.js';
@@ -10,7 +10,10 @@ export async function layerBoxes(plate: Plate, engine: Engine): Promise<Map<numb
   const layers = completeLayers(plate);
   if (layers.length === 0) return new Map();
   const [, height] = pageOf(plate);
-  const { shape, layers: given = [] } = sectionsOf({ ...plate, height }, ({ bytes }) => bytes);
-  const boxes = await engine.placeLayers({ shape, layers: given }, { spacing: plate.toolpath.spacing });
+  const { shape, layers: given } = sectionsOf({ ...plate, height }, ({ bytes }) => bytes);
+  const [, ...boxes] = await engine.placeLayers(
+    { shape, layers: given as LayerInput[] },
+    { spacing: plate.toolpath.spacing },
+  ); // the lowest layer is that of the directions
   return new Map(layers.flatMap(({ id }, k) => (boxes[k] === undefined ? [] : [[id, boxes[k]] as const])));
 }

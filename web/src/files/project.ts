@@ -6,9 +6,9 @@ import type { Engine, Project } from 'sillon';
 import { fieldsOf, numberIn, textIn, type Fields } from '../model/check.js';
 import { heightFrom, plateFrom, widthFrom } from '../model/check-plate.js';
 import { givenSlopes, slopesOf } from '../model/filaments.js';
-import { rasterInput, sectionsOf } from '../model/input.js';
-import { toldLayer } from '../model/layer-list.js';
-import { completeLayers } from '../model/layers.js';
+import { groundOf, studioLayer } from '../model/ground.js';
+import { rasterPictures, sectionsOf } from '../model/input.js';
+import { projectLayer } from '../model/layer-list.js';
 import { isDrawn, type Plate, type SourceFile } from '../model/plate.js';
 import { isOfFile, StudioError } from '../model/problem.js';
 import type { DirectionRaster } from '../model/raster.js';
@@ -66,10 +66,9 @@ function studioSection(plate: Plate, paths: ReadonlyMap<string, string>): object
 
 function projectOf(plate: Plate, paths: ReadonlyMap<string, string>): object {
   const pathOf = ({ id }: SourceFile): string | undefined => paths.get(id);
-  const sections = sectionsOf(plate, pathOf, isDrawn(plate) ? drawnFiles : undefined);
+  const sections = sectionsOf(plate, pathOf, isDrawn(plate) ? drawnFiles : undefined, projectLayer);
   const pictures = { ...sections.pictures, slopes: givenSlopes(plate) };
-  const layers = sections.layers && completeLayers(plate).map((layer) => toldLayer(layer, pathOf));
-  return { sillon: 1, ...sections, pictures, ...(layers && { layers }), studio: studioSection(plate, paths) };
+  return { sillon: 1, ...sections, pictures, studio: studioSection(plate, paths) };
 }
 
 /** project.json of the project file, as data. */
@@ -82,10 +81,10 @@ export async function writeProject(plate: Plate, raster: DirectionRaster): Promi
   const paths = pathsFor(files);
   const packed: Zippable = {};
   if (isDrawn(plate)) {
-    const { directions, modes } = rasterInput(raster);
+    const { directions, modes } = rasterPictures(raster);
     for (const [name, { width, height, samples }] of [
-      [drawnFiles.directions, directions.file],
-      [drawnFiles.modes, modes.file],
+      [drawnFiles.directions, directions],
+      [drawnFiles.modes, modes],
     ] as const) {
       packed[name] = [await encodeGreyPng(width, height, samples), { level: 0 }];
     }
@@ -159,35 +158,31 @@ const baseName = (path: string): string => path.split('/').at(-1) ?? path;
 /** A plate whose files are their paths. The core's sections count: what the studio tells of directions only where they are
  * still those that it drew. */
 function sketchOf(project: Project, studio: Fields, name: string): Plate {
-  const { shape, directions, modes, toolpath, print } = project;
+  const { shape, layers: all = [], toolpath, print, pictures } = project;
   const { builtin, file } = shape;
-  const { files: lit, ...pictures } = project.pictures;
   const { profile, filament, ...printer } = project.printer;
   const kind = file !== '' ? 'file' : builtin === 'none' ? 'rectangle' : builtin;
+  const lowest = groundOf(all);
+  const { pictures: lit = [], file: map = '', modeFile = '' } = lowest ?? {};
   const drawn =
-    lit.length === 0 &&
     studio['directions'] !== undefined &&
-    baseName(directions.file) === drawnFiles.directions &&
-    baseName(modes.file) === drawnFiles.modes;
+    baseName(map) === drawnFiles.directions &&
+    baseName(modeFile) === drawnFiles.modes;
   const told =
     lit.length > 0
-      ? { kind: 'lamp', pictures: lit }
-      : directions.file === ''
-        ? { kind: 'angle', angle: directions.angle }
-        : { kind: 'map', file: directions.file, encoding: directions.encoding };
-  const modeFile = drawn ? studio['modes'] : modes.file || undefined;
-  const layers = (project.layers ?? []).map((layer) => ({
-    ...layer,
-    file: layer.file || null,
-    maskFile: layer.maskFile || null,
-  }));
+      ? { kind: 'lamp', pictures: lit.map(({ file, lamp }) => ({ file, lamp })) }
+      : map === ''
+        ? { kind: 'angle', angle: lowest?.angle ?? 0 }
+        : { kind: 'map', file: map, encoding: lowest?.encoding ?? 'angle' };
+  const modes = drawn ? studio['modes'] : modeFile || undefined;
+  const layers = all.slice(lowest === undefined ? 0 : 1).map(studioLayer);
   const data = {
     name: studio['name'] ?? stemOf(name).slice(0, 200),
     shape: { kind, ...without(shape, 'builtin', 'size', 'pageWidth', 'file'), ...(kind === 'file' && { file }) },
     width: 1,
     height: 1,
     directions: drawn ? studio['directions'] : told,
-    modes: { mode: modes.mode, ...(modeFile !== undefined && { file: modeFile }) },
+    modes: { mode: lowest?.mode ?? 'constrained', ...(modes !== undefined && { file: modes }) },
     layers,
     pictures,
     strokes: drawn || lit.length > 0 ? (studio['strokes'] ?? []) : [],
@@ -226,7 +221,7 @@ async function pageOf(
       ? { file: shape.file.bytes, pageWidth, unitless }
       : { ...(builtin !== 'none' && { builtin }), size, radius, corners, points, inner, text, font };
   const lender = directions.kind === 'lamp' ? directions.pictures[0]?.file : 'file' in directions && directions.file;
-  const read = await engine.readShape(own, lender ? { file: lender.bytes } : { angle: 0 });
+  const read = await engine.readShape(own, lender ? [{ kind: 'map', file: lender.bytes }] : []);
   return [widthFrom(read.page[0]), heightFrom(read.page[1])];
 }
 

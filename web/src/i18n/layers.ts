@@ -20,7 +20,7 @@ const shortened = (text: string): string => {
 
 /** The name of a layer in lists: by its letters, by its file, else by its kind. */
 export function layerName({ kind, pattern, text, file }: PlateLayer): string {
-  if ((kind === 'text' || kind === 'qr') && text.trim() !== '') return shortened(text);
+  if ((kind === 'text' || kind === 'code') && text.trim() !== '') return shortened(text);
   if (file !== null) return file.name;
   return kind === 'pattern' ? l(`pattern.${pattern}`) : l(`kind.${kind}`);
 }

@@ -25,10 +25,12 @@ const kinds: Record<PlateLayer['kind'], LayerIconName | IconName> = {
   map: 'map',
   picture: 'picture',
   text: 'text',
-  qr: 'qr',
+  code: 'qr',
   pattern: 'radial',
   drawing: 'drawing',
   border: 'border',
+  tones: 'tone',
+  strokes: 'drawing',
 };
 
 const isOwn = (name: LayerIconName | IconName): name is LayerIconName => name in paths;

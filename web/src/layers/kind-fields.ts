@@ -27,8 +27,10 @@ const keysOf: Record<LayerKind, readonly LayerKey[]> = {
   text: ['text', 'font', 'textSize', 'fill', 'angle', 'circle'],
   picture: ['file', 'lamp', 'cropMin'],
   drawing: ['file', 'fill', 'angle'],
-  qr: ['text', 'correction', 'angle'],
-  pattern: ['pattern', 'file', 'angle', 'waveLength', 'amplitude'],
+  code: ['text', 'correction', 'angle'],
+  pattern: ['pattern', 'file', 'angle', 'waveLength', 'amplitude', 'seed'],
+  tones: ['file', 'by', 'from', 'to', 'threshold', 'contrast', 'smoothing', 'angle'],
+  strokes: [],
   direction: ['angle'],
   border: ['width', 'fill', 'angle'],
   map: ['file', 'encoding'],
@@ -37,19 +39,33 @@ const keysOf: Record<LayerKind, readonly LayerKey[]> = {
 const foldedOf: Partial<Record<LayerKind, readonly LayerKey[]>> = {
   text: ['align', 'ground', 'mask', 'soft'],
   drawing: ['ground', 'mask', 'soft'],
-  qr: ['ground', 'mask', 'soft'],
+  code: ['ground', 'mask', 'soft'],
+  strokes: [],
   border: ['soft'],
 };
 
 /** Tells whether a value changes anything while the others are as they are. */
 function counts(key: LayerKey, layer: PlateLayer): boolean {
-  const { kind, pattern, fill } = layer;
+  const { kind, pattern, fill, by } = layer;
   switch (key) {
     case 'angle':
+      if (kind === 'tones') return by === 'edges';
       return kind === 'pattern' ? pattern !== 'echo' : fill === 'angle' || !hasFill(layer);
     case 'waveLength':
+      return pattern === 'waves' || pattern === 'spiral' || pattern === 'noise';
     case 'amplitude':
-      return pattern === 'waves';
+      return pattern === 'waves' || pattern === 'noise';
+    case 'seed':
+      return pattern === 'noise';
+    case 'from':
+    case 'to':
+      return by === 'brightness' || by === 'levels';
+    case 'threshold':
+      return by === 'levels';
+    case 'contrast':
+      return by === 'brightness';
+    case 'smoothing':
+      return by === 'brightness' || by === 'edges';
     case 'file':
       return needsFile(layer);
     default:
@@ -81,7 +97,7 @@ function fieldOf(studio: Studio, layer: PlateLayer, key: LayerKey): Content {
     case 'cropMin':
       return cropField(studio, layer);
     case 'text':
-      return layerField(studio, layer, key, layer.kind === 'qr' ? { label: t('field.qrText') } : {});
+      return layerField(studio, layer, key, layer.kind === 'code' ? { label: t('field.qrText') } : {});
     case 'angle':
       return layerField(
         studio,
@@ -155,8 +171,7 @@ function fontField(studio: Studio, layer: PlateLayer): TemplateResult {
 }
 
 function lampField(studio: Studio, layer: PlateLayer): TemplateResult {
-  const setting = layerSettingOf('lamp');
-  const label = layerLabel(setting);
+  const label = l('lamp');
   const { lamp } = layer;
   const gesture = `layer.${layer.id}.lamp`;
   const onSettle = (): void => {
@@ -173,7 +188,7 @@ function lampField(studio: Studio, layer: PlateLayer): TemplateResult {
     id: 'layer-lamp-null',
     label: t('setting.value', { label, value: l('null.lamp') }),
     value: lamp === null,
-    help: settingHelp(setting),
+    help: l('lamp.help'),
     onChange: (plain) => {
       stand(plain ? null : [...layersLamp]);
     },
@@ -259,7 +274,7 @@ function groundField(studio: Studio, layer: PlateLayer): TemplateResult {
   };
   return html`${flag({
     id: 'layer-ground-null',
-    label: t('setting.value', { label, value: l(layer.kind === 'qr' ? 'null.modules' : 'null.ground') }),
+    label: t('setting.value', { label, value: l(layer.kind === 'code' ? 'null.modules' : 'null.ground') }),
     value: ground === null,
     help: settingHelp(setting),
     onChange: (below) => {

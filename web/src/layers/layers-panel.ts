@@ -22,7 +22,17 @@ import { tile } from './tiles.js';
 import { warnedLayers } from './warned.js';
 
 /** The most wanted first. */
-const offered: readonly LayerKind[] = ['text', 'picture', 'drawing', 'qr', 'pattern', 'direction', 'border', 'map'];
+const offered: readonly LayerKind[] = [
+  'text',
+  'picture',
+  'drawing',
+  'code',
+  'pattern',
+  'direction',
+  'tones',
+  'border',
+  'map',
+];
 
 @customElement('sillon-layers-panel')
 export class LayersPanel extends StudioElement {
@@ -110,7 +120,7 @@ export class LayersPanel extends StudioElement {
   async #add(kind: LayerKind): Promise<void> {
     if (!(await addLayer(this.studio, kind))) return;
     this.adding = false;
-    this.#focus = kind === 'text' || kind === 'qr' ? '#layer-text' : '[aria-pressed=true].row';
+    this.#focus = kind === 'text' || kind === 'code' ? '#layer-text' : '[aria-pressed=true].row';
     this.requestUpdate();
   }
 

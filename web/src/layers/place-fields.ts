@@ -60,7 +60,7 @@ export function coveringPage(page: Point, layer: PlateLayer, frame: Frame): Part
       return { ...placed, size: [...page], cropMin: cut, cropMax: [1 - cut[0], 1 - cut[1]] };
     }
     case 'text':
-    case 'qr':
+    case 'code':
     case 'drawing': {
       const scale = Math.min(page[0] / size[0], page[1] / size[1]);
       return { ...placed, ...scaledLayer(layer, frame, [scale, scale]) };

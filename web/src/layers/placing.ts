@@ -9,7 +9,7 @@ import type { Studio } from '../studio/studio.js';
 import { fillsPage } from './arranging.js';
 
 /** Others are meant to lie over what is there, but for copies. */
-const placed: readonly LayerKind[] = ['text', 'qr', 'drawing', 'picture'];
+const placed: readonly LayerKind[] = ['text', 'code', 'drawing', 'picture'];
 
 const patience = 1000; // [ms] for the engine, which may be busy with a plate
 const legible = 10; // beads that capital letters must be high

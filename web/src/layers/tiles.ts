@@ -103,7 +103,7 @@ const drawn: Record<LayerKind, () => Tile> = {
   text: () => over(letter, 90),
   picture: () => over(any(hills, disc(45, 12, 5)), 60, 150),
   drawing: () => over(star, 90),
-  qr: () => over(code, 90),
+  code: () => over(code, 90),
   pattern: () => ({ below: '', above: rings }),
   direction: () => over(box(16, 9, 44, 33), 45),
   border: () => ({
@@ -111,6 +111,8 @@ const drawn: Record<LayerKind, () => Tile> = {
     above: 'M1.5 1.5h57v39h-57zM4.1 4.1h51.8v33.8h-51.8z',
   }),
   map: () => ({ below: '', above: fan }),
+  tones: () => over(any(hills, disc(45, 12, 5)), 90),
+  strokes: () => over(disc(30, 21, 12), 60),
 };
 
 const made = new Map<LayerKind, Tile>();

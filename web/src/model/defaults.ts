@@ -18,7 +18,7 @@ export const defaultsOf = <Section>(rows: Record<string, { default: unknown }>):
 export const toolpathDefaults = defaultsOf<ToolpathParams>(table.toolpath);
 export const printDefaults = defaultsOf<Omit<PrintParams, 'date'>>(table.print);
 export const printerDefaults = defaultsOf<PrinterValues>(table.printer);
-export const pictureDefaults = defaultsOf<Omit<PictureParams, 'files'>>(table.pictures);
+export const pictureDefaults = defaultsOf<PictureParams>(table.pictures);
 
 type Generated = { [Kind in DirectionSource['kind']]: Extract<DirectionSource, { kind: Kind }> };
 

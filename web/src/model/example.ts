@@ -5,10 +5,12 @@ import type { LayerKind, LayerValues } from './layers.js';
 import type { DirectionSource, ShapeSource } from './plate.js';
 
 /** The fields that differ from the core's defaults; files by their names. */
-export type ExampleLayer = Partial<Omit<LayerValues, 'file' | 'maskFile' | 'font'>> & {
+export type ExampleLayer = Partial<Omit<LayerValues, 'file' | 'others' | 'maskFile' | 'modeFile' | 'font'>> & {
   kind: LayerKind;
-  file?: string;
-  maskFile?: string;
+  file?: string | null;
+  others?: readonly { file: string; lamp: readonly [number, number] | null }[];
+  maskFile?: string | null;
+  modeFile?: string | null;
   font?: string;
 };
 

@@ -1,9 +1,9 @@
 // A plate as the core has it: for the engine, and for a project.
-import type { PlateInput, ToolpathParams } from 'sillon';
+import type { LayerInput, Picture, PlateInput, ToolpathParams } from 'sillon';
 import { slopesOf } from './filaments.js';
 import { samePictures } from './lamp.js';
 import { completeLayers, layerInput, sameLayers, showsPictures } from './layers.js';
-import { isDrawn, pageOf, type Plate, type SourceFile } from './plate.js';
+import { isDrawn, pageOf, type Plate, type PlateLayer, type SourceFile } from './plate.js';
 import type { DirectionRaster } from './raster.js';
 import { without } from './without.js';
 
@@ -32,27 +32,39 @@ export function shapeInput<Content>({ shape, width, height }: Plate, content: Co
   return { ...without(shape, 'kind'), builtin: shape.kind, size: [width, height] satisfies [number, number] };
 }
 
-/** The sections of a plate's project.
+/** The lowest layer: what the directions and modes of a plate say.
  * @param drawn  what stands for the studio's pictures of directions and modes; undefined: it drew none */
+function lowestLayer<Content>(
+  { directions, modes }: Plate,
+  content: ContentOf<Content>,
+  drawn?: { directions: Content; modes: Content },
+) {
+  const { mode, file } = modes;
+  const held = { mode, ...(file !== undefined && { modeFile: content(file) }) };
+  if (drawn !== undefined) return { kind: 'map' as const, file: drawn.directions, mode, modeFile: drawn.modes };
+  if (directions.kind === 'lamp') {
+    const pictures = directions.pictures.map((one) => ({ file: content(one.file), lamp: one.lamp }));
+    return { kind: 'picture' as const, pictures, ...held };
+  }
+  if (directions.kind === 'map') {
+    return { kind: 'map' as const, file: content(directions.file), encoding: directions.encoding, ...held };
+  }
+  return { kind: 'direction' as const, angle: directions.kind === 'angle' ? directions.angle : 0, ...held };
+}
+
+/** The sections of a plate's project. @param drawn  as of lowestLayer @param layer  how a layer is told */
 export function sectionsOf<Content>(
   plate: Plate,
   content: ContentOf<Content>,
   drawn?: { directions: Content; modes: Content },
+  layer: (layer: PlateLayer, content: ContentOf<Content>) => object = layerInput,
 ) {
-  const { directions, modes, pictures, toolpath, print, printer } = plate;
-  const lit = directions.kind === 'lamp' ? directions.pictures : [];
-  const told =
-    directions.kind === 'map'
-      ? { file: content(directions.file), encoding: directions.encoding }
-      : { angle: directions.kind === 'angle' ? directions.angle : 0 };
-  const modeFile = modes.file && content(modes.file);
-  const layers = completeLayers(plate).map((layer) => layerInput(layer, content));
+  const { pictures, toolpath, print, printer } = plate;
+  const above = completeLayers(plate).map((one) => layer(one, content));
   return {
     shape: shapeInput(plate, content),
-    directions: drawn === undefined ? told : { file: drawn.directions, encoding: 'angle' as const },
-    modes: { mode: modes.mode, ...((drawn?.modes ?? modeFile) !== undefined && { file: drawn?.modes ?? modeFile }) },
-    pictures: { ...pictures, files: lit.map(({ file, lamp }) => ({ file: content(file), lamp })) },
-    ...(layers.length > 0 && { layers }),
+    layers: [lowestLayer(plate, content, drawn), ...above],
+    pictures,
     toolpath,
     print,
     printer,
@@ -77,15 +89,21 @@ function thinned<Samples extends Uint8Array | Uint16Array>(
   return { width: columns, height: rows, samples: kept };
 }
 
-/** @param step  every so many texels are given */
-export function rasterInput(raster: DirectionRaster, step = 1) {
+/** Pictures of a raster's directions and modes. @param step  every so many texels are given */
+export function rasterPictures(raster: DirectionRaster, step = 1) {
   const angles = thinned(raster.angle, raster, step);
   const modes = thinned(raster.mode, raster, step);
   return {
-    directions: { file: { ...angles, channels: 1 as const }, encoding: 'angle' as const },
-    modes: { file: { ...modes, channels: 1 as const, samples: modes.samples.map((mode) => mode * greyPerMode) } },
+    directions: { ...angles, channels: 1 as const },
+    modes: { ...modes, channels: 1 as const, samples: modes.samples.map((mode) => mode * greyPerMode) },
   };
 }
+
+/** A raster as a lowest layer. */
+export const rasterLayer = (raster: DirectionRaster, step = 1): LayerInput => {
+  const { directions, modes } = rasterPictures(raster, step);
+  return { kind: 'map', file: directions, modeFile: modes };
+};
 
 /** @param preview  while a hand moves: by how much the spacing grows; pictures are solved for once */
 export function engineInput(
@@ -96,17 +114,16 @@ export function engineInput(
   const factor = preview?.factor ?? 1;
   // A preview must not join parts that the plate keeps apart.
   const params = { ...plate.toolpath, spacing: spacing * factor, bridge: factor > 1 ? (bridge ?? spacing) : bridge };
-  const { shape, directions, modes, pictures, layers } = sectionsOf(plate, ({ bytes }) => bytes);
+  const { shape, pictures, layers } = sectionsOf(plate, ({ bytes }) => bytes as Blob | Picture);
   // Slopes of the spool ask the engine for no printer, whose other settings need not fit yet.
-  const solved = { pictures: { ...pictures, slopes: slopesOf(plate), ...(preview && { corrections: 0 }) } };
-  const over = { ...(layers !== undefined && { layers }), ...(showsPictures(plate) && solved) };
-  if (plate.directions.kind === 'lamp') return { input: { shape, modes, ...over, ...solved }, params };
+  const lit = plate.directions.kind === 'lamp' || showsPictures(plate);
+  const solved = lit && { pictures: { ...pictures, slopes: slopesOf(plate), ...(preview && { corrections: 0 }) } };
   const coarse = factor > 1 && plate.directions.kind === 'map';
-  if (raster === undefined || !(isDrawn(plate) || coarse)) {
-    return { input: { shape, directions, modes, ...over }, params };
-  }
+  const drawn = plate.directions.kind !== 'lamp' && raster !== undefined && (isDrawn(plate) || coarse);
   // Two texels per bead are enough for a preview, and reading large pictures would take most of its time.
   const enough = (2 * pageOf(plate)[0]) / params.spacing;
-  const step = factor > 1 ? Math.max(1, Math.floor(raster.width / enough)) : 1;
-  return { input: { shape, ...rasterInput(raster, step), ...over }, params };
+  const step = drawn && factor > 1 ? Math.max(1, Math.floor(raster.width / enough)) : 1;
+  const [lowest, ...above] = layers as LayerInput[];
+  const told = drawn ? rasterLayer(raster, step) : (lowest as LayerInput);
+  return { input: { shape, layers: [told, ...above], ...solved }, params };
 }

@@ -2,7 +2,7 @@
 import type { Look, PictureReport } from 'sillon';
 import { appearance } from './appearance.js';
 import { slopesOf } from './filaments.js';
-import { drawnLayers, showsPictures } from './layers.js';
+import { completeLayers, drawnLayers, showsPictures } from './layers.js';
 import { isExample, type DirectionSource, type LampPicture, type Plate, type SourceFile } from './plate.js';
 import type { Light } from './view.js';
 
@@ -30,9 +30,13 @@ export function samePictures(a: Plate, b: Plate): boolean {
   return asked(a) === asked(b) && a.spool === b.spool && slopesOf(a).join() === slopesOf(b).join();
 }
 
-/** Number of plates that the engine makes of the pictures: each correction is one more, as `platesFor` of the core has it. */
-export const platesFor = ({ directions, pictures: { corrections, localContrast } }: Plate): number =>
-  directions.kind === 'lamp' && localContrast === 0 ? 1 + corrections : 1;
+/** Number of plates that the engine makes for pictures, whether they fill the plate or lie in layers: each correction is one more,
+ * as `pathsFor` of the core has it. */
+export function platesFor(plate: Plate): number {
+  const { corrections, localContrast } = plate.pictures;
+  const shown = plate.directions.kind === 'lamp' || showsPictures(plate);
+  return shown && localContrast === 0 ? 1 + corrections : 1;
+}
 
 const wrapped = (azimuth: number): number => ((azimuth % 360) + 360) % 360;
 
@@ -112,9 +116,25 @@ export const greySteps = (contrast: number): number =>
 
 export type Weakness = 'spool' | 'window' | 'unlike' | 'crowded';
 
-/** Why people may not see the pictures; empty: they will. @param seen  of the finished plate */
-export function weaknessesOf(plate: Plate, seen: readonly PictureReport[] | undefined): Weakness[] {
+/** Pictures over one another that fill the plate, without those of the layers over them. */
+export const seenOfDirections = (seen: readonly PictureReport[] | undefined): readonly PictureReport[] | undefined =>
+  seen?.filter(({ layer }) => layer === 1);
+
+/** The file that one of the reports is about. @param k  its place among all */
+export function judgedFile(plate: Plate, all: readonly PictureReport[], k: number): SourceFile | undefined {
+  const layer = all[k]?.layer ?? 1;
+  const place = all.slice(0, k).filter((one) => one.layer === layer).length;
   const { directions } = plate;
+  const above = completeLayers(plate)[layer - 2]; // the lowest is that of the directions
+  const lit = directions.kind === 'lamp' ? directions.pictures : [];
+  const shown = above === undefined ? [] : [above, ...above.others];
+  return (layer === 1 ? lit : shown)[place]?.file ?? undefined;
+}
+
+/** Why people may not see the pictures; empty: they will. @param all  of the finished plate */
+export function weaknessesOf(plate: Plate, all: readonly PictureReport[] | undefined): Weakness[] {
+  const { directions } = plate;
+  const seen = seenOfDirections(all);
   if (directions.kind !== 'lamp') return [];
   const found: Weakness[] = [];
   const window = plate.pictures.lampSize >= wideLamp;
@@ -129,7 +149,7 @@ export function weaknessesOf(plate: Plate, seen: readonly PictureReport[] | unde
 }
 
 /** For the sentences about weaknesses: how many pictures there are, and the lowest of their correlations. */
-export const leastSeen = (seen: readonly PictureReport[] | undefined): { n: number; r: number } => ({
-  n: seen?.length ?? 0,
-  r: Math.min(1, ...(seen ?? []).map(({ r }) => r)),
-});
+export function leastSeen(all: readonly PictureReport[] | undefined): { n: number; r: number } {
+  const seen = seenOfDirections(all) ?? [];
+  return { n: seen.length, r: Math.min(1, ...seen.map(({ r }) => r)) };
+}

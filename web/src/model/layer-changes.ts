@@ -21,7 +21,7 @@ const sized = (key: LayerKey, [width, height]: Point): [number, number] => [
 ];
 
 /** Letters are never stretched. */
-export const keepsProportions = ({ kind }: Pick<PlateLayer, 'kind'>): boolean => kind === 'text' || kind === 'qr';
+export const keepsProportions = ({ kind }: Pick<PlateLayer, 'kind'>): boolean => kind === 'text' || kind === 'code';
 
 /** A text without a size of its own grows with its letters; others get a size, in which a side that follows the content still
  * does.

@@ -1,20 +1,31 @@
 // The layers of a plate: how each begins, what is told of it, and the list that they make.
 import { defaultsOf } from './defaults.js';
-import { mostLayers } from './facts.js';
+import { mostLayers as mostOfCore } from './facts.js';
 import { hasFill, layerInput, type LayerKey, type LayerKind, type LayerValues } from './layers.js';
 import { pageOf, type PageParts, type Plate, type PlateLayer, type SourceFile } from './plate.js';
 import { layerTable } from './layer-table.js';
+import { without } from './without.js';
 
-export { mostLayers };
+/** The lowest layer is that of the directions. */
+export const mostLayers = mostOfCore - 1;
 
 export const layerKinds: readonly LayerKind[] = layerTable.kind.choices;
 
 /** Font files go by their endings, as the core has it. */
 export const isFontFile = (name: string): boolean => /\.(?:ttf|otf)$/i.test(name);
 
-export const layerKeys = Object.keys(layerTable) as LayerKey[];
+const usual: LayerValues = {
+  ...defaultsOf<LayerValues>(layerTable),
+  file: null,
+  lamp: null,
+  others: [],
+  maskFile: null,
+  modeFile: null,
+  colours: [],
+  strokes: [],
+};
 
-const usual: LayerValues = { ...defaultsOf<LayerValues>(layerTable), file: null, maskFile: null };
+export const layerKeys = Object.keys(usual) as LayerKey[];
 
 /** The core takes these values where nothing is said. */
 export const layerDefaults = (): LayerValues => structuredClone(usual);
@@ -27,12 +38,14 @@ const first: Record<LayerKind, (page: readonly [number, number]) => Partial<Laye
   map: () => ({}),
   picture: ([width, height]) => ({ size: width < height ? [tenths(0.6 * width), 0] : [0, tenths(0.6 * height)] }),
   text: (page) => ({ text: 'Abc', textSize: Math.max(4, Math.round(Math.min(...page) / 6)) }),
-  qr: (page) => ({ text: 'https://', size: [tenths(Math.min(...page) / 2), 0] }),
+  code: (page) => ({ text: 'https://', size: [tenths(Math.min(...page) / 2), 0] }),
   pattern: () => ({ angle: 90 }),
   drawing: ([width, height]) => ({
     size: width < height ? [tenths(width / 2), 0] : [0, tenths(height / 2)],
   }),
   border: () => ({ fill: 'along' }),
+  tones: () => ({ from: 60, to: 150 }),
+  strokes: () => ({}),
 };
 
 export const newLayer = (plate: PageParts, kind: LayerKind, given: Partial<LayerValues> = {}): LayerValues => ({
@@ -44,29 +57,37 @@ export const newLayer = (plate: PageParts, kind: LayerKind, given: Partial<Layer
 
 // --- What is told of it --------------------------------------------------------------------------------------------------
 
-export const filesOfLayer = ({ file, maskFile, font }: PlateLayer): SourceFile[] =>
-  [file, maskFile, font].filter((one): one is SourceFile => one !== null && typeof one !== 'string');
+export const filesOfLayer = ({ file, others, maskFile, modeFile, font }: PlateLayer): SourceFile[] =>
+  [file, ...others.map((one) => one.file), maskFile, modeFile, font].filter(
+    (one): one is SourceFile => one !== null && typeof one !== 'string',
+  );
 
 /** A layer with something in place of each of its files. */
 export const layerData = <Told>(layer: PlateLayer, told: (file: SourceFile) => Told) => ({
   ...layer,
   file: layer.file && told(layer.file),
+  others: layer.others.map(({ file, lamp }) => ({ file: told(file), lamp })),
   maskFile: layer.maskFile && told(layer.maskFile),
+  modeFile: layer.modeFile && told(layer.modeFile),
   font: typeof layer.font === 'string' ? layer.font : told(layer.font),
 });
 
-/** Files and links tell a layer's kind, and whatever differs from the defaults; the fill also beside an angle, which the core
- * takes for one otherwise. @param content  as of layerInput */
-export function toldLayer(layer: PlateLayer, content: (file: SourceFile) => unknown): object {
-  const whole: Partial<Record<LayerKey, unknown>> = layerInput(layer, content);
+/** What differs from the defaults; the fill also beside an angle, which the core takes for one otherwise. */
+function differing(layer: PlateLayer, whole: Readonly<Record<string, unknown>>): object {
   const differs = (key: LayerKey): boolean => JSON.stringify(layer[key]) !== JSON.stringify(usual[key]);
   const angled = hasFill(layer) && differs('angle');
-  return Object.fromEntries(
-    layerKeys
-      .filter((key) => key === 'kind' || differs(key) || (angled && key === 'fill'))
-      .map((key) => [key, whole[key]] as const),
-  );
+  const told = (key: string): boolean =>
+    key === 'kind' || key === 'pictures' || differs(key as LayerKey) || (angled && key === 'fill');
+  return Object.fromEntries(Object.entries(whole).filter(([key]) => told(key)));
 }
+
+/** A layer in a link. @param content  as of layerData */
+export const toldLayer = (layer: PlateLayer, content: (file: SourceFile) => unknown): object =>
+  differing(layer, without(layerData(layer, content), 'id'));
+
+/** A layer in a project. @param content  as of layerInput */
+export const projectLayer = (layer: PlateLayer, content: (file: SourceFile) => unknown): object =>
+  differing(layer, layerInput(layer, content));
 
 // --- The list ------------------------------------------------------------------------------------------------------------
 

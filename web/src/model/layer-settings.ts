@@ -7,7 +7,7 @@ type Table = typeof layerTable;
 type KeyOf<Type> = { [Key in keyof Table]: Table[Key] extends { type: Type } ? Key : never }[keyof Table];
 
 /** The table lacks these facts about numbers, as it does for `controls` of model/settings.ts. */
-const controls: Record<KeyOf<'number' | 'pair'>, Span> = {
+const controls: Record<KeyOf<'number' | 'integer' | 'pair'>, Span> = {
   at: { step: 0.1 },
   size: { step: 0.1 },
   rotation: { step: 1, usual: [-180, 180] },
@@ -16,12 +16,17 @@ const controls: Record<KeyOf<'number' | 'pair'>, Span> = {
   ground: { step: 1 },
   cropMin: { step: 0.01 },
   cropMax: { step: 0.01 },
-  lamp: { step: 1 },
   textSize: { step: 0.1, usual: [2, 40] },
   circle: { step: 0.5, usual: [-60, 60] },
   waveLength: { step: 0.5, usual: [2, 60] },
   amplitude: { step: 1 },
   width: { step: 0.1, usual: [0.5, 12] },
+  seed: { step: 1, usual: [0, 99] },
+  from: { step: 1 },
+  to: { step: 1 },
+  threshold: { step: 0.01 },
+  contrast: { step: 0.05, usual: [0.2, 4] },
+  smoothing: { step: 0.1, usual: [0, 10] },
 };
 
 const rows = Object.entries(layerTable as Record<string, TableRow>).map(([key, entry]) => {

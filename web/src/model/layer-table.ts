@@ -1,6 +1,6 @@
 // Made by tools/generate.mjs from the core's table of settings: ./dev generate.
 export const layerTable = {
-  kind: { type: 'choice', level: 'basic', default: 'direction', choices: ['direction','map','picture','text','qr','pattern','drawing','border'] },
+  kind: { type: 'choice', level: 'basic', default: 'direction', choices: ['direction','map','picture','text','code','pattern','tones','drawing','border','strokes'] },
   visible: { type: 'flag', level: 'basic', default: true },
   at: { type: 'pair', level: 'basic', default: null, unit: 'mm', low: -10000, high: 10000, nullable: true },
   size: { type: 'pair', level: 'basic', default: [0,0], unit: 'mm', low: 0, high: 10000 },
@@ -9,6 +9,8 @@ export const layerTable = {
   mask: { type: 'choice', level: 'basic', default: 'own', choices: ['own','disc','page','inside','outside'] },
   maskFile: { type: 'text', level: 'basic', default: '', maxBytes: 1024 },
   soft: { type: 'number', level: 'basic', default: 0, unit: 'mm', low: 0, high: 100 },
+  mode: { type: 'choice', level: 'basic', default: 'constrained', choices: ['parallel','orthogonal','smoothest','constrained'] },
+  modeFile: { type: 'text', level: 'basic', default: '', maxBytes: 1024 },
   angle: { type: 'number', level: 'basic', default: 0, unit: '°', low: -360, high: 360 },
   ground: { type: 'number', level: 'basic', default: null, unit: '°', low: -360, high: 360, nullable: true },
   fill: { type: 'choice', level: 'basic', default: 'across', choices: ['angle','along','across'] },
@@ -16,15 +18,28 @@ export const layerTable = {
   encoding: { type: 'choice', level: 'basic', default: 'angle', choices: ['angle','rotation','tangent'] },
   cropMin: { type: 'pair', level: 'basic', default: [0,0], low: 0, high: 1 },
   cropMax: { type: 'pair', level: 'basic', default: [1,1], low: 0, high: 1 },
-  lamp: { type: 'pair', level: 'basic', default: null, unit: '°', low: -360, high: 360, nullable: true },
   text: { type: 'block', level: 'basic', default: '', maxBytes: 4096 },
   font: { type: 'text', level: 'basic', default: 'Nunito', maxBytes: 1024 },
   textSize: { type: 'number', level: 'basic', default: 10, unit: 'mm', low: 1, high: 1000 },
   circle: { type: 'number', level: 'basic', default: 0, unit: 'mm', low: -5000, high: 5000 },
   align: { type: 'choice', level: 'basic', default: 'middle', choices: ['left','middle','right'] },
   correction: { type: 'choice', level: 'basic', default: 'medium', choices: ['low','medium','quartile','high'] },
-  pattern: { type: 'choice', level: 'basic', default: 'radial', choices: ['radial','waves','echo'] },
+  pattern: { type: 'choice', level: 'basic', default: 'radial', choices: ['radial','spiral','waves','noise','echo'] },
   waveLength: { type: 'number', level: 'basic', default: 20, unit: 'mm', low: 1, high: 1000 },
   amplitude: { type: 'number', level: 'basic', default: 20, unit: '°', low: 0, high: 90 },
+  seed: { type: 'integer', level: 'basic', default: 1, low: 0, high: 9007199254740991 },
+  by: { type: 'choice', level: 'basic', default: 'brightness', choices: ['brightness','levels','edges','colours'] },
+  from: { type: 'number', level: 'basic', default: 0, unit: '°', low: -360, high: 360 },
+  to: { type: 'number', level: 'basic', default: 90, unit: '°', low: -360, high: 360 },
+  threshold: { type: 'number', level: 'basic', default: 0.5, low: 0, high: 1 },
+  contrast: { type: 'number', level: 'basic', default: 1, low: 0, high: 10 },
+  smoothing: { type: 'number', level: 'basic', default: 0, unit: 'mm', low: 0, high: 100 },
   width: { type: 'number', level: 'basic', default: 3, unit: 'mm', low: 0.1, high: 1000 },
+} as const;
+
+/** The most entries of each list that layers have. */
+export const mostEntries = {
+  pictures: 4,
+  colours: 32,
+  strokes: 10000,
 } as const;

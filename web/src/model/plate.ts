@@ -76,11 +76,17 @@ export type DirectionSource =
   | { kind: 'noise'; seed: number; scale: number; amplitude: number; angle: number };
 
 /** One layer as the core has it, with its files as they came. Lengths are mm on the page, angles degrees. */
-export type PlateLayer = Readonly<Omit<Layer, 'file' | 'maskFile' | 'font'>> & {
+export type PlateLayer = Readonly<Omit<Layer, 'file' | 'maskFile' | 'modeFile' | 'font' | 'pictures'>> & {
   /** A whole number above 0 that no other layer of the plate has; it stays while the layer changes. */
   readonly id: number;
+  /** Of a picture layer, the first of its pictures. */
   readonly file: SourceFile | null;
+  /** Of that picture; null: as for the plate. */
+  readonly lamp: readonly [number, number] | null;
+  /** The pictures after the first. */
+  readonly others: readonly LampPicture[];
   readonly maskFile: SourceFile | null;
+  readonly modeFile: SourceFile | null;
   /** The name of a built-in font, or a font's file. */
   readonly font: string | SourceFile;
 };
@@ -126,9 +132,9 @@ export interface Plate {
   modes: ModeSource;
   /** Over the directions, the last on top. */
   layers: readonly PlateLayer[];
-  /** All but the pictures themselves, which `directions` has. The spool is the filament whose colour and gloss the appearance
+  /** What all pictures share. The spool is the filament whose colour and gloss the appearance
    * shows, too. */
-  pictures: Omit<PictureParams, 'files'>;
+  pictures: PictureParams;
   toolpath: ToolpathParams;
   print: Omit<PrintParams, 'date'>;
   printer: Machine;

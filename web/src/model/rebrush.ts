@@ -1,6 +1,6 @@
 // What a visitor wants of a sliced print, as plain data, and how the engine is asked for it.
-import type { DirectionMode, RebrushOptions, SlicedSurface } from 'sillon';
-import { engineInput, rasterInput } from './input.js';
+import type { DirectionMode, Stroke as LayerStroke, RebrushOptions, SlicedSurface } from 'sillon';
+import { engineInput } from './input.js';
 import { spoolSlopes, type FilamentKey } from './filaments.js';
 import type { OwnSpool, Plate, SourceFile, Stroke } from './plate.js';
 import type { DirectionRaster } from './raster.js';
@@ -81,8 +81,21 @@ export const lackOf = ({ chosen, way, picture }: Wish): '' | 'nothing' | 'noPict
 const slopesFor = (spool: OwnSpool | undefined, side: Side, nozzle: number): { slopes?: [number, number] } =>
   spool === undefined ? {} : { slopes: spoolSlopes(spool, nozzle, side === 'bottom' ? 'bedSide' : 'nozzleSide') };
 
+/** Strokes on the page that the chosen faces share. Bottoms are seen from below there, and painted as they lie on the bed. */
+const strokesOn = ({ corner, size }: Box, { side, strokes }: Wish): LayerStroke[] =>
+  strokes.map(({ tool, points, radius, softness, mode }) => ({
+    tool,
+    radius,
+    soft: softness,
+    ...(mode !== undefined && { mode }),
+    points: points.map((value, k) => {
+      const from = value - (corner[k % 2] as number);
+      return k % 2 === 0 && side === 'bottom' ? size[0] - from : from;
+    }),
+  }));
+
 /** @param faces  all that can be replaced; where all are chosen, none is named
- * @param raster  of the plate, for the way 'plate'; over the box of the chosen faces, for 'hand'
+ * @param raster  of the plate, for the way 'plate'
  * @param nozzle  of the file [mm] */
 export function howOf(
   wish: Wish,
@@ -96,26 +109,33 @@ export function howOf(
   const only = all ? sides : { only: [...wish.chosen].sort((a, b) => a - b) };
   switch (wish.way) {
     case 'angle':
-      return { directions: { angle: wish.angle }, ...only };
-    case 'hand':
-      if (raster === undefined) throw new Error('there are no strokes');
-      return { ...rasterInput(raster), fit: 'all', ...only };
+      return { layers: [{ kind: 'direction', angle: wish.angle }], ...only };
+    case 'hand': {
+      const strokes = strokesOn(boxOf(wish, faces), wish);
+      return {
+        layers: [
+          { kind: 'direction', angle: wish.angle },
+          { kind: 'strokes', strokes },
+        ],
+        fit: 'all',
+        ...only,
+      };
+    }
     case 'plate': {
-      const { directions, modes, pictures } = engineInput({ plate, raster }).input;
+      const { layers = [], pictures } = engineInput({ plate, raster }).input;
       const lit = pictures && {
         ...pictures,
         slopes: plate.pictures.slopes,
         ...slopesFor(plate.spool, wish.side, nozzle),
       };
-      const given = Object.entries({ directions, modes, pictures: lit }).filter(([, part]) => part !== undefined);
-      return { ...(Object.fromEntries(given) as Partial<RebrushOptions>), fit: wish.fit, ...only };
+      return { layers, ...(lit !== undefined && { pictures: lit }), fit: wish.fit, ...only };
     }
     case 'picture': {
       const { picture, lamp } = wish;
       if (picture === undefined) throw new Error('there is no picture');
-      const files = [{ file: picture.bytes, lamp: [lamp[0], lamp[1]] as [number, number] }];
-      const pictures = { files, spool: wish.spool, ...slopesFor(wish.own, wish.side, nozzle) };
-      return { pictures, fit: wish.fit, ...only };
+      const pictures = { spool: wish.spool, ...slopesFor(wish.own, wish.side, nozzle) };
+      const lit = [{ file: picture.bytes, lamp: [lamp[0], lamp[1]] as const }];
+      return { layers: [{ kind: 'picture', pictures: lit }], pictures, fit: wish.fit, ...only };
     }
   }
 }

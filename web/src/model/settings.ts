@@ -10,7 +10,7 @@ import { withAdvance } from './printers.js';
 type PrintSettings = Omit<PrintParams, 'date'>;
 
 export interface Sections {
-  pictures: Omit<PictureParams, 'files'>;
+  pictures: PictureParams;
   toolpath: ToolpathParams;
   print: PrintSettings;
   printer: PrinterValues;
@@ -22,8 +22,8 @@ export type SettingId = {
   [Name in Exclude<SectionName, 'pictures'>]: `${Name}.${keyof Sections[Name] & string}`;
 }[Exclude<SectionName, 'pictures'>];
 
-/** Ids of the values of one layer; a plate has many of each (model/layer-settings.ts). */
-export type LayerSettingId = `layers.${keyof Layer}`;
+/** Ids of the values of one layer, but for its lists; a plate has many of each (model/layer-settings.ts). */
+export type LayerSettingId = `layers.${Exclude<keyof Layer, 'pictures' | 'colours' | 'strokes'>}`;
 
 /** 'spacing': multiples of the spacing. */
 export type Unit = '' | 'mm' | 'mm/s' | 'mm/s²' | 'mm³/s' | 'g/cm³' | '°' | '°C' | 's' | '1/s' | '%' | 'spacing';
@@ -191,6 +191,8 @@ export interface TableRow {
   choices?: readonly string[];
   nullable?: boolean;
   maxBytes?: number;
+  /** Kinds of layers that have it; left out: all. */
+  kinds?: readonly string[];
 }
 
 /** A row of the table as a setting. @param control  of a number */

@@ -11,15 +11,20 @@ const svgType = 'image/svg+xml';
 /** A file made small enough; undefined: it cannot be. @param most  [bytes] */
 export type Small = (file: SourceFile, most: number) => Promise<Uint8Array | undefined>;
 
-/** Drawings travel as they are; maps would tell other angles when they are small, and fonts have no small form. */
+/** Drawings travel as they are, and colours that stand for directions, which grey pictures lack. */
+const isWhole = ({ kind, by, file }: PlateLayer, one: SourceFile): boolean =>
+  one.bytes.type === svgType || (kind === 'tones' && by === 'colours' && one === file);
+
+/** Maps and pictures of modes would tell something else when they are small, and fonts have no small form. */
 async function smallFile(
   layer: PlateLayer,
   file: SourceFile,
   most: number,
   shrink: Small,
 ): Promise<Uint8Array | undefined> {
-  if (file === layer.font || (file === layer.file && layer.kind === 'map')) return undefined;
-  if (file.bytes.type !== svgType) return shrink(file, most);
+  const exact = file === layer.font || file === layer.modeFile || (file === layer.file && layer.kind === 'map');
+  if (exact) return undefined;
+  if (!isWhole(layer, file)) return shrink(file, most);
   return file.bytes.size > most ? undefined : new Uint8Array(await file.bytes.arrayBuffer());
 }
 
@@ -57,7 +62,7 @@ export async function toldLayers(
       continue;
     }
     words += length;
-    found.shrunk ||= [...files.keys()].some(({ bytes }) => bytes.type !== svgType);
+    found.shrunk ||= [...files.keys()].some((file) => !isWhole(layer, file));
     found.told.push(toldLayer(layer, (file) => files.get(file)));
   }
   return found;

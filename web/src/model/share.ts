@@ -211,7 +211,11 @@ async function filesIn(value: unknown, unpack: Unpack): Promise<Map<unknown, Sou
     await read(one, `directions.pictures[${k}].file`);
   }
   for (const [k, one] of (Array.isArray(layers) ? layers.slice(0, mostLayers) : []).entries()) {
-    for (const key of ['file', 'maskFile', 'font']) await read(one, `layers[${k}].${key}`, key);
+    for (const key of ['file', 'maskFile', 'modeFile', 'font']) await read(one, `layers[${k}].${key}`, key);
+    const others = (one as Fields | null | undefined)?.['others'];
+    for (const [n, other] of (Array.isArray(others) ? others.slice(0, mostPictures) : []).entries()) {
+      await read(other, `layers[${k}].others[${n}].file`);
+    }
   }
   return files;
 }

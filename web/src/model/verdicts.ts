@@ -84,7 +84,7 @@ export function verdictsOf(report: Report): Verdict[] {
       values: { n: report.toolpaths, length: round(lengthMm / 1000, 2), apart: report.unjoined },
     },
   ];
-  for (const { r, contrast } of [...(report.pictures ?? []), ...(report.layerPictures ?? [])]) {
+  for (const { r, contrast } of report.pictures ?? []) {
     const level = contrast < unseenContrast ? 'poor' : levelBetween(r, 0.9, 0.7, false);
     verdicts.push(judged('picture', level, { percent: round(100 * Math.max(0, r), 0), contrast: round(contrast, 1) }));
   }

@@ -1,27 +1,40 @@
 // Plates to put one's own words and pictures into: projects of examples/, as the command line makes them.
-import keychain from '../../../examples/keychain.json';
-import logoCoaster from '../../../examples/logo-coaster.json';
-import nameSign from '../../../examples/name-sign.json';
-import photoRing from '../../../examples/photo-ring.json';
-import qrFrame from '../../../examples/qr-frame.json';
+import keychain from '../../../examples/keychain.json' with { type: 'json' };
+import logoCoaster from '../../../examples/logo-coaster.json' with { type: 'json' };
+import nameSign from '../../../examples/name-sign.json' with { type: 'json' };
+import photoRing from '../../../examples/photo-ring.json' with { type: 'json' };
+import qrFrame from '../../../examples/qr-frame.json' with { type: 'json' };
 import { newGenerator, newShape } from '../model/defaults.js';
 import type { Example, ExampleId, ExampleLayer } from '../model/example.js';
+import { groundOf, studioLayer, type ProjectLayer } from '../model/ground.js';
 import { shapeTable } from '../model/setting-table.js';
 import type { ShapeSource } from '../model/plate.js';
 
 /** The parts of a project that these files have. */
 interface Template {
   shape: { builtin: string; size: number[]; radius?: number };
-  directions?: { angle: number };
-  layers: readonly { kind: string; file?: string }[];
+  layers: readonly object[];
   toolpath: { spacing: number; mapFilter?: string };
 }
 
 /** Files lie beside the page by their bare names. */
-const named = (layer: { file?: string }): ExampleLayer =>
-  ({ ...layer, ...(layer.file !== undefined && { file: layer.file.replace(/^.*\//, '') }) }) as ExampleLayer;
+const bare = (path: string): string => path.replace(/^.*\//, '');
 
-function exampleOf(id: ExampleId, { shape, directions, layers, toolpath }: Template): Example {
+function layerOf(layer: ProjectLayer): ExampleLayer {
+  const { file, others, maskFile, modeFile, ...values } = studioLayer(layer);
+  return {
+    ...values,
+    file: file && bare(file),
+    others: others.map((one) => ({ ...one, file: bare(one.file) })),
+    maskFile: maskFile && bare(maskFile),
+    modeFile: modeFile && bare(modeFile),
+  };
+}
+
+/** Its lowest layer is one direction, or lies over one of 0°. */
+function exampleOf(id: ExampleId, { shape, layers: all, toolpath }: Template): Example {
+  const layers = all as readonly ProjectLayer[];
+  const ground = groundOf(layers);
   const [width = 0, height = 0] = shape.size;
   const kind = shape.builtin as Exclude<ShapeSource['kind'], 'file'>;
   return {
@@ -30,8 +43,8 @@ function exampleOf(id: ExampleId, { shape, directions, layers, toolpath }: Templ
     height: height || width,
     filament: 'bluePla',
     shape: { ...newShape(kind), radius: shape.radius ?? shapeTable.radius.default },
-    directions: { ...newGenerator('angle'), angle: directions?.angle ?? 0 },
-    layers: layers.map(named),
+    directions: { ...newGenerator('angle'), angle: ground?.angle ?? 0 },
+    layers: layers.slice(ground === undefined ? 0 : 1).map(layerOf),
     nearest: toolpath.mapFilter === 'nearest',
   };
 }

@@ -12,6 +12,7 @@ import type { Product } from '../studio/studio.js';
 const products: readonly (readonly [Product, IconName])[] = [
   ['gcode', 'print'],
   ['body', 'body'],
+  ['zones', 'body'],
   ['svg', 'toolpath'],
   ['png', 'camera'],
   ['view', 'sun'],

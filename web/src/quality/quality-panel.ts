@@ -5,7 +5,7 @@ import { threadsWords } from '../i18n/say-threads.js';
 import { verdictText } from '../i18n/say-verdict.js';
 import { words } from '../i18n/en/quality.js';
 import { formatNumber, say, t } from '../i18n/text.js';
-import { completeLayers } from '../model/layers.js';
+import { judgedFile } from '../model/lamp.js';
 import { orderVerdict, verdictsOf, type Verdict } from '../model/verdicts.js';
 import { widthHistogram } from '../controls/histogram.js';
 import type { Mark } from '../model/view.js';
@@ -157,10 +157,8 @@ export class QualityPanel extends StudioElement {
     const { result } = this.state;
     if (same.length === 1 || result === undefined || verdict.measure !== 'picture') return label;
     const { plate, report } = result;
-    const files = plate.directions.kind === 'lamp' ? plate.directions.pictures.map(({ file }) => file) : [];
-    const layers = completeLayers(plate);
-    const ofLayers = (report.layerPictures ?? []).map(({ layer }) => layers[layer - 1]?.file);
-    return t('setting.value', { label, value: [...files, ...ofLayers][same.indexOf(verdict)]?.name ?? '' });
+    const file = judgedFile(plate, report.pictures ?? [], same.indexOf(verdict));
+    return t('setting.value', { label, value: file?.name ?? '' });
   }
 
   /** The first place that the verdict speaks of. */

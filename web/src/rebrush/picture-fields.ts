@@ -24,7 +24,7 @@ export function pictureFields(work: PrintWork, onPick: () => void): TemplateResu
   }
   const seen = (work.known.done?.surfaces ?? []).flatMap(({ pictures }) => pictures);
   const mean = seen.reduce((sum, one) => sum + one.r, 0) / seen.length;
-  const cut = Math.max(0, ...seen.map(({ leftOut }) => leftOut));
+  const cut = Math.max(0, ...seen.map(({ leftOut = 0 }) => leftOut));
   const spools = ownSpools(work.studio);
   return html`<div class="picture">
       ${thumbnail(picture)}<b title=${picture.name}>${picture.name}</b>

@@ -7,8 +7,8 @@ import { sourceFile } from '../files/source-file.js';
 import { r } from '../i18n/rebrush.js';
 import { lampFor } from '../model/lamp.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
-import { fineResolution, type DirectionRaster } from '../model/raster.js';
-import { boxOf, facesOf, howOf, lackOf, sides, type Face, type Side, type Wish } from '../model/rebrush.js';
+import type { DirectionRaster } from '../model/raster.js';
+import { facesOf, howOf, lackOf, sides, type Face, type Side, type Wish } from '../model/rebrush.js';
 import { TimeLeft } from '../model/time-left.js';
 import type { Light } from '../model/view.js';
 import type { Studio } from '../studio/studio.js';
@@ -238,10 +238,6 @@ export class PrintWork {
   /** What the engine cannot draw by itself. */
   async #drawn(wish: Wish): Promise<DirectionRaster | undefined> {
     const { store, services } = this.studio;
-    if (wish.way === 'hand') {
-      const { handRaster } = await import('./hand.js');
-      return handRaster(wish.strokes, boxOf(wish, this.known.faces), wish.angle, fineResolution);
-    }
     const solved = store.state.plate.directions.kind === 'lamp'; // the engine solves for it
     return wish.way === 'plate' && !solved ? services.directions() : undefined;
   }

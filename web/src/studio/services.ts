@@ -18,6 +18,7 @@ export interface MakingServices {
   gcode(): Promise<Gcode>;
   /** The base layers as a solid, 3MF. */
   body(): Promise<Blob>;
+  zones(): Promise<Blob>;
   svg(): Promise<Blob>;
   view(): Promise<Blob>;
   /** In full. */

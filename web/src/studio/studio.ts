@@ -18,7 +18,7 @@ import type { OpenedFiles, Role } from '../model/file-role.js';
 import type { Services } from './services.js';
 import type { Dialog, LightMode, Notice, NoticeAction, Shown } from './shown.js';
 
-export type Product = 'gcode' | 'body' | 'svg' | 'png' | 'view' | 'project';
+export type Product = 'gcode' | 'body' | 'zones' | 'svg' | 'png' | 'view' | 'project';
 
 /** What the canvas lends to others. */
 export interface Stage {
@@ -43,6 +43,7 @@ export const isPacked = (product: Product, plate: Plate): boolean =>
 const endings: Record<Product, string> = {
   gcode: '.gcode',
   body: '.base.3mf',
+  zones: '.zones.3mf',
   svg: '.svg',
   png: '.png',
   view: '.view.png',

@@ -448,7 +448,7 @@ async function wordsInstead(frame) {
 const noDrawing = { name: 'refused.svg', body: 'no drawing' };
 const lacksFile = {
   name: 'lacks.json',
-  body: JSON.stringify({ sillon: 1, shape: { file: 'nowhere.svg' }, directions: { angle: 0 } }),
+  body: JSON.stringify({ sillon: 1, shape: { file: 'nowhere.svg' }, layers: [{ kind: 'direction' }] }),
 };
 const served = async (page) => {
   for (const { name, body } of [noDrawing, lacksFile])

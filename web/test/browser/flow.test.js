@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
+import { unzipSync } from 'fflate';
 import Toolpath from 'gcode-toolpath';
 
 import { bodyNatively, natively } from './support/native.js';
@@ -172,7 +173,7 @@ test('a photograph becomes directions, and a drawing from the clipboard a shape'
   assert.ok(Math.abs(page[0] / page[1] - 2) < 1e-6, `the page is ${page[0]} × ${page[1]} mm`);
 });
 
-test('drawings and pictures download', { skip }, async () => {
+test('drawings, pictures and zones download', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.idle();
   const svg = await visit.download('Drawing (SVG)');
@@ -182,6 +183,10 @@ test('drawings and pictures download', { skip }, async () => {
   const [width, height] = [png.bytes.readUInt32BE(16), png.bytes.readUInt32BE(20)];
   assert.equal(width, 2400);
   assert.ok(height > 2000 && height < 2800, `${width} × ${height}`);
+  const zones = await visit.download('Zones for your slicer (3MF)');
+  assert.match(zones.name, /\.zones\.3mf$/);
+  assert.ok(Object.keys(unzipSync(zones.bytes)).includes('3D/3dmodel.model'));
+  assert.deepEqual(visit.problems, []);
 });
 
 test('the base goes to another slicer, the native program’s to the byte, and the rest above it', { skip }, async () => {
@@ -230,7 +235,10 @@ test('the printer comes from the owner’s own G-code, and a file that tells non
   await visit.until((state) => state.summary !== undefined && state.progress === undefined);
   // A block that no profile has is shown before the first file with it.
   await visit.page.locator('[popovertarget=export]').click();
-  await visit.page.locator('#export').getByRole('button', { name: 'G-code' }).click();
+  await visit.page
+    .locator('#export')
+    .getByRole('button', { name: /^G-code/ })
+    .click();
   const review = visit.page.locator('sillon-blocks');
   await review.getByText('G29 P9 X10 Y-4 W32 H4', { exact: true }).waitFor();
   const [download] = await Promise.all([

@@ -392,11 +392,12 @@ test('a warning about a layer marks its row and its frame, once the whole plate 
   for (const kind of ['Text', 'Text']) await add(visit, kind);
   await visit.idle();
   /** As the engine would tell it, of a kind that the panel has never heard of. */
+  // The lowest layer is that of the directions.
   const tell = (change) =>
     page.evaluate((change) => {
       const { store } = document.querySelector('sillon-app').studio;
       const { result } = store.state;
-      const warnings = [{ code: 'Unheard', values: { layer: 1 }, message: 'Layer 1 lies beside the plate.' }];
+      const warnings = [{ code: 'Unheard', values: { layer: 2 }, message: 'Layer 2 lies beside the plate.' }];
       store.set({ result: { ...result, report: { ...result.report, warnings }, ...change } });
     }, change);
   const rows = page.locator('sillon-layers-panel li.warned');
@@ -419,7 +420,7 @@ test('a warning about a layer marks its row and its frame, once the whole plate 
   assert.equal(await red(9, 14), false);
   assert.equal(await rows.count(), 0);
   await tell({ coarse: false });
-  await page.locator('sillon-layers-panel').getByText('Layer 1 lies beside the plate.').waitFor();
+  await page.locator('sillon-layers-panel').getByText('Layer 2 lies beside the plate.').waitFor();
   assert.equal(await rows.count(), 1);
   assert.equal(await rows.getAttribute('data-layer'), '1');
   await settled(page);
@@ -664,7 +665,7 @@ for (const { viewport, language } of narrow) {
       assert.deepEqual(cut, [], what);
     };
     await look('no layers');
-    for (const kind of ['text', 'qr', 'pattern', 'border', 'picture']) {
+    for (const kind of ['text', 'code', 'pattern', 'border', 'picture', 'tones', 'strokes']) {
       await page.evaluate((kind) => {
         const { studio } = document.querySelector('sillon-app');
         studio.change((plate) => ({
@@ -674,8 +675,9 @@ for (const { viewport, language } of narrow) {
               ...{ id: 1, kind, visible: true, at: null, size: [0, 0], rotation: 0, mirror: false, mask: 'inside' },
               ...{ maskFile: null, soft: 0, angle: 0, ground: 12, fill: 'angle', file: null, encoding: 'angle' },
               ...{ cropMin: [0, 0], cropMax: [1, 1], lamp: [60, 45], text: 'Hallo', font: 'Nunito', textSize: 4 },
-              ...{ circle: 0, align: 'middle', correction: 'medium', pattern: 'waves', waveLength: 5, amplitude: 20 },
-              width: 2,
+              ...{ circle: 0, align: 'middle', correction: 'medium', pattern: 'noise', waveLength: 5, amplitude: 20 },
+              ...{ mode: 'constrained', modeFile: null, seed: 7, others: [], colours: [], strokes: [], width: 2 },
+              ...{ by: 'levels', from: 0, to: 90, threshold: 0.5, contrast: 1, smoothing: 0 },
             },
           ],
         }));

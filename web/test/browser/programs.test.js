@@ -20,18 +20,15 @@ after(() => engine.dispose());
 /** Makes the project with the npm package, as somebody's program would. */
 async function packaged(zip, date) {
   const files = unzipSync(zip);
-  const { shape, directions, modes, pictures, toolpath, print, printer } = await engine.readProject(
+  const { shape, layers, pictures, toolpath, print, printer } = await engine.readProject(
     Buffer.from(files['project.json']).toString(),
   );
-  const brought = (part) => ({ ...part, file: part.file === '' ? undefined : files[part.file] });
-  const input = {
-    shape: brought(shape),
-    directions: brought(directions),
-    modes: brought(modes),
-    pictures: { ...pictures, files: pictures.files.map(brought) },
-    printer,
-    print,
+  const brought = (part) => {
+    const named = ['file', 'maskFile', 'modeFile'].filter((key) => part[key] !== undefined);
+    const own = named.map((key) => [key, part[key] === '' ? undefined : files[part[key]]]);
+    return { ...part, ...Object.fromEntries(own), ...(part.pictures && { pictures: part.pictures.map(brought) }) };
   };
+  const input = { shape: brought(shape), layers: layers.map(brought), pictures, printer, print };
   const made = await engine.generateToolpath(input, toolpath, { measure: true });
   const { blob } = await engine.writeGcode(made.toolpath, printer, { ...print, date });
   return blob.text();

@@ -46,7 +46,7 @@ const projectOf = (printer) =>
   JSON.stringify({
     sillon: 1,
     shape: { builtin: 'disc', size: [20, 20] },
-    directions: { angle: 30 },
+    layers: [{ kind: 'direction', angle: 30 }],
     print: { layers: 1, base: 0 },
     printer,
   });
@@ -113,7 +113,10 @@ test('used unseen, lines are shown before the first download, which may be given
   await visit.idle();
   const ask = async () => {
     await visit.page.locator('[popovertarget=export]').click();
-    await visit.page.locator('#export').getByRole('button', { name: 'G-code' }).click();
+    await visit.page
+      .locator('#export')
+      .getByRole('button', { name: /^G-code/ })
+      .click();
   };
   let downloads = 0;
   visit.page.on('download', () => ++downloads);

@@ -27,8 +27,8 @@ before(async () => {
   writeFileSync(join(folder, 'not.png'), 'not a picture');
   // Beads along x on the left, along y on the right.
   for (const [name, project] of [
-    ['flat', { shape: { builtin: 'rectangle', size: [20, 20] }, directions: { angle: 0 } }],
-    ['steep', { shape: { builtin: 'disc', size: [20, 20] }, directions: { angle: 90 } }],
+    ['flat', { shape: { builtin: 'rectangle', size: [20, 20] }, layers: [{ kind: 'direction' }] }],
+    ['steep', { shape: { builtin: 'disc', size: [20, 20] }, layers: [{ kind: 'direction', angle: 90 }] }],
   ]) {
     writeFileSync(
       join(folder, `${name}.json`),

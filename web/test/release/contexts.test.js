@@ -25,7 +25,7 @@ const all = Math.min(8, availableParallelism());
 const project = {
   sillon: 1,
   shape: { builtin: 'rounded', size: [24, 18], radius: 4 },
-  directions: { angle: 25 },
+  layers: [{ kind: 'direction', angle: 25 }],
   toolpath: { spacing: 0.45, seed: 3 },
   print: { layers: 1, base: 1 },
 };

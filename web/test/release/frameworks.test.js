@@ -150,7 +150,10 @@ for (const [name, { file, language, main, checker, wrong, plugins }] of Object.e
       const downloads = [];
       visit.on('download', (download) => downloads.push(download));
       await frame.locator('[popovertarget=export]').click();
-      await frame.locator('#export').getByRole('button', { name: 'G-code' }).click();
+      await frame
+        .locator('#export')
+        .getByRole('button', { name: /^G-code/ })
+        .click();
       await until(async () => gcode.test(await visit.title()), 'the downloaded file');
       assert.deepEqual(downloads, []);
       await visit.locator('sillon-view').scrollIntoViewIfNeeded();

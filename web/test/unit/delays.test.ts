@@ -93,7 +93,7 @@ function measured({ toolpath, delays }: ReturnType<typeof delaysOf>): {
 
 test('the colours show the delays that the core measures in the G-code', async () => {
   for (const angle of [20, 75]) {
-    const plate = { shape: { builtin: 'disc', size: [40, 40] }, directions: { angle } } as const;
+    const plate = { shape: { builtin: 'disc', size: [40, 40] }, layers: [{ kind: 'direction', angle }] } as const;
     const { toolpath } = await engine.generateToolpath(plate, { order: 'plain' }, { measure: false });
     const gcode = await engine.writeGcode(toolpath, {}, {});
     const { neighbourDelay } = await engine.checkGcode(gcode.blob);
@@ -112,7 +112,7 @@ test('the colours show the delays that the core measures in the G-code', async (
 
 test('beads are as fast as the G-code has them, whatever sets pressure advance', async () => {
   const { toolpath } = await engine.generateToolpath(
-    { shape: { builtin: 'rectangle', size: [10, 10] }, directions: { angle: 0 } },
+    { shape: { builtin: 'rectangle', size: [10, 10] }, layers: [{ kind: 'direction' }] },
     {},
     { measure: false },
   );

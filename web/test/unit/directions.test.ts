@@ -279,13 +279,13 @@ describe('maps', () => {
         { page: [20, 15], resolution: 64 },
       );
       const shape = { builtin: 'rectangle', size: [20, 15] as [number, number] } as const;
-      const itself = await engine.generateToolpath({ shape, directions: { file: picture, encoding } });
+      const itself = await engine.generateToolpath({ shape, layers: [{ kind: 'map', file: picture, encoding }] });
       const ours = await engine.generateToolpath({
         shape,
-        directions: { file: { width, height, channels: 1, samples: angle }, encoding: 'angle' },
+        layers: [{ kind: 'map', file: { width, height, channels: 1, samples: angle } }],
       });
       assert.equal(ours.report.digest, itself.report.digest);
-      const turned = await engine.generateToolpath({ shape, directions: { angle: 0 } });
+      const turned = await engine.generateToolpath({ shape, layers: [{ kind: 'direction' }] });
       assert.notEqual(turned.report.digest, itself.report.digest);
     });
   }

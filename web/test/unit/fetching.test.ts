@@ -20,7 +20,7 @@ async function serving(answer: RequestListener, use: (base: string) => Promise<v
 
 test('a project brings the files it names, from its own site only', async () => {
   const projects: Record<string, object> = {
-    '/page/near.json': { sillon: 1, shape: { file: 'a.svg' }, directions: { file: 'maps/b.png' } },
+    '/page/near.json': { sillon: 1, shape: { file: 'a.svg' }, layers: [{ kind: 'map', file: 'maps/b.png' }] },
     '/page/far.json': { sillon: 1, shape: { file: 'https://elsewhere.invalid/a.svg' } },
   };
   await serving(
@@ -59,9 +59,18 @@ test('files of a project lie in its folder or below, are asked for without query
       else if (shapes[Number(k)] !== undefined)
         response.end(JSON.stringify({ sillon: 1, shape: { file: shapes[Number(k)] } }));
       else {
-        const pictures = { files: [{ file: 'one.png', lamp: [60, 45] }, { file: 'two.png' }] };
+        const layers = [
+          {
+            kind: 'picture',
+            pictures: [{ file: 'one.png', lamp: [60, 45] }, { file: 'two.png' }],
+            modeFile: 'mode.png',
+          },
+          { kind: 'picture', pictures: [{ file: 'three.png' }], maskFile: 'mask.svg' },
+          { kind: 'text', text: 'A', font: 'own.ttf' },
+          { kind: 'text', text: 'B', font: 'Nunito' },
+        ];
         const studio = { files: { 'two.png': 'Two.png', 'inputs/tone.png': 'tone.png' } };
-        response.end(JSON.stringify({ sillon: 1, pictures, studio }));
+        response.end(JSON.stringify({ sillon: 1, layers, studio }));
       }
     },
     async (base) => {
@@ -75,10 +84,10 @@ test('files of a project lie in its folder or below, are asked for without query
         assert.deepEqual(asked, [`/page/project${k}.json`]);
       }
       const files = await fetchFiles([{ url: `project${shapes.length}.json`, role: '' }], base);
-      assert.deepEqual(
-        files.slice(1).map(({ name }) => name),
-        ['one.png', 'two.png', 'tone.png'],
-      );
+      assert.deepEqual(files.map(({ name }) => name).sort(), [
+        ...['mask.svg', 'mode.png', 'one.png', 'own.ttf', `project${shapes.length}.json`],
+        ...['three.png', 'tone.png', 'two.png'],
+      ]);
     },
   );
 });

@@ -195,8 +195,9 @@ test('the panel of a shape shows all its words', async () => {
 test('the panel of layers speaks every language, and shows all its words', async () => {
   const files = ['i18n/layers.ts', ...readdirSync('web/src/layers').map((name) => `layers/${name}`)];
   const panel = files.map((name) => readFileSync(join('web/src', name), 'utf8')).join('\n');
+  const others = ['encoding', 'mode']; // their choices are named where the directions' are
   const choices = layerSettings.flatMap((setting) =>
-    setting.kind === 'choice' && setting.key !== 'encoding'
+    setting.kind === 'choice' && !others.includes(setting.key)
       ? setting.choices.map((choice) => `${setting.key}.${choice}`)
       : [],
   );

@@ -5,7 +5,17 @@ import { type Guessed, guessRoles } from '../../src/files/guess.js';
 import { newFileDirections, newGenerator, newLampDirections, newPlate } from '../../src/model/defaults.js';
 import { withFilament } from '../../src/model/filaments.js';
 import { engineInput, sameToolpath } from '../../src/model/input.js';
-import { greySteps, homeLight, isOwnPicture, lampFor, lampsOf, leastSeen, weaknessesOf } from '../../src/model/lamp.js';
+import {
+  greySteps,
+  homeLight,
+  isOwnPicture,
+  judgedFile,
+  lampFor,
+  lampsOf,
+  leastSeen,
+  weaknessesOf,
+} from '../../src/model/lamp.js';
+import { newLayer, withLayer } from '../../src/model/layer-list.js';
 import type { Plate } from '../../src/model/plate.js';
 import { Aim, between, near, swayed, turned } from '../../src/views/light.js';
 import { fileOf } from './support/pictures.js';
@@ -62,12 +72,12 @@ test('a photograph is solved for the light on the screen, a second one for a lam
 test('the engine is asked for the pictures under the spool of the plate', () => {
   const plate = withFilament(plateOf([60, 45], null), 'bluePla');
   const { input } = engineInput({ plate, raster: undefined });
-  assert.equal(input.directions, undefined);
+  const pictures = [
+    { file: cat.bytes, lamp: [60, 45] },
+    { file: dog.bytes, lamp: null },
+  ];
+  assert.deepEqual(input.layers, [{ kind: 'picture', pictures, mode: 'constrained' }]);
   assert.deepEqual(input.pictures, {
-    files: [
-      { file: cat.bytes, lamp: [60, 45] },
-      { file: dog.bytes, lamp: null },
-    ],
     proportions: 'keep',
     spool: 'bluePla',
     slopes: [2.36, 17.32],
@@ -119,9 +129,29 @@ test('the light belongs where the plate looks as it is meant to', () => {
   assert.equal(under(newFileDirections('levels', cat)), 0);
 });
 
+test('what is judged of a picture names its file, of those over the directions, too', () => {
+  const others = [
+    { file: dog, lamp: null },
+    { file: cat, lamp: null },
+  ];
+  const lacking = newLayer(newPlate(), 'picture');
+  const shown = newLayer(newPlate(), 'picture', { file: cat, others });
+  const plate = [lacking, newLayer(newPlate(), 'text'), shown].reduce(withLayer, plateOf([60, 45], null));
+  const report = { file: '', lamp: [0, 45] as [number, number], r: 1, ssim: 1, contrast: 9, others: [] };
+  const all = [1, 1, 3, 3, 3].map((layer) => ({ ...report, layer, from: 'toolpath' as const }));
+  assert.deepEqual(
+    all.map((_, k) => judgedFile(plate, all, k)),
+    [cat, dog, cat, dog, cat],
+  );
+  assert.equal(judgedFile(newPlate(), all, 2), undefined);
+});
+
 test('a spool or a lamp that shows little is told', () => {
   const seen = (contrast: number, r = 0.95) => [
-    { file: 'a', lamp: [60, 45] as [number, number], r, ssim: 0.8, contrast, others: [], from: 'toolpath' as const },
+    {
+      ...{ layer: 1, file: 'a', lamp: [60, 45] as [number, number] },
+      ...{ r, ssim: 0.8, contrast, others: [], from: 'toolpath' as const },
+    },
   ];
   const blue = withFilament(plateOf([60, 45]), 'bluePla');
   assert.deepEqual(weaknessesOf(blue, undefined), []);
@@ -131,6 +161,10 @@ test('a spool or a lamp that shows little is told', () => {
   const three = [...seen(15), ...seen(15, 0.57), ...seen(15, 0.8)];
   assert.deepEqual(weaknessesOf(blue, three), ['crowded']);
   assert.deepEqual(leastSeen(three), { n: 3, r: 0.57 });
+  // Pictures of layers over them are others.
+  const above = seen(1, 0.1).map((one) => ({ ...one, layer: 2 }));
+  assert.deepEqual(weaknessesOf(blue, [...seen(15), ...above, ...above]), []);
+  assert.deepEqual(leastSeen([...seen(15), ...above]), { n: 1, r: 0.95 });
   assert.deepEqual(weaknessesOf(withFilament(blue, 'goldPla'), undefined), ['spool']);
   const window = { ...blue, pictures: { ...blue.pictures, lampSize: 0.4 } };
   assert.deepEqual(weaknessesOf(window, seen(1.5)), ['window']);

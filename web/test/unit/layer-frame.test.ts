@@ -121,7 +121,7 @@ test('boxes are as large as the engine has told, and grow with their letters unt
   assert.deepEqual(frameOf(page, { ...picture, size: [0, 10] }, shown).size, [15, 10]);
   assert.deepEqual(frameOf(page, { ...picture, size: [7, 9] }, shown).size, [7, 9]);
   assert.deepEqual(frameOf(page, layer('direction', { size: [0, 0] }), undefined).size, [100, 60]);
-  assert.deepEqual(frameOf(page, layer('qr', { size: [30, 0] }), undefined).size, [30, 30]);
+  assert.deepEqual(frameOf(page, layer('code', { size: [30, 0] }), undefined).size, [30, 30]);
   const border = frameOf(page, layer('border', { at: [3, 3], size: [5, 5], rotation: 9 }), undefined);
   assert.deepEqual(border, { middle: [50, 30], size: [100, 60], turn: 0 });
 });

@@ -22,7 +22,15 @@ import {
   withoutLayer,
   toldLayer,
 } from '../../src/model/layer-list.js';
-import { completeLayers, drawnLayers, lackOf, sameLayers, type LayerValues } from '../../src/model/layers.js';
+import {
+  completeLayers,
+  drawnLayers,
+  lackOf,
+  layerInput,
+  sameLayers,
+  type LayerKind,
+  type LayerValues,
+} from '../../src/model/layers.js';
 import type { Plate, PlateLayer, SourceFile } from '../../src/model/plate.js';
 import { accepts } from '../../src/model/settings.js';
 import { without } from '../../src/model/without.js';
@@ -30,6 +38,8 @@ import { filesOf, plateData } from '../../src/files/plate-data.js';
 import { chances, fileOf } from './support/pictures.js';
 
 const file = fileOf('cat.png');
+const other = fileOf('dog.png');
+const held = fileOf('modes.png');
 const font = fileOf('own.ttf');
 const text = (given: Partial<LayerValues> = {}): LayerValues => newLayer(newPlate(), 'text', { text: 'A', ...given });
 const plateOf = (...layers: LayerValues[]): Plate => layers.reduce(withLayer, newPlate());
@@ -37,7 +47,7 @@ const ids = ({ layers }: Plate): number[] => layers.map(({ id }) => id);
 
 /** A file that was told by its name. */
 const fileFrom = (told: unknown, where: string): SourceFile => {
-  const found = [file, font].find(({ name }) => name === told);
+  const found = [file, other, font].find(({ name }) => name === told);
   if (found === undefined) throw new Unfit(where, told);
   return found;
 };
@@ -69,9 +79,10 @@ test('what a layer lacks is told, and neither the engine nor a project gets such
     [newLayer(newPlate(), 'picture'), 'file'],
     [newLayer(newPlate(), 'map'), 'file'],
     [newLayer(newPlate(), 'drawing'), 'file'],
+    [newLayer(newPlate(), 'tones'), 'file'],
     [newLayer(newPlate(), 'pattern', { pattern: 'echo' }), 'file'],
     [text({ text: '' }), 'text'],
-    [newLayer(newPlate(), 'qr', { text: '' }), 'text'],
+    [newLayer(newPlate(), 'code', { text: '' }), 'text'],
     [text({ mask: 'inside' }), 'mask'],
   ];
   const plate = plateOf(...lacking.map(([layer]) => layer), text());
@@ -80,10 +91,13 @@ test('what a layer lacks is told, and neither the engine nor a project gets such
   });
   assert.deepEqual(
     completeLayers(plate).map(({ id }) => id),
-    [8],
+    [lacking.length + 1],
   );
-  assert.equal(sectionsOf(plate, ({ name }) => name).layers?.length, 1);
-  assert.ok(!('layers' in sectionsOf(plateOf(text({ text: '' })), ({ name }) => name)));
+  // The lowest is that of the directions.
+  assert.equal(sectionsOf(plate, ({ name }) => name).layers.length, 2);
+  assert.equal(sectionsOf(plateOf(text({ text: '' })), ({ name }) => name).layers.length, 1);
+  const echo = newLayer(newPlate(), 'pattern', { pattern: 'echo', text: 'A' });
+  assert.equal(lackOf({ ...echo, id: 1 }), undefined, 'an echo follows its letters');
 });
 
 test('the core is told what differs from its defaults, and nothing else', () => {
@@ -101,6 +115,33 @@ test('the core is told what differs from its defaults, and nothing else', () => 
     toldLayer({ ...layerDefaults(), id: 1 }, () => 0),
     { kind: 'direction' },
   );
+});
+
+test('a layer hands over what its kind has, and nothing else', () => {
+  const given: Partial<LayerValues> = { file, lamp: [1, 2], others: [{ file: other, lamp: null }], modeFile: held };
+  const keys = (kind: LayerKind): string[] =>
+    Object.keys(layerInput({ ...newLayer(newPlate(), kind, given), id: 1 }, ({ name }) => name)).sort();
+  const all = ['at', 'kind', 'mask', 'mirror', 'mode', 'modeFile', 'rotation', 'size', 'soft', 'visible'];
+  const crop = ['cropMax', 'cropMin'];
+  const letters = ['align', 'circle', 'font', 'text', 'textSize'];
+  const own: Record<LayerKind, string[]> = {
+    direction: ['angle'],
+    map: ['encoding', 'file', ...crop],
+    picture: ['pictures', ...crop],
+    text: ['angle', 'fill', 'ground', ...letters],
+    code: ['angle', 'correction', 'ground', 'text'],
+    pattern: ['amplitude', 'angle', 'file', 'pattern', 'seed', 'waveLength', ...letters],
+    tones: ['angle', 'by', 'colours', 'contrast', 'file', 'from', 'smoothing', 'threshold', 'to', ...crop],
+    drawing: ['angle', 'file', 'fill', 'ground'],
+    border: ['angle', 'fill', 'width'],
+    strokes: ['strokes'],
+  };
+  for (const kind of layerKinds) assert.deepEqual(keys(kind), [...all, ...own[kind]].sort(), kind);
+  const { pictures } = layerInput({ ...newLayer(newPlate(), 'picture', given), id: 1 }, ({ name }) => name);
+  assert.deepEqual(pictures, [
+    { file: 'cat.png', lamp: [1, 2] },
+    { file: 'dog.png', lamp: null },
+  ]);
 });
 
 test('layers make another toolpath where they are seen', () => {
@@ -128,13 +169,16 @@ test('the engine gets layers beside directions of every kind, and what pictures 
   const over = plateOf(text());
   for (const directions of [newPlate().directions, { kind: 'angle' as const, angle: 3 }]) {
     const { input } = engineInput({ plate: { ...over, directions }, raster: undefined });
-    assert.equal(input.layers?.length, 1);
+    assert.deepEqual(
+      input.layers?.map(({ kind }) => kind),
+      ['direction', 'text'],
+    );
     assert.equal(input.pictures, undefined);
   }
   const pictured = plateOf(newLayer(newPlate(), 'picture', { file }));
   const { input } = engineInput({ plate: pictured, raster: undefined });
-  assert.deepEqual(input.pictures?.files, []);
-  assert.ok(Array.isArray(input.pictures.slopes));
+  assert.deepEqual(input.layers?.at(-1)?.pictures, [{ file: file.bytes, lamp: null }]);
+  assert.ok(Array.isArray(input.pictures?.slopes));
   assert.deepEqual(homeLight(pictured, undefined), { azimuth: 60, elevation: 45 });
   assert.deepEqual(
     homeLight(
@@ -149,8 +193,13 @@ test('the engine gets layers beside directions of every kind, and what pictures 
 });
 
 test('files of layers are the plate’s, each once', () => {
-  const plate = plateOf(text({ font, maskFile: file }), newLayer(newPlate(), 'picture', { file }));
-  assert.deepEqual(filesOf(plate), [file, font]);
+  const pictured = newLayer(newPlate(), 'picture', { file, others: [{ file: other, lamp: null }] });
+  const plate = plateOf(
+    text({ font, maskFile: file }),
+    pictured,
+    newLayer(newPlate(), 'direction', { modeFile: held }),
+  );
+  assert.deepEqual(filesOf(plate), [file, font, other, held]);
 });
 
 test('every layer comes back from its data as it went', () => {
@@ -158,6 +207,19 @@ test('every layer comes back from its data as it went', () => {
     ...layerKinds.map((kind) => newLayer(newPlate(), kind, { file, visible: false, at: [1.5, -2], soft: 3 })),
     text({ font, maskFile: file, mask: 'inside', text: 'two\nlines', lamp: [-360, 1], ground: 12 }),
     ...builtInFonts.map((name) => text({ font: name })),
+    newLayer(newPlate(), 'picture', {
+      file,
+      lamp: [10, 40],
+      others: [
+        { file: other, lamp: [20, 30] },
+        { file, lamp: null },
+      ],
+    }),
+    newLayer(newPlate(), 'map', { file, modeFile: other, mode: 'parallel' }),
+    newLayer(newPlate(), 'tones', { file, by: 'colours', colours: [{ colour: '#00ff7f', angle: -45 }] }),
+    newLayer(newPlate(), 'strokes', {
+      strokes: [{ tool: 'mode', radius: 2, soft: 0, mode: 'smoothest', points: [0, 1] }],
+    }),
   );
   const told = JSON.parse(JSON.stringify(plateData(plate, ({ name }) => name))) as unknown;
   assert.deepEqual(plateFrom(told, fileFrom), plate);
@@ -209,6 +271,41 @@ test('what no control could have set is refused, with its place', () => {
     [[{ kind: 'picture', cropMin: [0.5, 0], cropMax: [0.5, 1] }], 'layers[0].cropMax'],
     [[{ kind: 'picture', lamp: [0, 0] }], 'layers[0].lamp'],
     [[{ kind: 'picture', lamp: [0, 91] }], 'layers[0].lamp'],
+    [[{ kind: 'picture', lamp: [0, 45, 1] }], 'layers[0].lamp'],
+    [[{ kind: 'picture', lamp: [NaN, 45] }], 'layers[0].lamp'],
+    [[{ kind: 'picture', others: {} }], 'layers[0].others'],
+    [[{ kind: 'picture', others: Array(4).fill({ file: 'cat.png', lamp: null }) }], 'layers[0].others'],
+    [[{ kind: 'picture', others: [{ file: 'gone.png', lamp: null }] }], 'layers[0].others[0].file'],
+    [[{ kind: 'picture', others: [{ file: 'cat.png', lamp: [0, 0] }] }], 'layers[0].others[0].lamp'],
+    [[{ kind: 'picture', others: [{ file: 'cat.png', lamp: null, more: 1 }] }], 'layers[0].others[0].more'],
+    [[{ kind: 'map', modeFile: 'gone.png' }], 'layers[0].modeFile'],
+    [[{ kind: 'map', mode: 'up' }], 'layers[0].mode'],
+    [[{ kind: 'pattern', pattern: 'noise', seed: -1 }], 'layers[0].seed'],
+    [[{ kind: 'pattern', pattern: 'noise', seed: 1.5 }], 'layers[0].seed'],
+    [[{ kind: 'tones', by: 'taste' }], 'layers[0].by'],
+    [[{ kind: 'tones', threshold: 2 }], 'layers[0].threshold'],
+    [[{ kind: 'tones', colours: 'red' }], 'layers[0].colours'],
+    [[{ kind: 'tones', colours: Array(33).fill({ colour: '#ff0000', angle: 1 }) }], 'layers[0].colours'],
+    [[{ kind: 'tones', colours: [7] }], 'layers[0].colours[0]'],
+    [[{ kind: 'tones', colours: [{ colour: 'red', angle: 1 }] }], 'layers[0].colours[0].colour'],
+    [[{ kind: 'tones', colours: [{ colour: '#ff0000;url(x)' }] }], 'layers[0].colours[0].colour'],
+    [[{ kind: 'tones', colours: [{ colour: '#ff0000', angle: 361 }] }], 'layers[0].colours[0].angle'],
+    [[{ kind: 'tones', colours: [{ colour: '#ff0000', sparkle: 1 }] }], 'layers[0].colours[0].sparkle'],
+    [[{ kind: 'strokes', strokes: {} }], 'layers[0].strokes'],
+    [[{ kind: 'strokes', strokes: Array(10_001).fill({ points: [] }) }], 'layers[0].strokes'],
+    [[{ kind: 'strokes', strokes: [null] }], 'layers[0].strokes[0]'],
+    [[{ kind: 'strokes', strokes: [{}] }], 'layers[0].strokes[0].points'],
+    [[{ kind: 'strokes', strokes: [{ points: [1, 2, 3] }] }], 'layers[0].strokes[0].points'],
+    [[{ kind: 'strokes', strokes: [{ points: [1, '2'] }] }], 'layers[0].strokes[0].points'],
+    [[{ kind: 'strokes', strokes: [{ points: [1, Infinity] }] }], 'layers[0].strokes[0].points'],
+    [[{ kind: 'strokes', strokes: [{ points: [1, 10_001] }] }], 'layers[0].strokes[0].points'],
+    [[{ kind: 'strokes', strokes: [{ tool: 'axe', points: [] }] }], 'layers[0].strokes[0].tool'],
+    [[{ kind: 'strokes', strokes: [{ radius: 0, points: [] }] }], 'layers[0].strokes[0].radius'],
+    [[{ kind: 'strokes', strokes: [{ soft: 1.1, points: [] }] }], 'layers[0].strokes[0].soft'],
+    [[{ kind: 'strokes', strokes: [{ mode: 'up', points: [] }] }], 'layers[0].strokes[0].mode'],
+    [[{ kind: 'strokes', strokes: [{ softness: 1, points: [] }] }], 'layers[0].strokes[0].softness'],
+    // Each stroke may be long, all together may not.
+    [[{ kind: 'strokes', strokes: Array(3).fill({ points: Array(200_000).fill(1) }) }], 'layers[0].strokes[2].points'],
     [[{ kind: 'text', textSize: 0 }], 'layers[0].textSize'],
     [[JSON.parse('{"kind":"border","__proto__":{"width":3}}')], 'layers[0].__proto__'],
   ];
@@ -229,13 +326,13 @@ test('whatever comes becomes layers that every control could have set, or is ref
   for (let k = 0; k < 3000; ++k) {
     const layer: Record<string, unknown> = { kind: layerKinds[Math.floor(chance() * layerKinds.length)] };
     for (const key of layerKeys) {
-      if (chance() < 0.08) layer[key] = values[Math.floor(chance() * values.length)];
+      if (chance() < 0.05) layer[key] = values[Math.floor(chance() * values.length)];
     }
     try {
       const [found] = layersFrom([layer], fileFrom);
       assert.ok(found !== undefined);
       for (const setting of layerSettings) {
-        if (['file', 'maskFile', 'font'].includes(setting.key)) continue;
+        if (['file', 'maskFile', 'modeFile', 'font'].includes(setting.key)) continue;
         assert.ok(accepts(setting, found[setting.key as 'angle']), `${setting.key} of ${JSON.stringify(layer)}`);
       }
       ++taken;

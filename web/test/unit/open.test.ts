@@ -370,7 +370,10 @@ test('what of a drawing is not in its shape is told, and where a printer’s fil
 });
 
 test('a project counts alone, and takes the files that it names', async () => {
-  const json = text('plate.json', '{ "sillon": 1, "shape": { "file": "leaf.svg" }, "directions": { "angle": 12 } }');
+  const json = text(
+    'plate.json',
+    '{ "sillon": 1, "shape": { "file": "leaf.svg" }, "layers": [{ "kind": "direction", "angle": 12 }] }',
+  );
   const found = await identify([text('leaf.svg', svg), json], newPlate(), engine);
   assert.deepEqual(found.opened, []);
   assert.ok(found.project !== undefined);
@@ -387,7 +390,7 @@ test('what cannot be opened is named', async () => {
       return true;
     });
   };
-  const json = '{ "sillon": 1, "directions": { "angle": 1 } }';
+  const json = '{ "sillon": 1, "layers": [{ "kind": "direction" }] }';
   await refused([text('notes.txt', 'hello')], 'UnknownFile', /^notes\.txt/);
   await refused([text('notes.txt', 'hello'), text('empty.png', '')], 'UnknownFile', /^notes\.txt/);
   await refused([text('a.json', json), text('b.json', json)], 'TooManyFiles', /./);

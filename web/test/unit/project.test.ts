@@ -8,7 +8,9 @@ import { unzipSync, zipSync, type Zippable } from 'fflate';
 import { createEngine, type Engine } from 'sillon';
 import { rasterise } from '../../src/generators/rasterise.js';
 import type { DirectionRaster } from '../../src/model/raster.js';
-import { engineInput } from '../../src/model/input.js';
+import { layersFor } from '../../src/app/example-layers.js';
+import { groundOf } from '../../src/model/ground.js';
+import { engineInput, sectionsOf } from '../../src/model/input.js';
 import { packStored, projectData, readProject, writeProject } from '../../src/files/project.js';
 import { filesOf, plateData } from '../../src/files/plate-data.js';
 import { sourceFile } from '../../src/files/source-file.js';
@@ -22,8 +24,10 @@ import {
   newPlate,
   newShape,
 } from '../../src/model/defaults.js';
-import { layerKinds, newLayer, withLayer } from '../../src/model/layer-list.js';
-import type { Plate, SourceFile } from '../../src/model/plate.js';
+import { layerKinds, newLayer, projectLayer, withLayer } from '../../src/model/layer-list.js';
+import type { LayerKind, LayerValues } from '../../src/model/layers.js';
+import type { DirectionSource, Plate, SourceFile } from '../../src/model/plate.js';
+import { templates } from '../../src/plates/templates.js';
 import { builtinShapes, withHole } from '../../src/model/shapes.js';
 import { printers, withPrinter } from '../../src/model/printers.js';
 import { StudioError, type ProblemCode } from '../../src/model/problem.js';
@@ -94,9 +98,33 @@ const small = (): Plate => ({
 
 /** One layer of each kind, with files of every sort. */
 const layered = (): Plate => {
-  const made = layerKinds.map((kind) => newLayer(newPlate(), kind, { file: kind === 'drawing' ? leaf : photo }));
-  const lettered = newLayer(newPlate(), 'text', { font: ownFont, maskFile: leaf, mask: 'inside', at: [3, 4.5] });
-  return [...made, lettered].reduce(withLayer, { ...newPlate(), directions: { kind: 'angle', angle: 12 } });
+  const strokes = [{ tool: 'comb' as const, radius: 4, soft: 0.5, points: [1, 2, 3, 4.5] }];
+  const own: Partial<Record<LayerKind, Partial<LayerValues>>> = {
+    map: { file: photo, encoding: 'tangent', modeFile: modeMap, mode: 'parallel' },
+    picture: { file: photo, cropMin: [0.1, 0.2] },
+    tones: { file: photo, by: 'colours', colours: [{ colour: '#00ff7f', angle: -45 }] },
+    drawing: { file: leaf, ground: 20 },
+    strokes: { strokes },
+  };
+  const made = layerKinds.map((kind) => newLayer(newPlate(), kind, own[kind]));
+  const more = [
+    newLayer(newPlate(), 'text', { font: ownFont, maskFile: leaf, mask: 'inside', at: [3, 4.5] }),
+    newLayer(newPlate(), 'picture', {
+      ...{ file: photo, lamp: [10, 40] },
+      others: [
+        { file: modeMap, lamp: [-20, 30.5] },
+        { file: photo, lamp: null },
+      ],
+    }),
+    newLayer(newPlate(), 'pattern', { pattern: 'spiral', waveLength: 12 }),
+    newLayer(newPlate(), 'pattern', { pattern: 'noise', seed: 7, mode: 'smoothest' }),
+    newLayer(newPlate(), 'pattern', { pattern: 'echo', text: 'A', font: 'Caveat' }),
+    newLayer(newPlate(), 'pattern', { pattern: 'echo', file: leaf }),
+    ...(['brightness', 'levels', 'edges'] as const).map((by) =>
+      newLayer(newPlate(), 'tones', { file: photo, by, threshold: 0.25, contrast: 2, smoothing: 1.5 }),
+    ),
+  ];
+  return [...made, ...more].reduce(withLayer, { ...newPlate(), directions: { kind: 'angle', angle: 12 } });
 };
 
 const stroke = { tool: 'comb', points: [0.1, 0.5, 0.5, 0.6, 0.9, 0.5], radius: 0.1, softness: 0.5 } as const;
@@ -175,6 +203,72 @@ test('directions and modes stand in the zip exactly as the raster has them', asy
     Array.from(modes.samples, (grey) => grey / 257),
     Array.from(raster.mode, (mode) => 85 * mode),
   );
+});
+
+const layersIn = (zip: Uint8Array): unknown =>
+  (JSON.parse(Buffer.from(unzipSync(zip)['project.json'] ?? []).toString()) as { layers: unknown }).layers;
+
+test('layers of every kind are the same after the studio has read and written a project', async () => {
+  const ground = [
+    { kind: 'direction', angle: 12, mode: 'orthogonal' },
+    { kind: 'map', file: 'inputs/photo.png', encoding: 'rotation', mode: 'smoothest', modeFile: 'inputs/mode.png' },
+    { kind: 'picture', pictures: [{ file: 'inputs/photo.png', lamp: [10, 40] }, { file: 'inputs/mode.png' }] },
+    { kind: 'direction', angle: 12, at: [3, 4], size: [5, 6] }, // it does not fill the page
+    { kind: 'pattern', pattern: 'noise' },
+  ];
+  const above = [
+    { kind: 'direction', angle: 3, soft: 2, mask: 'disc' },
+    { kind: 'map', file: 'inputs/photo.png', encoding: 'tangent', cropMax: [0.5, 0.75], modeFile: 'inputs/mode.png' },
+    {
+      ...{ kind: 'picture', size: [10, 0], mode: 'parallel', cropMin: [0.1, 0.2] },
+      pictures: [
+        { file: 'inputs/photo.png', lamp: [10, 40] },
+        { file: 'inputs/mode.png', lamp: [-20, 30.5] },
+        { file: 'inputs/photo.png', lamp: null },
+      ],
+    },
+    { kind: 'picture', pictures: [{ file: 'inputs/photo.png', lamp: null }] },
+    { kind: 'text', text: 'A\nB', font: 'inputs/Own.ttf', angle: 5, fill: 'angle', circle: -9, align: 'left' },
+    { kind: 'code', text: 'x', correction: 'high', ground: 4 },
+    { kind: 'pattern', pattern: 'spiral', waveLength: 12, mirror: true },
+    { kind: 'pattern', pattern: 'waves', amplitude: 12.5, visible: false },
+    { kind: 'pattern', pattern: 'noise', seed: 7, mode: 'smoothest' },
+    { kind: 'pattern', pattern: 'echo', text: 'A', font: 'Caveat', textSize: 3 },
+    { kind: 'pattern', pattern: 'echo', file: 'inputs/leaf.svg' },
+    { kind: 'tones', file: 'inputs/photo.png', from: 5, to: -60, contrast: 2, smoothing: 1.5 },
+    { kind: 'tones', file: 'inputs/photo.png', by: 'levels', threshold: 0.25 },
+    { kind: 'tones', file: 'inputs/photo.png', by: 'edges', angle: 90 },
+    {
+      ...{ kind: 'tones', file: 'inputs/leaf.svg', by: 'colours' },
+      colours: Array.from({ length: 32 }, (_, k) => ({ colour: `#0000${(k + 16).toString(16)}`, angle: k })),
+    },
+    { kind: 'drawing', file: 'inputs/leaf.svg', rotation: 30, mask: 'outside', maskFile: 'inputs/leaf.svg' },
+    { kind: 'border', width: 2, fill: 'along' },
+    {
+      kind: 'strokes',
+      strokes: [
+        { tool: 'comb', radius: 4, soft: 0.5, points: [1, 2, 3, 4.5] },
+        { tool: 'mode', radius: 2, soft: 0, mode: 'orthogonal', points: [1, 2] },
+        { tool: 'erase', radius: 0.5, soft: 1, points: [] },
+      ],
+    },
+  ];
+  assert.deepEqual(new Set(above.map(({ kind }) => kind)), new Set(layerKinds));
+  const files = [photo, modeMap, leaf, ownFont];
+  for (const lowest of ground) {
+    const project = { sillon: 1, shape: { builtin: 'rectangle', size: [40, 30] }, layers: [lowest, ...above] };
+    const text = JSON.stringify(project);
+    const { layers = [] } = await engine.readProject(text); // without what is as usual
+    const zip = await zipOf(await read(text, files));
+    const fills = lowest.kind !== 'pattern' && !('at' in lowest);
+    // Nothing lies below the lowest: directions of 0.
+    const below = fills
+      ? []
+      : ((await engine.readProject('{"sillon":1,"layers":[{"kind":"direction"}]}')).layers ?? []);
+    const back = (await engine.readProject(JSON.stringify({ ...project, layers: layersIn(zip) }))).layers;
+    assert.deepEqual(back, [...below, ...layers]);
+    assert.deepEqual((await read(zip)).layers, (await read(text, files)).layers);
+  }
 });
 
 // --- The native program --------------------------------------------------------------------------------------------------
@@ -259,7 +353,10 @@ test('every example project of the command line opens, as large as the command l
   for (const name of ['islands', 'logo', 'mosaic', 'noise', 'photo', 'qr', 'relief', 'strokes', 'tiles']) {
     const json = readFileSync(join(examples, `${name}.json`), 'utf8');
     const project = await engine.readProject(json);
-    const named = [project.shape.file, project.directions.file, project.modes.file].filter((file) => file !== '');
+    const [lowest, ...above] = project.layers ?? [];
+    assert.deepEqual(above, []);
+    const { file: map = '', modeFile = '' } = lowest ?? {};
+    const named = [project.shape.file, map, modeFile].filter((file) => file !== '');
     const others = await Promise.all(
       named.map((file) => asFile(file, new Uint8Array(readFileSync(join(examples, file))))),
     );
@@ -268,8 +365,8 @@ test('every example project of the command line opens, as large as the command l
     assert.deepEqual(plate.toolpath, project.toolpath);
     assert.deepEqual(plate.print, project.print);
     assert.deepEqual({ ...plate.printer, profile: '', filament: '' }, project.printer);
-    assert.equal(plate.directions.kind, project.directions.file === '' ? 'angle' : 'map');
-    assert.equal(plate.modes.file?.name, others.find(({ name }) => project.modes.file.endsWith(`/${name}`))?.name);
+    assert.equal(plate.directions.kind, map === '' ? 'angle' : 'map');
+    assert.equal(plate.modes.file?.name, others.find(({ name }) => modeFile.endsWith(`/${name}`))?.name);
     const { page } = await engine.readShape(engineInput({ plate, raster: undefined }).input.shape ?? {});
     assert.deepEqual(
       [plate.width, plate.height].map((mm) => mm.toFixed(6)),
@@ -279,8 +376,25 @@ test('every example project of the command line opens, as large as the command l
   }
 });
 
+test('templates have the layers of the examples that they are made of', async () => {
+  for (const { id, directions, layers = [] } of templates) {
+    const name = id.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+    const { shape, layers: wanted = [] } = await engine.readProject(
+      readFileSync(join(examples, `${name}.json`), 'utf8'),
+    );
+    const own = await layersFor(layers, (file) => asFile(file, file));
+    const plate: Plate = { ...newPlate(), directions: directions as DirectionSource, layers: own };
+    const { layers: told } = sectionsOf(plate, (file) => `inputs/${file.name}`, undefined, projectLayer);
+    const { layers: found = [] } = await engine.readProject(JSON.stringify({ sillon: 1, shape, layers: told }));
+    // Directions of 0° lie below layers that do not fill the page.
+    assert.deepEqual(groundOf(wanted) === undefined ? found.slice(1) : found, wanted, id);
+    assert.equal(found[0]?.angle ?? 0, groundOf(wanted)?.angle ?? 0, id);
+  }
+  assert.ok(templates.some(({ layers = [] }) => layers.some(({ kind, file }) => kind === 'picture' && file)));
+});
+
 test('a project of a picture alone is as large as the command line makes it', async () => {
-  const json = JSON.stringify({ sillon: 1, directions: { file: 'in/photo.png', encoding: 'rotation' } });
+  const json = JSON.stringify({ sillon: 1, layers: [{ kind: 'map', file: 'in/photo.png', encoding: 'rotation' }] });
   const plate = await read(json, [photo]);
   const { width, height } = await engine.decodePicture(photo.bytes);
   assert.deepEqual([plate.shape, plate.width], [{ ...newShape('rectangle'), radius: 3 }, 80]);
@@ -289,7 +403,11 @@ test('a project of a picture alone is as large as the command line makes it', as
 });
 
 test('a zip that was packed by hand opens, also with a folder around it', async () => {
-  const json = JSON.stringify({ sillon: 1, shape: { file: 'in/leaf.svg' }, directions: { angle: 20 } });
+  const json = JSON.stringify({
+    sillon: 1,
+    shape: { file: 'in/leaf.svg' },
+    layers: [{ kind: 'direction', angle: 20 }],
+  });
   const svg = await bytesOf(leaf.bytes);
   for (const around of ['', 'my plate/']) {
     const zip = zipSync({ [`${around}project.json`]: Buffer.from(json), [`${around}in/leaf.svg`]: svg });
@@ -326,7 +444,7 @@ test('what is wrong with a project is said', async () => {
   await refused('{ "sillon": 2 }', 'BrokenProject', /sillon/);
   await refused('{ "sillon": 1, "shape": { "file": "a/leaf.svg" } }', 'BrokenProject', /^a\/leaf\.svg is missing/);
   await refused('{ "sillon": 1, "toolpath": { "spacing": 99 } }', 'BrokenProject', /spacing/);
-  await refused(`{ "sillon": 1, "directions": { "angle": 1 }, "x": ${'['.repeat(1e5)}`, 'BrokenProject', /./);
+  await refused(`{ "sillon": 1, "layers": [], "x": ${'['.repeat(1e5)}`, 'BrokenProject', /./);
   await refused(' '.repeat(17 << 20), 'BrokenProject', /17\.8 MB; at most/);
   const project = { ...(projectData(newPlate()) as { studio: object }) };
   const withStudio = (studio: object): Uint8Array<ArrayBuffer> =>
@@ -338,7 +456,8 @@ test('what is wrong with a project is said', async () => {
   await refused(withStudio({ strokes: [7] }), 'BrokenProject', /^strokes\[0\] is 7/);
   const tone = { ...newFileDirections('tone', photo), file: 'inputs/a.png' };
   await refused(withStudio({ directions: tone }), 'BrokenProject', /^inputs\/a\.png is missing/);
-  await refused(packed({ ...project, modes: { mode: 'up' } }), 'BrokenProject', /modes\.mode is "up"/);
+  const lowest = { kind: 'direction', mode: 'up' };
+  await refused(packed({ ...project, layers: [lowest] }), 'BrokenProject', /layers(\[0\])?\.mode is "up"/);
   await refused(packed({ ...project, sparkle: {} }), 'BrokenProject', /unknown key "sparkle"/);
   await refused(packed('{"sillon":1,"studio":{"__proto__":{"width":3}}}'), 'BrokenProject', /__proto__/);
   await refused(packed(`{"sillon":1,"studio":${'['.repeat(1e6)}`), 'BrokenProject', /nested deeper/);

@@ -1,12 +1,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { PrintRelief, SlicedSurface } from 'sillon';
-import { storeDegrees } from '../../src/generators/angle.js';
-import { handRaster } from '../../src/rebrush/hand.js';
+import { createEngine, type DirectionRaster, type Engine, type PrintRelief, type SlicedSurface } from 'sillon';
+import { degreesOf } from '../../src/generators/angle.js';
 import { brushedName, seemsSliced } from '../../src/files/sliced.js';
 import { newPlate } from '../../src/model/defaults.js';
+import { engineInput, rasterLayer } from '../../src/model/input.js';
+import { layerKinds, newLayer, withLayer } from '../../src/model/layer-list.js';
 import type { DirectionSource, SourceFile, Stroke } from '../../src/model/plate.js';
-import { boxOf, facesOf, howOf, lackOf, type Wish } from '../../src/model/rebrush.js';
+import { boxOf, facesOf, howOf, lackOf, type Box, type Wish } from '../../src/model/rebrush.js';
 import {
   fitted,
   isBelow,
@@ -39,6 +40,7 @@ const surface = (side: 'top' | 'bottom', areaMm2: number, left = ''): SlicedSurf
   reason: left === '' ? '' : 'Narrow',
 });
 const picture: SourceFile = { id: 'p', name: 'p.png', bytes: new Blob(['p']) };
+const second: SourceFile = { id: 'q', name: 'q.png', bytes: new Blob(['q']) };
 const wish = (change: Partial<Wish>): Wish => ({
   side: 'top',
   chosen: new Set([1, 3]),
@@ -92,7 +94,9 @@ test('the engine is asked for what was chosen, and for no list where all are', (
   const all = facesOf([surface('bottom', 9), surface('top', 1), surface('bottom', 2), surface('top', 3)], 'top');
   const more = facesOf([surface('bottom', 9), surface('top', 1), surface('top', 2), surface('top', 3)], 'top');
   const plate = newPlate();
-  assert.deepEqual(howOf(wish({}), all, plate, undefined, 0.4), { directions: { angle: 40 } });
+  assert.deepEqual(howOf(wish({}), all, plate, undefined, 0.4), {
+    layers: [{ kind: 'direction', angle: 40 }],
+  });
   assert.deepEqual(howOf(wish({ chosen: new Set([3, 1]) }), more, plate, undefined, 0.4).only, [1, 3]);
 
   // Bottoms are asked for by their side, or by their places.
@@ -111,21 +115,46 @@ test('the engine is asked for what was chosen, and for no list where all are', (
 
   const lit = howOf(wish({ way: 'picture', picture }), all, plate, undefined, 0.4);
   assert.deepEqual(lit, {
-    pictures: { files: [{ file: picture.bytes, lamp: [60, 35] }], spool: 'bluePla' },
+    layers: [{ kind: 'picture', pictures: [{ file: picture.bytes, lamp: [60, 35] }] }],
+    pictures: { spool: 'bluePla' },
     fit: 'object',
   });
   const raster = { width: 1, height: 1, angle: Uint16Array.of(7), mode: Uint8Array.of(3) };
   const drawn = howOf(wish({ way: 'plate' }), all, plate, raster, 0.4);
-  assert.deepEqual(Object.keys(drawn).sort(), ['directions', 'fit', 'modes']);
+  assert.deepEqual(Object.keys(drawn).sort(), ['fit', 'layers']);
+  assert.deepEqual(drawn.layers, [rasterLayer(raster)]);
   // Pictures of the plate stay pictures.
   const directions = { kind: 'lamp', pictures: [{ file: picture, lamp: [10, 40] }] } satisfies DirectionSource;
   const solved = howOf(wish({ way: 'plate' }), all, { ...plate, directions }, undefined, 0.4);
-  assert.deepEqual(solved.pictures?.files[0], { file: picture.bytes, lamp: [10, 40] });
-  assert.equal('directions' in solved, false);
+  const shown = { kind: 'picture', pictures: [{ file: picture.bytes, lamp: [10, 40] }], mode: 'constrained' };
+  assert.deepEqual(solved.layers, [shown]);
+  assert.equal(solved.pictures?.spool, plate.pictures.spool);
 
   assert.equal(lackOf(wish({ chosen: new Set() })), 'nothing');
   assert.equal(lackOf(wish({ way: 'picture' })), 'noPicture');
   assert.equal(lackOf(wish({ way: 'picture', picture })), '');
+});
+
+test('the way of the plate hands over all layers of the plate', () => {
+  const faces = facesOf([surface('top', 1), surface('top', 3)], 'top');
+  const raster = { width: 1, height: 1, angle: Uint16Array.of(7), mode: Uint8Array.of(3) };
+  const kinds = layerKinds.map((kind) => newLayer(newPlate(), kind, { file: picture }));
+  const others = [{ file: second, lamp: [20, 30] as const }];
+  const lit = newLayer(newPlate(), 'picture', { file: picture, lamp: [10, 40], others, at: [3, 4], visible: false });
+  const plate = [...kinds, lit].reduce(withLayer, newPlate());
+  const how = howOf(wish({ way: 'plate' }), faces, plate, raster, 0.4);
+  assert.deepEqual(
+    how.layers?.map(({ kind }) => kind),
+    ['map', ...layerKinds, 'picture'],
+  );
+  assert.deepEqual(how.layers, engineInput({ plate, raster }).input.layers);
+  const { pictures, at, visible } = how.layers.at(-1) ?? {};
+  assert.deepEqual(pictures, [
+    { file: picture.bytes, lamp: [10, 40] },
+    { file: second.bytes, lamp: [20, 30] },
+  ]);
+  assert.deepEqual([at, visible], [[3, 4], false]);
+  assert.equal(how.pictures?.spool, plate.pictures.spool); // it shows pictures
 });
 
 test('a relief is lit from the upper left, darker where it is low, and clear beside the print', () => {
@@ -146,26 +175,46 @@ test('a relief is lit from the upper left, darker where it is low, and clear bes
   assert.ok((lit[4 * (4 * side + 1)] ?? 0) < (lit[4 * (4 * side + 7)] ?? 0));
 });
 
-test('strokes lie where they were drawn on the bed, and the angle everywhere else', () => {
-  const stroke: Stroke = { tool: 'comb', points: [110, 60, 130, 60], radius: 3, softness: 0 };
-  const box = { corner: [100, 50], size: [40, 20] } as const;
-  const { width, height, angle, mode } = handRaster([stroke], box, 90, 400);
-  assert.deepEqual([width, height], [400, 200]);
-  for (let row = 0; row < height; ++row) {
-    for (let column = 0; column < width; ++column) {
-      const [x, y] = [100 + (column + 0.5) / 10, 60 + (100 - row - 0.5) / 10];
-      const away = Math.hypot(x - Math.min(130, Math.max(110, x)), y - 60);
-      const k = row * width + column;
-      assert.equal(mode[k], 3);
-      if (away < 2.9) assert.equal(angle[k], storeDegrees(0), `${x} ${y}`);
-      if (away > 3.1) assert.equal(angle[k], storeDegrees(90), `${x} ${y}`);
+/** One face as large as the box, on which a hand has drawn. */
+async function drawnOn(engine: Engine, { corner, size }: Box, change: Partial<Wish>): Promise<DirectionRaster> {
+  const face = { ...surface(change.side === 'bottom' ? 'bottom' : 'top', 9), corner: [...corner] as [number, number] };
+  const faces = facesOf([{ ...face, region: { page: [...size], paths: [] } }], face.side);
+  const wanted = wish({ way: 'hand', angle: 90, chosen: new Set([0]), ...change });
+  const { layers = [] } = howOf(wanted, faces, newPlate(), undefined, 0.4);
+  return engine.drawLayers({ shape: { builtin: 'rectangle', size: [...size] }, layers }, { spacing: 0.4 });
+}
+
+test('strokes lie where they were drawn on the bed, and the angle everywhere else', async () => {
+  const engine = await createEngine({ threads: 'off' });
+  const stroke: Stroke = { tool: 'comb', points: [105, 60, 115, 60], radius: 3, softness: 0 };
+  const box: Box = { corner: [100, 50], size: [40, 20] };
+  const isAt = (stored: number | undefined, degrees: number): boolean =>
+    Math.abs(((((degreesOf(stored ?? 0) - degrees + 270) % 180) + 180) % 180) - 90) < 0.5;
+  for (const side of ['top', 'bottom'] as const) {
+    const { width, height, angle, mode } = await drawnOn(engine, box, { side, strokes: [stroke] });
+    let touched = 0;
+    for (let row = 0; row < height; ++row) {
+      for (let column = 0; column < width; ++column) {
+        const across = ((column + 0.5) / width) * 40;
+        const x = side === 'bottom' ? 140 - across : 100 + across; // bottoms are seen from below
+        const y = 50 + (1 - (row + 0.5) / height) * 20;
+        const away = Math.hypot(x - Math.min(115, Math.max(105, x)), y - 60);
+        const k = row * width + column;
+        assert.equal(mode[k], 3);
+        if (away < 2.4) assert.ok(isAt(angle[k], 0), `${side} ${x} ${y}: ${angle[k]}`);
+        if (away > 3.6) assert.ok(isAt(angle[k], 90), `${side} ${x} ${y}: ${angle[k]}`);
+        touched += Number(away < 2.4);
+      }
     }
+    assert.ok(touched > 100, `${touched}`);
   }
   // A mode is painted, and the eraser brings back what was there.
-  const painted = handRaster([{ ...stroke, tool: 'mode', mode: 'parallel' }], box, 90, 400);
-  assert.equal(painted.mode[100 * 400 + 200], 0);
-  const erased = handRaster([stroke, { ...stroke, tool: 'erase', radius: 4 }], box, 90, 400);
-  assert.ok(erased.angle.every((value) => value === storeDegrees(90)));
+  const painted = await drawnOn(engine, box, { strokes: [{ ...stroke, tool: 'mode', mode: 'parallel' }] });
+  const { width, height } = painted;
+  assert.equal(painted.mode[Math.floor(height / 2) * width + Math.floor(width / 4)], 0);
+  const erased = await drawnOn(engine, box, { strokes: [stroke, { ...stroke, tool: 'erase', radius: 4 }] });
+  assert.ok(erased.angle.every((value) => isAt(value, 90)));
+  engine.dispose();
 });
 
 test('a hand draws on the box of what is chosen and free, which the engine is told to stretch it over', () => {
@@ -177,10 +226,14 @@ test('a hand draws on the box of what is chosen and free, which the engine is to
   const faces = facesOf([at(0, 0), at(20, 40), at(50, 10), at(90, 90, 'it is narrow')], 'top');
   const chosen = wish({ way: 'hand', chosen: new Set([1, 2, 3]) });
   assert.deepEqual(boxOf(chosen, faces), { corner: [20, 10], size: [40, 35] });
-  const raster = handRaster([], boxOf(chosen, faces), 40, 64);
-  const how = howOf(chosen, faces, newPlate(), raster, 0.4);
+  const stroke: Stroke = { tool: 'mode', mode: 'smoothest', points: [20, 10, 60, 45], radius: 2, softness: 0.25 };
+  const how = howOf({ ...chosen, strokes: [stroke] }, faces, newPlate(), undefined, 0.4);
   assert.equal(how.fit, 'all');
-  assert.equal((how.directions as { encoding: string }).encoding, 'angle');
+  const told = { tool: 'mode', mode: 'smoothest', radius: 2, soft: 0.25 };
+  assert.deepEqual(how.layers, [
+    { kind: 'direction', angle: 40 },
+    { kind: 'strokes', strokes: [{ ...told, points: [0, 0, 40, 35] }] },
+  ]);
   assert.deepEqual(how.only, [1, 2, 3]);
 });
 

@@ -35,6 +35,7 @@ after(() => {
 
 type Section = Record<string, unknown>;
 type Sections = Record<string, Section>;
+type Completed = Sections & { layers: Section[] };
 
 interface Row {
   section: string;
@@ -44,6 +45,8 @@ interface Row {
   low?: number;
   high?: number;
   choices?: string[];
+  /** Of layers that have it; left out: all. */
+  kinds?: string[];
 }
 
 const run = (...words: string[]): string => {
@@ -53,10 +56,15 @@ const run = (...words: string[]): string => {
 };
 
 /** The project with every field, as the command line writes it. */
-function completed(path: string): Sections {
+function completed(path: string): Completed {
   const out = `${path}.full.json`;
   run('generate', path, '--project', out, '--quiet');
-  return JSON.parse(readFileSync(join(folder, out), 'utf8')) as Sections;
+  const { layers = [{ kind: 'direction' }], ...said } = JSON.parse(
+    readFileSync(join(folder, out), 'utf8'),
+  ) as Sections & {
+    layers?: Section[];
+  };
+  return { ...said, layers } as Completed; // without layers beads lie at 0°
 }
 
 /** Another value of a setting. What rules between settings, and a quick test, ask for stands in `chosen`. */
@@ -95,21 +103,13 @@ const chosen: Sections = {
 const projects: Record<string, Sections> = {
   drawing: {
     shape: { file: 'leaf.svg', pageWidth: 22.5, unitless: 'mm', paint: 'shown', keepThin: true, radius: 2.5 },
-    directions: { file: 'logo_angle.png', encoding: 'rotation' },
-    modes: { file: 'logo_mode.png', mode: 'smoothest' },
     print: { coast: 0.5, scarf: 0 },
     printer: { bedMin: [0, 0], bedMax: [300, 300], roundBed: true },
   },
-  layered: {
-    shape: { builtin: 'rectangle', size: [24, 18.5] },
-    // It is not seen: what counts is that its values come back.
-    layers: { kind: 'map', file: 'moon.png', maskFile: 'leaf.svg', font: 'Caveat', lamp: [30.5, 40] },
-  },
+  layered: { shape: { builtin: 'rectangle', size: [24, 18.5] } },
   outlines: { shape: { file: 'leaf.svg', pageWidth: 22.5, unitless: 'px', paint: 'ignore' } },
   rounded: {
     shape: { builtin: 'rounded', size: [24, 18.5], radius: 2.5, keepThin: true },
-    directions: { angle: 33.3 },
-    modes: { mode: 'smoothest' },
   },
   star: {
     shape: {
@@ -124,43 +124,71 @@ const projects: Record<string, Sections> = {
   },
   letters: { shape: { builtin: 'text', size: [24, 18.5], text: 'Ab', font: 'Bebas Neue' } },
   ring: { shape: { builtin: 'ring', size: [24, 24], inner: 9.5 } },
-  pictures: {
-    shape: { builtin: 'rectangle', size: [24, 18.5] },
-    pictures: {
-      files: [
-        { file: 'moon.png', lamp: [60.5, 35] },
-        { file: 'sun.png', lamp: null },
-      ],
-    },
-  },
+  pictures: { shape: { builtin: 'rectangle', size: [24, 18.5] } },
 };
 
+const pictures = [
+  { file: 'moon.png', lamp: [60.5, 35] },
+  { file: 'sun.png', lamp: null },
+];
+
+/** The lowest layer of a project: its directions in the studio. */
+const lowest: Record<string, Section> = {
+  drawing: { kind: 'map', file: 'logo_angle.png', encoding: 'rotation', modeFile: 'logo_mode.png', mode: 'smoothest' },
+  layered: { kind: 'direction', angle: 12.5 },
+  rounded: { kind: 'direction', angle: 33.3, mode: 'smoothest' },
+  pictures: { kind: 'picture', pictures },
+};
+
+/** Values of the layers over it, in the project `layered`; they have others of their kinds, too. They are not seen: what counts is
+ * that the values come back. */
+const above: Section[] = [
+  { kind: 'direction' },
+  { kind: 'map', file: 'moon.png' },
+  { kind: 'picture', pictures },
+  { kind: 'text' },
+  { kind: 'code' },
+  { kind: 'pattern', file: 'leaf.svg', seed: 12345 },
+  { kind: 'tones', file: 'moon.png', colours: [{ colour: '#00ff7f', angle: 30.5 }] },
+  { kind: 'drawing', file: 'leaf.svg' },
+  { kind: 'border' },
+  { kind: 'strokes', strokes: [{ tool: 'mode', radius: 2, soft: 0.25, mode: 'parallel', points: [1, 2, 3.5, 4] }] },
+];
+
+/** The layer with every value that its kind has. */
+function filled(layer: Section, rows: readonly Row[]): Section {
+  const given: Section = { maskFile: 'leaf.svg', modeFile: 'logo_mode.png', font: 'Caveat', ...layer };
+  const own = rows.filter(({ kinds }) => kinds?.includes(String(layer['kind'])) ?? true);
+  return Object.fromEntries(own.map((row) => [row.key, given[row.key] ?? another(row)]));
+}
+
 /** Without the studio's own section; files lie elsewhere. */
-function compared({ studio: _, ...sections }: Sections): unknown {
+function compared({ studio: _, ...sections }: Completed): unknown {
   return JSON.parse(JSON.stringify(sections), (key, value: unknown) =>
-    ['file', 'maskFile'].includes(key) && typeof value === 'string' ? value.split('/').at(-1) : value,
+    ['file', 'maskFile', 'modeFile'].includes(key) && typeof value === 'string' ? value.split('/').at(-1) : value,
   );
 }
 
 /** Layers stand in a list, with what differs from the defaults. */
-function valueIn(project: Sections, section: string, key: string): unknown {
-  const values = project[section];
-  return (Array.isArray(values) ? (values as Section[])[0] : values)?.[key];
-}
+const valuesIn = (project: Completed, section: string, key: string): unknown[] =>
+  section === 'layers'
+    ? project.layers.filter((layer) => key in layer).map((layer) => layer[key])
+    : [project[section]?.[key]];
 
 /** Sends a project to the studio and back. @returns the settings that it has off their defaults */
 async function there(name: string, sections: Sections, settings: readonly Row[]): Promise<string[]> {
   const asked: Sections = {};
   for (const row of settings) {
-    const { section, key, type } = row;
-    if (section === 'layers' && sections['layers'] === undefined) continue;
+    const { section, key } = row;
+    if (section === 'layers') continue;
     const own = sections[section]?.[key] ?? chosen[section]?.[key];
-    const everywhere = !['shape', 'directions', 'modes'].includes(section) && type !== 'pictures';
-    if (own !== undefined || everywhere) (asked[section] ??= {})[key] = own ?? another(row);
+    if (own !== undefined || section !== 'shape') (asked[section] ??= {})[key] = own ?? another(row);
   }
   const path = `${name}.json`;
-  const { layers: layer, ...others } = asked;
-  const text = JSON.stringify({ sillon: 1, ...others, ...(layer && { layers: [layer] }) });
+  const rows = settings.filter(({ section }) => section === 'layers');
+  const over = name === 'layered' ? above.map((layer) => filled(layer, rows)) : [];
+  const layers = [...(lowest[name] === undefined ? [] : [lowest[name]]), ...over];
+  const text = JSON.stringify({ sillon: 1, ...asked, ...(layers.length > 0 && { layers }) });
   writeFileSync(join(folder, path), text);
   const before = completed(path);
 
@@ -175,9 +203,12 @@ async function there(name: string, sections: Sections, settings: readonly Row[])
   assert.deepEqual(compared(back), compared(before), name);
   assert.equal(back['studio']?.['name'], name); // the command line has left the studio's section as it was
 
+  // A preset is but its values.
   const isOff = ({ section, key, default: usual }: Row): boolean =>
-    asked[section]?.[key] !== undefined &&
-    (usual === undefined || JSON.stringify(valueIn(before, section, key)) !== JSON.stringify(usual)); // a preset is but its values
+    (section === 'layers' || asked[section]?.[key] !== undefined) &&
+    valuesIn(before, section, key).some(
+      (value) => JSON.stringify(value) !== JSON.stringify(usual) || usual === undefined,
+    );
   return settings.filter(isOff).map(({ section, key }) => `${section}.${key}`);
 }
 

@@ -106,7 +106,9 @@ test('layers travel as far as their files are small; what stays behind is told',
   const left = [
     newLayer(newPlate(), 'text', { font: { ...file, name: 'own.ttf' } }),
     newLayer(newPlate(), 'map', { file }),
+    newLayer(newPlate(), 'direction', { modeFile: file }),
     newLayer(newPlate(), 'text', { text: 'x'.repeat(4000) }),
+    newLayer(newPlate(), 'strokes', { strokes: [{ points: Array<number>(4000).fill(1) }] }),
     newLayer(newPlate(), 'picture'),
   ];
   for (const one of left) {
@@ -115,6 +117,30 @@ test('layers travel as far as their files are small; what stays behind is told',
     assert.equal((await readLink(hash, unpack))?.layers.length, 1);
   }
   assert.deepEqual((await writeLink(pictured)).untold, ['layers']); // no file travels
+
+  // Several pictures under their lamps, colours as they are, and strokes.
+  const flat = { ...file, name: 'flat.png', bytes: new Blob(['coloured']) };
+  const colours = [
+    { colour: '#ff0000', angle: 30 },
+    { colour: '#00FF7f', angle: -90 },
+  ];
+  const strokes = [{ tool: 'mode' as const, radius: 3, soft: 0, mode: 'parallel' as const, points: [1, 2, 3.5, 4] }];
+  const rich = [
+    newLayer(newPlate(), 'picture', { file, lamp: [10, 40], others: [{ file: flat, lamp: null }], mode: 'smoothest' }),
+    newLayer(newPlate(), 'tones', { by: 'colours', file: flat, colours }),
+    newLayer(newPlate(), 'strokes', { strokes }),
+  ].reduce(withLayer, newPlate());
+  const sent = await readLink((await writeLink(rich, shrink)).hash, unpack);
+  assert.ok(sent !== undefined);
+  const [shown, read, brushed] = sent.layers;
+  assert.deepEqual([shown?.lamp, shown?.mode, shown?.file?.name], [[10, 40], 'smoothest', 'a.png']);
+  assert.deepEqual(
+    shown?.others.map((one) => [one.file.name, one.lamp]),
+    [['flat.png', null]],
+  );
+  assert.deepEqual(read?.colours, colours);
+  assert.equal(await read.file?.bytes.text(), 'coloured');
+  assert.deepEqual(brushed?.strokes, strokes);
 });
 
 test('layers of a link are let through as far as a control could have set them', async () => {
@@ -124,6 +150,39 @@ test('layers of a link are let through as far as a control could have set them',
   for (const layers of [7, {}, [7], [{}], [{ kind: 'border', width: 0 }], [{ kind: 'text', font: 'a.ttf' }]]) {
     await refused(linked(layers), 'LinkValue');
   }
+  const stroke = { tool: 'comb', radius: 4, soft: 0.5, points: [0, 0, 1, 1] };
+  const colour = { colour: '#ff0000', angle: 3 };
+  const brushed = (...strokes: unknown[]): unknown => [{ kind: 'strokes', strokes }];
+  const toned = (...colours: unknown[]): unknown => [{ kind: 'tones', by: 'colours', colours }];
+  assert.deepEqual((await readLink(linked(brushed(stroke))))?.layers[0]?.strokes, [stroke]);
+  assert.deepEqual((await readLink(linked(toned(colour))))?.layers[0]?.colours, [colour]);
+  const hostile = [
+    ...[7, null, {}, { ...stroke, points: 'all' }, { ...stroke, points: [1] }, { ...stroke, points: [null, 1] }],
+    ...[
+      { ...stroke, points: [1e5, 1] },
+      { ...stroke, radius: -1 },
+      { ...stroke, radius: 1e9 },
+    ],
+    ...[
+      { ...stroke, soft: 'x' },
+      { ...stroke, tool: 'axe' },
+      { ...stroke, mode: 'up' },
+      { ...stroke, more: 1 },
+    ],
+  ];
+  for (const one of hostile) await refused(linked(brushed(stroke, one)), 'LinkValue');
+  await refused(linked(brushed(...Array<unknown>(10_001).fill({ points: [] }))), 'LinkValue');
+  const painted = [
+    ...[7, null, {}, { ...colour, colour: 'red' }, { ...colour, colour: '#ff000' }, { ...colour, colour: 7 }],
+    ...[
+      { ...colour, colour: '#ff0000"' },
+      { ...colour, angle: 'x' },
+      { ...colour, angle: 1e3 },
+      { ...colour, more: 1 },
+    ],
+  ];
+  for (const one of painted) await refused(linked(toned(colour, one)), 'LinkValue');
+  await refused(linked(toned(...Array<unknown>(33).fill(colour))), 'LinkValue');
   await refused(linked([{ kind: 'picture', file: { name: 'a.png', data: 'AAAA' } }]), 'LinkValue');
 });
 

@@ -16,7 +16,7 @@ import { engineInput, sameToolpath } from '../../src/model/input.js';
 import { StudioEngine } from '../../src/engine/studio-engine.js';
 import { TimeLeft } from '../../src/model/time-left.js';
 import { newFileShape, newGenerator, newLampDirections, newPlate, newShape } from '../../src/model/defaults.js';
-import type { Plate } from '../../src/model/plate.js';
+import type { DirectionSource, Plate } from '../../src/model/plate.js';
 import type { Problem } from '../../src/model/problem.js';
 import type { PlateResult, Progress } from '../../src/model/state.js';
 import { fileOf } from './support/pictures.js';
@@ -477,11 +477,13 @@ test('a plate becomes what the engine takes: degrees as grey, modes as the four 
   const { input, params } = engineInput({ plate: newPlate(), raster });
   const read = { ...unchanged, unitless: 'px', paint: 'shown' };
   assert.deepEqual(input.shape, { builtin: 'disc', size: [70, 70], ...read });
-  assert.deepEqual(input.directions, {
-    file: { width: 2, height: 1, channels: 1, samples: new Uint16Array([1, 2]) },
-    encoding: 'angle',
-  });
-  assert.deepEqual(input.modes, { file: { width: 2, height: 1, channels: 1, samples: new Uint8Array([0, 255]) } });
+  assert.deepEqual(input.layers, [
+    {
+      kind: 'map',
+      file: { width: 2, height: 1, channels: 1, samples: new Uint16Array([1, 2]) },
+      modeFile: { width: 2, height: 1, channels: 1, samples: new Uint8Array([0, 255]) },
+    },
+  ]);
   assert.deepEqual(params, newPlate().toolpath);
 });
 
@@ -492,8 +494,7 @@ test('without a picture the one direction is told in words', () => {
     modes: { mode: 'smoothest' },
   };
   const { input } = engineInput({ plate, raster: undefined });
-  assert.deepEqual(input.directions, { angle: 30 });
-  assert.deepEqual(input.modes, { mode: 'smoothest' });
+  assert.deepEqual(input.layers, [{ kind: 'direction', angle: 30, mode: 'smoothest' }]);
 });
 
 test('a preview has wider spacing, a thinner picture, and joins no parts that the plate keeps apart', () => {
@@ -507,16 +508,25 @@ test('a preview has wider spacing, a thinner picture, and joins no parts that th
   const { input, params } = engineInput({ plate: plateOf(40), raster: large }, { factor: 2 });
   assert.equal(params.spacing, 0.8);
   assert.equal(params.bridge, 0.4);
-  const file = (input.directions as { file: { width: number; height: number; samples: Uint16Array } }).file;
+  const mapOf = ({ layers }: PlateInput): { width: number; height: number; samples: Uint16Array } =>
+    layers?.[0]?.file as ReturnType<typeof mapOf>;
+  const file = mapOf(input);
   // 40 mm hold 50 beads: 100 texels suffice.
   assert.deepEqual([file.width, file.height], [103, 103]);
   assert.equal(file.samples.length, 103 * 103);
   assert.equal(file.samples[1], 5);
   assert.equal(file.samples[103 + 2], 10);
-  const whole = engineInput({ plate: plateOf(40), raster: large }).input.directions as {
-    file: { samples: Uint16Array };
-  };
-  assert.equal(whole.file.samples, large.angle);
+  assert.equal(mapOf(engineInput({ plate: plateOf(40), raster: large }).input).samples, large.angle);
+});
+
+test('a preview of a direction picture is read as the studio has drawn it, whatever the picture’s encoding', () => {
+  const file = fileOf('a.png');
+  const directions = { kind: 'map', file, encoding: 'tangent' } satisfies DirectionSource;
+  const plate: Plate = { ...plateOf(40), directions, modes: { mode: 'parallel' } };
+  const [itself] = engineInput({ plate, raster }).input.layers ?? [];
+  assert.deepEqual(itself, { kind: 'map', file: file.bytes, encoding: 'tangent', mode: 'parallel' });
+  const [coarse] = engineInput({ plate, raster }, { factor: 2 }).input.layers ?? [];
+  assert.deepEqual(Object.keys(coarse ?? {}).sort(), ['file', 'kind', 'modeFile']);
 });
 
 test('a file is handed over with the width of its page', () => {

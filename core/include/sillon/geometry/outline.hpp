@@ -71,6 +71,16 @@ struct Interval {
 std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double firstY, double step,
                                                    int rows);
 
+/// Cells of a row, from `begin` to before `end`.
+struct CellRange {
+  int begin = 0;
+  int end = 0;
+};
+
+/// The cells whose middles lie in an interval. \param step  width of a cell [mm]. \param count  of
+/// the row, which begins at 0.
+CellRange cellsWithin(const Interval& interval, double step, int count);
+
 /// Tells of each cell of a raster of the page whether its middle lies inside, row 0 on top.
 std::vector<char> insideCells(const Shape& shape, int width, int height);
 

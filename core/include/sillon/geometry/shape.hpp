@@ -72,6 +72,17 @@ struct Shape {
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
+/// Moves every point of a shape; its page stays.
+/// \param move  from a point to where it goes.
+template <class Move>
+void movePoints(Shape& shape, const Move& move) {
+  for (FilledPath& path : shape.paths) {
+    for (Ring& ring : path.rings) {
+      for (Vec2& point : ring) point = move(point);
+    }
+  }
+}
+
 /// Corners of polygons.
 struct Corners {
   /// Radius of the arc that rounds a corner [mm], >= 0; the arc begins and ends at most half a side

@@ -55,17 +55,17 @@ struct PlateOptions {
 
 /// A plate, and all that is known of it.
 struct Plate {
-  Project project;  ///< as it was made: placing may have turned it, or made it smaller
-  PlateInput input;
-  std::vector<PlacedLayer> layers;           ///< as they lie on the page
-  PlatePictures pictures;                    ///< empty: the project names none
-  ToolpathResult result;                     ///< of the path below, where only that was asked for
-  std::optional<Toolpath> below;             ///< path of the layer below, where both were asked for
-  std::optional<Measures> measures;          ///< none: not asked for
-  std::vector<PictureMeasures> shown;        ///< one per picture; empty: not judged
-  std::vector<SeenLayer> seenLayers;         ///< one per visible layer
-  std::vector<ReportedLayer> layerPictures;  ///< one per visible layer that is a picture
-  int threads = 1;                           ///< that the run was allowed
+  Project project;          ///< as it was made: placing may have turned it, or made it smaller
+  Composition composition;  ///< its shape, and all that its layers say
+  PlateInput input;         ///< the layers laid over the lowest
+  ToolpathResult result;    ///< of the path below, where only that was asked for
+  std::optional<Toolpath> below;     ///< path of the layer below, where both were asked for
+  std::optional<Measures> measures;  ///< none: not asked for
+  std::vector<JudgedPicture>
+      shown;  ///< one per picture, the lowest layer's first; empty: not judged
+  std::vector<SeenLayer>
+      seenLayers;   ///< one per visible layer above the lowest that fills the page
+  int threads = 1;  ///< that the run was allowed
   // The G-code, once it is written.
   std::optional<GcodeSummary> gcode;
   std::vector<GcodeFinding> findings;   ///< of reading it as a printer would
@@ -73,6 +73,8 @@ struct Plate {
   bool judgedByGcode = false;           ///< `shown` is what the G-code lays
 
   [[nodiscard]] const Toolpath& toolpath() const { return result.toolpath; }
+  /// The pictures of the lowest layer.
+  [[nodiscard]] const PlatePictures& pictures() const { return composition.pictures; }
   /// Tells what was taken for granted of the input, or left out of it.
   [[nodiscard]] std::vector<InputNote> notes() const;
   /// Warnings about the plate, then about its G-code.
@@ -83,8 +85,8 @@ struct Plate {
 
 /// Makes a plate. Its progress is one fraction, whatever is asked for.
 /// \param read  hands over the files that the project names.
-/// \return the errors of invalidSettings, readPlateInput, plateTooLarge, solvePictures,
-/// generateToolpath, measureToolpath and measurePictures.
+/// \return the errors of invalidSettings, readPlateInput, plateTooLarge, compose, generateToolpath,
+/// measureToolpath and judgePictures.
 Result<Plate> makePlate(Project project, const ReadInput& read, const PlateOptions& options,
                         const RunContext& run);
 

@@ -16,9 +16,10 @@
 
 namespace sillon {
 
-/// A project's pictures as solved for. All lists have one entry per picture.
+/// The pictures of the lowest layer as solved for. All lists have one entry per picture.
 struct PlatePictures {
   std::vector<ShownPicture> shown;
+  std::vector<Tones> solved;    ///< what was solved for: with what plates before left out on top
   std::vector<bool> chosen;     ///< whether its lamp was
   std::vector<double> leftOut;  ///< share of it that sticks out of the page, 0..1
   Roughness roughness;          ///< of the spool, on the side that is seen
@@ -41,9 +42,10 @@ struct KeptPictures {
 /// Slopes of the project's spool as its nozzle prints it, on the side that is seen.
 Roughness roughnessOf(const Project& project);
 
-/// Reads and decodes the pictures; a lamp that is not given is to be chosen, as high as the first.
-/// \return what reading and decodeImage return.
-Result<std::vector<LitPicture>> readPictures(const PictureParams& params, const ReadInput& read);
+/// Pictures under their lamps, without tones; a lamp that is not given is to be chosen, as high as
+/// the first.
+/// \param lampSize  PictureParams::lampSize.
+std::vector<LitPicture> unlit(const std::vector<LampPicture>& pictures, double lampSize);
 
 /// Tells how well a plate shows each picture.
 /// \param measures  of each, or empty: not measured.
@@ -57,33 +59,16 @@ InversionParams inversionOf(const PictureParams& params);
 /// \param trial  0, 1, ... of `trials`.
 using OnTrial = std::function<void(int trial, int trials)>;
 
-/// Reads the pictures and puts the directions that show them into the input. A project without
-/// pictures: nothing is read and none are shown. The lamp of a single picture that is left open is
-/// the one of three whose plate, made with the usual toolpath settings, shows it best.
-/// \param kept  of the plate before, as while somebody edits: what is asked for once more is taken
-/// from there; none after pictures of more than 4 million pixels.
-/// \return what reading, decodeImage and solveDirections return.
+/// Reads the pictures of the lowest layer and puts the directions that show them into the input. If
+/// it has none, nothing is read and none are shown. The lamp of a single picture that is left open
+/// is the one of three whose plate, made with the usual toolpath settings, shows it best. \param
+/// kept  of the plate before, as while somebody edits: what is asked for once more is taken from
+/// there; none after pictures of more than 4 million pixels. \return what reading, decodeImage and
+/// solveDirections return.
 Result<PlatePictures> solvePictures(const Project& project, const ReadInput& read,
                                     PlateInput& input, const RunContext& run,
                                     std::optional<KeptPictures>* kept = nullptr,
                                     const OnTrial& onTrial = {});
-
-/// How many plates makeShownPlate makes: one, and one more per correction.
-int platesFor(const PictureParams& params);
-
-/// Makes a toolpath of an input.
-/// \param round  0, 1, ... of `rounds`.
-using MakeToolpath =
-    std::function<Result<ToolpathResult>(const PlateInput& input, int round, int rounds)>;
-
-/// Makes the plate that solvePictures has prepared. It is then looked at: what its beads, above all
-/// their ends, take from the pictures' tones is asked for on top of them, and the plate is made
-/// again, `corrections` times; the plate with the highest sum of r is returned, and `input` has its
-/// directions. Pictures with local contrast are made once.
-/// \return what make, seePlate and solveDirections return.
-Result<ToolpathResult> makeShownPlate(const Project& project, const PlatePictures& pictures,
-                                      PlateInput& input, const MakeToolpath& make,
-                                      const RunContext& run);
 
 /// The view of previews and thumbnails.
 /// \param picture  under whose lamp, from far above, as it was solved for; beyond the pictures:

@@ -17,7 +17,7 @@ namespace sillon {
 // Project files (JSON, versioned) and the published scene files, which are read as they are.
 
 inline constexpr int kProjectVersion = 1;
-/// The studio's strokes take most of it [bytes].
+/// Strokes take most of it [bytes].
 inline constexpr std::size_t kMaxProjectBytes = std::size_t{16} << 20;
 
 /// Reads a project or a published scene. Keys, units, ranges and defaults:
@@ -34,22 +34,15 @@ std::string writeProject(const Project& project);
 
 // From a project and the files it names to what the pipeline eats.
 
-/// Directions and modes of a project, for shapes that come from elsewhere.
-struct PlateField {
-  DirectionMap directions;
-  ModeMap modes;
-};
-
-/// Reads and decodes directions and modes.
-/// \return as readPlateInput.
-Result<PlateField> readPlateField(const Project& project, const ReadInput& read);
-
-/// Reads and decodes shape, directions and modes. A shape file is SVG if it begins like one or is
-/// called .svg, else a mask picture. With `keepThin` the shape's thin places are widened to one
-/// bead.
-/// \return what `read` returned, or the errors of readSvg, decodeImage, the maps and
-/// keepThinPlaces, with the file's name.
+/// Reads and decodes the shape, and directions and modes of the lowest layer where it fills the
+/// page: what the layers above lie on. A shape file is SVG if it begins like one or is called .svg,
+/// else a mask picture. With `keepThin` the shape's thin places are widened to one bead. \return
+/// what `read` returned, or the errors of readSvg, decodeImage, the maps and keepThinPlaces, with
+/// the file's name.
 Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read,
                                   const RunContext& run = RunContext());
+
+/// The same of another surface than the project's own shape.
+Result<PlateInput> readPlateInput(const Project& project, Shape shape, const ReadInput& read);
 
 }  // namespace sillon

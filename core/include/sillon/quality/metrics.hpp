@@ -121,6 +121,11 @@ Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, V
                                                      const Roughness& roughness,
                                                      const RunContext& run);
 
+/// The same of light that is known, per picture, in `width` by `height` cells.
+std::vector<PictureMeasures> comparePictures(const std::vector<std::vector<float>>& lights,
+                                             std::span<const ShownPicture> pictures, int width,
+                                             int height);
+
 /// The same of light that is known: rows of cells, row 0 on top, negative where there is no plate.
 /// Compares light with a picture; without as many cells as the picture has, nothing is seen.
 PictureMeasures compareTones(std::span<const float> light, const Tones& picture);

@@ -14,11 +14,10 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/sentence.hpp"
 #include "sillon/base/types.hpp"
+#include "sillon/compose/compose.hpp"
 #include "sillon/geometry/shape.hpp"
-#include "sillon/input/plate_input.hpp"
-#include "sillon/look/inversion.hpp"
+#include "sillon/input/read_input.hpp"
 #include "sillon/look/spools.hpp"
-#include "sillon/quality/metrics.hpp"
 #include "sillon/settings/project.hpp"
 
 namespace sillon {
@@ -124,7 +123,7 @@ std::string withEdits(std::string_view text, const std::vector<Edit>& edits);
 // Lays other beads on the top of somebody's print: replaces surfaces of a sliced file by oriented
 // cycles, and nothing else.
 
-/// The area that pictures and maps are stretched over. All but Face let one picture run across
+/// The page that the layers lie on. All but Face let one picture run across
 /// several surfaces.
 enum class PictureFit {
   Face,    ///< each surface by itself
@@ -134,17 +133,12 @@ enum class PictureFit {
 };
 
 struct RebrushOptions {
-  ToolpathParams toolpath;  ///< its spacing is taken from each surface
-  DirectionMap directions;
-  ModeMap modes;
-  /// To be seen under lamps, at most 4: then `directions` do not count
-  std::vector<LitPicture> pictures;
-  InversionParams inversion;
-  std::string spool = "bluePla";    ///< how the filament looks: a key of spools()
-  const Spool* ownSpool = nullptr;  ///< instead of it; outlives the call
+  /// Its layers are laid on the surfaces. Pictures and toolpath count, too, but the spacing, which
+  /// is each surface's own; a spool of one's own is `ownSpool`.
+  Project project;
+  ReadInput read;                   ///< hands over the files that the layers name
+  const Spool* ownSpool = nullptr;  ///< instead of the project's; outlives the call
   PictureFit fit = PictureFit::Face;
-  /// Proportions of `pictures` over what `fit` says
-  PictureProportions proportions = PictureProportions::Keep;
   bool tops = true;
   bool bottoms = false;
   /// Indices of SlicedFile::surfaces, whatever their side; empty: all that are asked for
@@ -166,10 +160,10 @@ struct RebrushedSurface {
   double beyond = 0;     ///< how far a bead reaches over the region at most [mm]
   std::int64_t moves = 0;
   double seconds = 0;  ///< by which its moves take longer than the slicer's, as estimated
-  /// The lamp of each picture; for bottoms as they stand when the print is turned over
-  std::vector<Lamp> lamps;
-  std::vector<PictureMeasures> pictures;  ///< how well they are seen
-  std::vector<double> leftOut;  ///< share of each that is cut off to keep its proportions, 0..1
+  /// Likeness of each picture, and its lamp; for bottoms as it stands when the print is turned
+  /// over
+  std::vector<JudgedPicture> pictures;
+  std::vector<double> leftOut;  ///< share of each picture of the lowest layer that is cut off, 0..1
   Toolpath toolpath;            ///< one cycle on the page of the surface's region
 };
 
@@ -181,17 +175,17 @@ struct Rebrushed {
   std::vector<RebrushedSurface> surfaces;  ///< those that were asked for, in the order of the file
 };
 
-/// Replaces the beads of every chosen surface by one closed cycle along the wanted directions. The
-/// cycle begins and ends at the point nearest to where the slicer enters, or to where it leaves if
-/// it travels on without retraction; it takes the slicer's line spacing, speed and volume, and lays
-/// beads more slowly that would be beyond the file's flow (SlicedBlocks::mostFlow). Every byte
-/// outside the replaced lines, and the wipes behind them, stays; place after the next travel, E,
-/// retraction, modes, speed and what the block set are as before. Times and progress that the file
-/// tells of itself (see rebrush/totals.hpp) change by the estimated difference; filament stays as
-/// it is. A surface that cannot be replaced so is left, with the reason.
-/// \param file  readSlicedFile's of this text.
-/// \return InvalidArgument if no surface is left to replace, one is chosen that the file does not
-/// have, or a parameter is out of its range; Cancelled.
+/// Replaces the beads of every chosen surface by one closed cycle along the directions of the
+/// layers. The cycle begins and ends at the point nearest to where the slicer enters, or to where
+/// it leaves if it travels on without retraction; it takes the slicer's line spacing, speed and
+/// volume, and lays beads more slowly that would be beyond the file's flow
+/// (SlicedBlocks::mostFlow). Every byte outside the replaced lines, and the wipes behind them,
+/// stays; place after the next travel, E, retraction, modes, speed and what the block set are as
+/// before. Times and progress that the file tells of itself (see rebrush/totals.hpp) change by the
+/// estimated difference; filament stays as it is. A surface that cannot be replaced so is left,
+/// with the reason. \param file  readSlicedFile's of this text. \return InvalidArgument if no
+/// surface is left to replace, one is chosen that the file does not have, or a parameter is out of
+/// its range; Cancelled.
 Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const RebrushOptions& options,
                           const RunContext& run);
 

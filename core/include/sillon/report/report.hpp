@@ -20,14 +20,8 @@ namespace sillon {
 
 /// One picture of a plate as it was judged.
 struct ReportedPicture {
-  std::string file;
-  Lamp lamp;
-  PictureMeasures measures;
-};
-
-/// The picture of a layer as it was judged, where the layer is on top.
-struct ReportedLayer {
   std::size_t layer = 1;  ///< number, from 1
+  std::string file;
   Lamp lamp;
   PictureMeasures measures;
 };
@@ -59,7 +53,6 @@ struct Report {
   int threads = 1;                        ///< that the run was allowed
   std::vector<ReportedPicture> pictures;  ///< empty: left out
   std::vector<SeenLayer> layers;          ///< one per visible layer; empty: left out
-  std::vector<ReportedLayer> layerPictures;  ///< by the toolpath; empty: left out
   bool fromGcode = false;  ///< the pictures were judged by the G-code, not by the toolpath
   std::optional<PrintTotals> print;     ///< none: left out
   std::optional<NeighbourDelay> delay;  ///< none: left out

@@ -1,4 +1,4 @@
-// Everything a person may choose: shape, directions, pictures, toolpath, print and printer.
+// Everything a person may choose: shape, layers, pictures, toolpath, print and printer.
 #pragma once
 
 #include <algorithm>
@@ -103,7 +103,7 @@ struct ThumbnailSize {
 /// \return at most 8; InvalidArgument.
 Result<std::vector<ThumbnailSize>> readThumbnailSizes(std::string_view text);
 
-// Choices about the shape, its directions and its modes.
+// Choices about the shape.
 
 inline constexpr double kDefaultWidth =
     80;  ///< page width [mm] of built-in shapes and masks that name none
@@ -130,26 +130,6 @@ inline bool isRound(BuiltinShape shape) {
 /// Ways to treat the corners of built-in shapes.
 enum class CornerStyle { Round, Chamfer };
 
-/// Demands of a place on its beads.
-enum class DirectionMode : std::uint8_t {
-  Parallel,     ///< to the nearest border, smoothly
-  Orthogonal,   ///< to the nearest border, smoothly
-  Smoothest,    ///< whatever bends least
-  Constrained,  ///< the direction map
-};
-
-// Pictures that a plate shall show, each under its lamp.
-
-/// A picture and where its lamp stands.
-struct LampPicture {
-  std::string file;  ///< PNG, JPEG, BMP or TGA
-  /// Azimuth counter-clockwise from +x, -360..360, and elevation, 1..90 [degrees]; unset: chosen
-  /// for the picture
-  std::optional<Vec2> lamp;
-
-  friend bool operator==(const LampPicture&, const LampPicture&) = default;
-};
-
 /// The measured spools, in the order of their keys: look/spools.hpp says what they look like.
 enum class SpoolName { BluePla, ClearPetg, GoldPla, GreyPla, RedPetg };
 
@@ -159,8 +139,8 @@ enum class PictureProportions {
   Stretch,  ///< they are stretched over the page
 };
 
+/// Settings that all pictures of a surface share.
 struct PictureParams {
-  std::vector<LampPicture> files;  ///< 0..4; none: the directions decide
   PictureProportions proportions = PictureProportions::Keep;
   SpoolName spool = SpoolName::BluePla;  ///< whose colour and slopes count
   /// Along and across the bead of a spool of one's own, 0.1..45 [degrees]
@@ -319,10 +299,10 @@ struct Printer {
 /// Everything needed to repeat a plate. File names are as written, relative to the project file.
 struct Project {
   std::string shapeFile;  ///< SVG, or a mask picture; empty: builtin
-  /// None without a shape file: a rectangle like the direction picture
+  /// None without a shape file: a rectangle like the lowest layer's picture
   BuiltinShape builtin = BuiltinShape::None;
-  /// [mm]; zero width: kDefaultWidth; zero height follows the direction picture, or is the shape's
-  /// own
+  /// [mm]; zero width: kDefaultWidth; zero height follows the lowest layer's picture, or is the
+  /// shape's own
   Vec2 builtinSize;
   double builtinRadius = 3;  ///< of the corners that are no rectangle's [mm]
   CornerStyle corners = CornerStyle::Round;
@@ -338,14 +318,8 @@ struct Project {
   double outlineOffset = 0;
   std::vector<RoundHole> holes;  ///< 0..16, cut out of the shape
   bool keepThin = false;  ///< places of half a bead to one are widened to one, see keepThinPlaces
-  std::string directionFile;  ///< empty: `angle`
-  DirectionEncoding encoding = DirectionEncoding::Angle;
-  double angle = 0;      ///< [degrees]
-  std::string modeFile;  ///< empty: `mode`
-  DirectionMode mode = DirectionMode::Constrained;
-  /// If there are any, directions are solved for and directionFile must be empty
+  std::vector<Layer> layers;  ///< what the plate shows, the last on top; 0..32; see groundOf
   PictureParams pictures;
-  std::vector<Layer> layers;  ///< over the directions, the last on top; 0..32
   ToolpathParams toolpath;
   PrintParams print;
   std::string printerProfile;   ///< whose values `printer` began with; empty: none

@@ -18,7 +18,7 @@
 namespace sillon {
 
 /// The parts of a project file, in its order.
-enum class Section { Shape, Directions, Modes, Pictures, Layers, Toolpath, Print, Printer };
+enum class Section { Shape, Layers, Pictures, Toolpath, Print, Printer };
 
 /// Who looks for a setting.
 enum class Level {
@@ -38,6 +38,8 @@ enum class SettingType {
   Block,        ///< several lines, likewise
   PictureList,  ///< files, each with its lamp; `high` is the most there may be
   HoleList,     ///< round holes, likewise
+  ColourList,   ///< colours, each with its direction, likewise
+  StrokeList,   ///< gestures of brushes, likewise
   Name,         ///< of a preset or profile, whose values lie under the section's others
 };
 
@@ -63,7 +65,8 @@ struct ChoiceField {
 /// The field of a setting in a view. monostate: not there.
 using Field = std::variant<std::monostate, double*, int*, std::uint64_t*, bool*, std::string*,
                            Vec2*, std::optional<double>*, std::optional<Vec2>*,
-                           std::vector<LampPicture>*, std::vector<RoundHole>*, ChoiceField>;
+                           std::vector<LampPicture>*, std::vector<RoundHole>*,
+                           std::vector<ColourAngle>*, std::vector<Stroke>*, ChoiceField>;
 
 struct Setting {
   Section section;
@@ -92,6 +95,9 @@ std::span<const Setting> settings();
 /// The most layers that a project may have.
 inline constexpr std::size_t kMostLayers = 32;
 
+/// The most points that all strokes of a layer may have together.
+inline constexpr std::size_t kMostStrokePoints = 200'000;
+
 /// Tells whether a layer's font is a file, and no built-in one.
 bool isFontFile(std::string_view font);
 
@@ -101,7 +107,7 @@ SettingWords wordsOf(const Setting& setting);
 /// \return null if there is none.
 const Setting* findSetting(Section section, std::string_view key);
 
-/// "shape", "directions", "modes", "pictures", "layers", "toolpath", "print", "printer"
+/// "shape", "layers", "pictures", "toolpath", "print", "printer"
 const char* sectionName(Section section);
 
 /// "printer.nozzle"

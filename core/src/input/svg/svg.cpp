@@ -35,6 +35,12 @@ std::string placeOf(const Node& node, std::string_view text, const char* buffer)
 }  // namespace
 
 Result<Shape> readSvg(std::string_view text, const SvgOptions& options) {
+  Result<SvgPainting> painting = readSvgPainting(text, options);
+  if (!painting) return painting.error();
+  return std::move(painting).value().shape;
+}
+
+Result<SvgPainting> readSvgPainting(std::string_view text, const SvgOptions& options) {
   if (!(options.tolerance >= 1e-4 && options.tolerance <= 10)) {
     return Error{ErrorCode::InvalidArgument, "The tolerance of curves is out of range; it must be 0.0001 to 10 mm"};
   }

@@ -77,7 +77,7 @@ class Drawing {
         reading_(options.ignorePaint ? Reading::Outlines : Reading::Painted),
         shaper_(options_.letters) {}
 
-  Shape read(const Node& root) {
+  SvgPainting read(const Node& root) {
     current_ = &root;
     collect(root);
     const std::optional<ViewBox> box = viewBoxOf(root);
@@ -112,13 +112,17 @@ class Drawing {
                                "text that can be set in a built-in font (images and text on a path do not count)"};
     }
     shape_.drawing.faintMm2 = reading_ == Reading::Painted ? faintArea() : 0;
-    for (Layer& layer : layers_) shape_.paths.push_back(std::move(layer.path));
+    std::vector<PathPaint> paints;
+    for (Layer& layer : layers_) {
+      shape_.paths.push_back(std::move(layer.path));
+      paints.push_back(layer.paint);
+    }
     shape_.drawing.linesOnly = reading_ == Reading::Painted && !filled_;
     if (!offPage_.paths.empty()) {
       const Result<Outline> lost = resolveOutline(offPage_);
       if (lost) shape_.drawing.offPage = lost.value().area;
     }
-    return std::move(shape_);
+    return {std::move(shape_), std::move(paints)};
   }
 
  private:
@@ -487,17 +491,18 @@ class Drawing {
       if (layers_.empty()) colour_ = paint.colour;
       shape_.drawing.severalColours = shape_.drawing.severalColours || paint.colour != colour_;
     }
-    layers_.push_back({std::move(path), !hides, alpha <= kFaint});
+    layers_.push_back({std::move(path), !hides, {static_cast<std::uint32_t>(paint.colour & 0xFFFFFF), alpha}});
   }
 
   // As DrawingFacts says. Shadows on or along what is painted firmly are no second tone.
   double faintArea() const {
-    const auto faint = std::count_if(layers_.begin(), layers_.end(), [](const Layer& layer) { return layer.faint; });
+    const auto isFaint = [](const Layer& layer) { return layer.paint.alpha <= kFaint; };
+    const auto faint = std::count_if(layers_.begin(), layers_.end(), isFaint);
     if (faint == 0 || faint == std::ssize(layers_)) return 0;
     Shape all, firm;
     for (const Layer& layer : layers_) {
       all.paths.push_back(layer.path);
-      if (!layer.faint) firm.paths.push_back(layer.path);
+      if (!isFaint(layer)) firm.paths.push_back(layer.path);
     }
     const Result<Outline> whole = resolveOutline(all), without = resolveOutline(firm);
     if (!whole || !without) return 0;
@@ -668,7 +673,7 @@ class Drawing {
 
 }  // namespace
 
-Shape drawElements(const Node& root, const SvgOptions& options, const Node*& current) {
+SvgPainting drawElements(const Node& root, const SvgOptions& options, const Node*& current) {
   return Drawing(options, current).read(root);
 }
 

@@ -59,6 +59,6 @@ std::string checkNesting(std::string_view text);
 
 /// \param[out] current  the element that was being read when reading stopped; null outside of elements.
 /// Throws Refused.
-Shape drawElements(const Node& root, const SvgOptions& options, const Node*& current);
+SvgPainting drawElements(const Node& root, const SvgOptions& options, const Node*& current);
 
 }  // namespace sillon::svg

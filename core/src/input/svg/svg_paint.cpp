@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -14,8 +13,6 @@
 
 namespace sillon::svg {
 namespace {
-
-constexpr std::uint64_t kBlack = 0, kWhite = 0xFFFFFF;
 
 // A number or a percentage of 1.
 std::optional<double> share(std::string_view text) {
@@ -42,6 +39,18 @@ std::optional<Paint> hexColor(std::string_view digits) {
   return paint;
 }
 
+// https://www.w3.org/TR/css-color-4/#hsl-to-rgb. Hue in degrees; all else, but for the opacity, of 255.
+std::array<double, 4> fromHsl(const std::array<double, 4>& hsl) {
+  const double hue = hsl[0] / 360 - std::floor(hsl[0] / 360);
+  const double light = std::clamp(hsl[2], 0.0, 255.0);
+  const double swing = std::clamp(hsl[1] / 255, 0.0, 1.0) * std::min(light, 255 - light);
+  const auto channel = [&](double from) {
+    const double place = std::fmod(from + 12 * hue, 12);
+    return light - swing * std::clamp(std::min(place - 3, 9 - place), -1.0, 1.0);
+  };
+  return {channel(0), channel(8), channel(4), hsl[3]};
+}
+
 // rgb(), rgba(), hsl(), hsla(): numbers between commas, spaces and a slash.
 Paint functionColor(std::string_view text) {
   std::array<double, 4> v{0, 0, 0, 1};
@@ -54,24 +63,15 @@ Paint functionColor(std::string_view text) {
     std::string_view unit;
     const std::optional<double> value = leadingNumber(rest.substr(0, end), unit);
     if (!value) break;
-    v[n] = unit != "%" ? *value : n == 3 ? *value / 100 : *value * 2.55;
+    v[n] = unit != "%" ? *value : n == 3 ? *value / 100 : *value * 255 / 100;
     rest.remove_prefix(end);
     ++n;
   }
-  const bool hsl = startsWith(text, "hsl");
+  if (startsWith(text, "hsl")) v = fromHsl(v);
   const auto eight = [](double value) {
     return static_cast<std::uint64_t>(std::lround(std::clamp(value, 0.0, 255.0)));
   };
-  const double alpha = std::clamp(v[3], 0.0, 1.0);
-  if (hsl && (v[2] <= 0 || v[2] > 254.5)) return {alpha, v[2] <= 0 ? kBlack : kWhite};
-  const std::uint64_t first =
-      hsl ? 256 + static_cast<std::uint64_t>(std::clamp(v[0], -720.0, 720.0) + 720) : eight(v[0]);
-  return {alpha, first << 16 | eight(v[1]) << 8 | eight(v[2])};
-}
-
-std::uint64_t named(std::string_view name) {
-  if (name == "black") return kBlack;
-  return name == "white" ? kWhite : kOther | std::hash<std::string_view>()(name);
+  return {std::clamp(v[3], 0.0, 1.0), eight(v[0]) << 16 | eight(v[1]) << 8 | eight(v[2])};
 }
 
 // Nothing: no colour. "inherit", "unset" and "revert" are none, and inherit as all that cannot be read does.
@@ -84,8 +84,9 @@ std::optional<Paint> colorOf(std::string_view value, const Paint& current) {
     return hexColor(std::string_view(text).substr(1, text.find(' ') - 1));  // "#123 icc-color()"
   const bool isFunction = text.find('(') != std::string::npos && text.find("var(") == std::string::npos;
   if (isFunction && (startsWith(text, "rgb") || startsWith(text, "hsl"))) return functionColor(text);
-  if (isFunction || isColorName(text)) return Paint{1, named(text)};
-  return std::nullopt;
+  if (isFunction) return Paint{1, otherColour(text)};
+  const std::optional<std::uint32_t> named = namedColour(text);
+  return named ? std::optional(Paint{1, *named}) : std::nullopt;
 }
 
 /// \param initial  the property's value where nothing declares it.

@@ -189,7 +189,7 @@ struct Limit {
 struct Layer {
   FilledPath path;
   bool adds = true;
-  bool faint = false;  ///< painted at half opacity or less
+  PathPaint paint = {};
 };
 
 std::shared_ptr<const Limit> limitOf(FilledPath area);

@@ -22,8 +22,8 @@ namespace sillon::svg {
 
 // The words CSS knows for colours.
 
-/// Tells whether CSS has a colour of this name, of the system's colours too. \param name  in lower case.
-bool isColorName(std::string_view name);
+/// The colour of this name in CSS, 0xRRGGBB; nothing: it has none. \param name  in lower case.
+std::optional<std::uint32_t> namedColour(std::string_view name);
 
 // Selectors of CSS rules: https://www.w3.org/TR/selectors-4/.
 
@@ -273,20 +273,21 @@ class StyleSheet {
   std::string unreadOfLetters_;
 };
 
-// The paint of an element, as far as it matters where one bead is like the next: whether it is seen at all,
-// whether it is black, which hides in a mask, and whether its colour is that of others.
+// The paint of an element: whether it is seen at all, whether it is black, which hides in a mask, and its colour.
 
 struct Paint {
   double alpha = 1;          ///< 0: none
-  std::uint64_t colour = 0;  ///< 0xRRGGBB, or another number for each name and each gradient
+  std::uint64_t colour = 0;  ///< 0xRRGGBB, and above it another number for each gradient and all else that is no colour
   bool pattern = false;
   bool gradient = false;
 
   [[nodiscard]] bool black() const { return colour == 0; }
 };
 
-/// Added to the colour of a name or a gradient.
-inline constexpr std::uint64_t kOther = 0x1000000;
+/// Stands for all that is no one colour. \param name  tells it apart. \param shown  0xRRGGBB
+inline std::uint64_t otherColour(std::string_view name, std::uint64_t shown = 0x808080) {
+  return shown | std::uint64_t{1} << 24 | static_cast<std::uint64_t>(std::hash<std::string_view>()(name)) << 25;
+}
 
 /// Nobody sees less. Drawing programs lay it over whole pages, to catch clicks.
 inline constexpr double kFaintest = 0.02;

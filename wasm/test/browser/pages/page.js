@@ -2,10 +2,13 @@
 import { inputOf, makePlate } from '/support/plate.js';
 
 /** More than a second of work. */
-const large = [{ shape: { builtin: 'rounded', size: [150, 150] }, directions: { angle: 30 } }, { spacing: 0.2 }];
+const large = [
+  { shape: { builtin: 'rounded', size: [150, 150] }, layers: [{ kind: 'direction', angle: 30 }] },
+  { spacing: 0.2 },
+];
 /** Minutes of work on any machine of today: longer than a test waits. */
 const endless = [
-  { shape: { builtin: 'rounded', size: [200, 200] }, directions: { angle: 30 } },
+  { shape: { builtin: 'rounded', size: [200, 200] }, layers: [{ kind: 'direction', angle: 30 }] },
   { spacing: 0.2, sweepsPerLevel: 1000, relaxationRounds: 100 },
 ];
 const lettered = [
@@ -13,7 +16,7 @@ const lettered = [
     shape: { builtin: 'disc', size: [30, 30] },
     layers: [
       { kind: 'text', text: 'ANNA', textSize: 5, at: [15, 6] },
-      { kind: 'qr', text: 'x', size: [12, 12], at: [15, 18] },
+      { kind: 'code', text: 'x', size: [12, 12], at: [15, 18] },
     ],
   },
 ];

@@ -341,6 +341,7 @@ export const words = {
   // --- Out ------------------------------------------------------------------------------------------------------------
   'export.gcode': 'G-code',
   'export.body': 'Base for your slicer (3MF)',
+  'export.zones': 'Zones for your slicer (3MF)',
   'export.svg': 'Drawing (SVG)',
   'export.png': 'Picture (PNG)',
   'export.view': 'Shimmer for web pages',

@@ -55,6 +55,6 @@ export async function startHosts(name) {
 export const project = {
   sillon: 1,
   shape: { builtin: 'disc', size: [16, 16] },
-  directions: { angle: 40 },
+  layers: [{ kind: 'direction', angle: 40 }],
   print: { layers: 1, base: 0 },
 };

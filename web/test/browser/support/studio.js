@@ -231,10 +231,11 @@ class Visit {
   }
 
   async download(product) {
+    const begins = new RegExp(`^${product.replace(/[()]/g, '\\$&')}`); // what other products are for may name it, too
     await this.page.locator('[popovertarget=export]').click();
     const [download] = await Promise.all([
       this.page.waitForEvent('download'),
-      this.page.locator('#export').getByRole('button', { name: product }).click(),
+      this.page.locator('#export').getByRole('button', { name: begins }).click(),
     ]);
     return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
   }

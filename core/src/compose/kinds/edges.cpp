@@ -1,0 +1,162 @@
+// Directions along what a picture shows: the main ones of its structure tensor, carried from strong edges into flat
+// areas.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "compose/kinds/tones.hpp"
+#include "look/rasters.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr int kMostEdgeCells = 512;  // on the longer side: the field is smooth, finer ones only take longer
+constexpr float kNoiseBlur = 1;      // [cells] before slopes are taken
+constexpr float kFlat = 1e-9F;       // slope, squared, that rounding makes of flat areas
+constexpr int kSweeps = 4;
+constexpr int kSmallestSide = 2;
+
+/// Vectors along lines turned twice, e^(2i angle), of any length, and how much each counts.
+struct LineField {
+  Tones x, y;
+  Tones weight;
+};
+
+/// The directions of steepest ascent; their vectors are as long as the slope is steep, squared.
+LineField slopesOf(const Tones& tones, float tall) {
+  LineField slopes{tones, tones, tones};
+  const int width = tones.width, height = tones.height;
+  for (int row = 0; row < height; ++row) {
+    const int above = std::max(0, row - 1), below = std::min(height - 1, row + 1);
+    for (int column = 0; column < width; ++column) {
+      const int before = std::max(0, column - 1), after = std::min(width - 1, column + 1);
+      const float run = static_cast<float>(std::max(1, after - before));
+      const float rise = static_cast<float>(std::max(1, below - above)) * tall;
+      const float right = (tones.at(after, row) - tones.at(before, row)) / run;
+      const float up = (tones.at(column, above) - tones.at(column, below)) / rise;
+      const std::size_t k =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+      slopes.x.value[k] = right * right - up * up;
+      slopes.y.value[k] = 2 * right * up;
+    }
+  }
+  return slopes;
+}
+
+/// Turns slopes into unit lines along the edges, which count as they are steep against the others.
+void weigh(LineField& field) {
+  std::vector<float>&x = field.x.value, &y = field.y.value;
+  std::vector<float> steep(x.size());
+  double sum = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) sum += steep[k] = std::sqrt(x[k] * x[k] + y[k] * y[k]);
+  const auto mean = static_cast<float>(sum / static_cast<double>(x.size()));
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    field.weight.value[k] = 0;
+    if (steep[k] <= kFlat) continue;
+    field.weight.value[k] = steep[k] * steep[k] / (steep[k] * steep[k] + mean * mean);
+    x[k] /= -steep[k];  // an edge runs square to its slope; twice square is opposite
+    y[k] /= -steep[k];
+  }
+}
+
+/// The same on fewer cells: means of vectors count by their weights.
+LineField shrunk(const LineField& field, int width, int height) {
+  LineField small;
+  small.weight = means(field.weight, width, height);
+  const auto mean = [&](Tones values) {
+    for (std::size_t k = 0; k < values.value.size(); ++k) values.value[k] *= field.weight.value[k];
+    values = means(values, width, height);
+    for (std::size_t k = 0; k < values.value.size(); ++k) {
+      const float weight = small.weight.value[k];
+      values.value[k] = weight > 0 ? values.value[k] / weight : 0;
+    }
+    return values;
+  };
+  small.x = mean(field.x);
+  small.y = mean(field.y);
+  return small;
+}
+
+/// Each cell becomes the mean of its neighbours and, as far as it counts, of what it was told to be.
+void sweep(Tones& values, const Tones& told, const Tones& weight) {
+  const int width = values.width, height = values.height;
+  for (int y = 0; y < height; ++y) {
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+    for (int x = 0; x < width; ++x) {
+      const float around = values.at(x, std::max(0, y - 1)) + values.at(x, std::min(height - 1, y + 1)) +
+                           values.at(std::max(0, x - 1), y) + values.at(std::min(width - 1, x + 1), y);
+      const std::size_t k = row + static_cast<std::size_t>(x);
+      const float pull = 8 * weight.value[k];
+      values.value[k] = (around + pull * told.value[k]) / (4 + pull);
+    }
+  }
+}
+
+/// Spreads vectors over cells where little is known: from coarse levels to fine ones, each smoothed while it is held to
+/// what is known.
+void spread(LineField& field) {
+  const LineField told = field;
+  const int width = told.x.width, height = told.x.height;
+  if (std::max(width, height) > kSmallestSide) {
+    field = shrunk(told, (width + 1) / 2, (height + 1) / 2);
+    spread(field);
+  }
+  const auto settle = [&](Tones& values, const Tones& wanted) {
+    values = means(values, width, height);
+    for (std::size_t k = 0; k < values.value.size(); ++k) {
+      const float certain = std::min(1.0F, told.weight.value[k]);
+      values.value[k] += (wanted.value[k] - values.value[k]) * certain;
+    }
+    for (int round = 0; round < kSweeps; ++round) sweep(values, wanted, told.weight);
+  };
+  settle(field.x, told.x);
+  settle(field.y, told.y);
+}
+
+/// Between the middles of the four cells around a place.
+/// \param x  cells from the left edge. \param y  from the top.
+float between(const Tones& values, double x, double y) {
+  const auto inside = [](double place, int count) { return std::clamp(place - 0.5, 0.0, count - 1.0); };
+  const double left = inside(x, values.width), top = inside(y, values.height);
+  const int column = static_cast<int>(left), row = static_cast<int>(top);
+  const int next = std::min(column + 1, values.width - 1), below = std::min(row + 1, values.height - 1);
+  const auto across = static_cast<float>(left - column), down = static_cast<float>(top - row);
+  const float upper = values.at(column, row) * (1 - across) + values.at(next, row) * across;
+  const float lower = values.at(column, below) * (1 - across) + values.at(next, below) * across;
+  return upper * (1 - down) + lower * down;
+}
+
+}  // namespace
+
+LineAt edgeLines(const TonesLayer& tones, const LayerContent& content, const Placement& place, double spacing) {
+  const BoxCells cells = cellsOn(content.size, spacing, kMostEdgeCells);
+  const auto blur = [&](Tones& values, double sigma) {
+    if (sigma > 0.1) {
+      values.value = blurred(std::move(values.value), values.width, values.height, static_cast<float>(sigma));
+    }
+  };
+  Tones read = means(tonesOf(*content.picture), cells.width, cells.height);
+  blur(read, kNoiseBlur);
+  // Whole numbers of cells fill the box, so that they are square but for a rounding.
+  LineField field = slopesOf(read, static_cast<float>(content.size.y / cells.height * cells.width / content.size.x));
+  blur(field.x, tones.smoothing / cells.cell);
+  blur(field.y, tones.smoothing / cells.cell);
+  weigh(field);
+  spread(field);
+  field.weight = {};
+  const Vec2f turn = lineOf(place.rotation() + tones.angle * kDegree);
+  return [kept = std::make_shared<const LineField>(std::move(field)), place, box = content.size, turn](Vec2 at) {
+    const Vec2 own = place.toOwn(at);
+    const double x = (own.x / box.x + 0.5) * kept->x.width, y = (0.5 - own.y / box.y) * kept->x.height;
+    const Vec2f line{between(kept->x, x, y), between(kept->y, x, y) * (place.mirror() ? -1.0F : 1.0F)};
+    const float square = dot(line, line);
+    if (!(square > 0)) return turn;
+    const Vec2f unit = line * (1 / std::sqrt(square));
+    return Vec2f{unit.x * turn.x - unit.y * turn.y, unit.x * turn.y + unit.y * turn.x};
+  };
+}
+
+}  // namespace sillon

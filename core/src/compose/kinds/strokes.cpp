@@ -1,0 +1,228 @@
+// Gestures of brushes, replayed in order.
+#include "compose/strokes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "compose/ink.hpp"
+#include "compose/lines.hpp"
+
+namespace sillon {
+namespace {
+
+constexpr double kStep = 0.5;  // of the radius: points closer together change nothing that could be seen
+
+/// Texels from `left` to before `right`, and from `top` to before `bottom`.
+struct TexelBox {
+  int left = 0, top = 0, right = 0, bottom = 0;
+
+  [[nodiscard]] bool empty() const { return left >= right || top >= bottom; }
+  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(right - left); }
+  [[nodiscard]] std::size_t count() const { return empty() ? 0 : columns() * static_cast<std::size_t>(bottom - top); }
+  void add(const TexelBox& other) {
+    if (other.empty()) return;
+    if (empty()) {
+      *this = other;
+      return;
+    }
+    *this = {std::min(left, other.left), std::min(top, other.top), std::max(right, other.right),
+             std::max(bottom, other.bottom)};
+  }
+};
+
+/// The trace of a brush under its box: its strength, and its way (lines of any length).
+struct Trace {
+  TexelBox box;
+  std::vector<float> strength;
+  std::vector<Vec2f> line;
+};
+
+/// From one place of a brush to the next.
+struct Piece {
+  Vec2 begin, end;
+};
+
+/// Pieces about a step long: hands shake in between. A stroke of one point has one without a length.
+std::vector<Piece> piecesOf(const Stroke& stroke) {
+  std::vector<Vec2> points;
+  for (std::size_t k = 0; k < stroke.points.size(); ++k) {
+    const double moved = points.empty() ? stroke.radius : length(stroke.points[k] - points.back());
+    const bool ends = k + 1 == stroke.points.size();
+    if (moved >= kStep * stroke.radius || (ends && moved > 0)) points.push_back(stroke.points[k]);
+  }
+  if (points.size() == 1) points.push_back(points[0]);
+  std::vector<Piece> pieces;
+  for (std::size_t k = 1; k < points.size(); ++k) pieces.push_back({points[k - 1], points[k]});
+  return pieces;
+}
+
+class Brushes {
+ public:
+  Brushes(const StrokesLayer& layer, std::size_t number, const LayerPlate& plate, LayerStack& stack)
+      : layer_(layer),
+        number_(number),
+        plate_(plate),
+        stack_(stack),
+        step_{plate.shape.page.x / plate.width, plate.shape.page.y / plate.height} {
+    const Layer* const ground = groundOf(plate.project.layers);
+    if (ground != nullptr) ground_ = ground->mode;
+  }
+
+  /// \return false: cancelled.
+  bool draw(const RunContext& run) {
+    keepBelow();
+    for (const Stroke& stroke : layer_.strokes) {
+      Trace trace;
+      if (!follow(stroke, run, trace)) return false;
+      if (stroke.tool == StrokeTool::Comb) comb(trace);
+      if (stroke.tool == StrokeTool::Mode) setMode(trace, stroke.mode);
+      if (stroke.tool == StrokeTool::Erase) erase(trace);
+    }
+    return true;
+  }
+
+ private:
+  /// Texels within a radius of a piece.
+  [[nodiscard]] TexelBox around(const Piece& piece, double radius) const {
+    const auto& [a, b] = piece;
+    const auto place = [](double texels, int count) {
+      return static_cast<int>(std::clamp(texels, 0.0, static_cast<double>(count)));
+    };
+    return {place(std::floor((std::min(a.x, b.x) - radius) / step_.x), plate_.width),
+            place(std::floor(plate_.height - (std::max(a.y, b.y) + radius) / step_.y), plate_.height),
+            place(std::ceil((std::max(a.x, b.x) + radius) / step_.x), plate_.width),
+            place(std::ceil(plate_.height - (std::min(a.y, b.y) - radius) / step_.y), plate_.height)};
+  }
+  [[nodiscard]] TexelBox boxOf(const Stroke& stroke) const {
+    TexelBox box;
+    for (const Piece& piece : piecesOf(stroke)) box.add(around(piece, stroke.radius));
+    return box;
+  }
+
+  void keepBelow() {
+    for (const Stroke& stroke : layer_.strokes) {
+      if (stroke.tool == StrokeTool::Erase) erased_.add(boxOf(stroke));
+    }
+    below_.reserve(erased_.count());
+    forEachTexel(erased_, [&](std::size_t texel, std::size_t /*k*/) { below_.push_back(stack_.texels[texel]); });
+  }
+
+  /// Calls visit(number of the texel, number within the box).
+  template <class Visit>
+  void forEachTexel(const TexelBox& box, const Visit& visit) const {
+    std::size_t k = 0;
+    for (int y = box.top; y < box.bottom; ++y) {
+      const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(plate_.width);
+      for (int x = box.left; x < box.right; ++x) visit(row + static_cast<std::size_t>(x), k++);
+    }
+  }
+
+  /// \return false: cancelled.
+  bool follow(const Stroke& stroke, const RunContext& run, Trace& trace) const {
+    trace.box = boxOf(stroke);
+    trace.strength.resize(trace.box.count());
+    trace.line.resize(trace.box.count());
+    for (const Piece& piece : piecesOf(stroke)) {
+      if (!followPiece(stroke, piece, run, trace)) return false;
+    }
+    return true;
+  }
+
+  bool followPiece(const Stroke& stroke, const Piece& piece, const RunContext& run, Trace& trace) const {
+    const Vec2 way = piece.end - piece.begin;
+    const double square = dot(way, way), radius = stroke.radius;
+    const Vec2f line = square > 0 ? lineAlong(way) : Vec2f{};
+    const double rim = std::max(radius * std::min(1.0, std::max(0.0, stroke.soft)), 1e-9);
+    const TexelBox box = around(piece, radius);
+    for (int row = box.top; row < box.bottom; ++row) {
+      if (run.poll()) return false;
+      std::size_t k = static_cast<std::size_t>(row - trace.box.top) * trace.box.columns() +
+                      static_cast<std::size_t>(box.left - trace.box.left);
+      for (int column = box.left; column < box.right; ++column, ++k) {
+        const Vec2 from = Vec2{(column + 0.5) * step_.x, (plate_.height - row - 0.5) * step_.y} - piece.begin;
+        const double along = square > 0 ? std::clamp(dot(from, way) / square, 0.0, 1.0) : 0;
+        const Vec2 off = from - way * along;
+        const double awaySquare = dot(off, off);
+        if (awaySquare >= radius * radius) continue;
+        const double away = std::sqrt(awaySquare), inner = std::min(1.0, (radius - away) / rim);
+        trace.strength[k] = std::max(trace.strength[k], static_cast<float>(inner * inner * (3 - 2 * inner)));
+        // The nearest piece of the stroke leads; its neighbours round the corners off.
+        const auto share = static_cast<float>((1 - away / radius) * (1 - away / radius));
+        trace.line[k] = trace.line[k] + line * share;
+      }
+    }
+    return true;
+  }
+
+  /// Beads that were not constrained have no direction to blend with: the brush counts whole there, or not at
+  /// all.
+  void comb(const Trace& trace) {
+    forEachTexel(trace.box, [&](std::size_t number, std::size_t k) {
+      const float strength = trace.strength[k], size = length(trace.line[k]);
+      if (!(strength > 0 && size > 0)) return;
+      LayerStack::Texel& texel = stack_.texels[number];
+      const bool held = texel.mode.value_or(ground_) == DirectionMode::Constrained;
+      if (!held && strength < 0.5F) return;
+      blend(texel, trace.line[k] * (1 / size), held ? strength : 1);
+      texel.mode = DirectionMode::Constrained;
+      if (strength >= 0.5F) cover(texel);
+    });
+  }
+
+  void setMode(const Trace& trace, DirectionMode mode) {
+    forEachTexel(trace.box, [&](std::size_t number, std::size_t k) {
+      if (trace.strength[k] < 0.5F) return;
+      LayerStack::Texel& texel = stack_.texels[number];
+      texel.mode = mode;
+      if (mode != DirectionMode::Constrained) cover(texel);  // directions of what lies below are not seen there
+    });
+  }
+
+  void erase(const Trace& trace) {
+    forEachTexel(trace.box, [&](std::size_t number, std::size_t k) {
+      const float strength = trace.strength[k];
+      if (!(strength > 0)) return;
+      LayerStack::Texel& texel = stack_.texels[number];
+      const auto x =
+          static_cast<std::size_t>(static_cast<int>(number % static_cast<std::size_t>(plate_.width)) - erased_.left);
+      const auto y =
+          static_cast<std::size_t>(static_cast<int>(number / static_cast<std::size_t>(plate_.width)) - erased_.top);
+      const LayerStack::Texel& before = below_[y * erased_.columns() + x];
+      LayerStack::Texel mixed = strength >= 0.5F ? before : texel;
+      if (strength < 1) {
+        mixed.line = before.line * strength + texel.line * (1 - strength);
+        mixed.through = before.through * strength + texel.through * (1 - strength);
+        mixed.cover = before.cover * strength + texel.cover * (1 - strength);
+      }
+      texel = mixed;
+    });
+  }
+
+  /// Brushes are no ink that could be hidden.
+  void cover(LayerStack::Texel& texel) const {
+    texel.top = static_cast<std::uint8_t>(number_ + 1);
+    texel.ink = LayerStack::Ink::None;
+  }
+
+  const StrokesLayer& layer_;
+  std::size_t number_;
+  const LayerPlate& plate_;
+  LayerStack& stack_;
+  Vec2 step_;  // of texels [mm]
+  DirectionMode ground_ = DirectionMode::Constrained;
+  TexelBox erased_;
+  std::vector<LayerStack::Texel> below_;  // in the box
+};
+
+}  // namespace
+
+std::optional<Error> drawStrokes(const StrokesLayer& strokes, std::size_t number, const LayerPlate& plate,
+                                 LayerStack& stack, const RunContext& run) {
+  if (!Brushes(strokes, number, plate, stack).draw(run)) return Error{ErrorCode::Cancelled, "cancelled"};
+  return std::nullopt;
+}
+
+}  // namespace sillon

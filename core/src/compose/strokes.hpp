@@ -1,0 +1,20 @@
+// Gestures of brushes over the layers below.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "compose/content.hpp"
+#include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/compose/compose.hpp"
+
+namespace sillon {
+
+/// Replays strokes in order over the stack below; an eraser brings that back.
+/// \param number  of the layer.
+/// \return Cancelled.
+std::optional<Error> drawStrokes(const StrokesLayer& strokes, std::size_t number, const LayerPlate& plate,
+                                 LayerStack& stack, const RunContext& run);
+
+}  // namespace sillon

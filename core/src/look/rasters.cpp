@@ -1,0 +1,87 @@
+#include "look/rasters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace sillon {
+namespace {
+
+/// Sources of the samples of one axis: weights of up to `count` of them from `first` on.
+struct Span {
+  int first = 0;
+  std::vector<float> weights;
+};
+
+std::vector<Span> spansOf(int from, int to) {
+  std::vector<Span> spans(static_cast<std::size_t>(to));
+  const double step = static_cast<double>(from) / to;
+  for (int k = 0; k < to; ++k) {
+    Span& span = spans[k];
+    if (step <= 1) {
+      const double place = std::clamp((k + 0.5) * step - 0.5, 0.0, from - 1.0);
+      span.first = std::min(static_cast<int>(place), std::max(0, from - 2));
+      const auto share = static_cast<float>(place - span.first);
+      span.weights = {1 - share};
+      if (from > 1) span.weights.push_back(share);
+      continue;
+    }
+    const double begin = k * step;
+    const double end = std::min<double>(from, (k + 1) * step);
+    span.first = static_cast<int>(begin);
+    for (int i = span.first; i < from && i < end; ++i) {
+      span.weights.push_back(
+          static_cast<float>((std::min<double>(i + 1, end) - std::max<double>(i, begin)) / (end - begin)));
+    }
+  }
+  return spans;
+}
+
+void blurLine(float* first, std::size_t step, std::size_t count, float share, std::vector<float>& line) {
+  line.resize(count);
+  float v = first[0];
+  for (std::size_t k = 0; k < count; ++k) line[k] = v += share * (first[step * k] - v);
+  for (std::size_t k = count; k-- > 0;) first[step * k] = v += share * (line[k] - v);
+}
+
+}  // namespace
+
+std::vector<float> blurred(std::vector<float> values, int width, int height, float sigma) {
+  const float share = 2 * (std::sqrt(1 + sigma * sigma) - 1) / (sigma * sigma);
+  const auto columns = static_cast<std::size_t>(width);
+  const auto rows = static_cast<std::size_t>(height);
+  std::vector<float> line;
+  for (int pass = 0; pass < 2; ++pass) {
+    for (std::size_t y = 0; y < rows; ++y) blurLine(&values[y * columns], 1, columns, share, line);
+    for (std::size_t x = 0; x < columns; ++x) blurLine(&values[x], columns, rows, share, line);
+  }
+  return values;
+}
+
+Tones means(const Tones& values, int width, int height) {
+  if (values.width == width && values.height == height) return values;
+  const std::vector<Span> columns = spansOf(values.width, width), rows = spansOf(values.height, height);
+  Tones out{width, height, {}};
+  out.value.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::vector<float> line(static_cast<std::size_t>(values.width));
+  for (int y = 0; y < height; ++y) {
+    const Span& row = rows[y];
+    std::fill(line.begin(), line.end(), 0.0f);
+    for (std::size_t j = 0; j < row.weights.size(); ++j) {
+      for (int x = 0; x < values.width; ++x) {
+        line[x] += row.weights[j] * values.at(x, row.first + static_cast<int>(j));
+      }
+    }
+    for (int x = 0; x < width; ++x) {
+      const Span& column = columns[x];
+      float sum = 0;
+      for (std::size_t i = 0; i < column.weights.size(); ++i) {
+        sum += column.weights[i] * line[static_cast<std::size_t>(column.first) + i];
+      }
+      out.value[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] = sum;
+    }
+  }
+  return out;
+}
+
+}  // namespace sillon

@@ -1,0 +1,17 @@
+// Values on rasters, whatever they stand for.
+#pragma once
+
+#include <vector>
+
+#include "sillon/look/inversion.hpp"
+
+namespace sillon {
+
+/// Does the same as `resampled`, with means of the values themselves instead of their light.
+Tones means(const Tones& values, int width, int height);
+
+/// Nearly Gaussian of `sigma` cells: two exponentials there and back along each axis.
+/// \param sigma  >= 0.1
+std::vector<float> blurred(std::vector<float> values, int width, int height, float sigma);
+
+}  // namespace sillon

@@ -1,0 +1,32 @@
+// Made by tools/generate.mjs from the core's table of settings: ./dev generate.
+
+/** The kinds of layers that have a value; of what is not here, all kinds. */
+export const kindsOf: Readonly<Record<string, string>> = {
+  angle: 'direction text code pattern tones drawing border',
+  ground: 'text code drawing',
+  fill: 'text drawing border',
+  file: 'map pattern tones drawing',
+  encoding: 'map',
+  pictures: 'picture',
+  cropMin: 'map picture tones',
+  cropMax: 'map picture tones',
+  text: 'text code pattern',
+  font: 'text pattern',
+  textSize: 'text pattern',
+  circle: 'text pattern',
+  align: 'text pattern',
+  correction: 'code',
+  pattern: 'pattern',
+  waveLength: 'pattern',
+  amplitude: 'pattern',
+  seed: 'pattern',
+  by: 'tones',
+  from: 'tones',
+  to: 'tones',
+  threshold: 'tones',
+  contrast: 'tones',
+  smoothing: 'tones',
+  colours: 'tones',
+  width: 'border',
+  strokes: 'strokes',
+};
