@@ -290,7 +290,7 @@ TEST_CASE("each kind of layer survives writing and reading with all of its field
       CHECK(read.value().layers == one.layers);
       CHECK(writeProject(read.value()) == text);
     }
-    // What differs from its default is written: all that the kind has.
+    // All values that differ from their defaults are written, so all that the kind has.
     Project one;
     one.layers = {layers[k]};
     const Json written = Json::parse(writeProject(one))["layers"][0];
@@ -330,7 +330,7 @@ TEST_CASE("a key of another kind of layer is refused by name, and told which one
     }
   }
   CHECK(refused > 100);
-  // What no kind has, and what once was a kind or a section, is unknown.
+  // A key that no kind has is unknown, and so are former kinds and sections.
   CHECK(has(problem(R"({"sillon": 1, "layers": [{"kind": "picture", "lamp": [60, 45]}]})"),
             "unknown key \"layers[0].lamp\""));
   CHECK(has(problem(R"({"sillon": 1, "layers": [{"kind": "qr", "text": "A"}]})"), "layers[0].kind is \"qr\""));

@@ -72,7 +72,7 @@ std::optional<Error> readCode(const Layer& layer, Vec2 page, const ReadInput& re
 }
 
 /// Size of the box of a picture.
-/// \param usual  without a size of its own: the page, or empty for the largest of its proportions within it.
+/// \param fills  without a size of its own it is the page; else the largest box of its proportions within it.
 Vec2 boxOf(const Layer& layer, const Image& image, Vec2 page, bool fills) {
   const Vec2 proportions{static_cast<double>(image.width), static_cast<double>(image.height)};
   return sizeOf(layer.size, proportions, fills ? page : within(page, proportions));

@@ -1,8 +1,8 @@
-// What this page is, and what its address asks for.
+// The kind of this page, and the wishes of its address.
 import { addressed } from '../embed/address.js';
 import { recallText } from '../files/remember.js';
 
-/** Whether this is the page for frames of others. */
+/** Tells whether this is the page for frames of others. */
 export const framed = document.documentElement.dataset['page'] === 'frame';
 export const asked = addressed(location.search);
 export const threads = asked.given.threads ?? 'auto';

@@ -20,7 +20,7 @@ export interface Arriving {
   studio: Studio;
   keeper: Keeper;
   opener: Opener;
-  /** What a first visit sees until there are beads. */
+  /** The picture that a first visit sees until there are beads. */
   shimmer: Promise<Shimmer | undefined> | undefined;
 }
 
@@ -57,7 +57,7 @@ function greet({ studio, shimmer }: Arriving, plate: Plate, first: Plate): void 
   });
 }
 
-/** Of the work that was left here, which may still be on its way. */
+/** The work that was left here, which may still be on its way. */
 async function ownPrinter({ store }: Studio, kept: Promise<Kept | undefined> | undefined): Promise<PrinterValues> {
   const found = await Promise.race([kept, elapsed(restoreWithin)]);
   const plate = found !== undefined && 'steps' in found ? found.steps.plate : store.state.plate;
@@ -78,7 +78,7 @@ function openNamed({ studio, keeper }: Arriving, named: () => Promise<void>): Pr
   });
 }
 
-/** Of the files that the address names, on this page's own site. */
+/** Opens the files that the address names, on this page's own site. */
 async function openAddress(page: Arriving, kept?: Promise<Kept | undefined>): Promise<boolean> {
   if (asked.files.length === 0) return false;
   return openNamed(page, async () => {

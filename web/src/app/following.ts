@@ -1,4 +1,4 @@
-// What follows from changes of the state by itself, beside the plate's results: pipeline.ts sees to those.
+// Effects of changes of the state, beside the plate's results: pipeline.ts sees to those.
 import { pictureOf } from '../model/lamp.js';
 import type { OpenedFiles } from '../model/file-role.js';
 import type { Plate } from '../model/plate.js';
@@ -46,13 +46,13 @@ function fitLamps({ store }: Studio, { plate, tool, lamp, aimed, flipping, over 
   if (over !== undefined && !shown[over]) store.set({ over: undefined });
 }
 
-/** Whether what was made of files has been undone, or something of another kind stands in its place. */
+/** Tells whether a plate made of files has been undone, or something of another kind stands in its place. */
 const isGone = ({ store }: Studio, { before, made }: OpenedFiles, plate: Plate): boolean =>
   store.steps.future.includes(made) ||
   (made.directions !== before.directions && made.directions.kind !== plate.directions.kind) ||
   (made.shape !== before.shape && made.shape.kind === 'file' && plate.shape.kind !== 'file');
 
-/** Of a finished plate with a code: whether it can be read. */
+/** Tells whether the code of a finished plate can be read. */
 function scan({ store, services }: Studio, result: PlateResult): void {
   const { plate } = result;
   if (result.coarse || plate.directions.kind !== 'qr') return;

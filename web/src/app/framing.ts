@@ -60,7 +60,7 @@ export async function frame({ studio, keeper, opener, pipeline }: Framing, arriv
   });
 }
 
-/** What the address, or the page around this one, sets. */
+/** Settings of the address, or of the page around this one. */
 export async function configure(
   studio: Studio,
   { mode, controls, units, theme, language, printer }: Partial<GuestSettings>,

@@ -17,7 +17,7 @@ const pictureSide = 240; // [pixels]
 const plateWords = async () => (await import('../i18n/en/plates.js')).words;
 
 export class Keeper {
-  /** Of the studio itself at once; in a frame none until a host says so. */
+  /** The studio itself has it at once, and a frame only when a host says so. */
   #autosave: Autosave | undefined;
   /** By record: the project files that plates were opened from. */
   readonly #places = new Map<string, FileSystemFileHandle>();
@@ -73,7 +73,7 @@ export class Keeper {
     return restore(studio, found, shows, this.#goOn);
   }
 
-  /** What came from somewhere else waits until it has been made. @param changes  the plate is another than before */
+  /** A plate from somewhere else waits until it has been made. @param changes  the plate is another than before */
   keep(state: Pick<State, 'plate' | 'result'>, before: Plate, changes: boolean): void {
     const may = this.untried.mayKeep(state, before);
     if (may && (changes || this.#held)) this.#autosave?.save(this.studio.store.steps);
@@ -87,7 +87,7 @@ export class Keeper {
     });
   }
 
-  /** Of a finished plate, for the list of plates. */
+  /** Draws a finished plate for the list of plates. */
   picture({ toolpath, coarse }: PlateResult): void {
     if (coarse) return;
     setTimeout(() => {

@@ -28,7 +28,7 @@ const coloursIn = (given: unknown, where: string): PlateLayer['colours'] =>
 
 const modes = layerTable.mode.choices;
 
-/** Of all strokes of a layer together, as the core has it. */
+/** The most points of all strokes of a layer together, as the core has it. */
 const mostPoints = 200_000;
 
 function strokesIn(given: unknown, where: string): PlateLayer['strokes'] {

@@ -72,7 +72,7 @@ export const layerData = <Told>(layer: PlateLayer, told: (file: SourceFile) => T
   font: typeof layer.font === 'string' ? layer.font : told(layer.font),
 });
 
-/** What differs from the defaults; the fill also beside an angle, which the core takes for one otherwise. */
+/** Values that differ from the defaults; the fill also beside an angle, which the core takes for one otherwise. */
 function differing(layer: PlateLayer, whole: Readonly<Record<string, unknown>>): object {
   const differs = (key: LayerKey): boolean => JSON.stringify(layer[key]) !== JSON.stringify(usual[key]);
   const angled = hasFill(layer) && differs('angle');

@@ -79,9 +79,9 @@ export type DirectionSource =
 export type PlateLayer = Readonly<Omit<Layer, 'file' | 'maskFile' | 'modeFile' | 'font' | 'pictures'>> & {
   /** A whole number above 0 that no other layer of the plate has; it stays while the layer changes. */
   readonly id: number;
-  /** Of a picture layer, the first of its pictures. */
+  /** The first picture of a picture layer, too. */
   readonly file: SourceFile | null;
-  /** Of that picture; null: as for the plate. */
+  /** Lamp of that picture; null: as for the plate. */
   readonly lamp: readonly [number, number] | null;
   /** The pictures after the first. */
   readonly others: readonly LampPicture[];
@@ -132,7 +132,7 @@ export interface Plate {
   modes: ModeSource;
   /** Over the directions, the last on top. */
   layers: readonly PlateLayer[];
-  /** What all pictures share. The spool is the filament whose colour and gloss the appearance
+  /** Settings that all pictures share. The spool is the filament whose colour and gloss the appearance
    * shows, too. */
   pictures: PictureParams;
   toolpath: ToolpathParams;

@@ -10,7 +10,7 @@ import { pictureFields } from './picture-fields.js';
 import { standField } from './stand-field.js';
 import type { PrintWork } from './work.js';
 
-/** What the page knows beside the work. */
+/** Facts that the page knows beside the work. */
 interface PageFields {
   brush: HandBrush;
   /** Under which the beads are looked at. */

@@ -1,4 +1,4 @@
-// What a hand draws new beads with, and what it has drawn.
+// The brush of a hand that draws new beads, and its strokes.
 import { html, nothing, type TemplateResult } from 'lit';
 import { r } from '../i18n/rebrush.js';
 import { t } from '../i18n/text.js';

@@ -1,4 +1,4 @@
-// Where a lamp or a light stands, in degrees.
+// The place of a lamp or a light, in degrees.
 import { html, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { r } from '../i18n/rebrush.js';

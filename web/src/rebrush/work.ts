@@ -1,4 +1,4 @@
-// What goes on with a sliced print: it is read, beads are laid as is wished, and the file with them is saved.
+// The work on a sliced print: it is read, beads are laid as is wished, and the file with them is saved.
 import type { Cycle, PrintRelief, Rebrushed, SlicedFile } from 'sillon';
 import { download } from '../files/download.js';
 import { readable } from '../files/readable.js';
@@ -17,7 +17,7 @@ const mostBytes = 256e6; // as the engine reads of text
 const reliefSide = 1600; // cells: a few per bead of a print of 200 mm
 const restAfter = 350; // [ms] without a change, after which beads are laid
 
-/** What was wanted of prints that were left with strokes of a hand on them. */
+/** Wishes for prints that were left with strokes of a hand on them. */
 const left = new WeakMap<File, Wish>();
 
 export interface Progress {
@@ -29,16 +29,16 @@ interface Known {
   print?: SlicedFile | undefined;
   relief?: PrintRelief | undefined;
   faces: readonly Face[];
-  /** Of the faces, those that are shown from above: bottoms where no top is meant. */
+  /** The faces that are shown from above: bottoms where no top is meant. */
   shown: readonly Face[];
-  /** What was made of the choices as they are now. */
+  /** The result of the choices as they are now. */
   done?: Rebrushed | undefined;
   /** The latest beads of each face. */
   laid: ReadonlyMap<number, readonly Cycle[]>;
   progress?: Progress | undefined;
   cancelled: boolean;
   problem?: Problem | undefined;
-  /** What was saved, in a sentence; empty: nothing. */
+  /** The sentence about a saved file; empty: none was saved. */
   saved: string;
 }
 
@@ -135,7 +135,7 @@ export class PrintWork {
       });
       const print = await engine.listSurfaces(file, told(0));
       if (signal.aborted) return;
-      // What is seen of the print is no reason to refuse it.
+      // A print whose picture fails is not refused.
       const relief = await engine.printRelief(file, reliefSide, told(0.5)).catch(() => undefined);
       if (signal.aborted as boolean) return;
       const free = (side: Side): boolean => facesOf(print.surfaces, side).some((face) => face.left === '');
@@ -157,7 +157,7 @@ export class PrintWork {
 
   free = (): Face[] => this.known.faces.filter((face) => face.left === '');
 
-  /** Those that the file has. */
+  /** The sides that the file has. */
   sides(): readonly Side[] {
     const has = (side: Side): boolean => this.known.print?.surfaces.some((surface) => surface.side === side) === true;
     return sides.filter((side) => (side === 'both' ? has('top') && has('bottom') : has(side)));
@@ -235,7 +235,7 @@ export class PrintWork {
     }
   }
 
-  /** What the engine cannot draw by itself. */
+  /** Directions that the engine cannot draw by itself. */
   async #drawn(wish: Wish): Promise<DirectionRaster | undefined> {
     const { store, services } = this.studio;
     const solved = store.state.plate.directions.kind === 'lamp'; // the engine solves for it

@@ -1,4 +1,4 @@
-// Where the camera above the plate stands: moved by hand, or so that all of the plate is seen between the buttons over it.
+// The camera above the plate, moved by hand, or placed so that all of the plate is seen between the buttons over it.
 import type { StudioElement } from '../controls/element.js';
 import { pageOf } from '../model/plate.js';
 import type { Shown } from '../studio/shown.js';
@@ -38,7 +38,7 @@ export class PlateCamera extends PageCamera {
     return [compares(this.#state) ? width * (2 + gap) : width, height];
   }
 
-  /** Where the page lies on the canvas [CSS pixels]. */
+  /** The place of the page on the canvas [CSS pixels]. */
   plateBox(): { left: number; top: number; width: number; height: number } {
     const [width, height] = this.page();
     const { x: left, y: top } = this.toScreen({ x: 0, y: height });
@@ -102,7 +102,7 @@ export class PlateCamera extends PageCamera {
     return this.canvas.getRootNode() as ShadowRoot;
   }
 
-  /** What the buttons leave of a narrow canvas. */
+  /** The room that the buttons leave on a narrow canvas. */
   #amongButtons(): Box {
     const { left: x, top: y, width, height } = this.size;
     const area = { left: rulerWidth, top: rulerWidth, right: width, bottom: height };
@@ -120,7 +120,7 @@ export class PlateCamera extends PageCamera {
     return { left: left + clear, top: top + clear, right: right - clear, bottom: bottom - clear };
   }
 
-  /** What lies between the bars of a wide one. What a low bench leaves out (the stage's style) need not be kept free. */
+  /** The room between the bars of a wide one. What a low bench leaves out (the stage's style) need not be kept free. */
   #betweenBars(): Box {
     const { width, height } = this.size;
     const sides = { left: toolsWidth + margin, right: width - margin };

@@ -1,4 +1,4 @@
-// What is to be drawn of the plate, out of the state.
+// The scene to be drawn of the plate, out of the state.
 import { appearance } from '../model/appearance.js';
 import { lookOf } from '../model/filaments.js';
 import { drawnLayers } from '../model/layers.js';
@@ -12,7 +12,7 @@ export const compares = ({ compare, view }: Readonly<Shown>): boolean => compare
 /** No bead is told from its neighbours. */
 export const blends = ({ sizing, view }: Readonly<Shown>): boolean => sizing === 'arm' && view === 'appearance';
 
-/** What lies over the left of the plate. */
+/** The comparison that lies over the left of the plate. */
 export const overOf = ({ over, view }: Readonly<Shown>): Over | undefined => (view === 'appearance' ? over : undefined);
 
 export function sceneOf(state: Readonly<Shown>, darkScheme: boolean): Scene {

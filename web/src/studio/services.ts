@@ -1,4 +1,4 @@
-// What the elements ask of parts that stand above them, by feature, with the file that does it. Each may reject.
+// Services that the elements ask of parts above them, by feature, with the file that does it. Each may reject.
 import type { Engine, Gcode, PlacedLayer } from 'sillon';
 import type { Autosave } from '../files/autosave.js';
 import type { Example } from '../model/example.js';

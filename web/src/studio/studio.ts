@@ -1,4 +1,4 @@
-// What the elements can do. They know the state and this; main.ts puts together what it takes.
+// Actions of the elements. They know the state and this; main.ts puts together what it takes.
 import { download } from '../files/download.js';
 import { plainName } from '../files/file-name.js';
 import { pickFiles } from '../files/pick.js';

@@ -9,7 +9,7 @@ export interface Delayed {
   delays: Float32Array[];
 }
 
-/** As `setsPressureAdvance` of the core: whether the last of its commands sets more than 0. */
+/** Tells whether the last of its commands sets more than 0, as `setsPressureAdvance` of the core does. */
 function setsPressureAdvance(block: string): boolean {
   const commands = block.matchAll(
     /^[ \t]*(?:M900[^;\n]*? K|M572[^;\n]*? S|SET_PRESSURE_ADVANCE[^;\n]*? ADVANCE=)([^ ;\n]*)/gm,

@@ -4,7 +4,7 @@ import type { DirectionRaster } from '../model/raster.js';
 import type { ColourBy, FilamentLook, Mark, ViewName } from '../model/view.js';
 import type { Look } from './look.js';
 
-/** What limits the speed of a bead; corners are left out. */
+/** Limits of the speed of a bead; corners are left out. */
 export interface Feed {
   printer: PrinterValues;
   /** [mm] */

@@ -69,7 +69,7 @@ test('beads of no width or no length are passed over', () => {
   assert.deepEqual([...(delays[0] ?? [])], [0, 0, 0]);
 });
 
-/** Of beads with a neighbour: shares of the length that waits longer, and how long 90 % wait at most. */
+/** Shares of the length of beads with a neighbour that waits longer, and the longest wait of 90 % of it. */
 function measured({ toolpath, delays }: ReturnType<typeof delaysOf>): {
   over30: number;
   over120: number;

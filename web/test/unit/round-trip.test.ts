@@ -45,7 +45,7 @@ interface Row {
   low?: number;
   high?: number;
   choices?: string[];
-  /** Of layers that have it; left out: all. */
+  /** Kinds of layers that have it; left out: all. */
   kinds?: string[];
 }
 

@@ -237,7 +237,7 @@ struct Layer {
   /// Middle of its box on the page, from the lower left corner [mm]; unset: the page's middle
   std::optional<Vec2> at;
   /// Size of its box, before it turns [mm]. A side of 0 follows the content's proportions; without
-  /// both, contents have the size that contentSize gives.
+  /// both, contents have their own size, or a share of the page.
   Vec2 size;
   double rotation = 0;  ///< counter-clockwise [degrees]
   bool mirror = false;  ///< left to right, before it turns
