@@ -14,6 +14,7 @@ EMSCRIPTEN_BINDINGS(sillon) {
   function("drawLayers", &bindings::drawLayers);
   function("makeZones", &bindings::makeZones);
   function("linesOfDrawing", &bindings::linesOfDrawing);
+  function("paintDrawing", &bindings::paintDrawing);
   function("decodePicture", &bindings::decodePicture);
   function("readProject", &bindings::readProject);
   function("writeProject", &bindings::writeProject);

@@ -25,6 +25,7 @@ val generateToolpath(const std::string& projectJson, const val& files, bool meas
 val readShape(const std::string& projectJson, const val& files);
 val placeLayers(const std::string& projectJson, const val& files);
 /// Directions and modes that the layers ask for.
+val paintDrawing(const val& files, const std::string& name);
 val drawLayers(const std::string& projectJson, const val& files, const val& onProgress);
 /// \param body  whether an STL has come, on whose top the layers lie. \param params  height of the prism without one,
 /// most directions, narrowest place, layer height.

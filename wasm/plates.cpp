@@ -36,6 +36,31 @@ using emscripten::val;
 sillon::Session session;
 std::optional<sillon::KeptPictures> keptPictures;
 
+struct Sides {
+  int width = 0;
+  int height = 0;
+
+  friend bool operator==(const Sides&, const Sides&) = default;
+};
+
+/// Values of a raster on another. Without layers above it, the lowest may have pictures of two sizes, of which either
+/// may be a single texel.
+template <class T>
+std::vector<T> stretched(const std::vector<T>& values, Sides from, Sides to) {
+  if (from == to) return values;
+  const auto below = [](int k, int count, int own) {
+    return static_cast<std::size_t>((2 * std::int64_t{k} + 1) * own / (2 * std::int64_t{count}));
+  };
+  std::vector<std::size_t> columns;
+  for (int x = 0; x < to.width; ++x) columns.push_back(below(x, to.width, from.width));
+  std::vector<T> out;
+  for (int y = 0; y < to.height; ++y) {
+    const T* const row = values.data() + below(y, to.height, from.height) * static_cast<std::size_t>(from.width);
+    for (const std::size_t column : columns) out.push_back(row[column]);
+  }
+  return out;
+}
+
 }  // namespace
 
 namespace bindings {
@@ -120,26 +145,13 @@ val drawLayers(const std::string& projectJson, const val& files, const val& onPr
     const sillon::ModeMap& modes = laid.modes;
     const int width = std::max(directions.width, modes.width);
     const int height = std::max(directions.height, modes.height);
-    std::vector<std::uint16_t> angle;
-    std::vector<std::uint8_t> mode;
-    // Without layers above it, the lowest may have pictures of two sizes, of which either may be a single texel.
-    const auto texel = [&](const auto& map, int x, int y) {
-      const auto below = [](int k, int from, int to) {
-        return (2 * std::int64_t{k} + 1) * to / (2 * std::int64_t{from});
-      };
-      return static_cast<std::size_t>(below(y, height, map.height) * map.width + below(x, width, map.width));
-    };
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
-        angle.push_back(directions.angle[texel(directions, x, y)]);
-        mode.push_back(static_cast<std::uint8_t>(modes.mode[texel(modes, x, y)]));
-      }
-    }
+    const auto angle = stretched(directions.angle, {directions.width, directions.height}, {width, height});
+    const auto mode = stretched(modes.mode, {modes.width, modes.height}, {width, height});
     val out = val::object();
     out.set("width", width);
     out.set("height", height);
     out.set("angle", convert::copied(angle.data(), angle.size()));
-    out.set("mode", convert::copied(mode.data(), mode.size()));
+    out.set("mode", convert::copied(reinterpret_cast<const std::uint8_t*>(mode.data()), mode.size()));
     return success(out);
   });
 }
@@ -183,6 +195,14 @@ val linesOfDrawing(const val& file) {
     val out = val::array();
     for (const std::string& name : sillon::linesOfDrawing(text)) out.call<void>("push", val(name));
     return success(out);
+  });
+}
+
+val paintDrawing(const val& files, const std::string& name) {
+  return guarded([&](sillon::RunContext&) {
+    const auto painted = sillon::readPainted(convert::reader(files), name, "drawing");
+    if (!painted) return failure(painted.error());
+    return success(convert::toJs(painted.value().picture));
   });
 }
 

@@ -128,6 +128,9 @@ export interface Engine {
   /** PNG, JPEG, BMP or TGA to the stored values, without colour management; EXIF orientation applied.
    * Other formats: draw them to a canvas and hand over its pixels as a Picture. */
   decodePicture(file: Bytes, options?: RunOptions): Promise<Picture>;
+  /** An SVG in its colours, as layers of tones see it: RGBA, 1024 pixels along its longer side or fewer, clear where nothing is painted.
+   * @throws `InvalidFile`, `EmptyShape`, `TooLarge`. */
+  paintDrawing(file: Bytes, options?: RunOptions): Promise<Picture>;
   /** Reads and checks a project file (docs/reference/project.md) or a published scene, and completes it with all defaults. */
   readProject(json: string, options?: RunOptions): Promise<Project>;
   /** Checks a project and returns it as the text of a file that readProject and the command line read. */

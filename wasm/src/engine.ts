@@ -4,7 +4,7 @@ import { invalid } from './errors.js';
 import * as input from './input.js';
 import type { Platform } from './platform.js';
 import { beads, gcodes, memoryOf, newNumber } from './known.js';
-import type { Call } from './protocol.js';
+import type { Call, Files } from './protocol.js';
 import { Queue, type Threads } from './queue.js';
 import { Texts, needsTexts } from './texts.js';
 
@@ -172,6 +172,15 @@ export async function startEngine(platform: Platform, options: unknown): Promise
     async decodePicture(file, options) {
       const checked = input.callOptions(options);
       return (await run({ name: 'decodePicture', file: input.bytesFile(file) }, checked)) as api.Picture;
+    },
+
+    async paintDrawing(file, options) {
+      const checked = input.callOptions(options);
+      const drawing = 'layers[0].file'; // letters of drawings are looked for where layers have them
+      const files: Files = { [drawing]: input.bytesFile(file) };
+      const sections = { layers: [{ kind: 'tones' }] };
+      if (needsTexts(sections, files)) await texts.addTo(files, sections);
+      return (await runAside({ name: 'paintDrawing', files, drawing }, checked)) as api.Picture;
     },
 
     async readProject(json, options) {

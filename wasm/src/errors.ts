@@ -22,6 +22,7 @@ const readers: Call['name'][] = [
   'readShape',
   'placeLayers',
   'drawLayers',
+  'paintDrawing',
   'makeZones',
   'decodePicture',
 ];

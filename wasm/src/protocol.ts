@@ -54,6 +54,8 @@ export type Call =
     }
   | { name: 'linesOfDrawing'; file: KnownFile }
   | { name: 'decodePicture'; file: KnownFile }
+  /** `drawing`: which of the files it is; the others are its letters. */
+  | { name: 'paintDrawing'; files: Files; drawing: string }
   | { name: 'readProject'; project: string }
   | { name: 'writeProject'; project: string }
   | { name: 'profiles' }

@@ -217,6 +217,25 @@ test('what is drawn is what the plate is made from', async () => {
   assert.notEqual(await digest({ kind: 'map', file: picture(turned.fill(9)), modeFile }), await digest(...layers));
 });
 
+test('a drawing is painted in its colours, letters and all', async () => {
+  const drawing = (inside) => new Blob([`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 10">${inside}</svg>`]);
+  const blue = '<rect width="10" height="10" fill="#0000ff"/>';
+  const { width, height, channels, samples } = await engine.paintDrawing(drawing(blue));
+  assert.deepEqual([width, height, channels], [1024, 512, 4]);
+  const pixel = (x, y) => [...samples.subarray(4 * (1024 * y + x), 4 * (1024 * y + x) + 4)];
+  assert.deepEqual(
+    [pixel(100, 256), pixel(900, 256)],
+    [
+      [0, 0, 65535, 65535],
+      [0, 0, 0, 0],
+    ],
+  );
+  const lettered = await engine.paintDrawing(drawing(`${blue}<text x="11" y="9" font-size="9" fill="#f00">I</text>`));
+  const red = lettered.samples.filter((sample, k) => k % 4 === 0 && sample === 65535).length;
+  assert.ok(red > 2000 && red < 60_000, `${red} red pixels`);
+  await assert.rejects(engine.paintDrawing(drawing('')), { code: 'EmptyShape' });
+});
+
 test('a font as bytes makes the letters of the built-in one', async () => {
   const font = readFileSync(join(root, 'core/data/fonts/fredoka.ttf'));
   const text = { kind: 'text', text: 'Sil\nlon', angle: 90 };

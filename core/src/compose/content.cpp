@@ -80,9 +80,9 @@ Vec2 boxOf(const Layer& layer, const Image& image, Vec2 page, bool fills) {
 
 std::optional<Error> readMap(const Layer& layer, Vec2 page, bool lowest, const ReadInput& read, LayerContent& content) {
   const MapLayer& map = *layer.as<MapLayer>();
-  const Result<Image> image = readPicture(read, map.file, "direction picture");
+  Result<Image> image = readPicture(read, map.file, "direction picture");
   if (!image) return image.error();
-  const Image part = cropped(image.value(), map);
+  const Image part = cropped(std::move(image).value(), map);
   Result<DirectionMap> directions = directionMap(part, map.encoding);
   if (!directions) return directions.error();
   content.map = std::move(directions).value();
@@ -94,9 +94,9 @@ std::optional<Error> readPictures(const Layer& layer, Vec2 page, bool lowest, co
                                   LayerContent& content) {
   const PictureLayer& pictures = *layer.as<PictureLayer>();
   for (const LampPicture& one : pictures.pictures) {
-    const Result<Image> image = readPicture(read, one.file, "picture");
+    Result<Image> image = readPicture(read, one.file, "picture");
     if (!image) return image.error();
-    const Image part = cropped(image.value(), pictures);
+    const Image part = cropped(std::move(image).value(), pictures);
     if (content.tones.empty()) content.size = boxOf(layer, part, page, lowest);
     content.tones.push_back(tonesOf(part));
   }
@@ -108,7 +108,7 @@ std::optional<Error> readTones(const Layer& layer, Vec2 page, bool lowest, const
   const TonesLayer& tones = *layer.as<TonesLayer>();
   Result<PaintedFile> painted = readPainted(read, tones.file, "picture");
   if (!painted) return painted.error();
-  content.picture = cropped(painted.value().picture, tones);
+  content.picture = cropped(std::move(painted.value().picture), tones);
   content.painted = std::move(painted.value().drawing);
   content.size = boxOf(layer, *content.picture, page, lowest);
   content.fills = lowest && layer.size == Vec2{};

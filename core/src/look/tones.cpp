@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "look/rasters.hpp"
 
@@ -69,18 +71,33 @@ float between(const std::array<float, kCurveSteps + 2>& curve, float x) {
   return curve[k] + (curve[k + 1] - curve[k]) * (place - static_cast<float>(k));
 }
 
-/// \param grey  of the codes of red, green and blue; pictures without colours have theirs.
+float codeOf(const Curves& curve, float light) { return between(curve.code, std::sqrt(std::clamp(light, 0.0f, 1.0f))); }
+
+float codeOfSample(std::uint16_t sample) { return static_cast<float>(sample) * (1.0f / 65535); }
+
+/// Light of each sample that there may be: photographs have many more pixels.
+const std::vector<float>& lightOfSamples() {
+  static const std::vector<float> made = [] {
+    std::vector<float> light;
+    for (int sample = 0; sample <= 65535; ++sample) {
+      light.push_back(between(curves().light, codeOfSample(static_cast<std::uint16_t>(sample))));
+    }
+    return light;
+  }();
+  return made;
+}
+
+/// \param grey  of the samples of red, green and blue; pictures without colours have theirs.
 template <class Grey>
 Tones greysOf(const Image& image, Grey&& grey) {
   Tones tones{image.width, image.height, {}};
-  tones.value.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const auto channel = [&](int k) { return static_cast<float>(image.at(x, y, k)) * (1.0f / 65535); };
-      const float solid = image.channels % 2 == 0 ? channel(image.channels - 1) : 1;
-      const float code = image.channels < 3 ? channel(0) : grey(channel(0), channel(1), channel(2));
-      tones.value.push_back(code * solid + (1 - solid));
-    }
+  tones.value.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  const std::uint16_t* pixel = image.samples.data();
+  for (float& value : tones.value) {
+    const float solid = image.channels % 2 == 0 ? codeOfSample(pixel[image.channels - 1]) : 1;
+    const float code = image.channels < 3 ? codeOfSample(pixel[0]) : grey(pixel);
+    value = code * solid + (1 - solid);
+    pixel += image.channels;
   }
   return tones;
 }
@@ -89,17 +106,18 @@ Tones greysOf(const Image& image, Grey&& grey) {
 
 float lightOfCode(float code) { return between(curves().light, code); }
 
-float codeOfLight(float light) { return between(curves().code, std::sqrt(std::clamp(light, 0.0f, 1.0f))); }
+float codeOfLight(float light) { return codeOf(curves(), light); }
 
 Tones tonesOf(const Image& image) {
-  return greysOf(image, [](float red, float green, float blue) {
-    return codeOfLight(0.2126f * lightOfCode(red) + 0.7152f * lightOfCode(green) + 0.0722f * lightOfCode(blue));
+  return greysOf(image, [&curve = curves(), &light = lightOfSamples()](const std::uint16_t* pixel) {
+    return codeOf(curve, 0.2126f * light[pixel[0]] + 0.7152f * light[pixel[1]] + 0.0722f * light[pixel[2]]);
   });
 }
 
 Tones lumaOf(const Image& image) {
-  return greysOf(image,
-                 [](float red, float green, float blue) { return 0.299f * red + 0.587f * green + 0.114f * blue; });
+  return greysOf(image, [](const std::uint16_t* pixel) {
+    return 0.299f * codeOfSample(pixel[0]) + 0.587f * codeOfSample(pixel[1]) + 0.114f * codeOfSample(pixel[2]);
+  });
 }
 
 Tones resampled(const Tones& tones, int width, int height) {

@@ -20,7 +20,7 @@ namespace sillon {
 Result<Image> readPicture(const ReadInput& read, const std::string& name, const std::string& what);
 
 /// The part of a picture inside its crop: at least one pixel.
-Image cropped(const Image& image, const LayerCrop& crop);
+Image cropped(Image image, const LayerCrop& crop);
 
 /// The modes of a layer over its box: its mode picture, or one mode.
 Result<ModeMap> readModes(const Layer& layer, const ReadInput& read);
@@ -28,15 +28,6 @@ Result<ModeMap> readModes(const Layer& layer, const ReadInput& read);
 /// A drawing as it is painted, in its own size, or the bright part of a mask picture, 80 mm wide.
 /// \return the errors of readSvg, decodeImage and shapeFromMask.
 Result<Shape> readDrawing(const ReadInput& read, const std::string& name, const std::string& what);
-
-/// A picture, or a drawing as it is seen.
-struct PaintedFile {
-  Image picture;         ///< of a drawing RGBA, clear where nothing is painted
-  DrawingFacts drawing;  ///< none of a picture
-};
-
-/// \return the errors of readSvg and decodeImage.
-Result<PaintedFile> readPainted(const ReadInput& read, const std::string& name, const std::string& what);
 
 // The keys of the scene files published with the paper, which stand at the top level; a project may use them too.
 

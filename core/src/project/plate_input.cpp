@@ -170,7 +170,7 @@ Result<Image> readPicture(const ReadInput& read, const std::string& name, const 
   return picture(std::move(file).value(), name);
 }
 
-Image cropped(const Image& image, const LayerCrop& crop) {
+Image cropped(Image image, const LayerCrop& crop) {
   if (crop == LayerCrop()) return image;
   const auto place = [](double share, int count) {
     return std::clamp(static_cast<int>(std::lround(share * count)), 0, count);

@@ -61,6 +61,7 @@ interface SillonModule {
   ): Outcome<Omit<api.Zones, 'file'> & { file: CopiedBytes }>;
   linesOfDrawing(file: Uint8Array): Outcome<string[]>;
   decodePicture(file: Uint8Array, name: string): Outcome<api.Picture>;
+  paintDrawing(files: Inputs, name: string): Outcome<api.Picture>;
   room(size: number): Outcome<Uint8Array>;
   keptNumbers(): Outcome<number[]>;
   readProject(json: string): Outcome<string>;
@@ -532,6 +533,8 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       const bytes = file instanceof Blob ? await bytesOf(file, 'file') : file;
       return valueOf(module.decodePicture(bytes, 'file'));
     }
+    case 'paintDrawing':
+      return valueOf(module.paintDrawing(await inputsOf(call.files, module), call.drawing));
     case 'readProject':
       return valueOf(module.readProject(call.project));
     case 'writeProject':

@@ -139,6 +139,7 @@ const numbers: number[] = brushed.surfaces.flatMap(({ pictures }) => pictures.ma
 // @ts-expect-error the lowest layer says it
 await engine.rebrush(file, { directions: { angle: 30 } });
 const { samples } = await engine.decodePicture(file);
+const { channels } = await engine.paintDrawing(file);
 const project: Project = await engine.readProject('{}');
 const changes: DeepPartial<Project> = { toolpath: { spacing: 0.5 }, print: { place: [1, 2] } };
 const json: string = await engine.writeProject({ ...project, ...changes });

@@ -7,13 +7,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/parallel_for.hpp"
 #include "compose/ink.hpp"
 #include "compose/lines.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr double kStep = 0.5;  // of the radius: points closer together change nothing that could be seen
+constexpr double kStep = 0.5;      // of the radius: points closer together change nothing that could be seen
+constexpr double kTexelCost = 10;  // [ns] of one under one piece
 
 /// Texels from `left` to before `right`, and from `top` to before `bottom`.
 struct TexelBox {
@@ -96,15 +98,15 @@ class Brushes {
             place(std::ceil((std::max(a.x, b.x) + radius) / step_.x), plate_.width),
             place(std::ceil(plate_.height - (std::min(a.y, b.y) - radius) / step_.y), plate_.height)};
   }
-  [[nodiscard]] TexelBox boxOf(const Stroke& stroke) const {
+  [[nodiscard]] TexelBox boxOf(const std::vector<Piece>& pieces, double radius) const {
     TexelBox box;
-    for (const Piece& piece : piecesOf(stroke)) box.add(around(piece, stroke.radius));
+    for (const Piece& piece : pieces) box.add(around(piece, radius));
     return box;
   }
 
   void keepBelow() {
     for (const Stroke& stroke : layer_.strokes) {
-      if (stroke.tool == StrokeTool::Erase) erased_.add(boxOf(stroke));
+      if (stroke.tool == StrokeTool::Erase) erased_.add(boxOf(piecesOf(stroke), stroke.radius));
     }
     below_.reserve(erased_.count());
     forEachTexel(erased_, [&](std::size_t texel, std::size_t /*k*/) { below_.push_back(stack_.texels[texel]); });
@@ -120,49 +122,63 @@ class Brushes {
     }
   }
 
-  /// \return false: cancelled.
+  /// Rows are shared out, and each takes the pieces in their order. \return false: cancelled.
   bool follow(const Stroke& stroke, const RunContext& run, Trace& trace) const {
-    trace.box = boxOf(stroke);
+    const std::vector<Piece> pieces = piecesOf(stroke);
+    trace.box = boxOf(pieces, stroke.radius);
     trace.strength.resize(trace.box.count());
     trace.line.resize(trace.box.count());
-    for (const Piece& piece : piecesOf(stroke)) {
-      if (!followPiece(stroke, piece, run, trace)) return false;
-    }
-    return true;
+    if (trace.box.empty()) return true;
+    double texels = 0;
+    for (const Piece& piece : pieces) texels += static_cast<double>(around(piece, stroke.radius).count());
+    const int rows = trace.box.bottom - trace.box.top;
+    parallelFor(run, rows, rowGrain(run, rows, kTexelCost * texels / rows), [&](int begin, int end) {
+      for (const Piece& piece : pieces) {
+        TexelBox box = around(piece, stroke.radius);
+        box.top = std::max(box.top, trace.box.top + begin);
+        box.bottom = std::min(box.bottom, trace.box.top + end);
+        followPiece(stroke, piece, box, trace);
+      }
+    });
+    return !run.cancelled();
   }
 
-  bool followPiece(const Stroke& stroke, const Piece& piece, const RunContext& run, Trace& trace) const {
+  /// \param box  the part of the piece's texels that is asked for.
+  void followPiece(const Stroke& stroke, const Piece& piece, const TexelBox& box, Trace& trace) const {
     const Vec2 way = piece.end - piece.begin;
     const double square = dot(way, way), radius = stroke.radius;
     const Vec2f line = square > 0 ? lineAlong(way) : Vec2f{};
     const double rim = std::max(radius * std::min(1.0, std::max(0.0, stroke.soft)), 1e-9);
-    const TexelBox box = around(piece, radius);
     for (int row = box.top; row < box.bottom; ++row) {
-      if (run.poll()) return false;
       std::size_t k = static_cast<std::size_t>(row - trace.box.top) * trace.box.columns() +
                       static_cast<std::size_t>(box.left - trace.box.left);
       for (int column = box.left; column < box.right; ++column, ++k) {
         const Vec2 from = Vec2{(column + 0.5) * step_.x, (plate_.height - row - 0.5) * step_.y} - piece.begin;
-        const double along = square > 0 ? std::clamp(dot(from, way) / square, 0.0, 1.0) : 0;
+        // Most texels lie beside an end of a piece, and divisions take long.
+        const double ahead = dot(from, way), along = ahead <= 0 ? 0 : ahead >= square ? 1 : ahead / square;
         const Vec2 off = from - way * along;
         const double awaySquare = dot(off, off);
         if (awaySquare >= radius * radius) continue;
-        const double away = std::sqrt(awaySquare), inner = std::min(1.0, (radius - away) / rim);
-        trace.strength[k] = std::max(trace.strength[k], static_cast<float>(inner * inner * (3 - 2 * inner)));
+        const double away = std::sqrt(awaySquare);
+        if (trace.strength[k] < 1) {
+          const double inner = std::min(1.0, (radius - away) / rim);
+          trace.strength[k] = std::max(trace.strength[k], static_cast<float>(inner * inner * (3 - 2 * inner)));
+        }
         // The nearest piece of the stroke leads; its neighbours round the corners off.
         const auto share = static_cast<float>((1 - away / radius) * (1 - away / radius));
         trace.line[k] = trace.line[k] + line * share;
       }
     }
-    return true;
   }
 
   /// Beads that were not constrained have no direction to blend with: the brush counts whole there, or not at
   /// all.
   void comb(const Trace& trace) {
     forEachTexel(trace.box, [&](std::size_t number, std::size_t k) {
-      const float strength = trace.strength[k], size = length(trace.line[k]);
-      if (!(strength > 0 && size > 0)) return;
+      const float strength = trace.strength[k];
+      if (!(strength > 0)) return;
+      const float size = length(trace.line[k]);
+      if (!(size > 0)) return;
       LayerStack::Texel& texel = stack_.texels[number];
       const bool held = texel.mode.value_or(ground_) == DirectionMode::Constrained;
       if (!held && strength < 0.5F) return;
