@@ -10,7 +10,7 @@ import { createEngine } from 'sillon';
 
 import { atWork, turning } from './support/jobs.js';
 import { png } from './support/png.js';
-import { nativeProgram, openProject, projectPaths, publishedScenes, root } from './support/projects.js';
+import { nativePlate, nativeProgram, openProject, projectPaths, publishedScenes, root } from './support/projects.js';
 
 const date = new Date(0);
 const folder = mkdtempSync(join(tmpdir(), 'sillon-'));
@@ -24,19 +24,7 @@ after(() => {
   rmSync(folder, { recursive: true });
 });
 
-/** The native program's files, or what it says of a project that it refuses. */
-function native(path, ...options) {
-  const gcode = join(folder, 'plate.gcode');
-  const report = join(folder, 'plate.json');
-  const { status, stderr } = spawnSync(
-    nativeProgram,
-    ['generate', path, '--gcode', gcode, '--report', report, '--quiet', ...options],
-    { env: { ...process.env, SOURCE_DATE_EPOCH: '0' }, encoding: 'utf8' },
-  );
-  if (status === 2) return { refusal: stderr };
-  assert.equal(status, 0, stderr);
-  return { gcode: readFileSync(gcode, 'utf8'), report: JSON.parse(readFileSync(report, 'utf8')) };
-}
+const native = (path, ...options) => nativePlate(folder, path, ...options);
 
 /** What the report says of the plate, without what it says of the run and of the G-code. */
 function plateOf({

@@ -24,7 +24,24 @@ export async function makePlate(engine, json, read) {
   const input = await inputOf(project, read);
   const { toolpath, report } = await engine.generateToolpath(input, project.toolpath, { measure: false });
   const { blob } = await engine.writeGcode(toolpath, project.printer, { ...project.print, date: new Date(0) });
-  const hash = await crypto.subtle.digest('SHA-256', await blob.arrayBuffer());
-  const gcode = Array.from(new Uint8Array(hash), (byte) => byte.toString(16).padStart(2, '0')).join('');
-  return { digest: report.digest, gcode, bytes: blob.size };
+  return { digest: report.digest, gcode: await sumOf(blob), bytes: blob.size };
+}
+
+/** Equal answers mean equal plates, equal bytes of SVG, and layers that ask for equal directions. */
+export async function drawPlate(engine, json, read) {
+  const project = await engine.readProject(json);
+  const input = await inputOf(project, read);
+  const { width, height, angle, mode } = await engine.drawLayers(input, project.toolpath);
+  const { toolpath, report } = await engine.generateToolpath(input, project.toolpath, { measure: false });
+  return {
+    digest: report.digest,
+    svg: await sumOf(await engine.writeSvg(toolpath)),
+    raster: await sumOf(new Blob([Uint32Array.of(width, height), angle, mode])),
+  };
+}
+
+/** SHA-256 in hexadecimal digits. */
+export async function sumOf(blob) {
+  const sum = await crypto.subtle.digest('SHA-256', await blob.arrayBuffer());
+  return Array.from(new Uint8Array(sum), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }

@@ -1,5 +1,5 @@
 // The tests' tasks, as a page of some site does them, or its worker, or a frame in it.
-import { inputOf, makePlate } from '/support/plate.js';
+import { drawPlate, inputOf, makePlate } from '/support/plate.js';
 
 /** More than a second of work. */
 const large = [
@@ -22,7 +22,7 @@ const lettered = [
 ];
 const small = [{ shape: { builtin: 'disc', size: [10, 10] } }, {}, { measure: false }];
 
-const tasks = { plate, plateInWorker, plateInFrame, coldPlate, abort, work, load, edit };
+const tasks = { plate, plates, plateInWorker, plateInFrame, coldPlate, abort, work, load, edit };
 
 /** A task's value, or what is to be seen of its error: errors lose their fields on the way out of a page. */
 globalThis.attempt = async (name, args) => {
@@ -60,6 +60,22 @@ async function plate({ library, options, project }) {
     const json = await (await readFile(url)).text();
     const made = await makePlate(engine, json, (name) => readFile(new URL(name, url)));
     return { origin: self.origin, ...engine.info, ...made };
+  } finally {
+    engine.dispose();
+  }
+}
+
+/** Draws several projects with one engine, one after the other. */
+async function plates({ options, projects }) {
+  const engine = await start({ options });
+  try {
+    const drawn = [];
+    for (const project of projects) {
+      const url = new URL(project, location.href);
+      const json = await (await readFile(url)).text();
+      drawn.push(await drawPlate(engine, json, (name) => readFile(new URL(name, url))));
+    }
+    return { ...engine.info, drawn };
   } finally {
     engine.dispose();
   }
