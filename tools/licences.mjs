@@ -121,12 +121,9 @@ function debianLlvm() {
 
 // --- npm packages ----------------------------------------------------------------------------------------------------------
 
-/** Packages that hold no text, but say under which licence they are: its text from a package of the same authors, or from ours
- * with their copyright. */
+/** Packages that hold no text, but say under which licence they are: its text from a package of the same authors. */
 const elsewhere = {
   '@lit-labs/ssr-dom-shim': () => read(at('node_modules/lit/LICENSE')),
-  'qrcode-generator': () =>
-    mit(/Copyright \(c\) .*/.exec(read(at('node_modules/qrcode-generator/dist/qrcode.mjs')))[0]),
 };
 
 function npmPackages(more = []) {

@@ -4,7 +4,6 @@ import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { sections, type Section } from '../model/guest.js';
 import '../print/brought-bar.js';
-import '../directions/directions-panel.js';
 import { StudioElement } from '../controls/element.js';
 import './header.js';
 import { icon, type IconName } from '../controls/icons.js';
@@ -45,7 +44,6 @@ const loadTargets = (): Promise<unknown> => import('./drop-targets.js');
 const panels: Record<string, Part> = {
   own: ['sillon-own-panel', () => import('./own-panel.js')],
   shape: ['sillon-shape-panel', () => import('../shape/shape-panel.js')],
-  directions: ['sillon-directions-panel'],
   layers: ['sillon-layers-panel', () => import('../layers/layers-panel.js')],
   toolpath: ['sillon-toolpath-panel', () => import('../print/toolpath-panel.js')],
   print: ['sillon-print-panel', () => import('../print/print-panel.js')],
@@ -336,7 +334,7 @@ export class App extends StudioElement {
     });
   }
 
-  #takesFiles = (): boolean => !this.hidden && (offers(this.state, 'shape') || offers(this.state, 'directions'));
+  #takesFiles = (): boolean => !this.hidden && (offers(this.state, 'shape') || offers(this.state, 'layers'));
 
   #onPaste = (event: ClipboardEvent): void => {
     const { clipboardData } = event;

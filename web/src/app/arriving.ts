@@ -111,7 +111,7 @@ export async function openLink(page: Arriving, kept?: Promise<Kept | undefined>)
       await studio.open(await sharedFiles());
       return;
     }
-    const linked = await (await import('../plates/links.js')).plateOfLink(hash);
+    const linked = await (await import('../plates/links.js')).plateOfLink(hash, () => studio.services.engine());
     if (linked === undefined) return;
     keeper.show(onOwnPrinter(linked.plate, await ownPrinter(studio, kept)));
     studio.notify(`${t('link.opened')} ${linked.told}`.trim());

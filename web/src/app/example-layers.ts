@@ -8,20 +8,23 @@ export const layersFor = (
   layers: readonly ExampleLayer[],
   fetched: (name: string) => Promise<SourceFile>,
 ): Promise<PlateLayer[]> => {
-  const fileOf = (name: string | null = null): Promise<SourceFile | null> =>
-    name === null ? Promise.resolve(null) : fetched(name);
+  const fileOf = async (name?: string): Promise<SourceFile | null> => (name === undefined ? null : fetched(name));
   return Promise.all(
     layers.map(async (layer, k) => {
       const usual = layerDefaults();
-      const held = {
+      const { pictures = [], font } = layer;
+      return {
+        ...usual,
+        ...layer,
+        id: k + 1,
         file: await fileOf(layer.file),
+        pictures: await Promise.all(
+          pictures.map(async ({ file, lamp = null }) => ({ file: await fetched(file), lamp })),
+        ),
         maskFile: await fileOf(layer.maskFile),
         modeFile: await fileOf(layer.modeFile),
+        font: font !== undefined && isFontFile(font) ? await fetched(font) : (font ?? usual.font),
       };
-      const more = layer.others ?? [];
-      const others = await Promise.all(more.map(async ({ file, lamp }) => ({ file: await fetched(file), lamp })));
-      const own = layer.font !== undefined && isFontFile(layer.font) ? await fetched(layer.font) : layer.font;
-      return { ...usual, ...layer, id: k + 1, ...held, others, font: own ?? usual.font };
     }),
   );
 };

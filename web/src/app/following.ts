@@ -1,5 +1,7 @@
 // Effects of changes of the state, beside the plate's results: pipeline.ts sees to those.
-import { pictureOf } from '../model/lamp.js';
+import { groundFill, groundOf } from '../model/fills.js';
+import { pictureOf, shownPictures } from '../model/lamp.js';
+import { drawnLayers } from '../model/layers.js';
 import type { OpenedFiles } from '../model/file-role.js';
 import type { Plate } from '../model/plate.js';
 import type { PlateResult, Theme } from '../model/state.js';
@@ -11,7 +13,7 @@ export function followState(studio: Studio, keeper: Keeper): void {
   const { store } = studio;
   store.subscribe((state, before) => {
     if (state.theme !== before.theme) applyTheme(studio, state.theme);
-    if (state.plate.directions !== before.plate.directions) fitLamps(studio, state);
+    if (shownPictures(state.plate) !== shownPictures(before.plate)) fitLamps(studio, state);
     const arrives = state.welcome && !before.welcome; // the first plate, which is nobody's work
     const changes = state.plate !== before.plate && !arrives;
     // A plate that waited for its path is kept when that is there.
@@ -34,11 +36,9 @@ export function applyTheme(studio: Studio, theme: Theme): void {
   studio.remember('theme', theme);
 }
 
-/** Other directions may have other pictures, or none. */
-function fitLamps({ store }: Studio, { plate, tool, lamp, aimed, flipping, over }: Readonly<Shown>): void {
-  const { directions } = plate;
-  const lamps = directions.kind === 'lamp' ? directions.pictures.length : 0;
-  if (lamps > 0 && tool !== 'pan') store.set({ tool: 'pan' });
+/** Other layers may have other pictures, or none. */
+function fitLamps({ store }: Studio, { plate, lamp, aimed, flipping, over }: Readonly<Shown>): void {
+  const lamps = shownPictures(plate).length;
   if (lamp >= Math.max(1, lamps)) store.set({ lamp: 0 });
   if (aimed !== undefined) store.set({ aimed: undefined });
   if (lamps < 2 && flipping) store.set({ flipping: false });
@@ -49,13 +49,13 @@ function fitLamps({ store }: Studio, { plate, tool, lamp, aimed, flipping, over 
 /** Tells whether a plate made of files has been undone, or something of another kind stands in its place. */
 const isGone = ({ store }: Studio, { before, made }: OpenedFiles, plate: Plate): boolean =>
   store.steps.future.includes(made) ||
-  (made.directions !== before.directions && made.directions.kind !== plate.directions.kind) ||
+  (groundOf(made) !== groundOf(before) && groundFill(made) !== groundFill(plate)) ||
   (made.shape !== before.shape && made.shape.kind === 'file' && plate.shape.kind !== 'file');
 
 /** Tells whether the code of a finished plate can be read. */
 function scan({ store, services }: Studio, result: PlateResult): void {
   const { plate } = result;
-  if (result.coarse || plate.directions.kind !== 'qr') return;
+  if (result.coarse || !drawnLayers(plate).some(({ kind }) => kind === 'code')) return;
   void Promise.all([import('../quality/scan.js'), services.engine()])
     .then(async ([{ scan }, running]) => {
       const azimuths = await scan(result, running, () => store.state.result === result);

@@ -33,6 +33,7 @@ export class Keeper {
     const { studio } = this;
     const { createAutosave } = await import('../files/autosave.js');
     const made = createAutosave({
+      engine: () => studio.services.engine(),
       onProblem: (problem) => {
         studio.fail(problem);
       },

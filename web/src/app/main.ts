@@ -38,9 +38,9 @@ studio.services = {
   ...making,
   ...opener,
   ...keeper.services(),
-  kindPictures: async (plate, wanted) => {
-    const [{ kindPictures }, engine] = await Promise.all([pictures(), making.engine()]);
-    return kindPictures(plate, store.state.lamp, studio.left, engine, wanted);
+  fillPictures: async (plate, wanted) => {
+    const [{ fillPictures }, engine] = await Promise.all([pictures(), making.engine()]);
+    return fillPictures(plate, store.state.lamp, studio.left, engine, wanted);
   },
   shapePictures: async (plate, wanted) => {
     const [{ shapePictures }, engine] = await Promise.all([pictures(), making.engine()]);

@@ -2,17 +2,12 @@
 import type { PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { newPlateOn, onOwnPrinter } from '../model/brought.js';
-import { newFileShape, newGenerator, newLampDirections, newPlate } from '../model/defaults.js';
+import { newFileShape } from '../model/defaults.js';
+import { filledWith, groundPictures } from '../model/fills.js';
 import { withFilament } from '../model/filaments.js';
 import { homeLight } from '../model/lamp.js';
-import {
-  isExample,
-  ofExample,
-  type DirectionSource,
-  type Plate,
-  type ShapeSource,
-  type SourceFile,
-} from '../model/plate.js';
+import { newPlate } from '../model/new-plate.js';
+import { isExample, ofExample, type Plate, type ShapeSource, type SourceFile } from '../model/plate.js';
 import { StudioError, type Problem } from '../model/problem.js';
 import type { Example } from '../model/example.js';
 import type { Opened, Opening, Role } from '../model/file-role.js';
@@ -178,9 +173,9 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
 
 /** Somebody's own picture takes the place of an example's, which else would stay beside it under a lamp of its own. */
 function withoutExample(plate: Plate): Plate {
-  const { directions } = plate;
-  const example = directions.kind === 'lamp' && directions.pictures.every(({ file }) => isExample(file));
-  return example ? { ...plate, name: '', directions: newGenerator('waves') } : plate;
+  const pictures = groundPictures(plate);
+  const example = pictures.length > 0 && pictures.every(({ file }) => isExample(file));
+  return example ? { ...filledWith(plate, 'waves'), name: '' } : plate;
 }
 
 /** The role that a file gets. @param wanted  of an `Opening` */
@@ -210,24 +205,12 @@ const fetched = async (name: string): Promise<SourceFile> => ({
   bytes: await fetchedBytes(`examples/${name}`),
 });
 
-async function directionsOf(directions: Example['directions']): Promise<DirectionSource> {
-  if ('kind' in directions) return directions;
-  if ('file' in directions) return { ...directions, kind: 'map', file: await fetched(directions.file) };
-  const { pictures } = directions;
-  return newLampDirections(
-    await Promise.all(pictures.map(async ({ file, lamp }) => ({ file: await fetched(file), lamp }))),
-  );
-}
-
 /** @param own  the visitor's printer, once all is there */
 async function plateOf(example: Example, own: () => PrinterValues): Promise<Plate> {
-  const { modes = {}, width, height, filament, nearest } = example;
+  const { width, height, filament, nearest } = example;
   const shape: ShapeSource =
     typeof example.shape === 'string' ? newFileShape(await fetched(example.shape)) : example.shape;
-  const directions = await directionsOf(example.directions);
-  const file = modes.file === undefined ? {} : { file: await fetched(modes.file) };
-  const layers =
-    example.layers === undefined ? [] : await (await import('./example-layers.js')).layersFor(example.layers, fetched);
+  const layers = await (await import('./example-layers.js')).layersFor(example.layers, fetched);
   const plate = newPlateOn(own());
   const made: Plate = {
     ...plate,
@@ -235,8 +218,6 @@ async function plateOf(example: Example, own: () => PrinterValues): Promise<Plat
     shape,
     width,
     height,
-    directions,
-    modes: { mode: modes.mode ?? plate.modes.mode, ...file },
     layers,
     toolpath: { ...plate.toolpath, mapFilter: nearest === true ? 'nearest' : 'average' },
   };

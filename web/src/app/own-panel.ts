@@ -12,8 +12,8 @@ import { panelStyle } from '../controls/panel-style.js';
 import { settingField } from '../controls/setting-field.js';
 import { ownControls } from '../studio/shown.js';
 import { sizeFields, sizeStyle } from '../shape/size-fields.js';
-import { sourceField } from '../directions/source-field.js';
-import { sourceRows } from '../directions/source-rows.js';
+import { kindFields } from '../layers/kind-fields.js';
+import { groundOf } from '../model/fills.js';
 
 @customElement('sillon-own-panel')
 export class OwnPanel extends StudioElement {
@@ -42,6 +42,7 @@ export class OwnPanel extends StudioElement {
   #field(control: Control): TemplateResult | TemplateResult[] {
     const { studio } = this;
     const { plate } = this.state;
+    const ground = groundOf(plate);
     switch (control) {
       case 'name':
         return textField({
@@ -59,7 +60,7 @@ export class OwnPanel extends StudioElement {
       case 'size':
         return sizeFields(studio);
       case 'source':
-        return sourceRows(plate.directions).map((row) => sourceField(studio, row));
+        return html`${ground === undefined ? nothing : kindFields(studio, ground)}`;
       case 'filament':
         return filamentField(studio);
       case 'printer':

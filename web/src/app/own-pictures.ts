@@ -1,123 +1,110 @@
-// What each kind of directions, and each shape, makes of the plate that is there: small pictures to choose by.
-import type { Engine, Picture } from 'sillon';
-
-import { tonesAt } from '../generators/grey.js';
-import { qrPicture } from '../generators/qr.js';
-import { rasteriseSource } from '../generators/rasterise.js';
-import type { Room } from '../generators/room.js';
-import { shapeRoom } from '../generators/shape-room.js';
-import { drawText } from '../generators/text.js';
-import { sizeFor, type Size } from '../generators/texels.js';
-import { bitmapOf } from '../files/drawn.js';
-import { fileKinds, generatorKinds, newColours, newFileDirections, newGenerator } from '../model/defaults.js';
-import { viewLook } from '../model/filaments.js';
-import { directionsFor, flatColours } from '../model/flat-colours.js';
-import { homeLight } from '../model/lamp.js';
-import { filesFor, filesIn, nothingLeft, type Kind, type Left } from '../model/left.js';
+// Small pictures to choose by: the plate with each fill, and in each shape.
+import type { ColourAngle, Engine } from 'sillon';
+import { bitmapOf, coloursOf } from '../files/drawn.js';
+import { shapeRoom } from '../layers/shape-room.js';
 import {
-  isRoundKind,
-  pageOf,
-  type DirectionSource,
-  type Plate,
-  type ShapeSource,
-  type SourceFile,
-} from '../model/plate.js';
+  filledWith,
+  fillOf,
+  groundOf,
+  groundPictures,
+  isPictureFill,
+  patternFills,
+  pictureFills,
+  type Fill,
+} from '../model/fills.js';
+import { viewLook } from '../model/filaments.js';
+import { homeLight } from '../model/lamp.js';
+import { filesFor, leftOf, type Left } from '../model/left.js';
+import { pageOf, type Plate, type ShapeSource, type SourceFile } from '../model/plate.js';
+import { sizeFor, type Size } from '../model/raster.js';
 import { builtinShapes, withShape } from '../model/shapes.js';
 import { brightnessOf, plateThumbnail, thumbnailSide } from '../views/plate-thumbnail.js';
+import { drawDirections } from './directions.js';
 
 type ShapeKind = ShapeSource['kind'];
 
-const pictureSide = 256; // [pixels]: enough for what is seen of it
-
-let drawn: { bytes: Blob; picture: Picture } | undefined;
-
-/** Small, as the browser draws it. @throws where it does not */
-async function smallPicture({ bytes }: SourceFile, engine: Engine): Promise<Picture> {
-  if (drawn?.bytes === bytes) return drawn.picture;
-  const bitmap = await bitmapOf(bytes, engine);
-  const scale = Math.min(1, pictureSide / Math.max(bitmap.width, bitmap.height));
-  const [width, height] = [bitmap.width, bitmap.height].map((side) => Math.max(1, Math.round(side * scale))) as [
-    number,
-    number,
-  ];
-  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
-  if (context === null) throw new Error('no canvas');
-  context.drawImage(bitmap, 0, 0, width, height);
-  const picture: Picture = { width, height, channels: 4, samples: context.getImageData(0, 0, width, height).data };
-  drawn = { bytes, picture };
-  return picture;
+interface Bright extends Size {
+  bright: Float32Array;
 }
 
-/** The picture that directions are told from, or were last; else the drawing of the shape. */
-function ownFile(plate: Plate, lamp: number, left: Left): SourceFile | undefined {
-  const { directions, shape } = plate;
-  if (directions.kind === 'lamp') return directions.pictures[lamp]?.file;
-  return filesFor(plate, left)[0] ?? (shape.kind === 'file' ? shape.file : undefined);
-}
+let drawn: { bytes: Blob; bright: Bright } | undefined;
 
-const isFileKind = (kind: Kind): kind is (typeof fileKinds)[number] => (fileKinds as readonly Kind[]).includes(kind);
-
-/** As the plate has it, else as it would begin. */
-function sourceOf(
-  kind: Exclude<Kind, 'lamp'>,
-  { directions }: Plate,
-  left: Left,
-  own: { file: SourceFile; picture: Picture } | undefined,
-): DirectionSource | undefined {
-  if (directions.kind === kind) return directions;
-  const before = left.directions.get(kind);
-  if (before !== undefined && filesIn(before).every((file) => file === own?.file)) return before;
-  if (kind === 'colours') {
-    return own === undefined ? undefined : newColours(own.file, directionsFor(flatColours(own.picture)));
+/** A picture as it will be seen, small. @throws where the browser does not draw it */
+async function litPicture({ bytes }: SourceFile, page: readonly [number, number], engine: Engine): Promise<Bright> {
+  const size = sizeFor(page, thumbnailSide);
+  if (drawn?.bytes === bytes && drawn.bright.width === size.width && drawn.bright.height === size.height) {
+    return drawn.bright;
   }
-  if (!isFileKind(kind)) return newGenerator(kind);
-  return own === undefined ? undefined : newFileDirections(kind, own.file);
+  const bitmap = await bitmapOf(bytes, engine);
+  const context = new OffscreenCanvas(size.width, size.height).getContext('2d', { willReadFrequently: true });
+  if (context === null) throw new Error('no canvas');
+  // It lies as the engine lays it: it covers the page, and the rest is cut off on both sides alike.
+  const scale = Math.max(size.width / bitmap.width, size.height / bitmap.height);
+  const [width, height] = [bitmap.width * scale, bitmap.height * scale];
+  context.fillStyle = 'white';
+  context.fillRect(0, 0, size.width, size.height);
+  context.drawImage(bitmap, (size.width - width) / 2, (size.height - height) / 2, width, height);
+  const { data } = context.getImageData(0, 0, size.width, size.height);
+  const bright = Float32Array.from({ length: size.width * size.height }, (_, k) => {
+    const [r = 0, g = 0, b = 0] = data.subarray(4 * k, 4 * k + 3);
+    return 0.05 + (0.85 * (0.2126 * r + 0.7152 * g + 0.0722 * b)) / 255;
+  });
+  drawn = { bytes, bright: { ...size, bright } };
+  return drawn.bright;
 }
 
-async function brightOf(source: DirectionSource, plate: Plate, size: Size, own: Picture | undefined) {
-  const page = pageOf(plate);
-  const round = isRoundKind(plate.shape.kind);
-  const picture =
-    source.kind === 'text' ? drawText(source, size, round) : source.kind === 'qr' ? await qrPicture(source.text) : own;
-  // A map would keep its own texels.
-  const pictures = picture === undefined ? {} : { source: picture };
-  const raster = rasteriseSource(source, { mode: 'constrained' }, page, thumbnailSide, pictures, round);
-  const light = homeLight({ ...plate, directions: source, layers: [] }, undefined);
-  return { width: raster.width, height: raster.height, bright: brightnessOf(raster, light) };
+const nearest = (values: Float32Array, from: Size, to: Size): Float32Array =>
+  Float32Array.from({ length: to.width * to.height }, (_, k) => {
+    const [x, y] = [k % to.width, Math.floor(k / to.width)];
+    const [column, row] = [Math.floor((x * from.width) / to.width), Math.floor((y * from.height) / to.height)];
+    return values[row * from.width + column] as number;
+  });
+
+/** The plate's ground alone, as bright as its beads would be. */
+async function litGround(plate: Plate, engine: Engine): Promise<Bright> {
+  const ground = groundOf(plate);
+  const alone = { ...plate, layers: ground === undefined ? [] : [ground] };
+  const raster = await drawDirections(alone, engine, thumbnailSide);
+  const bright = brightnessOf(raster, homeLight(alone, undefined));
+  const size = sizeFor(pageOf(plate), thumbnailSide);
+  // One direction is a single texel, and a map has its own.
+  return { ...size, bright: nearest(bright, raster, size) };
 }
 
-/** Under its lamp, such a plate shows the picture. */
-const litPicture = (picture: Picture, size: Size) => ({
-  ...size,
-  bright: tonesAt(picture, size).map((tone) => 0.05 + 0.85 * tone),
-});
-
-async function own(plate: Plate, lamp: number, left: Left, engine: Engine) {
-  const file = ownFile(plate, lamp, left);
-  if (file === undefined) return undefined;
-  const picture = await smallPicture(file, engine).catch(() => undefined); // of a kind that browsers do not draw
-  return picture === undefined ? undefined : { file, picture };
+/** The plate with another fill: as it has it or was left, else as it would begin. @param colours  of the file */
+function filled(plate: Plate, fill: Fill, left: Left, file: SourceFile | undefined, colours: ColourAngle[]): Plate {
+  const ground = groundOf(plate);
+  if (ground !== undefined && fillOf(ground) === fill) return plate;
+  const before = leftOf(left, fill, file);
+  if (before !== undefined) return filledWith(plate, fill, before);
+  return filledWith(plate, fill, isPictureFill(fill) && file !== undefined ? { file, colours } : {});
 }
 
-/** @param wanted  whether it is still of use
- * @returns what could be drawn; kinds that need a picture are left out without one */
-export async function kindPictures(
+/** @param lamp  of several pictures, whose lamp shines @param wanted  whether it is still of use
+ * @returns what could be drawn; fills that need a picture are left out without one */
+export async function fillPictures(
   plate: Plate,
   lamp: number,
   left: Left,
   engine: Engine,
   wanted: () => boolean,
-): Promise<Map<Kind, Blob>> {
-  const made = new Map<Kind, Blob>();
-  const size = sizeFor(pageOf(plate), thumbnailSide);
+): Promise<Map<Fill, Blob>> {
+  const made = new Map<Fill, Blob>();
   const { colour } = viewLook(plate);
-  const [given, room] = await Promise.all([own(plate, lamp, left, engine), shapeRoom(plate, engine)]);
-  if (given !== undefined) made.set('lamp', await plateThumbnail(litPicture(given.picture, size), room, colour));
-  for (const kind of [...generatorKinds, ...fileKinds, 'colours'] as const) {
+  const room = await shapeRoom(plate, engine);
+  const { shape } = plate;
+  const own = groundPictures(plate)[lamp]?.file ?? filesFor(plate, left)[0];
+  const file = own ?? (shape.kind === 'file' ? shape.file : undefined);
+  const draw = async (fill: Fill): Promise<Bright | undefined> => {
+    if (isPictureFill(fill) && file === undefined) return undefined;
+    if (fill === 'picture') return file && litPicture(file, pageOf(plate), engine);
+    const colours = fill === 'colours' && file !== undefined ? await coloursOf(file, engine) : [];
+    return litGround(filled(plate, fill, left, file, colours), engine);
+  };
+  for (const fill of [...pictureFills, ...patternFills]) {
     if (!wanted()) break;
-    const source = sourceOf(kind, plate, left, given);
-    if (source === undefined) continue;
-    made.set(kind, await plateThumbnail(await brightOf(source, plate, size, given?.picture), room, colour));
+    const lit = await draw(fill).catch(() => undefined); // of a kind that browsers, or the engine, do not draw
+    if (lit !== undefined) made.set(fill, await plateThumbnail(lit, room, colour));
   }
   return made;
 }
@@ -131,18 +118,15 @@ export async function shapePictures(
 ): Promise<Map<ShapeKind, Blob>> {
   const made = new Map<ShapeKind, Blob>();
   const { colour } = viewLook(plate);
-  const given = await own(plate, lamp, nothingLeft, engine);
+  const file = groundPictures(plate)[lamp]?.file;
   for (const kind of [...builtinShapes, 'file'] as const) {
     if (!wanted()) break;
     const changed = plate.shape.kind === kind ? plate : kind === 'file' ? undefined : withShape(plate, kind);
     if (changed === undefined) continue;
-    const size = sizeFor(pageOf(changed), thumbnailSide);
-    const room: Room = await shapeRoom(changed, engine);
-    const lit =
-      plate.directions.kind === 'lamp'
-        ? given && litPicture(given.picture, size)
-        : await brightOf(plate.directions, changed, size, given?.picture);
-    if (lit !== undefined) made.set(kind, await plateThumbnail(lit, room, colour));
+    const room = await shapeRoom(changed, engine);
+    const lit = file === undefined ? litGround(changed, engine) : litPicture(file, pageOf(changed), engine);
+    const bright = await lit.catch(() => undefined);
+    if (bright !== undefined) made.set(kind, await plateThumbnail(bright, room, colour));
   }
   return made;
 }

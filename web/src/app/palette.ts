@@ -5,6 +5,7 @@ import { languages } from '../i18n/languages.js';
 import { words } from '../i18n/en/help.js';
 import { say, t } from '../i18n/text.js';
 import { sections } from '../model/guest.js';
+import { shownPictures } from '../model/lamp.js';
 import { DialogElement } from '../controls/dialog.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { keysText } from '../controls/shortcut-list.js';
@@ -40,7 +41,7 @@ const products: readonly (readonly [Product, IconName, string?])[] = [
 function actionsOf(studio: Studio): Action[] {
   const { store } = studio;
   const { plate, compare } = store.state;
-  const lamps = plate.directions.kind === 'lamp';
+  const lamps = shownPictures(plate).length > 0;
   return [
     {
       group: '',

@@ -1,26 +1,17 @@
-// From a plate to what follows from it: directions, toolpath, places to look at, the file's summary.
+// Makes all that follows from a plate: its toolpath, places to look at, the file's summary.
 import type { Gcode, GcodeCheck } from 'sillon';
-import { coarseResolution, fineResolution, type DirectionRaster } from '../model/raster.js';
 import type { Mark } from '../model/view.js';
-import type { Room } from '../generators/room.js';
-import type { Rasteriser } from '../generators/rasteriser.js';
 import type { StudioEngine } from '../engine/studio-engine.js';
 import { viewLook } from '../model/filaments.js';
 import { engineInput } from '../model/input.js';
-import { isOf, isRound, roomShape, sameDirections, sameSource } from '../model/result.js';
-import { pageOf, type Plate } from '../model/plate.js';
-import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
+import { isOf } from '../model/result.js';
+import type { Plate } from '../model/plate.js';
+import { isAbort, problemOf, type Problem } from '../model/problem.js';
 import type { PlateResult } from '../model/state.js';
 import type { Store } from '../model/store.js';
 import type { Shown } from '../studio/shown.js';
 
 const summaryAfter = 400; // [ms] without a change
-
-interface Drawn {
-  plate: Plate;
-  raster: DirectionRaster;
-  coarse: boolean;
-}
 
 interface Written {
   plate: Plate;
@@ -36,12 +27,9 @@ const sameFile = (a: Written, plate: Plate, result: PlateResult | undefined): bo
   a.plate.printer === plate.printer;
 
 export class Pipeline {
-  #drawn: Drawn | undefined;
-  #drawing: { plate: Plate; coarse: boolean; done: Promise<Problem | undefined> } | undefined;
   #written: Written | undefined;
-  /** What went wrong and is told, until it goes well. */
-  readonly #told: { drawing?: Problem | undefined; file?: Problem | undefined } = {};
-  #cancels = 0;
+  /** The problem with the file that is told, until it goes well. */
+  #told: Problem | undefined;
   #marksWorker: Worker | undefined;
   #summaryTimer: ReturnType<typeof setTimeout> | undefined;
   #summary: AbortController | undefined;
@@ -49,11 +37,8 @@ export class Pipeline {
   constructor(
     private readonly store: Store<Shown>,
     private readonly engine: StudioEngine,
-    private readonly rasteriser: Rasteriser,
     /** Starts marks.worker.ts. */
     private readonly startMarks: () => Worker,
-    /** What of the page is inside the shape. */
-    private readonly room: (plate: Plate) => Promise<Room>,
   ) {}
 
   start(): void {
@@ -65,20 +50,17 @@ export class Pipeline {
 
   retry(): void {
     this.store.set({ cancelled: false, problem: undefined });
-    const { plate } = this.store.state;
-    if (this.#drawn !== undefined && sameDirections(this.#drawn.plate, plate)) this.engine.retry();
-    else this.#follow(this.store.state);
+    this.engine.retry();
   }
 
   cancel(): void {
-    ++this.#cancels;
     this.engine.cancel();
     this.store.set({ cancelled: true, progress: undefined });
   }
 
   /** The whole, measured path of the plate as it is now, however newly that has changed. */
   async finished(): Promise<PlateResult> {
-    await this.directions();
+    await this.#followed();
     return this.engine.finished();
   }
 
@@ -91,51 +73,38 @@ export class Pipeline {
     clearTimeout(this.#summaryTimer);
     const written = { plate, ...(await this.engine.gcode(plate, unwanted)) };
     this.#written = written;
-    this.#tell('file', undefined);
+    this.#tell(undefined);
     if (sameFile(written, this.store.state.plate, this.store.state.result))
       this.store.set({ summary: written.gcode.summary, check: written.check });
     return written.gcode;
   }
 
   async body(): Promise<Blob> {
-    await this.directions();
+    await this.#followed();
     return this.engine.body(this.store.state.plate);
   }
 
   /** A body with zones of straight lines, as high as the print: other slicers make its G-code. */
   async zones(): Promise<Blob> {
-    const raster = await this.directions();
     const { plate } = this.store.state;
-    const { input } = engineInput({ plate, raster });
+    const { input } = engineInput(plate);
     const { base, layers, layerHeight, firstLayerHeight } = plate.print;
     const height = (base + layers - 1) * layerHeight + (firstLayerHeight || layerHeight);
     return (await (await this.engine.engine()).makeZones(input, { height, layerHeight })).file;
   }
 
   async svg(): Promise<Blob> {
-    await this.directions();
+    await this.#followed();
     return this.engine.svg();
   }
 
   async view(): Promise<Blob> {
-    await this.directions();
+    await this.#followed();
     return this.engine.view(viewLook(this.store.state.plate));
   }
 
-  /** Directions of the plate as it is now, in full, which the engine has been told of.
-   * @throws StudioError where they cannot be drawn, AbortError after a cancel */
-  async directions(): Promise<DirectionRaster> {
-    const cancels = this.#cancels;
-    await Promise.resolve(); // by now a change of this turn is being followed
-    for (;;) {
-      const { plate } = this.store.state;
-      const drawn = this.#drawn;
-      if (drawn !== undefined && !drawn.coarse && sameDirections(drawn.plate, plate)) return drawn.raster;
-      const problem = await this.#draw(plate, false);
-      if (problem !== undefined) throw new StudioError(problem.code, problem.values, problem.detail);
-      if (cancels !== this.#cancels) throw new DOMException('The job was cancelled', 'AbortError');
-    }
-  }
+  /** Resolves once the engine has been told of a change of this turn. */
+  #followed = (): Promise<void> => Promise.resolve();
 
   onResult(result: PlateResult): void {
     const sameBeads = result.toolpath.cycles === this.store.state.result?.toolpath.cycles;
@@ -147,52 +116,7 @@ export class Pipeline {
   #follow({ plate, live }: Readonly<Shown>): void {
     this.store.set({ cancelled: false });
     this.#summarise();
-    const drawn = this.#drawn;
-    const fresh = drawn !== undefined && sameDirections(drawn.plate, plate) && (live || !drawn.coarse);
-    if (fresh) {
-      this.#tell('drawing', undefined);
-      this.engine.update(plate, drawn.raster, { live });
-    } else void this.#draw(plate, live);
-  }
-
-  /** @returns what went wrong; another plate that came first is no problem. */
-  #draw(plate: Plate, live: boolean): Promise<Problem | undefined> {
-    // Strokes are cheap on a raster that is there.
-    const coarse = live && !(this.#drawn !== undefined && !this.#drawn.coarse && sameSource(this.#drawn.plate, plate));
-    const going = this.#drawing;
-    // Two who ask for the same must not cut each other off for ever.
-    if (going !== undefined && going.coarse === coarse && sameDirections(going.plate, plate)) return going.done;
-    const drawing = { plate, coarse, done: this.#rasterise(plate, coarse) };
-    this.#drawing = drawing;
-    void drawing.done.finally(() => {
-      if (this.#drawing === drawing) this.#drawing = undefined;
-    });
-    return drawing.done;
-  }
-
-  async #rasterise(plate: Plate, coarse: boolean): Promise<Problem | undefined> {
-    const cancels = this.#cancels;
-    try {
-      const raster = await this.rasteriser.rasterise({
-        source: plate.directions,
-        modes: plate.modes,
-        strokes: plate.directions.kind === 'lamp' ? [] : plate.strokes, // the engine solves for them alone
-        page: pageOf(plate),
-        round: isRound(plate),
-        room: roomShape(plate) === undefined ? undefined : await this.room(plate),
-        resolution: coarse ? coarseResolution : fineResolution,
-      });
-      if (raster === undefined) return undefined;
-      this.#drawn = { plate, raster, coarse };
-      this.store.set({ directions: raster });
-    } catch (error) {
-      const problem = problemOf(error);
-      if (!isAbort(error)) this.#tell('drawing', problem);
-      return problem;
-    }
-    const now = this.store.state;
-    if (sameDirections(now.plate, plate) && cancels === this.#cancels) this.#follow(now);
-    return undefined;
+    this.engine.update(plate, { live });
   }
 
   #findMarks(result: PlateResult): void {
@@ -212,7 +136,7 @@ export class Pipeline {
     this.#summary?.abort(); // the next plate need not wait for it
     const { plate, result, summary } = this.store.state;
     if (this.#written !== undefined && sameFile(this.#written, plate, result)) {
-      this.#tell('file', undefined);
+      this.#tell(undefined);
       this.store.set({ summary: this.#written.gcode.summary, check: this.#written.check });
       return;
     }
@@ -223,15 +147,15 @@ export class Pipeline {
       if (state.live || state.cancelled || state.result?.toolpath.cycles !== result.toolpath.cycles) return;
       this.#summary = new AbortController();
       this.gcode(this.#summary.signal).catch((error: unknown) => {
-        if (!isAbort(error)) this.#tell('file', problemOf(error));
+        if (!isAbort(error)) this.#tell(problemOf(error));
       });
     }, summaryAfter);
   }
 
   /** @param problem  undefined: it went well, and what was told of it is over */
-  #tell(of: 'drawing' | 'file', problem: Problem | undefined): void {
-    const before = this.#told[of];
-    this.#told[of] = problem;
+  #tell(problem: Problem | undefined): void {
+    const before = this.#told;
+    this.#told = problem;
     if (problem !== undefined || (before !== undefined && before === this.store.state.problem))
       this.store.set({ problem });
   }

@@ -44,7 +44,7 @@ export function onShortcut(studio: Studio, event: KeyboardEvent): boolean {
   if (event.ctrlKey || event.metaKey) return onCommand(studio, key, event);
   if (typesText(event)) return false;
   if (state.mode === 'view' && !lightKeys.includes(key)) return false;
-  if (key in tools && !offers(state, 'directions')) return false;
+  if (key in tools && !offers(state, 'layers')) return false;
   if (key === '?' && state.mode !== 'edit') return false;
   if (key in views) studio.setView(views[key] as ViewName);
   else if (key in tools) studio.setTool(tools[key] as Tool);

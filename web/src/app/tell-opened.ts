@@ -3,6 +3,7 @@ import { words } from '../i18n/en/files.js';
 import { say } from '../i18n/text.js';
 import { hasUnits } from '../files/open.js';
 import type { Opened, Role } from '../model/file-role.js';
+import { groundPictures } from '../model/fills.js';
 import { mostPictures } from '../model/lamp.js';
 import type { Studio } from '../studio/studio.js';
 
@@ -26,13 +27,12 @@ export async function tellOpened(studio: Studio, { source, role }: Opened): Prom
     run: () => {
       void studio.attempt(async () => {
         await studio.services.setRole(0, 'more');
-        const { directions } = studio.store.state.plate;
-        if (directions.kind === 'lamp') studio.showLamp(directions.pictures.length - 1);
+        studio.showLamp(groundPictures(studio.store.state.plate).length - 1);
       });
     },
   };
-  const replaced = opened?.before.directions;
-  const pictures = replaced?.kind === 'lamp' && seen.includes(role) ? replaced.pictures.length : mostPictures;
+  const replaced = opened === undefined ? 0 : groundPictures(opened.before).length;
+  const pictures = replaced > 0 && seen.includes(role) ? replaced : mostPictures;
   const actions = pictures < mostPictures ? [both, change] : [change];
   studio.tell({
     text: unsaid ? `${told} ${say(words, 'files.sized', { width, height })}` : told,

@@ -41,9 +41,9 @@ export class DrawnChoices<Name extends string> implements ReactiveController {
   #same(plate: Plate): boolean {
     const before = this.#plate;
     if (before === undefined) return false;
-    const { directions, shape, width, height, pictures } = plate;
+    const { layers, shape, width, height, pictures } = plate;
     return (
-      before.directions === directions &&
+      before.layers[0] === layers[0] &&
       before.shape === shape &&
       before.width === width &&
       before.height === height &&

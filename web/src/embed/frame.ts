@@ -148,8 +148,8 @@ class Host {
     [
       'getProject',
       async () => {
-        const { projectData } = await import('../files/project.js');
-        return { result: { project: projectData(this.studio.store.state.plate) } };
+        const { projectFileData } = await import('../files/project.js');
+        return { result: { project: projectFileData(this.studio.store.state.plate) } };
       },
     ],
     [

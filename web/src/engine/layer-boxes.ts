@@ -11,9 +11,6 @@ export async function layerBoxes(plate: Plate, engine: Engine): Promise<Map<numb
   if (layers.length === 0) return new Map();
   const [, height] = pageOf(plate);
   const { shape, layers: given } = sectionsOf({ ...plate, height }, ({ bytes }) => bytes);
-  const [, ...boxes] = await engine.placeLayers(
-    { shape, layers: given as LayerInput[] },
-    { spacing: plate.toolpath.spacing },
-  ); // the lowest layer is that of the directions
+  const boxes = await engine.placeLayers({ shape, layers: given as LayerInput[] }, { spacing: plate.toolpath.spacing });
   return new Map(layers.flatMap(({ id }, k) => (boxes[k] === undefined ? [] : [[id, boxes[k]] as const])));
 }

@@ -1,14 +1,14 @@
 // The one place that talks to the engine. Of plates only the newest counts: a preview while a hand moves, the whole path when
 // it rests, then its measures. One job runs; what it makes stale is stopped.
 import type { Engine, EngineInfo, Gcode, GcodeCheck, Toolpath, ViewParams } from 'sillon';
-import type { DirectionRaster } from '../model/raster.js';
 import { viewLook } from '../model/filaments.js';
 import type { Plate } from '../model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
 import type { PlateResult, Progress } from '../model/state.js';
 import { Cost } from './coarse.js';
-import { engineInput, sameToolpath, type Input } from '../model/input.js';
+import { engineInput } from '../model/input.js';
 import { platesFor } from '../model/lamp.js';
+import { sameToolpath } from '../model/result.js';
 import { TimeLeft } from '../model/time-left.js';
 
 const restAfter = 250; // [ms] without an update, after which a hand rests
@@ -32,12 +32,13 @@ export interface EngineHost {
 type Kind = 'coarse' | 'full' | 'measured';
 const order = ['none', 'coarse', 'full', 'measured'] as const;
 
-interface Wanted extends Input {
+interface Wanted {
+  plate: Plate;
   live: boolean;
 }
 
 interface Done {
-  input: Input;
+  plate: Plate;
   level: (typeof order)[number];
   result: PlateResult | undefined;
   problem: Problem | undefined;
@@ -47,7 +48,7 @@ interface Job {
   kind: Kind;
   /** By how much the spacing grows. */
   factor: number;
-  input: Input;
+  plate: Plate;
   /** Begun while a hand moved: short, and an unfinished one would show nothing, so it may end. */
   quick: boolean;
 }
@@ -64,7 +65,7 @@ interface Waiter {
 export class StudioEngine {
   #engine: Promise<Engine> | undefined;
   #loaded = false;
-  #latest: Input | undefined;
+  #latest: Plate | undefined;
   /** undefined: nothing asked for, or cancelled. */
   #wanted: Wanted | undefined;
   #running: Running | undefined;
@@ -81,10 +82,9 @@ export class StudioEngine {
   ) {}
 
   /** The plate as it is now. @param live  a hand still moves: a preview will do. */
-  update(plate: Plate, raster: DirectionRaster | undefined, { live = false }: { live?: boolean } = {}): void {
-    const input = { plate, raster };
-    this.#latest = input;
-    this.#wanted = { ...input, live };
+  update(plate: Plate, { live = false }: { live?: boolean } = {}): void {
+    this.#latest = plate;
+    this.#wanted = { plate, live };
     clearTimeout(this.#rest);
     if (live) {
       this.#rest = setTimeout(() => {
@@ -92,7 +92,7 @@ export class StudioEngine {
       }, restAfter);
     }
     const running = this.#running;
-    if (running !== undefined && !running.quick && !sameToolpath(running.input, input)) running.control.abort();
+    if (running !== undefined && !running.quick && !sameToolpath(running.plate, plate)) running.control.abort();
     this.#pump();
   }
 
@@ -116,7 +116,7 @@ export class StudioEngine {
   retry(): void {
     if (this.#latest === undefined) return;
     if (this.#done?.problem !== undefined) this.#done = undefined;
-    this.#wanted = { ...this.#latest, live: false };
+    this.#wanted = { plate: this.#latest, live: false };
     this.#pump();
   }
 
@@ -151,7 +151,7 @@ export class StudioEngine {
     if (this.#latest === undefined) return Promise.reject(new Error('no plate was asked for'));
     return new Promise((resolve, reject) => {
       this.#waiters.push({ resolve, reject });
-      this.#wanted ??= { ...(this.#latest as Input), live: false };
+      this.#wanted ??= { plate: this.#latest as Plate, live: false };
       this.#settle();
     });
   }
@@ -190,20 +190,20 @@ export class StudioEngine {
   #nextJob(): Job | undefined {
     const wanted = this.#wanted;
     if (wanted === undefined) return undefined;
-    const done = this.#done !== undefined && sameToolpath(this.#done.input, wanted) ? this.#done : undefined;
+    const { plate } = wanted;
+    const done = this.#done !== undefined && sameToolpath(this.#done.plate, plate) ? this.#done : undefined;
     if (done?.problem !== undefined) return undefined;
     const level = order.indexOf(done?.level ?? 'none');
-    const input = { plate: wanted.plate, raster: wanted.raster };
-    const corrected = platesFor(wanted.plate) > 1; // too long for a page that follows the hand
+    const corrected = platesFor(plate) > 1; // too long for a page that follows the hand
     if (wanted.live) {
       if (level > 0) return undefined;
-      const factor = this.#cost.factorFor(wanted.plate);
-      return { kind: factor > 1 || corrected ? 'coarse' : 'full', factor, input, quick: true };
+      const factor = this.#cost.factorFor(plate);
+      return { kind: factor > 1 || corrected ? 'coarse' : 'full', factor, plate, quick: true };
     }
-    if (corrected && level === 0) return { kind: 'coarse', factor: 1, input, quick: false };
+    if (corrected && level === 0) return { kind: 'coarse', factor: 1, plate, quick: false };
     // Corrections are made once, with the measures: the engine keeps none of the plates before the last.
-    if (!corrected && level < order.indexOf('full')) return { kind: 'full', factor: 1, input, quick: false };
-    if (level < order.indexOf('measured')) return { kind: 'measured', factor: 1, input, quick: false };
+    if (!corrected && level < order.indexOf('full')) return { kind: 'full', factor: 1, plate, quick: false };
+    if (level < order.indexOf('measured')) return { kind: 'measured', factor: 1, plate, quick: false };
     return undefined;
   }
 
@@ -224,38 +224,39 @@ export class StudioEngine {
   }
 
   async #run(job: Job, signal: AbortSignal): Promise<void> {
-    const { kind, input } = job;
+    const { kind, plate: asked } = job;
     try {
       if (!this.#loaded) this.#tellProgress('loading', '', 0, undefined);
       const engine = await this.engine();
       if (signal.aborted) return;
       const result = await this.#make(engine, job, signal);
       // A change of printer or name while it ran is no other toolpath.
-      const plate = this.#wanted !== undefined && sameToolpath(this.#wanted, input) ? this.#wanted.plate : input.plate;
-      this.#done = { input, level: kind, result: { ...result, plate }, problem: undefined };
+      const wanted = this.#wanted?.plate;
+      const plate = wanted !== undefined && sameToolpath(wanted, asked) ? wanted : asked;
+      this.#done = { plate: asked, level: kind, result: { ...result, plate }, problem: undefined };
       this.#tellProblem(undefined);
       this.events.onResult({ ...result, plate });
     } catch (error) {
       if (isAbort(error) || signal.aborted) return;
       const problem = problemOf(error);
-      this.#done = { input, level: 'none', result: undefined, problem };
+      this.#done = { plate: asked, level: 'none', result: undefined, problem };
       // What is said of a plate that is gone already would only confuse.
-      if (this.#wanted !== undefined && sameToolpath(this.#wanted, input)) this.#tellProblem(problem);
+      if (this.#wanted !== undefined && sameToolpath(this.#wanted.plate, asked)) this.#tellProblem(problem);
     }
   }
 
-  async #make(engine: Engine, { kind, quick, factor, input }: Job, signal: AbortSignal): Promise<PlateResult> {
+  async #make(engine: Engine, { kind, quick, factor, plate }: Job, signal: AbortSignal): Promise<PlateResult> {
     const begin = this.host.now();
     const timeLeft = new TimeLeft(begin);
     const measure = kind === 'measured';
     // The same beads as before: views that compare `cycles` need not upload them again.
     const made = this.#done;
-    const same = measure && made?.level === 'full' && sameToolpath(made.input, input);
+    const same = measure && made?.level === 'full' && sameToolpath(made.plate, plate);
     const before = same ? made.result?.toolpath : undefined;
     const job = before === undefined ? 'making' : 'measuring';
     if (!quick) this.#tellProgress(job, '', 0, undefined);
-    const { input: plateInput, params } = engineInput(input, kind === 'coarse' ? { factor } : undefined);
-    const { toolpath, report, conflict } = await engine.generateToolpath(plateInput, params, {
+    const { input, params } = engineInput(plate, kind === 'coarse' ? { factor } : undefined);
+    const { toolpath, report, conflict } = await engine.generateToolpath(input, params, {
       measure,
       signal,
       onProgress: ({ stage, fraction }) => {
@@ -263,9 +264,9 @@ export class StudioEngine {
         this.#tellProgress(job, stage, fraction, timeLeft.estimate(fraction, this.host.now()));
       },
     });
-    if (!measure) this.#cost.learn(input.plate, factor, this.host.now() - begin);
+    if (!measure) this.#cost.learn(plate, factor, this.host.now() - begin);
     return {
-      plate: input.plate,
+      plate,
       toolpath: before === undefined ? toolpath : { ...toolpath, cycles: before.cycles, shape: before.shape },
       report,
       conflict,
@@ -302,7 +303,7 @@ export class StudioEngine {
   /** The path of the layer below, where the print asks for one. */
   async #below(engine: Engine, { print }: Plate, signal: AbortSignal): Promise<{ below?: Toolpath }> {
     if (print.basePattern !== 'across' || print.base === 0 || this.#done === undefined) return {};
-    const { input, params } = engineInput(this.#done.input);
+    const { input, params } = engineInput(this.#done.plate);
     return { below: (await engine.generateToolpath(input, params, { across: true, signal })).toolpath };
   }
 

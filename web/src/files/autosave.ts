@@ -2,15 +2,16 @@
 // be denied, full, of another version, or shared with other tabs: whatever it does, the page goes on and nothing is
 // overwritten.
 import { createStore, delMany, getMany, keys, promisifyRequest } from 'idb-keyval';
-import { fieldsOf, numberIn, textIn, Unfit, type FileFrom } from '../model/check.js';
-import { plateFrom } from '../model/check-plate.js';
+import { fieldsOf, numberIn, textIn, Unfit, type Fields } from '../model/check.js';
+import { isFontFile } from '../model/layer-list.js';
 import { pageOf, type Plate, type SourceFile } from '../model/plate.js';
-import type { Problem } from '../model/problem.js';
+import { isOfFile, type Problem } from '../model/problem.js';
 import type { Steps } from '../model/store.js';
 import { webLocks, type Locks } from './locks.js';
-import { filesOf, plateData } from './plate-data.js';
+import { filesOf, nothing, plateOf, projectData, type ProjectEngine } from './plate-project.js';
 
-const version = 1;
+/** The first kept plates of another form, which only the studio could read. */
+const version = 2;
 const settleAfter = 500; // [ms] without a change
 const patience = 10_000; // [ms]: some browsers never answer
 /** What is kept of a plate's history, to either side: steps, points of their strokes, and bytes of files only they use. */
@@ -195,7 +196,8 @@ function aboutLike(value: unknown): About {
   };
 }
 
-const pointsOf = ({ strokes }: Plate): number => strokes.reduce((sum, { points }) => sum + points.length / 2, 0);
+const pointsOf = ({ layers }: Plate): number =>
+  layers.reduce((sum, { strokes }) => strokes.reduce((all, { points }) => all + points.length / 2, sum), 0);
 
 /** The steps next to the plate that may be kept. @param plates  the nearest first */
 function nearest(plate: Plate, plates: readonly Plate[], isOf: (plate: Plate) => boolean): Plate[] {
@@ -218,20 +220,20 @@ const allFiles = ({ past, plate, future }: Steps): SourceFile[] => [
   ...new Map([...past, plate, ...future].flatMap(filesOf).map((file) => [file.id, file])).values(),
 ];
 
-const told = (plate: Plate): unknown => plateData(plate, ({ id, name }) => ({ id, name }));
+/** The core knows fonts by the endings of their names. */
+const pathOf = ({ id, name }: SourceFile): string => (isFontFile(name) ? `${id}.ttf` : id);
 
-/** A list of plates of which any may be unfit: what lies behind that one is left out. */
-function platesFrom(value: unknown, fileFrom: FileFrom): Plate[] {
-  const plates: Plate[] = [];
-  for (const one of Array.isArray(value) ? (value as unknown[]) : []) {
-    try {
-      plates.push(plateFrom(one, fileFrom));
-    } catch (error) {
-      if (error instanceof Unfit) break;
-      throw error;
-    }
-  }
-  return plates;
+/** A plate as a project, and the printer that waits beside it. */
+const told = (plate: Plate): unknown => ({
+  project: projectData(plate, pathOf, true),
+  ...(plate.brought !== undefined && { brought: plate.brought }),
+});
+
+/** A record under another name. */
+function renamed(record: object, name: string): object {
+  const { plate } = record as { plate?: { project?: { studio?: object } } };
+  const studio = { ...plate?.project?.studio, name };
+  return { ...record, plate: { ...plate, project: { ...plate?.project, studio } } };
 }
 
 /** Also what can be undone and redone: a change that is undone at once leaves the plate, and one step more to redo. */
@@ -242,42 +244,75 @@ const areEqual = (a: readonly Plate[], b: readonly Plate[]): boolean =>
 
 const idsIn = (record: unknown): string[] => {
   const { files } = (record ?? {}) as { files?: unknown };
-  return Array.isArray(files) ? files.map((id) => textIn(id, 'files', 1000)) : [];
+  if (!Array.isArray(files)) throw new Unfit('files', files);
+  return files.map((id) => textIn(id, 'files', 1000));
 };
 
-/** @param bytesOf  of a file, by its id @throws Unfit */
-function stepsFrom(record: unknown, bytesOf: (id: string) => unknown): Steps {
+/** @throws Unfit for a record of another version */
+function fieldsIn(record: unknown): Fields {
   const fields = fieldsOf(record, '', ['version', 'files', 'plate', 'past', 'future']);
   numberIn(fields['version'], 'version', version, version);
-  const ids = new Set(idsIn(record));
-  const files = new Map<string, SourceFile>();
-  const fileFrom = (told: unknown, where: string): SourceFile => {
-    const file = fieldsOf(told, where, ['id', 'name']);
-    const id = textIn(file['id'], where, 1000);
-    const blob = ids.has(id) ? bytesOf(id) : undefined;
-    if (!(blob instanceof Blob)) throw new Unfit(where, told);
-    const name = textIn(file['name'], where, 1000);
-    const known = files.get(`${id} ${name}`) ?? { id, name, bytes: blob };
-    files.set(`${id} ${name}`, known); // steps share what did not change
-    return known;
-  };
-  const plate = plateFrom(fields['plate'], fileFrom);
-  const past = platesFrom(fields['past'], fileFrom); // the nearest first, as in `future`
-  return { past: past.reverse(), plate, future: platesFrom(fields['future'], fileFrom).reverse() };
+  return fields;
 }
 
-/** The plate of a record, without its steps. @throws Unfit */
-export function plateOf(record: unknown, bytesOf: (id: string) => unknown): Plate {
-  if (typeof record !== 'object') throw new Unfit('', record);
-  return stepsFrom({ ...record, past: [], future: [] }, bytesOf).plate;
+/** Reads plates of one record, whose files they share. @param bytesOf  of a file, by its id */
+function plateReader(record: unknown, bytesOf: (id: string) => unknown, engine: ProjectEngine) {
+  const ids = new Map(
+    idsIn(record).flatMap((id): [string, string][] => [
+      [id, id],
+      [`${id}.ttf`, id],
+    ]),
+  );
+  const files = new Map<string, SourceFile>();
+  const fileAt = (path: string, name: string): Promise<SourceFile | undefined> => {
+    const id = ids.get(path);
+    const bytes = id === undefined ? undefined : bytesOf(id);
+    if (path === nothing.id) return Promise.resolve(undefined);
+    if (id === undefined || !(bytes instanceof Blob)) return Promise.reject(new Unfit('files', path));
+    const known = files.get(`${id} ${name}`) ?? { id, name, bytes };
+    files.set(`${id} ${name}`, known); // steps share what did not change
+    return Promise.resolve(known);
+  };
+  return async (kept: unknown): Promise<Plate> => {
+    const { project, brought } = fieldsOf(kept, 'plate', ['project', 'brought']);
+    const plate = await plateOf(JSON.stringify(project ?? null), '', fileAt, engine);
+    if (brought === undefined) return plate;
+    const read = await engine.readProject(JSON.stringify({ sillon: 1, printer: brought }));
+    const { profile, filament, ...printer } = read.printer;
+    const machine = { ...printer, ...(profile !== '' && { profile }), ...(filament !== '' && { filament }) };
+    return { ...plate, brought: machine };
+  };
 }
+
+/** A list of plates, the nearest first, of which any may be unfit: what lies behind that one is left out. */
+async function platesFrom(value: unknown, read: (kept: unknown) => Promise<Plate>): Promise<Plate[]> {
+  const plates: Plate[] = [];
+  for (const one of Array.isArray(value) ? (value as unknown[]) : []) {
+    const plate = await read(one).catch(() => undefined);
+    if (plate === undefined) break;
+    plates.push(plate);
+  }
+  return plates;
+}
+
+/** @param bytesOf  of a file, by its id @throws Unfit, errors of the engine */
+async function stepsFrom(record: unknown, bytesOf: (id: string) => unknown, engine: ProjectEngine): Promise<Steps> {
+  const fields = fieldsIn(record);
+  const read = plateReader(record, bytesOf, engine);
+  const plate = await read(fields['plate']);
+  const [past, future] = [await platesFrom(fields['past'], read), await platesFrom(fields['future'], read)];
+  return { past: past.reverse(), plate, future: future.reverse() };
+}
+
+/** The plate of a record, without its steps. @throws Unfit, errors of the engine */
+export const keptPlate = (record: unknown, bytesOf: (id: string) => unknown, engine: ProjectEngine): Promise<Plate> =>
+  plateReader(record, bytesOf, engine)(fieldsIn(record)['plate']);
 
 /** Whether this version can open the plate of a record. @param has  whether a file is there, by its id */
 function isFit(record: unknown, has: (id: string) => boolean): boolean {
-  const present = new Blob();
   try {
-    plateOf(record, (id) => (has(id) ? present : undefined));
-    return true;
+    const { plate } = fieldsIn(record);
+    return typeof plate === 'object' && plate !== null && idsIn(record).every(has);
   } catch (error) {
     if (error instanceof Unfit) return false;
     throw error;
@@ -291,8 +326,14 @@ export function createAutosave(
   {
     onProblem,
     onTaken = () => undefined,
+    engine,
     host = '',
-  }: { onProblem: (problem: Problem) => void; onTaken?: () => void; host?: string },
+  }: {
+    onProblem: (problem: Problem) => void;
+    onTaken?: () => void;
+    engine: () => Promise<ProjectEngine>;
+    host?: string;
+  },
   name = host === '' ? 'sillon-studio' : `sillon-studio ${host}`,
   storage: Storage = browserStorage(name),
   locks: Locks = webLocks(name),
@@ -305,6 +346,8 @@ export function createAutosave(
   /** By id: what was written last, before it was cut. */
   const saved = new Map<string, Steps>();
   const written = new Map<string, Set<string>>();
+  /** Records that were tried and cannot be opened, though they look like this version's. */
+  const unfit = new Set<string>();
   /** Written by this tab, perhaps before it has read what was kept. */
   const begunHere = new Set<string>();
   let current = newId();
@@ -448,7 +491,10 @@ export function createAutosave(
     const [names, records] = await Promise.all([storage.keys(), storage.getMany(ids.map(recordKey))]);
     const there = new Set(names);
     return new Set(
-      ids.filter((id, k) => there.has(recordKey(id)) && !isFit(records[k], (file) => there.has(filesKey(id) + file))),
+      ids.filter((id, k) => {
+        const isOpen = (): boolean => !unfit.has(id) && isFit(records[k], (file) => there.has(filesKey(id) + file));
+        return there.has(recordKey(id)) && !isOpen();
+      }),
     );
   }
 
@@ -460,13 +506,15 @@ export function createAutosave(
       const ids = idsIn(record);
       const blobs = await storage.getMany(ids.map((file) => filesKey(id) + file));
       const bytes = new Map(ids.map((file, k) => [file, blobs[k]]));
-      const steps = stepsFrom(record, (file) => bytes.get(file));
+      if (!isFit(record, (file) => bytes.get(file) instanceof Blob)) return undefined;
+      const steps = await stepsFrom(record, (file) => bytes.get(file), await engine());
       const picture = aboutFrom(about)?.picture;
       if (picture !== undefined) pictures.set(id, picture);
       return steps;
     } catch (error) {
-      if (error instanceof Unfit) return undefined; // it stays: another version may open it
-      throw error;
+      if (!(error instanceof Unfit || isOfFile(error))) throw error;
+      unfit.add(id); // it stays: another version may open it
+      return undefined;
     }
   }
 
@@ -492,11 +540,12 @@ export function createAutosave(
       if (before !== undefined && foreign.has(before)) return { state: 'foreign' };
       const own = before === undefined ? undefined : await taken(before, true);
       if (own !== undefined) return own;
+      if (before !== undefined && unfit.has(before)) return { state: 'foreign' };
       const newest = (await abouts()).find(({ id }) => !begunHere.has(id));
       if (newest === undefined) return undefined;
       if (foreign.has(newest.id)) return { state: 'foreign' }; // without its lock: a tab of that version may take it
       if (!(await locks.take(newest.id, { onLost: lost }))) return { state: 'elsewhere' };
-      return await taken(newest.id, false);
+      return (await taken(newest.id, false)) ?? (unfit.has(newest.id) ? { state: 'foreign' } : undefined);
     } catch {
       return undefined; // of a storage that denies itself, `save` will tell
     }
@@ -557,9 +606,8 @@ export function createAutosave(
       const [record, about] = await storage.getMany([recordKey(id), aboutKey(id)]);
       const known = aboutFrom(about);
       if (known === undefined || typeof record !== 'object' || record === null) return;
-      const { plate } = record as { plate?: object };
       await storage.setMany([
-        [recordKey(id), { ...record, plate: { ...plate, name } }],
+        [recordKey(id), renamed(record, name)],
         [aboutKey(id), { ...known, name, fresh: false }],
       ]);
     },
@@ -571,10 +619,7 @@ export function createAutosave(
       const copy = newId();
       const entries = names.map((key, k): [string, unknown] => {
         const value = values[k];
-        if (key === recordKey(id)) {
-          const record = value as { plate?: object };
-          return [recordKey(copy), { ...record, plate: { ...record.plate, name } }];
-        }
+        if (key === recordKey(id)) return [recordKey(copy), renamed(value as object, name)];
         if (key === aboutKey(id))
           return [aboutKey(copy), { ...(value as object), name, changed: Date.now(), fresh: false }];
         return [filesKey(copy) + key.slice(filesKey(id).length), value];

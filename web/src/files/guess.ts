@@ -1,7 +1,8 @@
 // What a picture is probably for, by its name and by a few figures of its pixels.
 import type { Picture } from 'sillon';
 import { mostPictures } from '../model/lamp.js';
-import type { DirectionSource, Plate } from '../model/plate.js';
+import { groundFill, type Fill } from '../model/fills.js';
+import type { Plate } from '../model/plate.js';
 import type { Role } from '../model/file-role.js';
 
 export interface PictureFacts {
@@ -183,7 +184,7 @@ function roleOf({ name, facts }: Guessed): Role {
 }
 
 /** Directions that nobody chose with care: a drawing's own may take their place. */
-const plain: readonly DirectionSource['kind'][] = ['angle', 'radial', 'spiral', 'waves', 'noise', 'colours'];
+const plain: readonly (Fill | undefined)[] = [undefined, 'direction', 'radial', 'spiral', 'waves', 'noise', 'colours'];
 
 /** Which part of a plate a role fills; each can be filled once. */
 const partOf = (role: Role): string =>
@@ -200,10 +201,10 @@ export function guessRoles(files: readonly Guessed[], plate: Plate): Role[] {
   });
   // Beside another picture of directions, black and white is the outline; and so where a map waits for one.
   const black = roles.indexOf('levels');
-  const awaited = plate.directions.kind === 'map' && plate.shape.kind !== 'file';
+  const awaited = groundFill(plate) === 'map' && plate.shape.kind !== 'file';
   if (black >= 0 && (filled('directions') > 1 || awaited) && filled('shape') === 0) roles[black] = 'mask';
   // A drawing of several colours has a direction for each, unless something else tells directions.
-  const alone = filled('directions') === 0 && plain.includes(plate.directions.kind) && plate.strokes.length === 0;
+  const alone = filled('directions') === 0 && plain.includes(groundFill(plate)) && plate.layers.length < 2;
   const shape = roles.indexOf('shape');
   if (alone && shape >= 0 && (files[shape]?.colours ?? 0) > 1) roles[shape] = 'colours';
   // Pictures that come together get a lamp each, as long as there is room; one alone takes the place of those on the plate.

@@ -1,16 +1,18 @@
 // Files as they were opened: what they are, what they are probably for, and the plate that they make.
 import type { Engine } from 'sillon';
-import { newFileDirections, newFileShape, newLampDirections, newShape } from '../model/defaults.js';
+import { newFileShape, newShape } from '../model/defaults.js';
+import { changeGround, filledWith, fillOf, groundOf, groundPictures, type Fill } from '../model/fills.js';
 import { homeLight, lampFor, mostPictures } from '../model/lamp.js';
 import { isFontFile } from '../model/layer-list.js';
-import { isRoundKind, type DirectionSource, type Plate, type SourceFile } from '../model/plate.js';
+import type { LayerValues } from '../model/layers.js';
+import { isRoundKind, type Plate, type SourceFile } from '../model/plate.js';
 import { StudioError, problemOf } from '../model/problem.js';
 import type { Opened, OpenedFiles, Role } from '../model/file-role.js';
 import type { Light } from '../model/view.js';
 import { coloursIn, coloursOf, isSvg } from './drawn.js';
 import { allowedRoles, factsOf, guessRoles, type PictureFacts } from './guess.js';
 import { enoughToKnow, kindOf, otherFormat, type Kind } from './kind.js';
-import { filesOf } from './plate-data.js';
+import { filesOf } from './plate-project.js';
 import { readable } from './readable.js';
 import { seemsSliced } from './sliced.js';
 import { sourceFile, stemOf } from './source-file.js';
@@ -25,7 +27,7 @@ export interface Found {
   refused: StudioError[];
 }
 
-type OpeningEngine = Pick<Engine, 'decodePicture' | 'readShape' | 'readProject'>;
+type OpeningEngine = Pick<Engine, 'decodePicture' | 'paintDrawing' | 'readShape' | 'readProject'>;
 
 interface Read {
   source: SourceFile;
@@ -184,20 +186,20 @@ function drawn(plate: Plate, [width, height]: Size): Pick<Plate, 'width' | 'heig
   return fits ? { width, height } : proportioned(plate, [width, height]);
 }
 
-/** What was chosen for the file before it goes on for this one. */
-function directionsOf(before: DirectionSource, file: SourceFile, role: Role): DirectionSource | undefined {
-  switch (role) {
-    case 'angle':
-    case 'rotation':
-    case 'tangent':
-      return { kind: 'map', file, encoding: role };
-    case 'tone':
-    case 'edges':
-    case 'levels':
-      return before.kind === role ? { ...before, file } : newFileDirections(role, file);
-    default:
-      return undefined;
-  }
+/** The fill of a role, and what it asks of the fill. */
+const fills: Partial<Record<Role, [Fill, Partial<LayerValues>]>> = {
+  angle: ['map', { encoding: 'angle' }],
+  rotation: ['map', { encoding: 'rotation' }],
+  tangent: ['map', { encoding: 'tangent' }],
+  tone: ['brightness', {}],
+  edges: ['edges', {}],
+  levels: ['levels', {}],
+};
+
+/** The plate filled from a file; what was chosen for the file before it goes on for this one. */
+function withFill(plate: Plate, fill: Fill, given: Partial<LayerValues>): Plate {
+  const ground = groundOf(plate);
+  return ground !== undefined && fillOf(ground) === fill ? changeGround(plate, given) : filledWith(plate, fill, given);
 }
 
 /** Built-in shapes take the picture's proportions, and a disc has none but one to one. */
@@ -219,7 +221,7 @@ export function withFile(
   size: Size,
   light: Light = homeLight(plate, undefined),
 ): Plate {
-  const { shape, modes } = plate;
+  const { shape } = plate;
   switch (role) {
     case 'shape':
     case 'mask': {
@@ -229,38 +231,30 @@ export function withFile(
       return { ...plate, shape: next, ...(role === 'shape' ? drawn(plate, size) : proportioned(plate, size)) };
     }
     case 'modes':
-      return { ...plate, modes: { ...modes, file } };
+      return groundOf(plate) === undefined
+        ? filledWith(plate, 'direction', { modeFile: file })
+        : changeGround(plate, { modeFile: file });
     case 'none':
     case 'project':
     case 'colours':
       return plate;
     case 'lamp':
     case 'more': {
-      const { directions } = plate;
-      const before = directions.kind === 'lamp' ? directions : undefined;
-      const kept =
-        role === 'more' && before !== undefined
-          ? before.pictures.filter((one) => one.file !== file).slice(0, mostPictures - 1)
-          : [];
-      const stands = role === 'lamp' ? before?.pictures[0]?.lamp : undefined;
-      const picture = { file, lamp: stands ?? lampFor(kept, light) };
-      const next = { ...(before ?? newLampDirections([])), pictures: [...kept, picture] };
-      return { ...(kept.length > 0 ? plate : framed(plate, size)), directions: next };
+      const before = groundPictures(plate);
+      const kept = role === 'more' ? before.filter((one) => one.file !== file).slice(0, mostPictures - 1) : [];
+      const stands = role === 'lamp' ? before[0]?.lamp : undefined;
+      const pictures = [...kept, { file, lamp: stands ?? lampFor(kept, light) }];
+      return withFill(kept.length > 0 ? plate : framed(plate, size), 'picture', { pictures });
     }
     default: {
-      const directions = directionsOf(plate.directions, file, role);
-      return directions === undefined ? plate : { ...framed(plate, size), directions };
+      const [fill, given] = fills[role] ?? [];
+      return fill === undefined ? plate : withFill(framed(plate, size), fill, { ...given, file });
     }
   }
 }
 
 /** What files change of a plate: a shape and its size are one. */
-const parts: readonly (readonly (keyof Plate)[])[] = [
-  ['name'],
-  ['modes'],
-  ['directions'],
-  ['shape', 'width', 'height'],
-];
+const parts: readonly (readonly (keyof Plate)[])[] = [['name'], ['layers'], ['shape', 'width', 'height']];
 
 /** The plate with all that a hand has changed since files were put into it, and without what they still are. */
 export function withoutFiles(plate: Plate, { before, made }: OpenedFiles): Plate {
@@ -306,11 +300,12 @@ async function withColours(
   tell: Tell | undefined,
 ): Promise<Plate> {
   const { source: file } = opened;
-  const before = plate.directions.kind === 'colours' ? plate.directions.colours : [];
+  const ground = groundOf(plate);
+  const before = ground !== undefined && fillOf(ground) === 'colours' ? ground.colours : [];
   const drawn = isSvg(file);
   const size = await sizeOf(plate, drawn ? { ...opened, role: 'shape' } : opened, engine, tell);
   const made = drawn ? withFile(plate, file, 'shape', size) : framed(plate, size);
-  return { ...made, directions: await coloursOf(file, engine, before) };
+  return withFill(made, 'colours', { file, colours: await coloursOf(file, engine, before) });
 }
 
 /** Whether nobody has given the plate a name. */

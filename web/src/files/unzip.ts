@@ -2,7 +2,20 @@
 // more of them than the directory told. (fflate's own unzip goes on inflating what has outgrown its entry.)
 import { Inflate } from 'fflate';
 import { breathing } from './breath.js';
-import { crc32 } from './png16.js';
+
+const crcTable = Uint32Array.from({ length: 256 }, (_, byte) => {
+  let crc = byte;
+  for (let bit = 0; bit < 8; ++bit) crc = crc & 1 ? 0xedb88320 ^ (crc >>> 1) : crc >>> 1;
+  return crc;
+});
+
+function crc32(bytes: Uint8Array): number {
+  let crc = 0xffffffff;
+  for (let k = 0; k < bytes.length; ++k) {
+    crc = (crcTable[(crc ^ (bytes[k] as number)) & 0xff] as number) ^ (crc >>> 8);
+  }
+  return ~crc >>> 0;
+}
 
 const mostEntries = 1000;
 const pieceLength = 1 << 14; // at most 16 MB when inflated

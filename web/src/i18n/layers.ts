@@ -1,10 +1,11 @@
 // The words about layers, which no first visit has to fetch in English.
 import { isFontFile } from '../model/layer-list.js';
+import { fillOf, toldFrom } from '../model/fills.js';
 import type { PlateLayer } from '../model/plate.js';
 import type { LayerSetting } from '../model/settings.js';
 import { words as settings } from './en/core/layer-settings.js';
 import { words } from './en/layers.js';
-import { say, sayer } from './text.js';
+import { say, sayer, t } from './text.js';
 
 export const l = sayer('layers.', words);
 export type LayersTextId = Parameters<typeof l>[0];
@@ -19,10 +20,13 @@ const shortened = (text: string): string => {
 };
 
 /** The name of a layer in lists: by its letters, by its file, else by its kind. */
-export function layerName({ kind, pattern, text, file }: PlateLayer): string {
+export function layerName(layer: PlateLayer): string {
+  const { kind, text } = layer;
   if ((kind === 'text' || kind === 'code') && text.trim() !== '') return shortened(text);
-  if (file !== null) return file.name;
-  return kind === 'pattern' ? l(`pattern.${pattern}`) : l(`kind.${kind}`);
+  const [file] = toldFrom(layer);
+  if (file !== undefined) return file.name;
+  const fill = fillOf(layer);
+  return fill === undefined ? l(`kind.${kind}`) : t(`source.${fill}`);
 }
 
 /** A font file's name without its ending. */

@@ -1,5 +1,5 @@
 // Words for what a link to a plate cannot carry.
-import type { Untold } from '../model/share.js';
+import type { Untold } from '../model/untold.js';
 import { words } from './en/links.js';
 import { language, say } from './text.js';
 

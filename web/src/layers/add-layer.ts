@@ -26,6 +26,9 @@ export const drawingFiles = '.svg,.png,.jpg,.jpeg,image/*';
 export const pictureFiles = '.png,.jpg,.jpeg,image/*';
 export const fontFiles = '.ttf,.otf';
 
+const newPicture = (plate: Plate, file: SourceFile): LayerValues =>
+  newLayer(plate, 'picture', { pictures: [{ file, lamp: null }] });
+
 /** Puts layers on top, as one step of undo, and chooses the last.
  * @param at  where a hand has put the first [mm]; undefined: where there is room
  * @returns whether a plate can have all of them */
@@ -106,7 +109,7 @@ export async function addFiles(studio: Studio, files: readonly File[], at?: Poin
       .filter((one) => one !== font)
       .map(({ file, isFont }) => {
         if (isFont) return newLayer(plate, 'text', { font: file });
-        return newLayer(plate, isDrawing(file) ? 'drawing' : 'picture', { file });
+        return isDrawing(file) ? newLayer(plate, 'drawing', { file }) : newPicture(plate, file);
       });
   await put(studio, layers, at);
   if (found.length > 0) showLayers(studio);
@@ -141,7 +144,10 @@ export async function duplicate(studio: Studio, layer: PlateLayer): Promise<void
 /** @returns whether there is one more */
 export async function addLayer(studio: Studio, kind: LayerKind): Promise<boolean> {
   const fresh = newLayer(studio.store.state.plate, kind);
-  if (!needsFile({ ...fresh })) return put(studio, (plate) => [newLayer(plate, kind)]);
-  const file = await chosenFile(studio, kind === 'drawing' ? drawingFiles : pictureFiles);
-  return file !== undefined && put(studio, (plate) => [newLayer(plate, kind, { file })]);
+  if (kind !== 'picture' && !needsFile(fresh)) return put(studio, (plate) => [newLayer(plate, kind)]);
+  const file = await chosenFile(studio, kind === 'drawing' || kind === 'tones' ? drawingFiles : pictureFiles);
+  return (
+    file !== undefined &&
+    put(studio, (plate) => [kind === 'picture' ? newPicture(plate, file) : newLayer(plate, kind, { file })])
+  );
 }

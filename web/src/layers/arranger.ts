@@ -10,7 +10,7 @@ import { pageOf, type PlateLayer } from '../model/plate.js';
 import { cornerSnapped, snapped, type Guide } from '../model/snap.js';
 import type { Shown } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
-import { arranges, chosenLayer, frameIn, layerAt } from './arranging.js';
+import { arranges, chosenLayer, frameIn, isMovable, layerAt } from './arranging.js';
 import { cursorOf, gripAt, handlesOf, type Grip, type PageView } from './grips.js';
 import { warnedLayers } from './warned.js';
 
@@ -62,11 +62,10 @@ export class Arranger {
     return this.#hold !== undefined;
   }
 
-  /** A border lies along the plate's own: it goes nowhere. */
   #movable(): { layer: PlateLayer; frame: Frame } | undefined {
     const state = this.#state;
     const layer = arranges(state) ? chosenLayer(state) : undefined;
-    return layer === undefined || layer.kind === 'border' ? undefined : { layer, frame: frameIn(state, layer) };
+    return layer === undefined || !isMovable(state.plate, layer) ? undefined : { layer, frame: frameIn(state, layer) };
   }
 
   #gripAt(place: Place, touch: boolean): Grip | undefined {
@@ -147,7 +146,7 @@ export class Arranger {
   #snap(frame: Frame, layer: PlateLayer): Point {
     const state = this.#state;
     const middles = state.plate.layers
-      .filter((other) => other.visible && other.id !== layer.id)
+      .filter((other) => other.visible && other.id !== layer.id && isMovable(state.plate, other))
       .map((other) => frameIn(state, other).middle);
     const { by, guides } = snapped(boundsOf(frame), pageOf(state.plate), middles, this.#reach);
     this.#guides = guides;
@@ -258,9 +257,13 @@ export class Arranger {
   shown(): Arranged | undefined {
     const state = this.#state;
     if (!arranges(state)) return undefined;
-    const layer = chosenLayer(state);
+    const chosen = chosenLayer(state);
+    const framed = chosen !== undefined && (isMovable(state.plate, chosen) || chosen.kind === 'border');
+    const layer = framed ? chosen : undefined;
     const warned = warnedLayers(state);
-    const others = state.plate.layers.filter((one) => one !== layer && one.visible && warned.has(one));
+    const others = state.plate.layers.filter(
+      (one) => one !== layer && one.visible && warned.has(one) && isMovable(state.plate, one),
+    );
     const over = this.#over === undefined ? undefined : layerOf(state.plate, this.#over);
     return {
       layer,

@@ -1,7 +1,8 @@
 // A hand over the plate arranges layers at some times; here stands when, and which layers it finds.
 import { contains, frameOf, type Frame, type Point } from '../model/layer-frame.js';
+import { groundOf } from '../model/fills.js';
 import { layerOf } from '../model/layer-list.js';
-import { pageOf, type PlateLayer } from '../model/plate.js';
+import { pageOf, type Plate, type PlateLayer } from '../model/plate.js';
 import { offers, type Shown } from '../studio/shown.js';
 
 /** While the panel is in use, or a layer is still chosen where a narrow window has put the panel away; brushes come first. */
@@ -16,6 +17,10 @@ export const chosenLayer = ({ plate, layer }: Readonly<Shown>): PlateLayer | und
 export const frameIn = ({ plate, layerBoxes }: Readonly<Shown>, layer: PlateLayer): Frame =>
   frameOf(plate, layer, layerBoxes.get(layer.id));
 
+/** Tells whether a hand may move the layer: what lies along the border or all over the page goes nowhere. */
+export const isMovable = (plate: Plate, layer: PlateLayer): boolean =>
+  layer.kind !== 'border' && layer.kind !== 'strokes' && layer !== groundOf(plate);
+
 /** Tells whether the frame covers all of the page. */
 export const fillsPage = ({ size }: Frame, page: Point): boolean => size[0] >= page[0] && size[1] >= page[1];
 
@@ -25,6 +30,7 @@ export function layerAt(state: Readonly<Shown>, place: Point, reach: number): Pl
   const page = pageOf(state.plate);
   const found = [...state.plate.layers]
     .reverse()
-    .filter((layer) => layer.visible && contains(frameIn(state, layer), place, reach));
+    .filter((layer) => layer.visible && (isMovable(state.plate, layer) || layer.kind === 'border'))
+    .filter((layer) => contains(frameIn(state, layer), place, reach));
   return found.find((layer) => !fillsPage(frameIn(state, layer), page)) ?? found[0];
 }

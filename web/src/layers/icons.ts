@@ -1,6 +1,7 @@
 // Icons that only the panel of layers has, on the grid of controls/icons.ts.
 import type { SVGTemplateResult } from 'lit';
 import { icon, lineIcon, type IconName } from '../controls/icons.js';
+import { fillOf, type Fill } from '../model/fills.js';
 import type { PlateLayer } from '../model/plate.js';
 
 const paths = {
@@ -11,7 +12,6 @@ const paths = {
   down: 'M10 4v11.5M5.5 11l4.5 4.5 4.5-4.5',
   grip: 'M7.5 5v.1M7.5 10v.1M7.5 15v.1M12.5 5v.1M12.5 10v.1M12.5 15v.1',
   crop: 'M6 2.5V14h11.5M2.5 6H14v11.5',
-  picture: 'M3.5 4.5h13v11h-13zM3.5 13l4-4 3.5 3.5 2-2 3.5 3.5M12.7 7.6v.1',
   drawing: 'M4 16l1-4L14 3l3 3-9 9zM12 5l3 3',
   border: 'M3.5 3.5h13v13h-13zM6.5 6.5h7v7h-7z',
 } as const;
@@ -20,24 +20,34 @@ export type LayerIconName = keyof typeof paths;
 
 export const layerIcon = (name: LayerIconName, size?: number): SVGTemplateResult => lineIcon(paths[name], size);
 
-const kinds: Record<PlateLayer['kind'], LayerIconName | IconName> = {
-  direction: 'angle',
+export const fillIcons: Readonly<Record<Fill, IconName>> = {
+  picture: 'lamp',
+  brightness: 'tone',
+  edges: 'edges',
+  levels: 'levels',
+  colours: 'colours',
   map: 'map',
-  picture: 'picture',
-  text: 'text',
-  code: 'qr',
-  pattern: 'radial',
-  drawing: 'drawing',
-  border: 'border',
-  tones: 'tone',
-  strokes: 'drawing',
+  direction: 'angle',
+  radial: 'radial',
+  spiral: 'spiral',
+  waves: 'waves',
+  noise: 'noise',
 };
 
-const isOwn = (name: LayerIconName | IconName): name is LayerIconName => name in paths;
-
 /** The sign of a layer in lists. */
-export function kindIcon({ kind, pattern }: PlateLayer, size?: number): SVGTemplateResult {
-  const waves = kind === 'pattern' && pattern !== 'radial';
-  const name = waves ? (pattern === 'waves' ? 'waves' : 'edges') : kinds[kind];
-  return isOwn(name) ? layerIcon(name, size) : icon(name, size);
+export function kindIcon(layer: PlateLayer, size?: number): SVGTemplateResult {
+  const fill = fillOf(layer);
+  if (fill !== undefined) return icon(fillIcons[fill], size);
+  switch (layer.kind) {
+    case 'text':
+      return icon('text', size);
+    case 'code':
+      return icon('qr', size);
+    case 'strokes':
+      return icon('comb', size);
+    case 'pattern':
+      return icon('edges', size);
+    default:
+      return layerIcon(layer.kind === 'border' ? 'border' : 'drawing', size);
+  }
 }

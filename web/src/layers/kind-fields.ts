@@ -1,21 +1,25 @@
 // The few values of a layer that count for its kind, and those that are folded away.
 import { html, nothing, type TemplateResult } from 'lit';
 import { angleField } from '../controls/angle-field.js';
-import { flag, numberField, select } from '../controls/fields.js';
+import { flag, select } from '../controls/fields.js';
 import { fileChip } from '../controls/file-chip.js';
 import { icon } from '../controls/icons.js';
 import { settingHelp } from '../i18n/help.js';
 import { fontName, l, layerLabel } from '../i18n/layers.js';
 import { t } from '../i18n/text.js';
-import { layersLamp } from '../model/lamp.js';
+import { groundOf } from '../model/fills.js';
 import { uncropped } from '../model/layer-changes.js';
 import { layerSettingOf } from '../model/layer-settings.js';
 import { builtInFonts } from '../model/fonts.js';
+import { withoutLayer } from '../model/layer-list.js';
 import { hasFill, needsFile, needsMask, type LayerKey, type LayerKind } from '../model/layers.js';
-import type { PlateLayer, SourceFile } from '../model/plate.js';
+import { modeChoices, type PlateLayer, type SourceFile } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
+import '../quality/scan-note.js';
 import { chosenFile, drawingFiles, fontFiles, oneFile, pictureFiles } from './add-layer.js';
+import './colours-panel.js';
 import { layerIcon } from './icons.js';
+import './lamps-panel.js';
 import { changeIn, layerField } from './layer-field.js';
 import { withTextSize } from './place-fields.js';
 import { replaceFile } from './replace-file.js';
@@ -25,23 +29,23 @@ type Content = TemplateResult | typeof nothing;
 /** In the order of a hand that makes one. */
 const keysOf: Record<LayerKind, readonly LayerKey[]> = {
   text: ['text', 'font', 'textSize', 'fill', 'angle', 'circle'],
-  picture: ['file', 'lamp', 'cropMin'],
+  picture: ['pictures', 'cropMin'],
   drawing: ['file', 'fill', 'angle'],
   code: ['text', 'correction', 'angle'],
   pattern: ['pattern', 'file', 'angle', 'waveLength', 'amplitude', 'seed'],
-  tones: ['file', 'by', 'from', 'to', 'threshold', 'contrast', 'smoothing', 'angle'],
-  strokes: [],
+  tones: ['file', 'by', 'colours', 'from', 'to', 'threshold', 'contrast', 'smoothing', 'angle'],
+  strokes: ['strokes'],
   direction: ['angle'],
   border: ['width', 'fill', 'angle'],
   map: ['file', 'encoding'],
 };
 
 const foldedOf: Partial<Record<LayerKind, readonly LayerKey[]>> = {
-  text: ['align', 'ground', 'mask', 'soft'],
-  drawing: ['ground', 'mask', 'soft'],
-  code: ['ground', 'mask', 'soft'],
+  text: ['align', 'ground', 'mask', 'soft', 'mode'],
+  drawing: ['ground', 'mask', 'soft', 'mode'],
+  code: ['ground', 'mask', 'soft', 'mode'],
   strokes: [],
-  border: ['soft'],
+  border: ['soft', 'mode'],
 };
 
 /** Tells whether a value changes anything while the others are as they are. */
@@ -66,6 +70,8 @@ function counts(key: LayerKey, layer: PlateLayer): boolean {
       return by === 'brightness';
     case 'smoothing':
       return by === 'brightness' || by === 'edges';
+    case 'colours':
+      return by === 'colours';
     case 'file':
       return needsFile(layer);
     default:
@@ -73,38 +79,40 @@ function counts(key: LayerKey, layer: PlateLayer): boolean {
   }
 }
 
-export const kindFields = (studio: Studio, layer: PlateLayer): Content[] =>
-  keysOf[layer.kind].filter((key) => counts(key, layer)).map((key) => fieldOf(studio, layer, key));
+/** Cards choose these for the ground, and its picture is not cropped: it fills the page. */
+const notOfGround: readonly LayerKey[] = ['pattern', 'by', 'cropMin'];
+
+export function kindFields(studio: Studio, layer: PlateLayer): Content[] {
+  const ground = groundOf(studio.store.state.plate) === layer;
+  return keysOf[layer.kind]
+    .filter((key) => counts(key, layer) && !(ground && notOfGround.includes(key)))
+    .map((key) => fieldOf(studio, layer, key));
+}
 
 export const foldedFields = (studio: Studio, layer: PlateLayer): Content[] =>
-  (foldedOf[layer.kind] ?? ['mask', 'soft']).map((key) => fieldOf(studio, layer, key));
+  (foldedOf[layer.kind] ?? ['mask', 'soft', 'mode']).map((key) => fieldOf(studio, layer, key));
 
 function fieldOf(studio: Studio, layer: PlateLayer, key: LayerKey): Content {
   switch (key) {
     case 'file':
-      return fileField(
-        studio,
-        layer,
-        'file',
-        layer.kind === 'drawing' || layer.kind === 'pattern' ? drawingFiles : pictureFiles,
-      );
+      return fileField(studio, layer, 'file', layer.kind === 'map' ? pictureFiles : drawingFiles);
     case 'font':
       return fontField(studio, layer);
     case 'textSize':
       return layerField(studio, layer, key, { set: (value) => withTextSize(value as number) });
-    case 'lamp':
-      return lampField(studio, layer);
+    case 'pictures':
+      return html`<sillon-lamps .studio=${studio} .layer=${layer}></sillon-lamps>`;
+    case 'colours':
+      return html`<sillon-colours .studio=${studio} .layer=${layer}></sillon-colours>`;
+    case 'strokes':
+      return strokesField(studio, layer);
+    case 'mode':
+      return modeFields(studio, layer);
     case 'cropMin':
       return cropField(studio, layer);
     case 'text':
-      return layerField(studio, layer, key, layer.kind === 'code' ? { label: t('field.qrText') } : {});
-    case 'angle':
-      return layerField(
-        studio,
-        layer,
-        key,
-        layer.kind === 'pattern' && layer.pattern === 'radial' ? { label: t('field.rayAngle') } : {},
-      );
+      return html`${layerField(studio, layer, key, layer.kind === 'code' ? { label: t('field.qrText') } : {})}
+      ${layer.kind === 'code' ? html`<sillon-scan-note .studio=${studio}></sillon-scan-note>` : nothing}`;
     case 'encoding':
       return layerField(studio, layer, key, {
         choice: (name) => t(`field.encoding.${name as PlateLayer['encoding']}`),
@@ -170,69 +178,41 @@ function fontField(studio: Studio, layer: PlateLayer): TemplateResult {
     </div>`;
 }
 
-function lampField(studio: Studio, layer: PlateLayer): TemplateResult {
-  const label = l('lamp');
-  const { lamp } = layer;
-  const gesture = `layer.${layer.id}.lamp`;
-  const onSettle = (): void => {
-    studio.settle();
-  };
-  const stand = (next: [number, number] | null, going?: string): void => {
-    changeIn(studio, layer, () => ({ lamp: next }), going);
-  };
-  const here = (): [number, number] => {
-    const { azimuth, elevation } = studio.store.state.light;
-    return [Math.round(azimuth) % 360, Math.min(80, Math.max(15, Math.round(elevation)))];
-  };
-  return html`${flag({
-    id: 'layer-lamp-null',
-    label: t('setting.value', { label, value: l('null.lamp') }),
-    value: lamp === null,
-    help: l('lamp.help'),
-    onChange: (plain) => {
-      stand(plain ? null : [...layersLamp]);
-    },
-  })}
-  ${
-    lamp === null
-      ? nothing
-      : html`${angleField({
-            id: 'layer-azimuth',
-            label: t('light.azimuth'),
-            kind: 'light',
-            value: lamp[0],
-            min: 0,
-            max: 360,
-            onInput: (azimuth) => {
-              stand([azimuth, lamp[1]], gesture);
-            },
-            onSettle,
-          })}
-          ${numberField({
-            id: 'layer-elevation',
-            label: t('light.elevation'),
-            value: lamp[1],
-            min: 1,
-            max: 90,
-            step: 1,
-            usual: [15, 80],
-            unit: '°',
-            onInput: (elevation) => {
-              stand([lamp[0], elevation], gesture);
-            },
-            onSettle,
-          })}
-          <div class="buttons">
-            <button
-              type="button"
-              @click=${() => {
-                stand(here());
-              }}
-            >
-              ${t('lamp.here')}
-            </button>
-          </div>`
-  }`;
+/** Fields of the mode: everywhere, or by a picture. */
+export function modeFields(studio: Studio, layer: PlateLayer): TemplateResult {
+  const { mode, modeFile } = layer;
+  return html`${select({
+      id: 'mode-base',
+      label: t('modes.base'),
+      value: mode,
+      options: modeChoices.map((value) => ({ value, label: t(`mode.${value}`) })),
+      onChoose: (chosen) => {
+        changeIn(studio, layer, () => ({ mode: chosen }));
+      },
+    })}
+    <p class="note">${t(`mode.${mode}.help`)}</p>
+    ${
+      modeFile === null
+        ? nothing
+        : html`<p>${t('modes.map')}</p>
+            ${fileChip(studio, modeFile, pictureFiles, () => {
+              changeIn(studio, layer, () => ({ modeFile: null }));
+            })}`
+    }`;
+}
+
+function strokesField(studio: Studio, layer: PlateLayer): TemplateResult {
+  return html`<div class="strokes">
+    <span class="note">${t('tool.strokes', { n: layer.strokes.length })}</span>
+    <button
+      type="button"
+      @click=${() => {
+        studio.change((plate) => withoutLayer(plate, layer.id));
+      }}
+    >
+      ${icon('erase', 16)} ${t('tool.clear')}
+    </button>
+  </div>`;
 }
 
 function cropField(studio: Studio, layer: PlateLayer): Content {

@@ -1,22 +1,27 @@
-// The layers over the directions, the topmost first, and what the chosen one is.
+// The panel of a plate's layers: cards for the ground, tiles that add on top of it, a list once there is more than one layer, and
+// the fields of the one that is chosen.
 import { html, nothing, type PropertyValues, type SVGTemplateResult, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
 import { panelStyle } from '../controls/panel-style.js';
+import { DrawnChoices } from '../controls/drawn-choices.js';
 import { l, layerLabel, layerName } from '../i18n/layers.js';
 import { warningText } from '../i18n/say-core.js';
 import { t } from '../i18n/text.js';
+import { groundFill, groundOf, type Fill } from '../model/fills.js';
 import { changeLayer, layerOf, raised, withoutLayer } from '../model/layer-list.js';
 import { lackOf, type LayerKind } from '../model/layers.js';
 import type { Plate, PlateLayer } from '../model/plate.js';
 import { addLayer, duplicate } from './add-layer.js';
 import { frameIn } from './arranging.js';
 import { followBoxes } from './boxes.js';
+import { brushFields } from './brush-fields.js';
+import { fillCards } from './fill-cards.js';
 import { kindIcon, layerIcon } from './icons.js';
-import { foldedFields, kindFields } from './kind-fields.js';
+import { foldedFields, kindFields, modeFields } from './kind-fields.js';
 import { layersStyle } from './layers-style.js';
-import { placeFields } from './place-fields.js';
+import { middleFields, placeFields } from './place-fields.js';
 import { dragRow, rowTaken } from './row-drag.js';
 import { tile } from './tiles.js';
 import { warnedLayers } from './warned.js';
@@ -24,28 +29,32 @@ import { warnedLayers } from './warned.js';
 /** The most wanted first. */
 const offered: readonly LayerKind[] = [
   'text',
-  'picture',
-  'drawing',
   'code',
+  'drawing',
+  'picture',
+  'border',
   'pattern',
   'direction',
   'tones',
-  'border',
   'map',
 ];
+/** These are there unasked. */
+const first = 3;
 
 @customElement('sillon-layers-panel')
 export class LayersPanel extends StudioElement {
-  static override reads = ['plate', 'layer', 'cropping', 'layerBoxes', 'result'] as const;
+  static override reads = ['plate', 'layer', 'cropping', 'layerBoxes', 'result', 'tool', 'brush', 'scan'] as const;
 
   static override styles = [...StudioElement.styles, panelStyle, layersStyle];
 
   @state() private adding = false;
+  @state() private allTiles = false;
   @state() private locked = true;
   @state() private unfolded = false;
   /** The layer whose row is being dragged. */
   @state() private held: number | undefined;
   #focus = '';
+  readonly #pictures = new DrawnChoices<Fill>(this, () => this.studio.services.fillPictures);
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -53,73 +62,101 @@ export class LayersPanel extends StudioElement {
   }
 
   override render(): TemplateResult {
-    const { plate } = this.state;
+    const { plate, layer, tool } = this.state;
     const layers = [...plate.layers].reverse();
     const warned = warnedLayers(this.state);
-    const chosen = layerOf(plate, this.state.layer);
-    const tiles = this.adding || layers.length === 0;
+    const ground = groundOf(plate);
+    /** There is nothing to choose, to order or to show again. */
+    const alone = layers.length === 1 && ground?.visible === true;
+    const bare = alone || layers.length === 0;
+    const chosen = alone ? ground : layerOf(plate, layer);
     return html`<section aria-labelledby="layers-title">
         <h2 id="layers-title">${t('section.layers')}</h2>
-        ${layers.length === 0 ? html`<p class="note">${l('what')}</p>` : nothing}
         ${
-          layers.length === 0
+          bare
             ? nothing
             : html`<ul aria-label=${l('list')} @keydown=${this.#onListKey} @pointerdown=${this.#onListDown}>
-                ${layers.map((layer) => this.#row(layer, layer === chosen, warned.has(layer)))}
-                <li class="below">
-                  <button
-                    type="button"
-                    class="plain"
-                    @click=${() => {
-                      this.studio.setPanel('directions');
-                    }}
-                  >
-                    ${icon(plate.directions.kind, 18)}
-                    <span>${l('below', { name: t(`source.${plate.directions.kind}`) })}</span>
-                  </button>
-                </li>
+                ${layers.map((one) => this.#row(one, one === chosen, warned.has(one)))}
               </ul>`
         }
         ${
           /* Below the list, whose rows would else change their places under a hand that drags one. */
-          layers.flatMap((layer) =>
-            (warned.get(layer) ?? []).map((one) => html`<p class="warning" role="status">${warningText(one)}</p>`),
+          layers.flatMap((one) =>
+            (warned.get(one) ?? []).map(
+              (words) => html`<p class="warning" role="status"><b>${layerName(one)}</b> ${warningText(words)}</p>`,
+            ),
           )
         }
+        ${bare ? nothing : this.#adder()} ${chosen === ground ? this.#cards() : nothing}
         ${
-          layers.length === 0
-            ? nothing
-            : html`<button
-                type="button"
-                id="add"
-                aria-expanded=${String(tiles)}
-                aria-controls="kinds"
-                @click=${() => {
-                  this.adding = !this.adding;
-                }}
-              >
-                ${icon('plus', 16)} ${l('add')}
-              </button>`
+          bare
+            ? html`<h3>${l('add')}</h3>
+                ${this.#tiles()}`
+            : nothing
         }
-        ${tiles ? this.#tiles() : nothing}
       </section>
-      ${chosen === undefined ? nothing : this.#fields(chosen)}`;
+      ${
+        tool === 'pan'
+          ? nothing
+          : html`<section aria-labelledby="edit-title">
+              <h3 id="edit-title">${t('section.edit')}</h3>
+              ${brushFields(this.studio)}
+            </section>`
+      }
+      ${chosen === undefined ? nothing : this.#fields(chosen, chosen === ground)}`;
+  }
+
+  #cards(): TemplateResult {
+    const fill = groundFill(this.state.plate);
+    return html`${fillCards(this.studio, (one) => this.#pictures.url(one))}
+    ${fill === undefined ? nothing : html`<p class="note">${t(`source.${fill}.help`)}</p>`}`;
+  }
+
+  /** Tiles would take the room of the fields, where there is a list already. */
+  #adder(): TemplateResult {
+    return html`<button
+        type="button"
+        id="add"
+        aria-expanded=${String(this.adding)}
+        aria-controls="kinds"
+        @click=${() => {
+          this.adding = !this.adding;
+        }}
+      >
+        ${icon('plus', 16)} ${l('add')}
+      </button>
+      ${this.adding ? this.#tiles() : nothing}`;
   }
 
   #tiles(): TemplateResult {
+    const kinds = this.allTiles ? offered : offered.slice(0, first);
     return html`<div class="tiles" id="kinds" role="group" aria-label=${l('add')}>
-      ${offered.map(
+      ${kinds.map(
         (kind) =>
           html`<button type="button" @click=${() => void this.#add(kind)}>
             ${tile(kind)}<span>${l(`kind.${kind}`)}</span>
           </button>`,
       )}
+      ${
+        this.allTiles
+          ? nothing
+          : html`<button
+              type="button"
+              id="more-kinds"
+              @click=${() => {
+                this.allTiles = true;
+              }}
+            >
+              ${icon('more', 22)}<span>${l('others')}</span>
+            </button>`
+      }
     </div>`;
   }
 
   async #add(kind: LayerKind): Promise<void> {
     if (!(await addLayer(this.studio, kind))) return;
     this.adding = false;
+    this.allTiles = false;
     this.#focus = kind === 'text' || kind === 'code' ? '#layer-text' : '[aria-pressed=true].row';
     this.requestUpdate();
   }
@@ -129,11 +166,7 @@ export class LayersPanel extends StudioElement {
     const lack = lackOf(layer);
     const look = `${chosen ? 'chosen' : ''} ${this.held === layer.id ? 'held' : ''} ${warned ? 'warned' : ''}`;
     return html`<li class=${look} data-layer=${layer.id}>
-      ${
-        this.state.plate.layers.length < 2
-          ? nothing
-          : html`<span class="grip" title=${l('drag')} aria-hidden="true">${layerIcon('grip', 16)}</span>`
-      }
+      <span class="grip" title=${l('drag')} aria-hidden="true">${layerIcon('grip', 16)}</span>
       <button
         type="button"
         class="plain row"
@@ -199,7 +232,7 @@ export class LayersPanel extends StudioElement {
     const next = layers[at - 1] ?? layers[at + 1];
     this.#change((plate) => withoutLayer(plate, id));
     this.studio.store.set({ layer: next?.id, cropping: false });
-    this.#focus = next === undefined ? '.tiles button' : '[aria-pressed=true].row';
+    this.#focus = next === undefined ? '.tiles button' : '[aria-pressed=true].row, input[type=radio]:checked';
   }
 
   /** A change is one step of undo. */
@@ -247,14 +280,36 @@ export class LayersPanel extends StudioElement {
 
   // --- The chosen one -------------------------------------------------------------------------------------------------------
 
-  #fields(layer: PlateLayer): TemplateResult {
+  #fields(layer: PlateLayer, ground: boolean): TemplateResult {
     const lack = lackOf(layer);
     return html`<section aria-labelledby="layer-title">
-        <h3 id="layer-title">${l(`kind.${layer.kind}`)}</h3>
+        <h3 id="layer-title">
+          ${ground ? layerName({ ...layer, file: null, pictures: [] }) : l(`kind.${layer.kind}`)}
+        </h3>
         ${kindFields(this.studio, layer)}
         ${lack === undefined ? nothing : html`<p class="warning">${icon('warn', 16)} <span>${l(`lack.${lack}`)}</span></p>`}
       </section>
-      ${
+      ${ground ? this.#groundFields(layer) : this.#topFields(layer)}`;
+  }
+
+  #groundFields(layer: PlateLayer): TemplateResult {
+    return html`${
+        layer.kind === 'pattern'
+          ? html`<section aria-labelledby="layer-place-title">
+              <h3 id="layer-place-title">${layerLabel({ id: 'layers.at' })}</h3>
+              ${middleFields(this.studio, layer)}
+            </section>`
+          : nothing
+      }
+      <section aria-labelledby="modes-title">
+        <h3 id="modes-title">${t('section.modes')}</h3>
+        ${modeFields(this.studio, layer)}
+      </section>`;
+  }
+
+  #topFields(layer: PlateLayer): TemplateResult | typeof nothing {
+    if (layer.kind === 'strokes') return nothing;
+    return html`${
         layer.kind === 'border'
           ? nothing
           : html`<section aria-labelledby="layer-place-title">

@@ -81,6 +81,12 @@ export const layersStyle = css`
     color: var(--soft);
     text-align: left;
   }
+  .strokes {
+    display: flex;
+    align-items: center;
+    justify-content: space-between;
+    min-height: var(--control);
+  }
   .tiles {
     display: grid;
     grid-template-columns: repeat(auto-fill, minmax(max(64px, 4rem), 1fr));

@@ -6,6 +6,7 @@ import { l } from '../i18n/layers.js';
 import { a } from '../i18n/shaping.js';
 import { hundredth, keepsProportions, scaledLayer, within } from '../model/layer-changes.js';
 import type { Frame, Point } from '../model/layer-frame.js';
+import { middleOf } from '../model/layer-list.js';
 import { layerSettingOf } from '../model/layer-settings.js';
 import type { LayerKey, LayerValues } from '../model/layers.js';
 import { pageOf, type Plate, type PlateLayer } from '../model/plate.js';
@@ -68,6 +69,21 @@ export function coveringPage(page: Point, layer: PlateLayer, frame: Frame): Part
     default:
       return { ...placed, size: [0, 0] };
   }
+}
+
+/** The middle of a pattern that fills the page, about which its rays and waves lie. */
+export function middleFields(studio: Studio, layer: PlateLayer): TemplateResult {
+  const middle = middleOf(studio.store.state.plate, layer);
+  const field = (k: 0 | 1): TemplateResult =>
+    lengthField(
+      studio,
+      layer,
+      'at',
+      { id: k === 0 ? 'layer-x' : 'layer-y', label: l(k === 0 ? 'x' : 'y'), value: middle[k] },
+      // It still covers the page when its middle lies elsewhere.
+      (value) => ({ at: k === 0 ? [value, middle[1]] : [middle[0], value], mask: 'page' }),
+    );
+  return html`<div class="size">${field(0)}<span></span>${field(1)}</div>`;
 }
 
 /** @param lock  whether the proportions stay, and what changes that */

@@ -6,7 +6,7 @@ import { nextLayerId } from '../model/layer-list.js';
 import { drawnLayers, type LayerKind, type LayerValues } from '../model/layers.js';
 import { pageOf, type Plate, type PlateLayer } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
-import { fillsPage } from './arranging.js';
+import { fillsPage, isMovable } from './arranging.js';
 
 /** Others are meant to lie over what is there, but for copies. */
 const placed: readonly LayerKind[] = ['text', 'code', 'drawing', 'picture'];
@@ -36,7 +36,7 @@ function freeWithin({ kind, circle, textSize }: PlateLayer): number {
 function takenIn(plate: Plate, layers: readonly PlateLayer[], boxes: ReadonlyMap<number, KnownBox>): Taken[] {
   const page = pageOf(plate);
   return layers
-    .filter(({ kind }) => kind !== 'border')
+    .filter((layer) => isMovable(plate, layer))
     .map((layer) => ({ ...frameOf(plate, layer, boxes.get(layer.id)), free: freeWithin(layer) }))
     .filter((frame) => !fillsPage(frame, page));
 }

@@ -3,6 +3,7 @@ import { refilled, uncropped } from '../model/layer-changes.js';
 import { isExample, type PlateLayer, type SourceFile } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
 import { frameIn } from './arranging.js';
+import { changeIn } from './layer-field.js';
 
 const side = 100; // [mm] wide enough to tell proportions
 
@@ -34,4 +35,18 @@ export async function replaceFile(studio: Studio, layer: PlateLayer, file: Sourc
   });
   studio.settle();
   studio.change((plate) => ({ ...plate, layers: plate.layers.map((one) => (goes(one) ? filled(one) : one)) }));
+}
+
+/** A picture takes the place of another of the layer, whose box has the proportions of the first. */
+export async function replacePicture(studio: Studio, layer: PlateLayer, k: number, file: SourceFile): Promise<void> {
+  const before = layer.pictures[k]?.file;
+  const pictures = layer.pictures.map((one, other) => (other === k ? { ...one, file } : one));
+  const proportion = k > 0 ? undefined : await proportionOf(studio, { ...layer, pictures });
+  const { state } = studio.store;
+  studio.settle();
+  changeIn(studio, layer, (one) => ({
+    pictures,
+    ...(proportion !== undefined && refilled(one, frameIn(state, one), proportion)),
+    ...(k === 0 && before !== undefined && isExample(before) && { rotation: 0 }),
+  }));
 }

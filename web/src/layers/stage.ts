@@ -31,7 +31,7 @@ export class LayerStage extends Arranger {
     const arranged = this.shown();
     if (arranged === undefined) return undefined;
     const page = pageOf(this.#own.store.state.plate);
-    const bytes = arranged.cropping ? arranged.layer?.file?.bytes : undefined;
+    const bytes = arranged.cropping ? arranged.layer?.pictures[0]?.file.bytes : undefined;
     const picture = bytes && this.#bitmap(bytes);
     return (context) => {
       const pen = { context, view: this.#viewNow(), styles: this.#styles, coarse: this.#coarse.matches };

@@ -13,7 +13,7 @@ export function warnedLayers({ result }: Pick<State, 'result'>): ReadonlyMap<Pla
   if (result === undefined || result.coarse) return warned;
   const layers = completeLayers(result.plate);
   for (const warning of result.report.warnings) {
-    const layer = layers[Number(warning.values['layer']) - 2]; // the lowest is that of the directions
+    const layer = layers[Number(warning.values['layer']) - 1];
     if (layer !== undefined) warned.set(layer, [...(warned.get(layer) ?? []), warning]);
   }
   return warned;

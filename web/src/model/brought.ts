@@ -2,9 +2,10 @@
 // heats a machine, temperatures, limits. None of it is used before the visitor has said so.
 import type { PrinterValues } from 'sillon';
 import { filamentProfiles } from './appearance.js';
-import { newPlate, printerDefaults } from './defaults.js';
+import { printerDefaults } from './defaults.js';
 import { filamentOf, withFilament, withFilamentOf } from './filaments.js';
 import type { Plate } from './plate.js';
+import { newPlate } from './new-plate.js';
 import { isGeneric, ofFilament, profileOf, sameMachine, withAdvance } from './printers.js';
 import { withNozzle } from './settings.js';
 import { without } from './without.js';

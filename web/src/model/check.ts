@@ -1,10 +1,5 @@
 // The tests that values from elsewhere must pass: what comes in may have been written by anybody.
-import type { SourceFile } from './plate.js';
-
 export type Fields = Record<string, unknown>;
-
-/** The file that a piece of data stands for. @throws Unfit */
-export type FileFrom = (value: unknown, where: string) => SourceFile;
 
 function shortened(value: unknown): string {
   let text: string | undefined;
@@ -50,11 +45,6 @@ export function textIn(value: unknown, where: string, longest: number): string {
   if (typeof value !== 'string' || value.length > longest || /[\u0000-\u0008\u000b-\u001f]/.test(value)) {
     throw new Unfit(where, value);
   }
-  return value;
-}
-
-export function flagIn(value: unknown, where: string): boolean {
-  if (typeof value !== 'boolean') throw new Unfit(where, value);
   return value;
 }
 

@@ -1,8 +1,9 @@
 // Why people may not see on a plate what it is made to show, told before it is printed.
 import type { PictureReport } from 'sillon';
+import { groundFill, groundOf, type Fill } from './fills.js';
 import { weaknessesOf, type Weakness } from './lamp.js';
 import { drawnLayers } from './layers.js';
-import type { DirectionSource, Plate } from './plate.js';
+import type { Plate } from './plate.js';
 
 /** Of a finished plate, as computed under its own light. */
 export interface Seen {
@@ -12,24 +13,19 @@ export interface Seen {
   contrast: number;
   /** Of what the directions ask for: the share of its variance that is not finer than such a cell, 0..1. */
   kept: number;
-  /** Height of the lines of letters, if there are any [mm]. */
-  letters?: number;
 }
 
-export type Doubt = Weakness | 'blank' | 'small' | 'letters' | 'fine' | 'faint';
+export type Doubt = Weakness | 'fine' | 'faint';
 
-/** What has a picture in it; of the others nothing is to be recognised. Codes are read by a decoder instead. */
-const shown: readonly DirectionSource['kind'][] = ['tone', 'levels', 'colours', 'text'];
+/** Fills that have a picture in them; in the others nothing is to be recognised. */
+const shown: readonly (Fill | undefined)[] = ['brightness', 'levels', 'colours'];
 
-/** Under layers nobody knows any more what is asked for at which place. */
+/** Tells whether the plate is such a picture alone: about layers above it the engine warns by itself. */
 export const hasPicture = (plate: Plate): boolean =>
-  shown.includes(plate.directions.kind) && drawnLayers(plate).length === 0;
+  shown.includes(groundFill(plate)) && drawnLayers(plate).length === 1 && drawnLayers(plate)[0] === groundOf(plate);
 
-/** Correlations, by eye from rendered plates: "Hello" 3.6 mm high in beads of 0.4 mm has 0.85 and nobody reads it, 4.8 mm high
- * 0.91 and one guesses it, 6 mm high 0.96 and all do; a fox's head of four colours, 12 mm across, is still a fox at 0.93. */
-export const leastLikeness = { letters: 0.93, picture: 0.85 } as const;
-/** Height of letters that all can read [beads], by the same. */
-export const legible = 15;
+/** Correlation, by eye from rendered plates: a fox's head of four colours, 12 mm across, is still a fox at 0.93. */
+export const leastLikeness = 0.85;
 /** A chequerboard whose squares are 2.5 beads wide keeps 0.3, of 4 beads 0.65; a photograph 12 mm wide 0.8. */
 export const leastKept = 0.5;
 /** Directions 30° apart have 1.6: dark and bright are then told apart only when one knows where to look. */
@@ -42,14 +38,8 @@ export function doubtsOf(
   seen: Seen | undefined,
 ): Doubt[] {
   const doubts: Doubt[] = weaknessesOf(plate, pictures);
-  const { directions, toolpath } = plate;
-  const letters = directions.kind === 'text';
-  if (letters && directions.text.trim() === '') return [...doubts, 'blank'];
   if (seen === undefined || !hasPicture(plate)) return doubts;
-  // Nothing is left of letters that small, and the beads' contrast tells nothing of the directions then.
-  if ((seen.letters ?? Infinity) < (legible / 2) * toolpath.spacing) doubts.push('small');
-  else if (seen.contrast < leastContrast) doubts.push('faint');
-  else if (seen.r < leastLikeness[letters ? 'letters' : 'picture'] || seen.kept < leastKept)
-    doubts.push(letters ? 'letters' : 'fine');
+  if (seen.contrast < leastContrast) doubts.push('faint');
+  else if (seen.r < leastLikeness || seen.kept < leastKept) doubts.push('fine');
   return doubts;
 }

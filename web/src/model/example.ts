@@ -1,16 +1,15 @@
 // A plate to begin with, as data.
-import type { DirectionEncoding, DirectionMode } from 'sillon';
 import type { FilamentKey } from './filaments.js';
 import type { LayerKind, LayerValues } from './layers.js';
-import type { DirectionSource, ShapeSource } from './plate.js';
+import type { ShapeSource } from './plate.js';
 
 /** The fields that differ from the core's defaults; files by their names. */
-export type ExampleLayer = Partial<Omit<LayerValues, 'file' | 'others' | 'maskFile' | 'modeFile' | 'font'>> & {
+export type ExampleLayer = Partial<Omit<LayerValues, 'file' | 'pictures' | 'maskFile' | 'modeFile' | 'font'>> & {
   kind: LayerKind;
-  file?: string | null;
-  others?: readonly { file: string; lamp: readonly [number, number] | null }[];
-  maskFile?: string | null;
-  modeFile?: string | null;
+  file?: string;
+  pictures?: readonly { file: string; lamp?: readonly [number, number] | null }[];
+  maskFile?: string;
+  modeFile?: string;
   font?: string;
 };
 
@@ -22,13 +21,8 @@ export interface Example {
   filament: FilamentKey;
   /** A name is that of a file. */
   shape: ShapeSource | string;
-  directions:
-    | DirectionSource
-    | { file: string; encoding: DirectionEncoding }
-    | { pictures: readonly { file: string; lamp: readonly [number, number] }[] };
-  modes?: { mode?: DirectionMode; file?: string };
-  /** The last on top. */
-  layers?: readonly ExampleLayer[];
+  /** Bottom first. */
+  layers: readonly ExampleLayer[];
   nearest?: boolean;
 }
 

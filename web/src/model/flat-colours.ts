@@ -1,6 +1,5 @@
 // The flat colours of a drawing, and the directions that they begin with.
-import type { Picture } from 'sillon';
-import type { FlatColour } from './plate.js';
+import type { ColourAngle, Picture } from 'sillon';
 
 /** Of what nobody painted. */
 export const clear = -1;
@@ -74,7 +73,7 @@ export function flatColours(picture: Picture): string[] {
 
 /** Directions from dark to light, so that under the usual light the drawing is dark and light in the same places.
  * @param before  what was chosen for colours that are still there */
-export function directionsFor(found: readonly string[], before: readonly FlatColour[] = []): FlatColour[] {
+export function directionsFor(found: readonly string[], before: readonly ColourAngle[] = []): ColourAngle[] {
   const [dark, light] = [60, 150];
   const share = (k: number): number => (found.length > 1 ? k / (found.length - 1) : 1);
   return found.map((colour, k) => ({

@@ -10,11 +10,11 @@ export type Mode = 'edit' | 'customize' | 'view';
 /** Of the plate's size; beads, printers and files are in mm everywhere. */
 export type Units = 'mm' | 'in';
 
-export const sections = ['shape', 'directions', 'layers', 'toolpath', 'print', 'quality'] as const;
+export const sections = ['layers', 'shape', 'toolpath', 'print', 'quality'] as const;
 export type Section = (typeof sections)[number];
 
 const parts = ['name', 'size', 'source', 'filament', 'printer', 'download'] as const;
-/** A whole section, one setting, or one part of a plate; `source`: the fields of its directions. */
+/** A whole section, one setting, or one part of a plate; `source`: the fields of what fills it. */
 export type Control = Section | SettingId | (typeof parts)[number];
 const controls: readonly Control[] = [...sections, ...parts, ...settings.map(({ id }) => id)];
 

@@ -2,13 +2,14 @@
 import type { Look, PictureReport } from 'sillon';
 import { appearance } from './appearance.js';
 import { slopesOf } from './filaments.js';
-import { completeLayers, drawnLayers, showsPictures } from './layers.js';
-import { isExample, type DirectionSource, type LampPicture, type Plate, type SourceFile } from './plate.js';
+import { groundFill, groundOf, groundPictures } from './fills.js';
+import { completeLayers, pictureLayers } from './layers.js';
+import { mostEntries } from './layer-table.js';
+import { isExample, type LampPicture, type Plate, type SourceFile } from './plate.js';
 import type { Light } from './view.js';
 
-export type LampSource = Extract<DirectionSource, { kind: 'lamp' }>;
-
-export const mostPictures = 4;
+/** The most pictures of one layer. */
+export const mostPictures = mostEntries.pictures;
 /** Slopes that blur as much: a bulb, a softbox, a large window. */
 export const lampSizes = {
   bulb: appearance.bulb,
@@ -20,8 +21,8 @@ export const lampSizes = {
 const between = 55;
 const usualElevation = 45;
 
-/** The engine solves for the plate's pictures, or for those of its layers. */
-const isSolved = (plate: Plate): boolean => plate.directions.kind === 'lamp' || showsPictures(plate);
+/** The engine solves for pictures of the plate. */
+const isSolved = (plate: Plate): boolean => pictureLayers(plate).length > 0;
 
 /** Whether both plates ask the engine for the same pictures; other directions do not know of spools. */
 export function samePictures(a: Plate, b: Plate): boolean {
@@ -34,8 +35,7 @@ export function samePictures(a: Plate, b: Plate): boolean {
  * as `pathsFor` of the core has it. */
 export function platesFor(plate: Plate): number {
   const { corrections, localContrast } = plate.pictures;
-  const shown = plate.directions.kind === 'lamp' || showsPictures(plate);
-  return shown && localContrast === 0 ? 1 + corrections : 1;
+  return isSolved(plate) && localContrast === 0 ? 1 + corrections : 1;
 }
 
 const wrapped = (azimuth: number): number => ((azimuth % 360) + 360) % 360;
@@ -50,24 +50,32 @@ export function lampFor(pictures: readonly LampPicture[], light: Light): [number
   return [wrapped(last[0] + between), last[1]];
 }
 
-const lightOf = ([azimuth, elevation]: readonly [number, number]): Light => ({
+export const lightOf = ([azimuth, elevation]: readonly [number, number]): Light => ({
   azimuth: wrapped(azimuth),
   elevation,
 });
 
-/** The lamps of the plate's pictures: as solved for, else as asked for. */
-export function lampsOf(source: DirectionSource, look: Look | undefined): Light[] {
-  if (source.kind !== 'lamp') return [];
-  return source.pictures.flatMap(({ lamp }, k) => {
-    const found = lamp ?? look?.lamps[k];
+/** The lamp of a picture above other layers that names none, where the plate has no picture below. */
+export const layersLamp: readonly [number, number] = [60, 45];
+
+/** Pictures that the light turns to: those of the lowest layer that shows any. */
+export const shownPictures = (plate: Plate): readonly LampPicture[] => pictureLayers(plate)[0]?.pictures ?? none;
+
+const none: readonly LampPicture[] = [];
+
+/** The lamps of these pictures: as asked for, else as solved for. */
+export function lampsOf(plate: Plate, look: Look | undefined): Light[] {
+  const ground = groundPictures(plate).length > 0;
+  return shownPictures(plate).flatMap(({ lamp }, k) => {
+    const found = lamp ?? (ground ? look?.lamps[k] : layersLamp);
     return found === undefined ? [] : [lightOf(found)];
   });
 }
 
 /** What is to be seen on the plate; of several pictures, the one whose lamp shines. */
-export function pictureOf({ directions }: Plate, lamp: number): SourceFile | undefined {
-  if (directions.kind === 'lamp') return directions.pictures[lamp]?.file;
-  return 'file' in directions && directions.kind !== 'map' ? directions.file : undefined;
+export function pictureOf(plate: Plate, lamp: number): SourceFile | undefined {
+  const ground = groundOf(plate);
+  return groundPictures(plate)[lamp]?.file ?? (ground?.kind === 'tones' ? (ground.file ?? undefined) : undefined);
 }
 
 /** Tells a visitor's own picture, which is to be seen, from an example's, which may glitter under a light that moves by itself. */
@@ -78,31 +86,15 @@ export function isOwnPicture(plate: Plate, lamp: number): boolean {
 
 export const usualLight: Readonly<Light> = { azimuth: 60, elevation: 35 };
 
-/** The lamp of a picture among layers that names none, where the plate has no picture of its own. */
-export const layersLamp: readonly [number, number] = [60, 45];
-
 /** Where the plate looks as it is meant to: beads that run across the light are bright. */
 export function homeLight(plate: Plate, look: Look | undefined): Light {
-  const { directions } = plate;
-  const [lamp] = lampsOf(directions, look);
+  const [lamp] = lampsOf(plate, look);
   if (lamp !== undefined) return lamp;
-  const picture = drawnLayers(plate).find(({ kind }) => kind === 'picture');
-  if (picture !== undefined) return lightOf(picture.lamp ?? layersLamp);
-  const across = (angle: number): Light => ({ ...usualLight, azimuth: (((angle - 90) % 180) + 180) % 180 });
-  switch (directions.kind) {
-    case 'tone':
-      return across(directions.invert ? directions.from : directions.to);
-    case 'levels':
-      return across(directions.invert ? directions.dark : directions.light);
-    case 'colours':
-      return across(directions.colours.at(-1)?.angle ?? usualLight.azimuth + 90); // the lightest is bright
-    case 'qr':
-      return across(directions.light);
-    case 'text':
-      return across(directions.letters);
-    default:
-      return usualLight;
-  }
+  const ground = groundOf(plate);
+  if (ground?.kind !== 'tones' || ground.by === 'edges') return usualLight;
+  // White is bright, and of flat colours the lightest.
+  const bright = ground.by === 'colours' ? ground.colours.at(-1)?.angle : ground.to;
+  return bright === undefined ? usualLight : { ...usualLight, azimuth: (((bright - 90) % 180) + 180) % 180 };
 }
 
 // --- What can be seen ----------------------------------------------------------------------------------------------------
@@ -116,26 +108,21 @@ export const greySteps = (contrast: number): number =>
 
 export type Weakness = 'spool' | 'window' | 'unlike' | 'crowded';
 
-/** Pictures over one another that fill the plate, without those of the layers over them. */
-export const seenOfDirections = (seen: readonly PictureReport[] | undefined): readonly PictureReport[] | undefined =>
-  seen?.filter(({ layer }) => layer === 1);
+/** Tells how well the pictures of one layer are seen. @param of  its place among the complete layers; 0: the ground */
+export const seenOfLayer = (seen: readonly PictureReport[] | undefined, of = 0): readonly PictureReport[] | undefined =>
+  seen?.filter(({ layer }) => layer === of + 1);
 
 /** The file that one of the reports is about. @param k  its place among all */
 export function judgedFile(plate: Plate, all: readonly PictureReport[], k: number): SourceFile | undefined {
   const layer = all[k]?.layer ?? 1;
   const place = all.slice(0, k).filter((one) => one.layer === layer).length;
-  const { directions } = plate;
-  const above = completeLayers(plate)[layer - 2]; // the lowest is that of the directions
-  const lit = directions.kind === 'lamp' ? directions.pictures : [];
-  const shown = above === undefined ? [] : [above, ...above.others];
-  return (layer === 1 ? lit : shown)[place]?.file ?? undefined;
+  return completeLayers(plate)[layer - 1]?.pictures[place]?.file;
 }
 
 /** Why people may not see the pictures; empty: they will. @param all  of the finished plate */
 export function weaknessesOf(plate: Plate, all: readonly PictureReport[] | undefined): Weakness[] {
-  const { directions } = plate;
-  const seen = seenOfDirections(all);
-  if (directions.kind !== 'lamp') return [];
+  if (groundFill(plate) !== 'picture') return [];
+  const seen = seenOfLayer(all);
   const found: Weakness[] = [];
   const window = plate.pictures.lampSize >= wideLamp;
   if (window) found.push('window');
@@ -150,6 +137,6 @@ export function weaknessesOf(plate: Plate, all: readonly PictureReport[] | undef
 
 /** For the sentences about weaknesses: how many pictures there are, and the lowest of their correlations. */
 export function leastSeen(all: readonly PictureReport[] | undefined): { n: number; r: number } {
-  const seen = seenOfDirections(all) ?? [];
+  const seen = seenOfLayer(all) ?? [];
   return { n: seen.length, r: Math.min(1, ...seen.map(({ r }) => r)) };
 }

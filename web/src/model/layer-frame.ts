@@ -1,4 +1,5 @@
 // Layers lie on the page in boxes that turn about their middles, in mm with y up.
+import { fillOf } from './fills.js';
 import { middleOf } from './layer-list.js';
 import { pageOf, type PageParts, type PlateLayer } from './plate.js';
 
@@ -18,9 +19,9 @@ export interface Frame {
   turn: number;
 }
 
-/** Kinds that fill the page where nobody has given them a size. */
-const fillsPage = ({ kind, pattern }: PlateLayer): boolean =>
-  kind === 'direction' || kind === 'map' || (kind === 'pattern' && pattern !== 'echo');
+/** Layers of these kinds fill the page where nobody has given them a size. */
+const fillsPage = (layer: PlateLayer): boolean =>
+  layer.kind === 'strokes' || (fillOf(layer) !== undefined && layer.size[0] + layer.size[1] === 0);
 
 /** A text grows with its capitals, or stays within a size. @returns by how much it has grown */
 function grown(now: PlateLayer, then: PlateLayer): number {

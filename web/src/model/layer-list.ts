@@ -1,13 +1,11 @@
 // The layers of a plate: how each begins, what is told of it, and the list that they make.
 import { defaultsOf } from './defaults.js';
-import { mostLayers as mostOfCore } from './facts.js';
+import { mostLayers } from './facts.js';
 import { hasFill, layerInput, type LayerKey, type LayerKind, type LayerValues } from './layers.js';
 import { pageOf, type PageParts, type Plate, type PlateLayer, type SourceFile } from './plate.js';
 import { layerTable } from './layer-table.js';
-import { without } from './without.js';
 
-/** The lowest layer is that of the directions. */
-export const mostLayers = mostOfCore - 1;
+export { mostLayers };
 
 export const layerKinds: readonly LayerKind[] = layerTable.kind.choices;
 
@@ -17,8 +15,7 @@ export const isFontFile = (name: string): boolean => /\.(?:ttf|otf)$/i.test(name
 const usual: LayerValues = {
   ...defaultsOf<LayerValues>(layerTable),
   file: null,
-  lamp: null,
-  others: [],
+  pictures: [],
   maskFile: null,
   modeFile: null,
   colours: [],
@@ -57,20 +54,10 @@ export const newLayer = (plate: PageParts, kind: LayerKind, given: Partial<Layer
 
 // --- What is told of it --------------------------------------------------------------------------------------------------
 
-export const filesOfLayer = ({ file, others, maskFile, modeFile, font }: PlateLayer): SourceFile[] =>
-  [file, ...others.map((one) => one.file), maskFile, modeFile, font].filter(
+export const filesOfLayer = ({ file, pictures, maskFile, modeFile, font }: PlateLayer): SourceFile[] =>
+  [file, ...pictures.map((one) => one.file), maskFile, modeFile, font].filter(
     (one): one is SourceFile => one !== null && typeof one !== 'string',
   );
-
-/** A layer with something in place of each of its files. */
-export const layerData = <Told>(layer: PlateLayer, told: (file: SourceFile) => Told) => ({
-  ...layer,
-  file: layer.file && told(layer.file),
-  others: layer.others.map(({ file, lamp }) => ({ file: told(file), lamp })),
-  maskFile: layer.maskFile && told(layer.maskFile),
-  modeFile: layer.modeFile && told(layer.modeFile),
-  font: typeof layer.font === 'string' ? layer.font : told(layer.font),
-});
 
 /** Values that differ from the defaults; the fill also beside an angle, which the core takes for one otherwise. */
 function differing(layer: PlateLayer, whole: Readonly<Record<string, unknown>>): object {
@@ -80,10 +67,6 @@ function differing(layer: PlateLayer, whole: Readonly<Record<string, unknown>>):
     key === 'kind' || key === 'pictures' || differs(key as LayerKey) || (angled && key === 'fill');
   return Object.fromEntries(Object.entries(whole).filter(([key]) => told(key)));
 }
-
-/** A layer in a link. @param content  as of layerData */
-export const toldLayer = (layer: PlateLayer, content: (file: SourceFile) => unknown): object =>
-  differing(layer, without(layerData(layer, content), 'id'));
 
 /** A layer in a project. @param content  as of layerInput */
 export const projectLayer = (layer: PlateLayer, content: (file: SourceFile) => unknown): object =>

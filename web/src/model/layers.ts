@@ -8,13 +8,11 @@ export type LayerKind = Layer['kind'];
 export type LayerValues = Omit<PlateLayer, 'id'>;
 export type LayerKey = keyof LayerValues;
 
+type Content = Pick<PlateLayer, 'kind' | 'pattern'>;
+
 /** Tells whether the layer's directions come from its file. */
-export const needsFile = ({ kind, pattern }: Pick<PlateLayer, 'kind' | 'pattern'>): boolean =>
-  kind === 'map' ||
-  kind === 'picture' ||
-  kind === 'tones' ||
-  kind === 'drawing' ||
-  (kind === 'pattern' && pattern === 'echo');
+export const needsFile = ({ kind, pattern }: Content): boolean =>
+  kind === 'map' || kind === 'tones' || kind === 'drawing' || (kind === 'pattern' && pattern === 'echo');
 
 /** An echo without a file follows letters. */
 const echoesText = ({ kind, text }: Pick<PlateLayer, 'kind' | 'text'>): boolean => kind === 'pattern' && text !== '';
@@ -29,7 +27,8 @@ export const needsMask = ({ mask }: Pick<PlateLayer, 'mask'>): boolean => mask =
 
 /** The first thing that a layer lacks to be drawn; the core refuses plates with such layers. */
 export function lackOf(layer: PlateLayer): 'file' | 'text' | 'mask' | undefined {
-  if (needsFile(layer) && layer.file === null && !echoesText(layer)) return 'file';
+  const lacksFile = layer.kind === 'picture' ? layer.pictures.length === 0 : needsFile(layer) && layer.file === null;
+  if (lacksFile && !echoesText(layer)) return 'file';
   if (needsText(layer) && layer.text === '') return 'text';
   return needsMask(layer) && layer.maskFile === null ? 'mask' : undefined;
 }
@@ -47,24 +46,23 @@ export function sameLayers(a: Pick<Plate, 'layers'>, b: Pick<Plate, 'layers'>): 
   return one.length === other.length && one.every((layer, k) => layer === other[k]);
 }
 
-/** Pictures among the layers are solved for, as those under lamps are. */
-export const showsPictures = (plate: Pick<Plate, 'layers'>): boolean =>
-  drawnLayers(plate).some(({ kind }) => kind === 'picture');
+/** Layers whose pictures the engine solves for. */
+export const pictureLayers = (plate: Pick<Plate, 'layers'>): readonly PlateLayer[] =>
+  drawnLayers(plate).filter(({ kind }) => kind === 'picture');
 
 /** Tells whether layers of a kind have a value of the core's. */
 const isOfKind = (kind: LayerKind, key: string): boolean => (kindsOf[key] ?? kind).split(' ').includes(kind);
 
 /** A layer as the core has it: what its kind has. @param content  the stand-in for a file */
 export function layerInput<Content>(layer: PlateLayer, content: (file: SourceFile) => Content) {
-  const { kind, file, lamp, others } = layer;
-  const lit = file === null ? [] : [{ file, lamp }, ...others];
+  const { kind, file, maskFile, modeFile, font } = layer;
   const whole = {
-    ...without(layer, 'id', 'kind', 'file', 'lamp', 'others', 'maskFile', 'modeFile', 'font'),
-    font: typeof layer.font === 'string' ? layer.font : content(layer.font),
+    ...without(layer, 'id', 'kind', 'file', 'pictures', 'maskFile', 'modeFile', 'font'),
+    font: typeof font === 'string' ? font : content(font),
     ...(file !== null && { file: content(file) }),
-    pictures: lit.map((one) => ({ file: content(one.file), lamp: one.lamp })),
-    ...(layer.maskFile !== null && { maskFile: content(layer.maskFile) }),
-    ...(layer.modeFile !== null && { modeFile: content(layer.modeFile) }),
+    pictures: layer.pictures.map((one) => ({ file: content(one.file), lamp: one.lamp })),
+    ...(maskFile !== null && { maskFile: content(maskFile) }),
+    ...(modeFile !== null && { modeFile: content(modeFile) }),
   };
   const own = Object.fromEntries(Object.entries(whole).filter(([key]) => isOfKind(kind, key))) as Partial<typeof whole>;
   return { kind, ...own };

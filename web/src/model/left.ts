@@ -1,25 +1,34 @@
 // What a plate was made of before another card was tried: to come back to it asks for no file again.
-import type { DirectionSource, Plate, SourceFile } from './plate.js';
-
-export type Kind = DirectionSource['kind'];
+import { fillOf, groundOf, toldFrom, type Fill } from './fills.js';
+import type { LayerValues } from './layers.js';
+import type { Plate, PlateLayer, SourceFile } from './plate.js';
 
 export interface Left {
   /** The latest last. */
-  directions: ReadonlyMap<Kind, DirectionSource>;
+  grounds: ReadonlyMap<Fill, PlateLayer>;
   /** From a file. */
   shape?: Pick<Plate, 'shape' | 'width' | 'height'>;
 }
 
-export const nothingLeft: Left = { directions: new Map() };
-
-export const filesIn = (source: DirectionSource): readonly SourceFile[] =>
-  'file' in source ? [source.file] : source.kind === 'lamp' ? source.pictures.map(({ file }) => file) : [];
+export const nothingLeft: Left = { grounds: new Map() };
 
 /** What directions can be told from: the plate's own file, else that which was left last. */
-export const filesFor = ({ directions }: Plate, left: Left): SourceFile[] =>
-  [directions, ...[...left.directions.values()].reverse()].flatMap(filesIn);
+export function filesFor(plate: Plate, left: Left): SourceFile[] {
+  const ground = groundOf(plate);
+  return [...(ground === undefined ? [] : [ground]), ...[...left.grounds.values()].reverse()].flatMap(toldFrom);
+}
 
-export function leaving({ directions }: Plate, left: Left): Left {
-  const others = [...left.directions].filter(([kind]) => kind !== directions.kind);
-  return { ...left, directions: new Map([...others, [directions.kind, directions]]) };
+/** The values of a fill that was left, as far as they are of this file. */
+export function leftOf(left: Left, fill: Fill, file: SourceFile | undefined): LayerValues | undefined {
+  const before = left.grounds.get(fill);
+  const files = before === undefined ? [] : toldFrom(before);
+  return files.length === 0 || (file !== undefined && files.includes(file)) ? before : undefined;
+}
+
+export function leaving(plate: Plate, left: Left): Left {
+  const ground = groundOf(plate);
+  const fill = ground && fillOf(ground);
+  if (ground === undefined || fill === undefined) return left;
+  const others = [...left.grounds].filter(([one]) => one !== fill);
+  return { ...left, grounds: new Map([...others, [fill, ground.visible ? ground : { ...ground, visible: true }]]) };
 }

@@ -3,7 +3,6 @@
 // what did not change.
 import type {
   BuiltinShape,
-  DirectionEncoding,
   DirectionMode,
   Layer,
   PictureParams,
@@ -11,8 +10,8 @@ import type {
   PrinterValues,
   Project,
   Spool,
+  ToolpathParams,
 } from 'sillon';
-import type { ToolpathParams } from 'sillon';
 
 /** A file as it came: kept for the project file. Equal `id`: equal bytes. */
 export interface SourceFile {
@@ -46,45 +45,12 @@ export interface LampPicture {
   lamp: readonly [number, number] | null;
 }
 
-/** A colour of a drawing as '#rrggbb', and the direction of what is painted in it [degrees]. */
-export interface FlatColour {
-  colour: string;
-  angle: number;
-}
-
-/** Where directions come from. Angles are degrees, counter-clockwise from the right; a bead has no sense: 180° is 0°.
- * Places are in the page's unit square, y up; lengths are shares of the page's width. */
-export type DirectionSource =
-  | { kind: 'angle'; angle: number }
-  /** Up to four pictures, each solved for by the engine: the directions that show it under its lamp. */
-  | { kind: 'lamp'; pictures: readonly LampPicture[] }
-  /** A picture that tells angles as the engine reads them. */
-  | { kind: 'map'; file: SourceFile; encoding: DirectionEncoding }
-  /** Tone to angle: black is `from`, white is `to`. Smoothing is a blur radius; contrast 1 leaves tones as they are. */
-  | { kind: 'tone'; file: SourceFile; from: number; to: number; invert: boolean; contrast: number; smoothing: number }
-  /** Along the picture's edges, smoothly between them. */
-  | { kind: 'edges'; file: SourceFile; smoothing: number; across: boolean }
-  /** Two directions: where the picture is dark, and where it is light. */
-  | { kind: 'levels'; file: SourceFile; dark: number; light: number; threshold: number; invert: boolean }
-  /** A direction for each flat colour of a drawing or a picture, from dark to light; other colours go with the nearest. */
-  | { kind: 'colours'; file: SourceFile; colours: readonly FlatColour[] }
-  | { kind: 'text'; text: string; font: string; bold: boolean; size: number; letters: number; ground: number }
-  | { kind: 'qr'; text: string; dark: number; light: number; margin: number }
-  | { kind: 'radial'; centre: [number, number]; angle: number }
-  | { kind: 'spiral'; centre: [number, number]; turns: number; angle: number }
-  | { kind: 'waves'; angle: number; amplitude: number; length: number }
-  | { kind: 'noise'; seed: number; scale: number; amplitude: number; angle: number };
-
 /** One layer as the core has it, with its files as they came. Lengths are mm on the page, angles degrees. */
 export type PlateLayer = Readonly<Omit<Layer, 'file' | 'maskFile' | 'modeFile' | 'font' | 'pictures'>> & {
   /** A whole number above 0 that no other layer of the plate has; it stays while the layer changes. */
   readonly id: number;
-  /** The first picture of a picture layer, too. */
   readonly file: SourceFile | null;
-  /** Lamp of that picture; null: as for the plate. */
-  readonly lamp: readonly [number, number] | null;
-  /** The pictures after the first. */
-  readonly others: readonly LampPicture[];
+  readonly pictures: readonly LampPicture[];
   readonly maskFile: SourceFile | null;
   readonly modeFile: SourceFile | null;
   /** The name of a built-in font, or a font's file. */
@@ -93,25 +59,6 @@ export type PlateLayer = Readonly<Omit<Layer, 'file' | 'maskFile' | 'modeFile' |
 
 /** What beads may do at a place, as people choose among it. */
 export const modeChoices = ['constrained', 'parallel', 'orthogonal', 'smoothest'] as const satisfies DirectionMode[];
-
-/** One gesture of a brush, in page units as above. Edits are replayed in order over the source. */
-export interface Stroke {
-  tool: 'comb' | 'mode' | 'erase';
-  /** x0, y0, x1, y1, ... */
-  points: readonly number[];
-  /** Radius, share of the page's width. */
-  radius: number;
-  /** How soft the rim is: 0 hard, 1 fades from the middle. */
-  softness: number;
-  /** Of `mode`; `comb` makes what it touches constrained. */
-  mode?: DirectionMode;
-}
-
-/** What everything but the strokes asks of places, and a picture of modes laid over it. */
-export interface ModeSource {
-  mode: DirectionMode;
-  file?: SourceFile;
-}
 
 /** A spool that somebody has measured: an entry of a file of spools, with its name there. */
 export interface OwnSpool extends Readonly<Spool> {
@@ -124,13 +71,11 @@ export type Machine = PrinterValues & { profile?: string; filament?: string };
 
 export interface Plate {
   shape: ShapeSource;
-  /** Of the page without what an offset adds; a file's proportions are kept by whoever sets them. 0 height: follows the direction
-   * picture. */
+  /** Of the page without what an offset adds; a file's proportions are kept by whoever sets them. 0 height: follows the picture
+   * of the lowest layer. */
   width: number;
   height: number;
-  directions: DirectionSource;
-  modes: ModeSource;
-  /** Over the directions, the last on top. */
+  /** Bottom first: the lowest fills the page. */
   layers: readonly PlateLayer[];
   /** Settings that all pictures share. The spool is the filament whose colour and gloss the appearance
    * shows, too. */
@@ -139,9 +84,8 @@ export interface Plate {
   print: Omit<PrintParams, 'date'>;
   printer: Machine;
 
-  // Parts that only the studio has; of the directions, all that is drawn.
+  // Parts that only the studio has.
   name: string;
-  strokes: readonly Stroke[];
   /** Printer that came with a design from elsewhere and is not used before the visitor says so; kept with the work alone. */
   brought?: Machine | undefined;
   /** Instead of the spool's colour and gloss, those of one's own. */
@@ -156,7 +100,3 @@ export function pageOf({ shape, width, height }: PageParts): [number, number] {
   const grown = 2 * Math.max(0, shape.offset);
   return [width + grown, (height || width) + grown];
 }
-
-/** Tells whether the studio draws directions and modes for the engine; else the project's own sections tell them. */
-export const isDrawn = ({ directions: { kind }, strokes }: Pick<Plate, 'directions' | 'strokes'>): boolean =>
-  kind !== 'lamp' && (strokes.length > 0 || (kind !== 'angle' && kind !== 'map'));

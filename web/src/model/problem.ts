@@ -16,7 +16,6 @@ export type ProblemCode =
   /** A drawing's text is set in fonts that stand in for its own. */
   | 'OtherFont'
   /** A drawing with so much in it that the browser is not asked to draw its colours. */
-  | 'DrawingTooMuch'
   /** A project whose zip, or whose studio.json, cannot be read. */
   | 'BrokenProject'
   /** More than one project among files that were dropped together. */
@@ -86,7 +85,7 @@ export const isAbort = (error: unknown): boolean => error instanceof Error && er
 
 /** Whether it is the engine's or the page's word on what it was given; of anything else the file has no fault. */
 export const isOfFile = (error: unknown): boolean =>
-  ['InvalidArgument', 'InvalidFile', 'EmptyShape', 'TooLarge', 'DrawingTooMuch'].includes(problemOf(error).code);
+  ['InvalidArgument', 'InvalidFile', 'EmptyShape', 'TooLarge'].includes(problemOf(error).code);
 
 /** Whether both would be told in the same words. */
 export const same = (a: Problem, b: Problem): boolean =>

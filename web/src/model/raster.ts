@@ -1,15 +1,19 @@
-// What sources and strokes become: a direction and a mode per texel, ready for the engine and for the canvas.
+// Layers as the engine draws them for the canvas: a direction and a mode per texel.
+import type { DirectionRaster } from 'sillon';
 
-/** Stretched over the page, row 0 on top. */
-export interface DirectionRaster {
+export type { DirectionRaster };
+
+export interface Size {
   width: number;
   height: number;
-  /** angle / 65535 * 180 - 90 degrees, counter-clockwise from the right; as the engine's 'angle' pictures. */
-  angle: Uint16Array;
-  /** 0 parallel, 1 orthogonal, 2 smoothest, 3 constrained. */
-  mode: Uint8Array;
 }
 
-/** Texels of the longer side, for plates that are printed and for what must keep up with a hand. */
+/** @param page  [any unit] @param longest  texels of the longer side */
+export function sizeFor([width, height]: readonly [number, number], longest: number): Size {
+  const texels = (side: number): number => Math.max(1, Math.round((longest * side) / Math.max(width, height)));
+  return { width: texels(width), height: texels(height) };
+}
+
+/** Texels of the longer side, for a plate that rests and for what must keep up with a hand. */
 export const fineResolution = 1024;
 export const coarseResolution = 256;

@@ -1,9 +1,8 @@
 // What a visitor wants of a sliced print, as plain data, and how the engine is asked for it.
-import type { DirectionMode, Stroke as LayerStroke, RebrushOptions, SlicedSurface } from 'sillon';
+import type { DirectionMode, RebrushOptions, SlicedSurface, Stroke } from 'sillon';
 import { engineInput } from './input.js';
 import { spoolSlopes, type FilamentKey } from './filaments.js';
-import type { OwnSpool, Plate, SourceFile, Stroke } from './plate.js';
-import type { DirectionRaster } from './raster.js';
+import type { OwnSpool, Plate, SourceFile } from './plate.js';
 
 export type Way = 'angle' | 'hand' | 'plate' | 'picture';
 export type Fit = RebrushOptions['fit'];
@@ -28,17 +27,17 @@ export interface Wish {
   /** Instead of it, a spool of one's own. */
   own: OwnSpool | undefined;
   fit: Fit;
-  /** Of the way 'hand': points and radii in mm on the bed. */
+  /** Of the way 'hand': points in mm on the bed. */
   strokes: readonly Stroke[];
 }
 
 /** What a hand draws with on a print. */
 export interface HandBrush {
-  tool: 'pan' | Stroke['tool'];
+  tool: 'pan' | NonNullable<Stroke['tool']>;
   /** [mm] */
   across: number;
   /** As a stroke's. */
-  softness: number;
+  soft: number;
   /** What the tool 'mode' paints. */
   mode: DirectionMode;
 }
@@ -82,28 +81,18 @@ const slopesFor = (spool: OwnSpool | undefined, side: Side, nozzle: number): { s
   spool === undefined ? {} : { slopes: spoolSlopes(spool, nozzle, side === 'bottom' ? 'bedSide' : 'nozzleSide') };
 
 /** Strokes on the page that the chosen faces share. Bottoms are seen from below there, and painted as they lie on the bed. */
-const strokesOn = ({ corner, size }: Box, { side, strokes }: Wish): LayerStroke[] =>
-  strokes.map(({ tool, points, radius, softness, mode }) => ({
-    tool,
-    radius,
-    soft: softness,
-    ...(mode !== undefined && { mode }),
-    points: points.map((value, k) => {
+const strokesOn = ({ corner, size }: Box, { side, strokes }: Wish): Stroke[] =>
+  strokes.map((stroke) => ({
+    ...stroke,
+    points: stroke.points.map((value, k) => {
       const from = value - (corner[k % 2] as number);
       return k % 2 === 0 && side === 'bottom' ? size[0] - from : from;
     }),
   }));
 
 /** @param faces  all that can be replaced; where all are chosen, none is named
- * @param raster  of the plate, for the way 'plate'
  * @param nozzle  of the file [mm] */
-export function howOf(
-  wish: Wish,
-  faces: readonly Face[],
-  plate: Plate,
-  raster: DirectionRaster | undefined,
-  nozzle: number,
-): Partial<RebrushOptions> {
+export function howOf(wish: Wish, faces: readonly Face[], plate: Plate, nozzle: number): Partial<RebrushOptions> {
   const all = faces.every(({ index }) => wish.chosen.has(index));
   const sides = wish.side === 'top' ? {} : { sides: wish.side };
   const only = all ? sides : { only: [...wish.chosen].sort((a, b) => a - b) };
@@ -122,7 +111,7 @@ export function howOf(
       };
     }
     case 'plate': {
-      const { layers = [], pictures } = engineInput({ plate, raster }).input;
+      const { layers = [], pictures } = engineInput(plate).input;
       const lit = pictures && {
         ...pictures,
         slopes: plate.pictures.slopes,

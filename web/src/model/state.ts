@@ -2,7 +2,7 @@
 import type { Conflict, GcodeCheck, GcodeSummary, Report, Toolpath } from 'sillon';
 import type { DirectionRaster } from './raster.js';
 import type { ColourBy, Light, ViewName } from './view.js';
-import { newPlate } from './defaults.js';
+import { newPlate } from './new-plate.js';
 import type { Plate } from './plate.js';
 import type { Problem } from './problem.js';
 

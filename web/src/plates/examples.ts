@@ -1,5 +1,5 @@
-// Plates to begin with: generators as data, and pictures of our own that lie beside the page.
-import { newGenerator, newShape } from '../model/defaults.js';
+// Plates to begin with: layers as data, and pictures of our own that lie beside the page.
+import { newShape } from '../model/defaults.js';
 import type { Example } from '../model/example.js';
 
 /** Two pictures in one plate, on a spool with contrast: what the studio opens with, too. */
@@ -9,12 +9,15 @@ export const opening: Example = {
   height: 80,
   filament: 'bluePla',
   shape: newShape('disc'),
-  directions: {
-    pictures: [
-      { file: 'sun.png', lamp: [70, 45] },
-      { file: 'moon.png', lamp: [110, 45] },
-    ],
-  },
+  layers: [
+    {
+      kind: 'picture',
+      pictures: [
+        { file: 'sun.png', lamp: [70, 45] },
+        { file: 'moon.png', lamp: [110, 45] },
+      ],
+    },
+  ],
 };
 
 /** Also a first print: nothing can go wrong with it that the coupon does not show. */
@@ -24,7 +27,7 @@ export const coaster: Example = {
   height: 80,
   filament: 'bluePla',
   shape: newShape('disc'),
-  directions: { ...newGenerator('spiral'), turns: 2, angle: 25 },
+  layers: [{ kind: 'pattern', pattern: 'spiral', waveLength: 40, angle: 25 }],
 };
 
 export const examples: readonly Example[] = [
@@ -35,7 +38,7 @@ export const examples: readonly Example[] = [
     height: 70,
     filament: 'goldPla',
     shape: newShape('disc'),
-    directions: newGenerator('waves'),
+    layers: [{ kind: 'pattern', pattern: 'waves', amplitude: 40, waveLength: 24.5 }],
   },
   coaster,
   {
@@ -44,7 +47,7 @@ export const examples: readonly Example[] = [
     height: 80,
     filament: 'redPetg',
     shape: newShape('rounded'),
-    directions: { ...newGenerator('radial'), centre: [0.5, 0.16] },
+    layers: [{ kind: 'pattern', at: [40, 12.8], mask: 'page' }],
   },
   {
     id: 'rings',
@@ -52,7 +55,7 @@ export const examples: readonly Example[] = [
     height: 60,
     filament: 'greyPla',
     shape: newShape('disc'),
-    directions: { ...newGenerator('radial'), angle: 90 },
+    layers: [{ kind: 'pattern', angle: 90 }],
   },
   {
     id: 'silk',
@@ -60,7 +63,7 @@ export const examples: readonly Example[] = [
     height: 60,
     filament: 'clearPetg',
     shape: newShape('rounded'),
-    directions: { ...newGenerator('noise'), seed: 4, scale: 0.32, amplitude: 120 },
+    layers: [{ kind: 'pattern', pattern: 'noise', seed: 4, waveLength: 28.8, amplitude: 90 }],
   },
   {
     id: 'grain',
@@ -68,7 +71,7 @@ export const examples: readonly Example[] = [
     height: 40,
     filament: 'goldPla',
     shape: newShape('rectangle'),
-    directions: { ...newGenerator('noise'), seed: 9, scale: 0.16, amplitude: 40 },
+    layers: [{ kind: 'pattern', pattern: 'noise', seed: 9, waveLength: 16, amplitude: 40 }],
   },
   {
     id: 'portrait',
@@ -76,7 +79,7 @@ export const examples: readonly Example[] = [
     height: 80,
     filament: 'bluePla',
     shape: newShape('rounded'),
-    directions: { file: 'photo.png', encoding: 'rotation' },
+    layers: [{ kind: 'map', file: 'photo.png', encoding: 'rotation' }],
   },
   {
     id: 'relief',
@@ -84,7 +87,7 @@ export const examples: readonly Example[] = [
     height: 84,
     filament: 'greyPla',
     shape: newShape('rounded'),
-    directions: { file: 'relief.png', encoding: 'rotation' },
+    layers: [{ kind: 'map', file: 'relief.png', encoding: 'rotation' }],
   },
   {
     id: 'mosaic',
@@ -92,7 +95,7 @@ export const examples: readonly Example[] = [
     height: 90,
     filament: 'goldPla',
     shape: newShape('disc'),
-    directions: { file: 'mosaic.png', encoding: 'angle' },
+    layers: [{ kind: 'map', file: 'mosaic.png' }],
     nearest: true,
   },
   {
@@ -101,7 +104,7 @@ export const examples: readonly Example[] = [
     height: 96,
     filament: 'redPetg',
     shape: newShape('rectangle'),
-    directions: { file: 'tiles.png', encoding: 'angle' },
+    layers: [{ kind: 'map', file: 'tiles.png' }],
     nearest: true,
   },
   {
@@ -110,8 +113,7 @@ export const examples: readonly Example[] = [
     height: 100,
     filament: 'goldPla',
     shape: 'logo.svg',
-    directions: { file: 'logo_angle.png', encoding: 'angle' },
-    modes: { file: 'logo_mode.png' },
+    layers: [{ kind: 'map', file: 'logo_angle.png', modeFile: 'logo_mode.png' }],
   },
   {
     id: 'brushwork',
@@ -119,7 +121,6 @@ export const examples: readonly Example[] = [
     height: 72,
     filament: 'bluePla',
     shape: 'strokes.svg',
-    directions: { file: 'strokes_angle.png', encoding: 'angle' },
-    modes: { file: 'strokes_mode.png' },
+    layers: [{ kind: 'map', file: 'strokes_angle.png', modeFile: 'strokes_mode.png' }],
   },
 ];

@@ -74,6 +74,6 @@ export class Gallery extends DialogElement {
     this.close();
     const opened = await this.studio.attempt(() => this.studio.services.openExample(example));
     // The words and pictures that a visitor puts their own in the place of are there.
-    if (opened && example.layers !== undefined && this.studio.store.state.panel !== '') this.studio.setPanel('layers');
+    if (opened && example.layers.length > 1 && this.studio.store.state.panel !== '') this.studio.setPanel('layers');
   }
 }

@@ -1,7 +1,9 @@
 // A plate as an address of the studio, with words for what an address cannot carry.
 import { missingText, untoldText } from '../i18n/say-link.js';
 import type { Plate } from '../model/plate.js';
-import { readLink, writeLink, type Untold } from '../model/share.js';
+import type { Untold } from '../model/untold.js';
+import { readLink, writeLink } from '../files/link.js';
+import type { ProjectEngine } from '../files/plate-project.js';
 
 /** @returns the address, and words for who sends it */
 export async function linkOf(plate: Plate): Promise<{ url: string; told: string }> {
@@ -13,11 +15,15 @@ export async function linkOf(plate: Plate): Promise<{ url: string; told: string 
 }
 
 /** @returns the plate, and words for who opens it; undefined: the address names none */
-export async function plateOfLink(hash: string): Promise<{ plate: Plate; told: string } | undefined> {
+export async function plateOfLink(
+  hash: string,
+  engine: () => Promise<ProjectEngine>,
+): Promise<{ plate: Plate; told: string } | undefined> {
   let missing: Untold[] = [];
   const plate = await readLink(
     hash,
     async (name, bytes) => (await import('../files/source-file.js')).sourceFile(name, bytes),
+    engine,
     (parts) => {
       missing = parts;
     },

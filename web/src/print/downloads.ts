@@ -2,7 +2,9 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { words } from '../i18n/en/export.js';
+import { warningText } from '../i18n/say-core.js';
 import { say, t } from '../i18n/text.js';
+import { isOf } from '../model/result.js';
 import '../quality/doubts-list.js';
 import { StudioElement } from '../controls/element.js';
 import { icon, type IconName } from '../controls/icons.js';
@@ -21,7 +23,7 @@ const products: readonly (readonly [Product, IconName])[] = [
 
 @customElement('sillon-downloads')
 export class Downloads extends StudioElement {
-  static override reads = ['plate'] as const;
+  static override reads = ['plate', 'result'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -30,15 +32,30 @@ export class Downloads extends StudioElement {
       :host {
         display: block;
       }
-      sillon-doubts {
+      sillon-doubts,
+      p {
         padding: 4px 10px 0;
+      }
+      p {
+        display: grid;
+        grid-template-columns: auto 1fr;
+        gap: 8px;
+        margin: 0;
+        max-width: 24rem;
+        color: var(--bad);
+        font-size: var(--note);
       }
     `,
   ];
 
   override render(): TemplateResult {
-    const { print } = this.state.plate;
+    const { plate, result } = this.state;
+    const { print } = plate;
+    const known = result !== undefined && !result.coarse && isOf(result, plate) ? result.report.warnings : [];
+    // Letters, codes and pictures that nobody will see.
+    const unseen = known.filter(({ values }) => 'layer' in values);
     return html`<sillon-doubts .studio=${this.studio}></sillon-doubts>
+      ${unseen.map((warning) => html`<p role="status">${icon('warn', 16)} <span>${warningText(warning)}</span></p>`)}
       ${products.map(([product, name]) => {
         const missing = product === 'body' && print.base === 0;
         const help: keyof typeof words = missing ? 'export.body.none' : `export.${product}.help`;

@@ -1,7 +1,7 @@
 // Spools that the visitor has measured, as a plain file: the format of docs/reference/spools.md, which the command line reads.
 import { fieldsOf, numberIn, Unfit } from '../model/check.js';
-import { spoolFrom } from '../model/check-plate.js';
 import { filaments } from '../model/filaments.js';
+import { spoolFrom } from '../model/own-spool.js';
 import type { OwnSpool } from '../model/plate.js';
 
 const version = 1;

@@ -3,11 +3,9 @@ import type { PictureReport } from 'sillon';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { words as english } from '../i18n/en/doubts.js';
-import { formatNumber, say, t } from '../i18n/text.js';
-import { doubtsOf, hasPicture, legible, type Doubt, type Seen } from '../model/doubts.js';
+import { say, t } from '../i18n/text.js';
+import { doubtsOf, hasPicture, type Doubt, type Seen } from '../model/doubts.js';
 import { leastSeen } from '../model/lamp.js';
-import type { Plate } from '../model/plate.js';
-import type { DirectionRaster } from '../model/raster.js';
 import type { PlateResult } from '../model/state.js';
 import { isOf } from '../model/result.js';
 import { StudioElement } from '../controls/element.js';
@@ -19,30 +17,12 @@ type Cycles = PlateResult['toolpath']['cycles'];
 /** Computed once, wherever it is shown. */
 const answers = new WeakMap<Cycles, Promise<Seen>>();
 
-function words(
-  doubt: Doubt,
-  { toolpath }: Plate,
-  pictures: readonly PictureReport[] | undefined,
-  seen: Seen | undefined,
-): string {
-  switch (doubt) {
-    case 'small': {
-      const [height, need] = [seen?.letters ?? 0, legible * toolpath.spacing];
-      return say(english, 'doubt.small', { height: formatNumber(height, 1), need: formatNumber(need, 1) });
-    }
-    case 'blank':
-    case 'letters':
-    case 'fine':
-    case 'faint':
-      return say(english, `doubt.${doubt}`);
-    default:
-      return t(`lamp.weak.${doubt}`, leastSeen(pictures));
-  }
-}
+const words = (doubt: Doubt, pictures: readonly PictureReport[] | undefined): string =>
+  doubt === 'fine' || doubt === 'faint' ? say(english, `doubt.${doubt}`) : t(`lamp.weak.${doubt}`, leastSeen(pictures));
 
 @customElement('sillon-doubts')
 export class Doubts extends StudioElement {
-  static override reads = ['plate', 'result', 'scan', 'directions'] as const;
+  static override reads = ['plate', 'result', 'scan'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -68,10 +48,7 @@ export class Doubts extends StudioElement {
     const seen = finished === undefined ? undefined : this.#seen(finished);
     const pictures = finished?.report.pictures;
     return html`${doubtsOf(plate, pictures, seen).map(
-      (doubt) =>
-        html`<p class=${doubt} role="status">
-          ${icon('warn', 16)} <span>${words(doubt, plate, pictures, seen)}</span>
-        </p>`,
+      (doubt) => html`<p class=${doubt} role="status">${icon('warn', 16)} <span>${words(doubt, pictures)}</span></p>`,
     )}
     ${this.state.scan === undefined ? nothing : html`<sillon-scan-note .studio=${this.studio}></sillon-scan-note>`}`;
   }
@@ -96,19 +73,21 @@ export class Doubts extends StudioElement {
   #asked: Cycles | undefined;
   #known: { of: Cycles; how: Seen } | undefined;
 
-  async #look(result: PlateResult, directions: DirectionRaster): Promise<Seen> {
-    return (await import('./seen.js')).seenIn(result, directions, () => this.studio.services.engine());
+  async #look(result: PlateResult): Promise<Seen> {
+    const [{ seenOf }, directions] = await Promise.all([
+      import('./seen.js'),
+      this.studio.services.directions(result.plate),
+    ]);
+    return seenOf(result, directions);
   }
 
   /** Asked for while somebody looks; draws again once it is known. */
   #seen(result: PlateResult): Seen | undefined {
     const { cycles } = result.toolpath;
-    const { directions } = this.state;
     if (this.#known?.of === cycles) return this.#known.how;
-    if (!this.#visible || directions === undefined || !hasPicture(result.plate) || this.#asked === cycles)
-      return undefined;
+    if (!this.#visible || !hasPicture(result.plate) || this.#asked === cycles) return undefined;
     this.#asked = cycles;
-    const answer = answers.get(cycles) ?? this.#look(result, directions);
+    const answer = answers.get(cycles) ?? this.#look(result);
     answers.set(cycles, answer);
     void this.studio.attempt(async () => {
       this.#known = { of: cycles, how: await answer };

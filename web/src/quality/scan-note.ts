@@ -39,12 +39,9 @@ export class ScanNote extends StudioElement {
     if (scan === undefined || !isOf(scan, plate)) return nothing;
     const lamps = stretches(scan.azimuths).map(told);
     const where = new Intl.ListFormat(language(), { type: 'disjunction' }).format(lamps);
-    const empty = plate.directions.kind === 'qr' && plate.directions.text === '';
     return html`<p class=${lamps.length > 0 ? 'good' : 'poor'} role="status">
       ${icon(lamps.length > 0 ? 'check' : 'warn', 16)}
-      <span
-        >${lamps.length > 0 ? say(words, 'scan.reads', { where }) : say(words, empty ? 'scan.empty' : 'scan.none')}</span
-      >
+      <span>${lamps.length > 0 ? say(words, 'scan.reads', { where }) : say(words, 'scan.none')}</span>
     </p>`;
   }
 }

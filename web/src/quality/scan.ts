@@ -1,20 +1,30 @@
-// Whether a phone would read the QR code of the plate: its computed look under lamps all around, and a decoder.
+// Tells whether a phone would read the topmost QR code of the plate: a decoder looks at its computed look under lamps all around.
 import type { Engine } from 'sillon';
-import { moduleShare } from '../generators/qr.js';
-import { shapeRoom } from '../generators/shape-room.js';
-import { usualLight } from '../model/lamp.js';
-import { viewLook } from '../model/filaments.js';
-import { isRound, roomShape } from '../model/result.js';
-import { step } from './stretches.js';
-import type { PlateResult } from '../model/state.js';
+import { layerBoxes } from '../engine/layer-boxes.js';
 import { startWorker } from '../engine/start-worker.js';
+import { usualLight } from '../model/lamp.js';
+import { drawnLayers } from '../model/layers.js';
+import { viewLook } from '../model/filaments.js';
+import { pageOf, type Plate } from '../model/plate.js';
+import type { PlateResult } from '../model/state.js';
 import scanWorker from '../views/scan.worker.ts?worker&url';
 import type { ScanRequest } from '../views/scan.worker.js';
 import './scan-note.js';
-import { pageOf } from '../model/plate.js';
+import { step } from './stretches.js';
 
 /** As a phone sees it from so far that single beads are no longer seen [pixels]. */
 const pixelsPerModule = 5;
+
+/** Modules along a side of a code that says so many bytes, about: the least has 21, and each larger size 4 more for some 16. */
+const modulesFor = (bytes: number): number => 21 + 4 * Math.ceil(Math.max(0, bytes - 14) / 16);
+
+/** Width of a picture of the plate in which the modules are large enough [pixels]. */
+async function widthFor(plate: Plate, id: number, text: string, engine: Engine): Promise<number> {
+  const side = (await layerBoxes(plate, engine)).get(id)?.size[0] ?? pageOf(plate)[0];
+  const modules = modulesFor(new TextEncoder().encode(text).length);
+  const pixels = (pixelsPerModule * modules * pageOf(plate)[0]) / side;
+  return Math.round(Math.min(1024, Math.max(64, pixels)));
+}
 
 const asked = (worker: Worker, request: ScanRequest): Promise<boolean> =>
   new Promise((resolve, reject) => {
@@ -33,13 +43,12 @@ export async function scan(
   engine: Engine,
   wanted: () => boolean,
 ): Promise<number[] | undefined> {
-  const { directions } = plate;
-  if (directions.kind !== 'qr') return undefined;
-  const { text } = directions;
-  if (text === '') return []; // a decoder may well read nothing from a code of nothing
-  const room = roomShape(plate) === undefined ? undefined : await shapeRoom(plate, engine);
-  const share = await moduleShare(directions, pageOf(plate), isRound(plate), room);
-  const width = Math.round(Math.min(1024, Math.max(64, pixelsPerModule / share)));
+  const code = drawnLayers(plate)
+    .filter(({ kind }) => kind === 'code')
+    .at(-1);
+  if (code === undefined) return undefined;
+  const { text } = code;
+  const width = await widthFor(plate, code.id, text, engine);
   const worker = startWorker(scanWorker, 'scan');
   const read: number[] = [];
   try {

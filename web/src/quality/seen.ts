@@ -1,18 +1,15 @@
 // How well a finished plate shows what its directions ask for: how bright its beads are under its own light, against how bright
 // beads of exactly these directions would be. In cells of two beads: an eye at arm's length tells no beads apart.
-import type { Cycle, Engine } from 'sillon';
-import { resampled } from '../generators/grey.js';
-import { shapeRoom } from '../generators/shape-room.js';
-import { letterShare } from '../generators/text.js';
+import type { Cycle } from 'sillon';
 import type { Seen } from '../model/doubts.js';
 import { homeLight } from '../model/lamp.js';
 import type { DirectionRaster } from '../model/raster.js';
-import { isRound, roomShape } from '../model/result.js';
 import type { PlateResult } from '../model/state.js';
 import type { Light } from '../model/view.js';
 import { shine } from '../views/miniature.js';
 import { brightnessOf } from '../views/plate-thumbnail.js';
 import { pageOf } from '../model/plate.js';
+import { resampled } from './resample.js';
 
 const beadsPerCell = 2;
 /** Of the bead that a cell has room for: less is no part of the plate. */
@@ -99,7 +96,7 @@ function compared(wanted: readonly number[], seen: readonly number[]): Pick<Seen
   return { r: aa * bb > 0 ? ab / Math.sqrt(aa * bb) : 0, contrast };
 }
 
-/** @param raster  the plate's directions, with strokes */
+/** @param raster  the plate's directions */
 export function seenOf({ plate, toolpath }: Pick<PlateResult, 'plate' | 'toolpath'>, raster: DirectionRaster): Seen {
   const { spacing } = plate.toolpath;
   const page = pageOf(plate);
@@ -119,18 +116,4 @@ export function seenOf({ plate, toolpath }: Pick<PlateResult, 'plate' | 'toolpat
     told.map((k) => (bright[k] as number) / (lengths[k] as number)),
   );
   return { ...alike, kept: all > 1e-6 ? Math.min(1, variance(wanted) / all) : 1 };
-}
-
-/** With the height of letters, which takes a canvas and, in some shapes, the engine. */
-export async function seenIn(
-  result: PlateResult,
-  raster: DirectionRaster,
-  engine: () => Promise<Engine>,
-): Promise<Seen> {
-  const { plate } = result;
-  const seen = seenOf(result, raster);
-  if (plate.directions.kind !== 'text') return seen;
-  const room = roomShape(plate) === undefined ? undefined : await shapeRoom(plate, await engine());
-  const page = pageOf(plate);
-  return { ...seen, letters: letterShare(plate.directions, page, isRound(plate), room) * page[0] };
 }

@@ -217,7 +217,7 @@ export class RebrushBench extends PrintBench {
     if (!this.#draws() || cursor === undefined) return;
     const at = { x: left + cursor.x * scale, y: bottom - cursor.y * scale };
     context.setTransform(1, 0, 0, 1, 0, 0);
-    drawBrush(context, at, (this.brush.across / 2) * scale, this.brush.softness);
+    drawBrush(context, at, (this.brush.across / 2) * scale, this.brush.soft);
   }
 
   // --- Brush ----------------------------------------------------------------------------------------------------------------

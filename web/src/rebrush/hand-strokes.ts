@@ -1,6 +1,7 @@
 // Strokes of a hand on a sliced print: told on the bed, drawn on the page that a view shows.
-import type { Stroke } from '../model/plate.js';
+import type { Stroke } from 'sillon';
 import type { HandBrush } from '../model/rebrush.js';
+import { usualRadius, type DrawnStroke } from '../views/print-drawing.js';
 
 type Corner = readonly [number, number];
 
@@ -16,7 +17,7 @@ export function strokeOf(brush: HandBrush, points: readonly number[], corner: Co
     tool: brush.tool,
     points: moved(points, corner),
     radius: brush.across / 2,
-    softness: brush.softness,
+    soft: brush.soft,
     ...(brush.tool === 'mode' ? { mode: brush.mode } : {}),
   };
 }
@@ -27,10 +28,10 @@ export function strokesOnPage(
   corner: Corner,
   points: readonly number[] | undefined,
   brush: HandBrush,
-): Pick<Stroke, 'points' | 'radius'>[] {
+): DrawnStroke[] {
   const shown = strokes.map((stroke) => ({
     points: moved(stroke.points, [-corner[0], -corner[1]]),
-    radius: stroke.radius,
+    radius: stroke.radius ?? usualRadius,
   }));
   return points === undefined ? shown : [...shown, { points, radius: brush.across / 2 }];
 }

@@ -3,7 +3,7 @@ import { html, LitElement, nothing, type CSSResultGroup, type TemplateResult } f
 import type { Cycle } from 'sillon';
 import { property } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
-import type { Stroke } from '../model/plate.js';
+import type { Stroke } from 'sillon';
 import type { Face, HandBrush } from '../model/rebrush.js';
 import type { FilamentLook } from '../model/view.js';
 import { bench } from '../controls/bench.js';

@@ -8,7 +8,7 @@ import { r } from '../i18n/rebrush.js';
 import { formatBytes } from '../i18n/text.js';
 import { loadSpools } from '../print/own-spools.js';
 import { lookOf } from '../model/filaments.js';
-import type { Stroke } from '../model/plate.js';
+import type { Stroke } from 'sillon';
 import type { HandBrush } from '../model/rebrush.js';
 import type { Light } from '../model/view.js';
 import { StudioElement } from '../controls/element.js';
@@ -34,7 +34,7 @@ export class RebrushView extends StudioElement {
   @state() private marked: number | undefined;
   @state() private light!: Light;
   @state() private tilted = false;
-  @state() private brush: HandBrush = { tool: 'comb', across: 8, softness: 0.5, mode: 'parallel' };
+  @state() private brush: HandBrush = { tool: 'comb', across: 8, soft: 0.5, mode: 'parallel' };
   @state() private darkScheme = matchMedia('(prefers-color-scheme: dark)').matches;
 
   work!: PrintWork;

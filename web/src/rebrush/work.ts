@@ -5,9 +5,9 @@ import { readable } from '../files/readable.js';
 import { brushedName } from '../files/sliced.js';
 import { sourceFile } from '../files/source-file.js';
 import { r } from '../i18n/rebrush.js';
+import { groundOf } from '../model/fills.js';
 import { lampFor } from '../model/lamp.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
-import type { DirectionRaster } from '../model/raster.js';
 import { facesOf, howOf, lackOf, sides, type Face, type Side, type Wish } from '../model/rebrush.js';
 import { TimeLeft } from '../model/time-left.js';
 import type { Light } from '../model/view.js';
@@ -64,11 +64,12 @@ export class PrintWork {
     private readonly changed: () => void,
   ) {
     const { plate } = studio.store.state;
+    const ground = groundOf(plate);
     this.wish = {
       side: 'top',
       chosen: new Set(),
       way: 'angle',
-      angle: plate.directions.kind === 'angle' ? plate.directions.angle : 30,
+      angle: ground?.kind === 'direction' ? ground.angle : 30,
       picture: undefined,
       lamp: lampFor([], light),
       spool: plate.pictures.spool,
@@ -216,10 +217,9 @@ export class PrintWork {
     const timeLeft = new TimeLeft(performance.now());
     try {
       const { plate } = studio.store.state;
-      const drawn = await this.#drawn(wish);
       const engine = await studio.services.engine();
       if (signal.aborted) return;
-      const how = howOf(wish, this.free(), plate, drawn, print.nozzle);
+      const how = howOf(wish, this.free(), plate, print.nozzle);
       const done = await engine.rebrush(file, how, {
         signal,
         onProgress: ({ fraction }) => {
@@ -233,13 +233,6 @@ export class PrintWork {
     } catch (error) {
       if (!signal.aborted && !isAbort(error)) this.#know({ progress: undefined, problem: problemOf(error) });
     }
-  }
-
-  /** Directions that the engine cannot draw by itself. */
-  async #drawn(wish: Wish): Promise<DirectionRaster | undefined> {
-    const { store, services } = this.studio;
-    const solved = store.state.plate.directions.kind === 'lamp'; // the engine solves for it
-    return wish.way === 'plate' && !solved ? services.directions() : undefined;
   }
 
   cancel = (): void => {

@@ -1,8 +1,26 @@
-// The brush over the plate: a pen whose strokes are the plate's.
-import { pageOf, type Stroke } from '../model/plate.js';
+// The brush over the plate: a pen whose strokes are a layer of the plate, on top of the others.
+import type { Stroke } from 'sillon';
+import { hundredth } from '../model/layer-changes.js';
+import { changeLayer, newLayer, withLayer } from '../model/layer-list.js';
+import { mostEntries } from '../model/layer-table.js';
+import { pageOf, type Plate, type PlateLayer } from '../model/plate.js';
 import type { Shown } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 import { Pen } from './pen.js';
+
+/** The layer that takes the next stroke; undefined: it begins one. */
+function strokesLayer({ layers }: Plate): PlateLayer | undefined {
+  const top = layers.at(-1);
+  return top?.kind === 'strokes' && top.visible && top.strokes.length < mostEntries.strokes ? top : undefined;
+}
+
+/** The plate with one more stroke, or with another in the place of the last. */
+function withStroke(plate: Plate, stroke: Stroke, more: boolean): Plate {
+  const layer = strokesLayer(plate);
+  if (layer === undefined) return more ? withLayer(plate, newLayer(plate, 'strokes', { strokes: [stroke] })) : plate;
+  const before = more ? layer.strokes : layer.strokes.slice(0, -1);
+  return changeLayer(plate, layer.id, () => ({ strokes: [...before, stroke] }));
+}
 
 export class Brush extends Pen {
   /** What is being drawn, as it lies in the plate. */
@@ -25,20 +43,15 @@ export class Brush extends Pen {
   #draw(points: readonly number[]): void {
     const { tool, brush, plate } = this.#studio.store.state;
     if (tool === 'pan') return;
-    const page = pageOf(plate);
     const stroke: Stroke = {
       tool,
-      points: points.map((value, k) => value / page[k % 2 === 0 ? 0 : 1]),
-      radius: brush.radius,
-      softness: brush.softness,
+      points: points.map(hundredth),
+      radius: brush.radius * pageOf(plate)[0],
+      soft: brush.softness,
       ...(tool === 'mode' ? { mode: brush.mode } : {}),
     };
-    const first = points.length === 2;
     this.#stroke = stroke;
-    this.#studio.change(
-      ({ strokes, ...rest }) => ({ ...rest, strokes: [...(first ? strokes : strokes.slice(0, -1)), stroke] }),
-      'stroke',
-    );
+    this.#studio.change((now) => withStroke(now, stroke, points.length === 2), 'stroke');
   }
 
   abandon(): void {
@@ -48,6 +61,6 @@ export class Brush extends Pen {
 
   /** Undone, cleared, or another tool: what is drawn next must not take the place of an earlier stroke. */
   follow({ plate, tool }: Readonly<Shown>, before: Readonly<Shown>): void {
-    if (plate.strokes.at(-1) !== this.#stroke || tool !== before.tool) this.lift();
+    if (strokesLayer(plate)?.strokes.at(-1) !== this.#stroke || tool !== before.tool) this.lift();
   }
 }

@@ -4,6 +4,7 @@ import type { Shape } from 'sillon';
 import { customElement, query } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { pictureOf } from '../model/lamp.js';
+import { pictureLayers } from '../model/layers.js';
 import { pageOf, type Plate } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
 import { bench } from '../controls/bench.js';
@@ -265,7 +266,8 @@ export class PlateCanvas extends StudioElement implements Stage {
   /** Of brushes, where beads do not follow them yet. */
   #strokes(): Overlay['strokes'] {
     const { plate, result, view } = this.state;
-    if (result === undefined || result.plate.strokes === plate.strokes || view === 'directions') return undefined;
+    if (result === undefined || result.plate.layers === plate.layers) return undefined;
+    if (view === 'directions' && pictureLayers(plate).length === 0) return undefined; // they are seen there
     return this.lazy(loadAhead)?.strokesAhead(plate, result.plate);
   }
 

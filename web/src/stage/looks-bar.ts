@@ -5,7 +5,7 @@ import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
 import { words } from '../i18n/en/looks.js';
 import { say, t } from '../i18n/text.js';
-import { pictureOf } from '../model/lamp.js';
+import { pictureOf, shownPictures } from '../model/lamp.js';
 import type { LampPicture } from '../model/plate.js';
 import { StudioElement } from '../controls/element.js';
 import { icon, type IconName } from '../controls/icons.js';
@@ -120,7 +120,7 @@ export class LooksBar extends StudioElement {
 
   override render(): TemplateResult {
     const { plate, result, lamp, aimed, over, sizing } = this.state;
-    const { directions } = plate;
+    const pictures = shownPictures(plate);
     const overs: (Over | '')[] = [
       '',
       ...(pictureOf(plate, lamp) === undefined ? [] : ['picture' as const]),
@@ -129,11 +129,7 @@ export class LooksBar extends StudioElement {
     ];
     const sizings: Sizing[] = ['whole', 'life', 'arm', ...(sizing === 'free' ? ['free' as const] : [])];
     return html`
-      ${
-        directions.kind === 'lamp' && (directions.pictures.length > 1 || aimed !== undefined)
-          ? this.#pictures(directions.pictures)
-          : nothing
-      }
+      ${pictures.length > 0 && (pictures.length > 1 || aimed !== undefined) ? this.#pictures(pictures) : nothing}
       ${this.#pick(
         'compare',
         say(words, 'looks.over'),

@@ -1,5 +1,5 @@
 // How the light over the plate moves by itself: it sways, circles, or turns from one picture's lamp to the next.
-import { homeLight, lampsOf } from '../model/lamp.js';
+import { homeLight, lampsOf, shownPictures } from '../model/lamp.js';
 import type { Light } from '../model/view.js';
 import { Aim, between, lightUnder, near, swayed, swayPeriod, turned } from '../views/light.js';
 import type { Shown } from '../studio/shown.js';
@@ -44,7 +44,7 @@ export class MovingLight {
       const light = lightUnder(...place);
       this.#aim.move(light, now);
       this.studio.store.set({ light });
-    } else if (left && plate.directions.kind === 'lamp' && !flipping) {
+    } else if (left && shownPictures(plate).length > 0 && !flipping) {
       this.studio.store.set({ aimed });
     }
   }
@@ -104,7 +104,7 @@ export class MovingLight {
   #home(now: number): Light {
     const { plate, result, lamp, flipping } = this.#state;
     const look = result?.toolpath.look;
-    const lamps = lampsOf(plate.directions, look);
+    const lamps = lampsOf(plate, look);
     if (!flipping || lamps.length < 2) {
       this.#flipBegan = 0;
       return lamps[lamp] ?? homeLight(plate, look);

@@ -1,7 +1,8 @@
 // The scene to be drawn of the plate, out of the state.
 import { appearance } from '../model/appearance.js';
 import { lookOf } from '../model/filaments.js';
-import { drawnLayers } from '../model/layers.js';
+import { groundPictures } from '../model/fills.js';
+import { pictureLayers } from '../model/layers.js';
 import { pageOf } from '../model/plate.js';
 import type { Over, Shown } from '../studio/shown.js';
 import type { Scene } from '../views/scene.js';
@@ -16,20 +17,18 @@ export const blends = ({ sizing, view }: Readonly<Shown>): boolean => sizing ===
 export const overOf = ({ over, view }: Readonly<Shown>): Over | undefined => (view === 'appearance' ? over : undefined);
 
 export function sceneOf(state: Readonly<Shown>, darkScheme: boolean): Scene {
-  const { plate, result, directions, view, colourBy, played, light, marks, theme, tool, wipe } = state;
-  const lit = plate.directions.kind === 'lamp' ? plate.directions : undefined;
-  // Which way beads run that show a picture, or lie under layers, is known once they are there; a brush is for what the
-  // layers lie over.
-  const hidden = lit !== undefined || (drawnLayers(plate).length > 0 && tool === 'pan');
-  const solved = hidden && view === 'directions';
+  const { plate, result, directions, view, colourBy, played, light, marks, theme, wipe } = state;
+  const lit = groundPictures(plate).length > 0;
+  // The directions of beads that show a picture are known once the beads are there.
+  const solved = view === 'directions' && pictureLayers(plate).length > 0;
   return {
     page: pageOf(plate),
     toolpath: result?.toolpath,
     directions,
     view: solved ? 'toolpath' : view,
     colourBy: solved ? 'direction' : colourBy,
-    lampSlope: lit === undefined ? appearance.softbox : plate.pictures.lampSize,
-    fromAfar: lit !== undefined,
+    lampSlope: lit ? plate.pictures.lampSize : appearance.softbox,
+    fromAfar: lit,
     feed: { printer: plate.printer, layerHeight: plate.print.layerHeight },
     progress: view === 'toolpath' ? played : 1,
     compare: compares(state),

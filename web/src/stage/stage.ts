@@ -10,7 +10,7 @@ import './light-control.js';
 import '../controls/notices.js';
 import { offers } from '../studio/shown.js';
 import './status-bar.js';
-import '../directions/tool-palette.js';
+import './tool-palette.js';
 
 const views: readonly ViewName[] = ['directions', 'toolpath', 'appearance', 'quality'];
 const colours: readonly ColourBy[] = ['direction', 'width', 'speed', 'order', 'delay'];
@@ -22,7 +22,17 @@ const loadBars = (): Promise<unknown> =>
 
 @customElement('sillon-stage')
 export class StageElement extends StudioElement {
-  static override reads = ['view', 'colourBy', 'compare', 'recording', 'result', 'mode', 'controls', 'plate'] as const;
+  static override reads = [
+    'view',
+    'colourBy',
+    'compare',
+    'recording',
+    'result',
+    'mode',
+    'controls',
+    'plate',
+    'welcome',
+  ] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -208,6 +218,10 @@ export class StageElement extends StudioElement {
           left: 26px;
           flex-direction: row;
         }
+        /* A first plate is looked at, and needs the room. */
+        sillon-tools.welcome {
+          display: none;
+        }
         .actions {
           top: 78px;
           right: 6px;
@@ -273,7 +287,7 @@ export class StageElement extends StudioElement {
   ];
 
   override render(): TemplateResult {
-    const { view, compare, mode, plate } = this.state;
+    const { view, compare, mode, welcome } = this.state;
     if (mode === 'view') {
       return html`<sillon-canvas .studio=${this.studio}></sillon-canvas>
         <div class="bench">
@@ -304,8 +318,13 @@ export class StageElement extends StudioElement {
           )}
         </div>
         ${
-          offers(this.state, 'directions') && plate.directions.kind !== 'lamp'
-            ? html`<sillon-tools .studio=${this.studio} role="toolbar" aria-label=${t('tool.title')}></sillon-tools>`
+          offers(this.state, 'layers')
+            ? html`<sillon-tools
+                class=${welcome ? 'welcome' : ''}
+                .studio=${this.studio}
+                role="toolbar"
+                aria-label=${t('tool.title')}
+              ></sillon-tools>`
             : nothing
         }
         ${view === 'appearance' ? this.#looks() : nothing}

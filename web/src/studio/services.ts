@@ -3,6 +3,7 @@ import type { Engine, Gcode, PlacedLayer } from 'sillon';
 import type { Autosave } from '../files/autosave.js';
 import type { Example } from '../model/example.js';
 import type { Role } from '../model/file-role.js';
+import type { Fill } from '../model/fills.js';
 import type { FreePlace, Taken, Wanted } from '../model/free-place.js';
 import type { Plate } from '../model/plate.js';
 import type { DirectionRaster } from '../model/raster.js';
@@ -21,8 +22,7 @@ export interface MakingServices {
   zones(): Promise<Blob>;
   svg(): Promise<Blob>;
   view(): Promise<Blob>;
-  /** In full. */
-  directions(): Promise<DirectionRaster>;
+  directions(plate: Plate): Promise<DirectionRaster>;
 }
 
 /** Finds out where layers lie: app/making.ts. */
@@ -59,9 +59,9 @@ export interface KeepingServices {
 /** Draws one picture for each choice of a panel; @param wanted  false once nobody waits for them. */
 export type Draw<Name extends string> = (plate: Plate, wanted: () => boolean) => Promise<Map<Name, Blob>>;
 
-/** Draws what each kind of directions, and each shape, makes of the plate: app/own-pictures.ts. */
+/** Draws what each fill, and each shape, makes of the plate: app/own-pictures.ts. */
 export interface DrawingServices {
-  kindPictures: Draw<Plate['directions']['kind']>;
+  fillPictures: Draw<Fill>;
   shapePictures: Draw<Plate['shape']['kind']>;
 }
 

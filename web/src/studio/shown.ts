@@ -125,8 +125,7 @@ export const offers = ({ mode, controls }: Readonly<Shown>, control: Control): b
   mode === 'edit' || (mode === 'customize' && controls.includes(control));
 
 /** Layers are in use: files and texts that come in are more of them. */
-export const composes = (state: Readonly<Shown>): boolean =>
-  offers(state, 'layers') && (state.plate.layers.length > 0 || state.panel === 'layers');
+export const composes = (state: Readonly<Shown>): boolean => offers(state, 'layers') && state.plate.layers.length > 1;
 
 /** Settings and parts that a host names one by one. */
 export const ownControls = ({ mode, controls }: Readonly<Shown>): Control[] =>

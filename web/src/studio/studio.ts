@@ -5,8 +5,9 @@ import { pickFiles } from '../files/pick.js';
 import { recallText, remember } from '../files/remember.js';
 import { setLanguage, t } from '../i18n/text.js';
 import { toReview, useBrought, withoutBrought } from '../model/brought.js';
+import { groundFill } from '../model/fills.js';
 import { homeLight, isOwnPicture, lampsOf } from '../model/lamp.js';
-import { showsPictures } from '../model/layers.js';
+import { pictureLayers } from '../model/layers.js';
 import { nothingLeft, type Left } from '../model/left.js';
 import { pageOf, type Plate } from '../model/plate.js';
 import type { Problem } from '../model/problem.js';
@@ -151,7 +152,7 @@ export class Studio {
   firstPanel(): string {
     const { mode } = this.store.state;
     if (!matchMedia('(min-width: 721px)').matches) return '';
-    return mode === 'edit' ? 'directions' : mode === 'customize' ? 'own' : '';
+    return mode === 'edit' ? 'layers' : mode === 'customize' ? 'own' : '';
   }
 
   setPanel(panel: string): void {
@@ -160,7 +161,6 @@ export class Studio {
   }
 
   setTool(tool: Tool): void {
-    if (this.store.state.plate.directions.kind === 'lamp') return; // solved for as a whole: there is nothing to brush over
     this.store.set({ tool });
     // In the shimmer strokes are seen as they will be; elsewhere they are seen as directions.
     if (tool !== 'pan' && this.store.state.view !== 'appearance') this.setView('directions');
@@ -181,7 +181,7 @@ export class Studio {
   /** Of the plate's pictures. */
   lamps(): Light[] {
     const { plate, result } = this.store.state;
-    return lampsOf(plate.directions, result?.toolpath.look);
+    return lampsOf(plate, result?.toolpath.look);
   }
 
   /** The light moves to a picture's lamp and stays near it. */
@@ -195,7 +195,9 @@ export class Studio {
   /** The light stands still while nobody moves it: somebody's own picture would be lost beside its lamp. */
   keepsStill(): boolean {
     const { plate, lamp } = this.store.state;
-    return this.calm() || isOwnPicture(plate, lamp) || showsPictures(plate);
+    return (
+      this.calm() || isOwnPicture(plate, lamp) || (groundFill(plate) !== 'picture' && pictureLayers(plate).length > 0)
+    );
   }
 
   /** The lamp turns from each picture to the next until it is told to stop. */
@@ -437,8 +439,7 @@ export class Studio {
   }
 
   async #project(plate: Plate): Promise<Blob> {
-    const [{ writeProject }, raster] = await Promise.all([import('../files/project.js'), this.services.directions()]);
-    return writeProject(plate, raster);
+    return (await import('../files/project.js')).writeProject(plate);
   }
 
   /** @param width  [pixels] */

@@ -1,11 +1,19 @@
 // What is drawn of a sliced print on flat canvases: its relief, the outlines of its faces, and strokes.
 import type { PrintRelief } from 'sillon';
-import type { Stroke } from '../model/plate.js';
 import type { Outline } from './print-page.js';
 import { addLine } from './print-page.js';
 import { shadedRelief } from './relief.js';
 
 const fewFaces = 60; // glow is slow to draw
+
+/** Radius of strokes that name none, as the core has it [mm]. */
+export const usualRadius = 4;
+
+export interface DrawnStroke {
+  points: readonly number[];
+  /** [mm] */
+  radius: number;
+}
 
 /** sRGB of the plastic of the slicer's beads. */
 export const bodyOf = (dark: boolean): [number, number, number] => (dark ? [128, 134, 140] : [206, 204, 198]);
@@ -56,11 +64,7 @@ export function drawOutlines(context: Context, of: Outlined, pixel: number, rati
 }
 
 /** @param context  transformed to millimetres of the page */
-export function drawStrokes(
-  context: Context,
-  strokes: readonly Pick<Stroke, 'points' | 'radius'>[],
-  colour: string,
-): void {
+export function drawStrokes(context: Context, strokes: readonly DrawnStroke[], colour: string): void {
   context.lineCap = 'round';
   context.lineJoin = 'round';
   context.strokeStyle = colour;

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { sharedBench } from './support/shared.js';
 import { linkOf } from './support/small.js';
 import { fileOf, skip, start } from './support/studio.js';
-import { until } from './support/waits.js';
+import { settled, until } from './support/waits.js';
 
 const bench = sharedBench(skip, start);
 
@@ -18,14 +18,14 @@ const flag = fileOf(
    <path d="M40 5v30" stroke="rgb(220,20,60)" stroke-width="12"/></svg>`,
   'image/svg+xml',
 );
-const colours = (visit) => visit.state(({ plate }) => plate.directions.colours);
+const colours = (visit) => visit.state(({ plate }) => plate.layers[0].colours);
 
-/** Of the plate's directions [degrees], at a share of the page from the left and from the top. */
+/** Of the directions that the view shows [degrees], at a share of the page from the left and from the top. */
 const angleAt = (visit, x, y) =>
   visit.page.evaluate(
     ([x, y]) => {
       const { directions } = document.querySelector('sillon-app').studio.store.state;
-      const { width, height, angle } = directions;
+      const { width, height, angle } = directions ?? { width: 0, height: 0, angle: [] };
       return (angle[Math.floor(y * height) * width + Math.floor(x * width)] / 65535) * 180 - 90;
     },
     [x, y],
@@ -36,7 +36,7 @@ test('each colour of a drawing gets a direction, which can be turned, undone and
   const visit = await bench.open({ small: true });
   await visit.idle();
   await visit.drop([flag]);
-  await visit.until(({ plate }) => plate.directions.kind === 'colours');
+  await visit.until(({ plate }) => plate.layers[0].by === 'colours');
   assert.deepEqual(await colours(visit), [
     { colour: '#000080', angle: 60 },
     { colour: '#dc143c', angle: 105 },
@@ -45,6 +45,7 @@ test('each colour of a drawing gets a direction, which can be turned, undone and
   assert.equal(await visit.state(({ plate }) => plate.shape.kind), 'file');
   await visit.page.getByText('flag.svg: Colours: a direction for each').waitFor();
   await visit.idle();
+  await visit.view('Flow');
   for (const [x, angle] of [
     [0.05, 60],
     [0.33, 150],
@@ -55,13 +56,13 @@ test('each colour of a drawing gets a direction, which can be turned, undone and
 
   await visit.page.getByRole('spinbutton', { name: 'Colour 2', exact: true }).fill('20');
   await visit.page.keyboard.press('Enter');
-  await visit.until(({ plate, directions }) => plate.directions.colours[1].angle === 20 && directions !== undefined);
+  await visit.until(({ plate, directions }) => plate.layers[0].colours[1].angle === 20 && directions !== undefined);
   await until(async () => near(await angleAt(visit, 0.66, 0.5), 20), 'the stripe to turn');
   const slider = visit.page.getByRole('slider', { name: 'Colour 3, #ffd700' });
   await slider.press('ArrowUp');
-  await visit.until(({ plate }) => plate.directions.colours[2].angle === 151);
+  await visit.until(({ plate }) => plate.layers[0].colours[2].angle === 151);
   await visit.page.keyboard.press('Control+z');
-  await visit.until(({ plate }) => plate.directions.colours[2].angle === 150);
+  await visit.until(({ plate }) => plate.layers[0].colours[2].angle === 150);
 
   // Through a project file, and through a link.
   const changed = await colours(visit);
@@ -71,25 +72,36 @@ test('each colour of a drawing gets a direction, which can be turned, undone and
     return (await studio.services.link(studio.store.state.plate)).url;
   });
   await visit.page.evaluate(() => document.querySelector('sillon-app').studio.services.newPlate());
-  await visit.until(({ plate }) => plate.directions.kind === 'waves');
+  await visit.until(({ plate }) => plate.layers[0].pattern === 'waves');
   await visit.drop([fileOf('flag.sillon.zip', bytes)]);
-  await visit.until(({ plate }) => plate.directions.kind === 'colours');
+  await visit.until(({ plate }) => plate.layers[0].by === 'colours');
   assert.deepEqual(await colours(visit), changed);
   const guest = await bench.open({ path: `/${new URL(url).hash}` });
-  await guest.until(({ plate }) => plate.directions.kind === 'colours');
+  await guest.until(({ plate }) => plate.layers[0].by === 'colours');
   assert.deepEqual(await colours(guest), changed);
   assert.deepEqual(visit.problems, []);
 });
 
+/** An address of a plate that a drawing fills, black one way and white another. @param changes  of its only layer */
+const twoTones = (size, svg, changes) =>
+  `/${linkOf(
+    {
+      shape: { builtin: 'rectangle', size },
+      layers: [{ kind: 'tones', by: 'levels', file: '0/tones.svg', from: 90, to: 0, ...changes }],
+    },
+    { files: { '0/tones.svg': Buffer.from(svg).toString('base64url') } },
+  )}`;
+const disc =
+  '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20"><path d="M0 0h40v20H0z" fill="#fff"/><circle cx="20" cy="10" r="7"/></svg>';
+
 test('what the visitor has chosen stays: then a drawing is an outline, until it is asked for', { skip }, async () => {
-  const directions = { kind: 'text', text: 'A', font: 'serif', bold: true, size: 0.3, letters: 90, ground: 0 };
-  const visit = await bench.open({ path: `/${linkOf({ directions })}` });
+  const visit = await bench.open({ path: twoTones([24, 12], disc) });
   await visit.idle();
   await visit.drop([flag]);
   await visit.until(({ plate }) => plate.shape.kind === 'file');
-  assert.equal(await visit.state(({ plate }) => plate.directions.kind), 'text');
+  assert.equal(await visit.state(({ plate }) => plate.layers[0].by), 'levels');
   await visit.page.getByRole('radio', { name: 'A direction per colour' }).check();
-  await visit.until(({ plate }) => plate.directions.kind === 'colours');
+  await visit.until(({ plate }) => plate.layers[0].by === 'colours');
   assert.equal((await colours(visit)).length, 3);
 });
 
@@ -109,13 +121,10 @@ test('kinds of directions and shapes show what they make of this very plate', { 
     const found = await cards(visit, panel);
     return names.every((name) => found.some(([label, src]) => label === name && src !== '')) && found;
   };
-  const before = await until(() => drawn('sillon-directions-panel', ['Waves', 'Text', 'QR code']), 'generators');
+  const before = await until(() => drawn('sillon-layers-panel', ['Waves', 'Rays', 'Noise']), 'generators');
   assert.equal(Object.fromEntries(before)['Picture by brightness'], ''); // there is no picture
   await visit.drop([flag]);
-  await until(
-    () => drawn('sillon-directions-panel', ['Waves', 'Picture by brightness', 'Picture under a lamp']),
-    'own',
-  );
+  await until(() => drawn('sillon-layers-panel', ['Waves', 'Picture by brightness', 'Picture under a lamp']), 'own');
   await visit.section('Shape');
   const shapes = [
     'Disc',
@@ -133,45 +142,76 @@ test('kinds of directions and shapes show what they make of this very plate', { 
   assert.deepEqual(visit.problems, []);
 });
 
-const text = { kind: 'text', text: 'Hello', font: 'sans-serif', bold: true, size: 0.3, letters: 90, ground: 0 };
 const doubts = (visit) => visit.page.locator('#export sillon-doubts');
+const inMenu = async (visit, words) => {
+  await visit.page.locator('[popovertarget=export]').click();
+  await doubts(visit).getByText(words).waitFor();
+  await visit.page.keyboard.press('Escape');
+};
 
 test(
-  'letters that are too fine for their beads are told above the print and in the menu of downloads, with the way out',
+  'what is too fine for its beads or too alike is told where the file is taken from, with the way out',
   { skip },
   async () => {
-    const shape = { kind: 'rectangle' };
-    const visit = await bench.open({ path: `/${linkOf({ shape, width: 12, height: 6, directions: text })}` });
+    const squares = Array.from({ length: 50 }, (_, k) => `M${4 * (k % 10)} ${4 * Math.floor(k / 10)}h4v4h-4z`);
+    const path = squares.filter((_, k) => (k + Math.floor(k / 10)) % 2 === 0).join('');
+    const board = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20"><path d="M0 0h40v20H0z" fill="#fff"/><path d="${path}"/></svg>`;
+    const visit = await bench.open({ path: twoTones([12, 6], board) });
+    const { page } = visit;
     await visit.idle();
+    await inMenu(visit, 'The plate hardly shows what it is made from');
     await visit.section('Print');
-    const summary = visit.page.getByRole('region', { name: 'Print', exact: true });
-    await summary.getByText('These letters can hardly be read').waitFor();
-    await visit.page.locator('[popovertarget=export]').click();
-    await doubts(visit).getByText('These letters can hardly be read').waitFor();
-    await visit.page.evaluate(() => {
-      document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, width: 40, height: 20 }));
+    await page.getByRole('region', { name: 'Print', exact: true }).getByText('finer details').waitFor();
+
+    await page.evaluate(() => {
+      document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, width: 48, height: 24 }));
     });
     await visit.idle();
-    await until(async () => (await doubts(visit).innerText()).trim() === '', 'nothing to be said of large letters');
-    await visit.page.evaluate((text) => {
+    await page.locator('[popovertarget=export]').click();
+    await page.evaluate(async () => {
+      const { services, store } = document.querySelector('sillon-app').studio;
+      await services.directions(store.state.plate); // as they are asked for there
+    });
+    await settled(page);
+    assert.deepEqual(await doubts(visit).locator('p').allInnerTexts(), []);
+    await page.keyboard.press('Escape');
+
+    await page.evaluate(() => {
       const { studio } = document.querySelector('sillon-app');
-      studio.change((plate) => ({ ...plate, directions: { ...text, letters: 12 } }));
-    }, text);
-    await doubts(visit).getByText('Dark and bright places hardly differ').waitFor();
-    await visit.page.evaluate((text) => {
-      const { studio } = document.querySelector('sillon-app');
-      studio.change((plate) => ({ ...plate, directions: { ...text, text: 'one long line '.repeat(12) } }));
-    }, text);
-    await doubts(visit)
-      .getByText(/^The letters are 0\.\d mm high and cannot be seen: .* about 6 mm/)
-      .waitFor();
-    await visit.page.keyboard.press('Escape');
+      studio.change((plate) => ({ ...plate, layers: [{ ...plate.layers[0], from: 12 }] }));
+    });
+    await inMenu(visit, 'Dark and bright places hardly differ');
     await visit.section('Quality');
-    await visit.page.locator('sillon-quality-panel').getByText('cannot be seen').waitFor();
-    await visit.page.evaluate((text) => {
-      const { studio } = document.querySelector('sillon-app');
-      studio.change((plate) => ({ ...plate, directions: { ...text, text: '' } }));
-    }, text);
-    await visit.page.locator('sillon-quality-panel').getByText('There are no letters').waitFor();
+    await page.locator('sillon-quality-panel').getByText('Dark and bright places hardly differ').waitFor();
+    assert.deepEqual(visit.problems, []);
   },
 );
+
+test('letters that are too fine or too alike are told below the list and before the print', { skip }, async () => {
+  const text = { kind: 'text', text: 'Hello', font: 'Nunito', textSize: 3, fill: 'angle', angle: 90 };
+  const visit = await bench.open({
+    path: `/${linkOf({ shape: { builtin: 'rectangle', size: [24, 12] }, layers: [{ kind: 'direction' }, text] })}`,
+  });
+  await visit.idle();
+  const panel = visit.page.locator('sillon-layers-panel .warning');
+  const change = (values) =>
+    visit.page.evaluate((values) => {
+      const { studio } = document.querySelector('sillon-app');
+      const [ground, text] = studio.store.state.plate.layers;
+      studio.change((plate) => ({ ...plate, layers: [ground, { ...text, ...values }] }));
+    }, values);
+  await panel.getByText('narrower than two beads and hard to read').waitFor();
+  await visit.section('Print');
+  const summary = visit.page.getByRole('region', { name: 'Print', exact: true });
+  await summary.getByText('narrower than two beads and hard to read').waitFor();
+  await visit.section('Directions');
+  await change({ textSize: 6, text: 'Hi', font: 'Bebas Neue' });
+  await visit.idle();
+  await until(async () => (await panel.count()) === 0, 'nothing to be said of large letters');
+  await change({ angle: 12 });
+  await panel.getByText('within 15° of what is below and cannot be seen').waitFor();
+  await change({ text: '' });
+  await visit.page.getByRole('button', { name: 'Text', exact: true }).click();
+  await panel.getByText('Nothing is drawn without letters.').waitFor();
+  assert.deepEqual(visit.problems, []);
+});

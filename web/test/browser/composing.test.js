@@ -64,7 +64,9 @@ for (const task of composingTasks) {
     assert.match(download.suggestedFilename(), /\.gcode$/);
     assert.ok(text.split('\n').filter((line) => /^G1 .*E/.test(line)).length > 1000, 'no print');
     const told = await visit.state(({ plate }) =>
-      plate.layers.flatMap(({ text, file }) => [text, file?.name]).filter((one) => one),
+      plate.layers
+        .flatMap(({ text, file, pictures }) => [text, file?.name, ...pictures.map((one) => one.file.name)])
+        .filter((one) => one),
     );
     for (const one of wanted) assert.ok(told.includes(one), `${one} is not in ${told}`);
     assert.ok(!told.includes('strokes.svg'), 'an echo of the drawing that is gone');
@@ -92,14 +94,16 @@ test(
       await visit.until(({ layer, layerBoxes }) => layerBoxes.has(layer));
       const [chooser] = await Promise.all([
         page.waitForEvent('filechooser'),
-        panel.getByRole('button', { name: 'Replace' }).click(),
+        panel.getByRole('button', { name: /^Replace/ }).click(),
       ]);
       const steps = await undos();
       const size = await visit.state(({ layer, layerBoxes }) => layerBoxes.get(layer).size);
       await chooser.setFiles(file);
-      await visit.until(`({ plate }) => plate.layers.some(({ file }) => file?.name === '${file.name}')`);
+      const named = ({ plate }) =>
+        plate.layers.map((one) => ({ ...one, file: (one.file ?? one.pictures[0]?.file)?.name, pictures: [] }));
+      await visit.until(`(state) => (${named})(state).some(({ file }) => file === '${file.name}')`);
       assert.equal(await undos(), steps + 1);
-      const layers = await visit.state(({ plate }) => plate.layers.map((one) => ({ ...one, file: one.file?.name })));
+      const layers = await visit.state(named);
       return { layers, size };
     };
     const wide = Buffer.from(
@@ -116,7 +120,7 @@ test(
       mimeType: 'image/png',
       buffer: wide,
     });
-    const { size, cropMin, cropMax } = ring[1];
+    const { size, cropMin, cropMax } = ring.find(({ kind }) => kind === 'picture');
     assert.deepEqual(
       [size, cropMin, cropMax],
       [
@@ -161,17 +165,17 @@ for (const width of [1280, 390]) {
     const { page } = visit;
     await visit.button('Examples').click();
     await page.locator('sillon-gallery').getByRole('button', { name: 'Key ring tag' }).click();
-    await visit.until(({ plate }) => plate.layers.length === 2);
+    await visit.until(({ plate }) => plate.layers.length === 3);
     const look = async (what, panel) => {
       await page.evaluate(() => document.querySelector('sillon-app').studio.store.set({ notices: [] }));
       await settled(page);
       assert.deepEqual(await violations(page), [], what);
       if (width < 720) assert.deepEqual(await unfit(visit, panel), [], what);
     };
-    if (width < 720) await visit.section('Layers');
+    if (width < 720) await visit.section('Directions');
     await page.locator('sillon-layers-panel li').first().waitFor();
     await look('the list', 'sillon-layers-panel');
-    for (const row of ['LÉON', 'Border']) {
+    for (const row of ['LÉON', 'Border', 'One direction']) {
       await page.locator('sillon-layers-panel').getByRole('button', { name: row, exact: true }).click();
       const folded = page.locator('sillon-layers-panel details:not([open]) summary');
       if ((await folded.count()) > 0) await folded.click();

@@ -5,11 +5,12 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 
 import { sharedBench } from './support/shared.js';
-import { inputs, skip, start } from './support/studio.js';
+import { fileAt, inputs, skip, start } from './support/studio.js';
 import { settled, until } from './support/waits.js';
 
 const bench = sharedBench(skip, start);
 const plate = (state) => JSON.stringify(state.plate);
+const strokes = (visit) => visit.state(({ plate }) => plate.layers[1]?.strokes ?? []);
 
 test('a picture that is being read is said, and reading can be cancelled', { skip }, async () => {
   const visit = await bench.open({ small: true, fresh: true });
@@ -53,9 +54,33 @@ test('combing in the shimmer stays there, under a light that keeps still', { ski
   assert.equal(await visit.state((state) => state.view), 'appearance');
   const light = await visit.state((state) => JSON.stringify(state.light));
   await visit.stroke([0.5, 0.45], [0.6, 0.55]);
-  await visit.until((state) => state.plate.strokes.length === 1);
+  await visit.until((state) => state.plate.layers[1]?.strokes.length === 1);
   assert.equal(await visit.state((state) => JSON.stringify(state.light)), light);
-  assert.equal(await visit.page.locator('sillon-directions-panel').getByText('Comb', { exact: true }).count(), 0);
+  assert.equal(await visit.page.locator('sillon-layers-panel').getByText('Comb', { exact: true }).count(), 0);
+});
+
+test('a brush works over a photograph, too, and what it drew can be wiped away again', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const { page } = visit;
+  await visit.until(({ plate }) => plate.width === 24);
+  await visit.drop([fileAt(join(inputs, 'photo.png'))]);
+  await visit.until((state) => state.plate.layers[0].kind === 'picture');
+  await visit.idle();
+  const digest = () => visit.state(({ result }) => result.report.digest);
+  const before = await digest();
+  await page.keyboard.press('b');
+  await visit.until((state) => state.tool === 'comb');
+  await visit.stroke([0.45, 0.45], [0.55, 0.55]);
+  await visit.until((state) => state.plate.layers[1]?.strokes.length === 1 && !state.live);
+  await visit.idle();
+  assert.notEqual(await digest(), before);
+  await page.keyboard.press('v');
+  await page.locator('sillon-layers-panel').getByRole('button', { name: 'Strokes', exact: true }).click();
+  await visit.button('Remove all strokes').click();
+  await visit.until((state) => state.plate.layers.length === 1);
+  await visit.idle();
+  assert.equal(await digest(), before);
+  assert.deepEqual(visit.problems, []);
 });
 
 test(
@@ -98,7 +123,7 @@ test(
     await visit.page.mouse.down();
     await visit.page.mouse.move(...at(0.6, 0.5), { steps: 4 });
     await until(async () => (await seen()) !== before, 'the stroke');
-    assert.equal(await visit.state((state) => state.result.plate.strokes.length), 0);
+    assert.equal(await visit.state((state) => state.result.plate.layers.length), 1);
     await visit.page.mouse.up();
   },
 );
@@ -110,32 +135,30 @@ test(
     const visit = await bench.open({ small: true });
     await visit.idle();
     const { page } = visit;
-    const strokes = () => visit.state(({ plate }) => plate.strokes.length);
     await page.keyboard.press('b');
     await visit.until((state) => state.tool === 'comb');
     await visit.stroke([0.45, 0.45], [0.55, 0.55]);
-    await visit.until((state) => state.plate.strokes.length === 1 && !state.live);
-    const first = await visit.state(({ plate }) => JSON.stringify(plate.strokes[0]));
+    await visit.until((state) => state.plate.layers[1]?.strokes.length === 1 && !state.live);
+    const [first] = await strokes(visit);
     const box = await visit.canvas();
     const move = (x, y) => page.mouse.move(box.x + x * box.width, box.y + y * box.height, { steps: 3 });
     await move(0.5, 0.4);
     await page.mouse.down();
     await move(0.5, 0.5);
-    await visit.until((state) => state.plate.strokes.length === 2);
+    await visit.until((state) => state.plate.layers[1].strokes.length === 2);
     await page.keyboard.press('Control+z');
     await move(0.5, 0.6);
     await page.mouse.up();
-    assert.equal(await strokes(), 1);
-    assert.equal(await visit.state(({ plate }) => JSON.stringify(plate.strokes[0])), first);
+    assert.deepEqual(await strokes(visit), [first]);
     assert.equal(await visit.state((state) => state.live), false);
     await page.locator('sillon-canvas .overlay').focus();
     await page.keyboard.press('Space');
     await page.keyboard.press('ArrowUp');
-    await visit.until((state) => state.plate.strokes.length === 2);
-    const drawn = await visit.state(({ plate }) => plate.strokes[1].points.length);
+    await visit.until((state) => state.plate.layers[1].strokes.length === 2);
+    const drawn = await strokes(visit);
     await page.keyboard.press('Escape');
     await page.keyboard.press('ArrowUp');
-    assert.equal(await visit.state(({ plate }) => plate.strokes[1].points.length), drawn);
+    assert.deepEqual(await strokes(visit), drawn);
     assert.deepEqual(await visit.state((state) => [state.tool, state.live]), ['comb', false]);
   },
 );
@@ -174,10 +197,10 @@ test('two fingers that zoom leave no trace of a brush: redo is as it was', { ski
   await page.keyboard.press('b');
   await visit.until((state) => state.tool === 'comb');
   await visit.stroke([0.45, 0.45], [0.55, 0.55]);
-  await visit.until((state) => state.plate.strokes.length === 1 && !state.live);
-  const drawn = await visit.state(({ plate }) => JSON.stringify(plate.strokes));
+  await visit.until((state) => state.plate.layers[1]?.strokes.length === 1 && !state.live);
+  const drawn = await strokes(visit);
   await page.keyboard.press('Control+z');
-  await visit.until((state) => state.plate.strokes.length === 0);
+  await visit.until((state) => state.plate.layers.length === 1);
   const box = await visit.canvas();
   const fingers = await visit.context.newCDPSession(page);
   const touch = (type, ...places) =>
@@ -187,14 +210,14 @@ test('two fingers that zoom leave no trace of a brush: redo is as it was', { ski
     });
   await touch('touchStart', [0.45, 0.5]);
   await touch('touchMove', [0.46, 0.5]);
-  await visit.until((state) => state.plate.strokes.length === 1);
+  await visit.until((state) => state.plate.layers[1]?.strokes.length === 1);
   await touch('touchStart', [0.46, 0.5], [0.55, 0.5]);
   await touch('touchMove', [0.4, 0.5], [0.6, 0.5]);
   await touch('touchEnd');
-  await visit.until((state) => state.sizing === 'free' && state.plate.strokes.length === 0 && !state.live);
+  await visit.until((state) => state.sizing === 'free' && state.plate.layers.length === 1 && !state.live);
   await page.keyboard.press('Control+Shift+z');
-  await visit.until((state) => state.plate.strokes.length === 1);
-  assert.equal(await visit.state(({ plate }) => JSON.stringify(plate.strokes)), drawn);
+  await visit.until((state) => state.plate.layers[1]?.strokes.length === 1);
+  assert.deepEqual(await strokes(visit), drawn);
 });
 
 test('every action is found by its name', { skip }, async () => {
@@ -287,7 +310,7 @@ test('a photo that another app shares is opened', { skip }, async () => {
   await app.locator('input').setInputFiles(join(inputs, 'photo.png'));
   await app.locator('button').click();
   await app.waitForFunction(
-    () => document.querySelector('sillon-app')?.studio.store.state.plate.directions.kind === 'lamp',
+    () => document.querySelector('sillon-app')?.studio.store.state.plate.layers[0].kind === 'picture',
   );
   assert.equal(new URL(app.url()).hash, '');
   const manifest = JSON.parse(readFileSync(new URL('../../public/manifest.webmanifest', import.meta.url), 'utf8'));

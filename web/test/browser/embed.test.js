@@ -365,7 +365,7 @@ test('an abort rejects, ends the work, and leaves the studio usable', { skip }, 
 
 test('files are fetched by the host’s page, and a project brings what it names', { skip }, async () => {
   const { page, frame } = await element({ project: 'examples/logo.json', printer: 'prusa-mk4s' });
-  await stateIs(frame, (state) => state.plate.shape.kind === 'file' && state.plate.directions.kind === 'map');
+  await stateIs(frame, (state) => state.plate.shape.kind === 'file' && state.plate.layers[0].kind === 'map');
   assert.equal(await state(frame, (state) => state.plate.name), 'logo');
   assert.match(await state(frame, (state) => state.plate.printer.name), /MK4/);
   await page.evaluate(() => {
@@ -375,7 +375,7 @@ test('files are fetched by the host’s page, and a project brings what it names
   });
   await stateIs(
     frame,
-    (state) => state.plate.shape.file?.name === 'logo.svg' && state.plate.directions.kind === 'lamp',
+    (state) => state.plate.shape.file?.name === 'logo.svg' && state.plate.layers[0].kind === 'picture',
   );
 });
 

@@ -24,7 +24,7 @@ test('what a file is for can be changed after other changes, which stay', { skip
   await visit.page.getByRole('spinbutton', { name: 'Base layers' }).fill('5');
   await visit.button('Change').click();
   await visit.page.getByRole('dialog').getByRole('combobox').selectOption('tone');
-  await visit.until(({ plate }) => plate.directions.kind === 'tone');
+  await visit.until(({ plate }) => plate.layers[0].kind === 'tones');
   assert.equal(await visit.state(({ plate }) => plate.print.base), 5);
 });
 
@@ -40,7 +40,7 @@ test('files are taken in however long their choice takes', { skip }, async () =>
   const { backendNodeId } = await asked;
   await browser.send('HeapProfiler.collectGarbage');
   await browser.send('DOM.setFileInputFiles', { backendNodeId, files: [join(inputs, 'photo.png')] });
-  await visit.until(({ plate }) => plate.directions.kind === 'map');
+  await visit.until(({ plate }) => plate.layers[0].kind === 'map');
   await browser.detach();
 });
 
@@ -66,7 +66,7 @@ test('what was said of a file goes when undo takes the file away', { skip }, asy
   assert.equal(await visit.button('Change').count(), 1);
   for (let k = 0; k < 2; ++k) await visit.page.getByRole('button', { name: 'Undo' }).click();
   await visit.until(({ opened, notices }) => opened === undefined && !notices.some(({ ofFiles }) => ofFiles));
-  assert.equal(await visit.state(({ plate }) => plate.directions.kind === 'lamp'), false);
+  assert.equal(await visit.state(({ plate }) => plate.layers[0].kind === 'picture'), false);
 });
 
 test('what was said of a file goes when something of another kind takes its place', { skip }, async () => {
@@ -81,7 +81,7 @@ test('what was said of a file goes when something of another kind takes its plac
   await visit.page.getByRole('radio', { name: 'Waves' }).check();
   await visit.button('Show both, turn the lamp').waitFor({ state: 'detached' });
   await visit.page.keyboard.press('Control+z');
-  await visit.until(({ plate, opened }) => plate.directions.kind === 'lamp' && opened === undefined);
+  await visit.until(({ plate, opened }) => plate.layers[0].kind === 'picture' && opened === undefined);
 });
 
 test(
@@ -90,13 +90,13 @@ test(
   async () => {
     const visit = await dropped();
     await visit.drop([photo('second.png')]);
-    const names = ({ plate }) => [plate.name, ...plate.directions.pictures.map(({ file }) => file.name)];
+    const names = ({ plate }) => [plate.name, ...plate.layers[0].pictures.map(({ file }) => file.name)];
     await visit.until(({ plate }) => plate.name === 'second');
     assert.deepEqual(await visit.state(names), ['second', 'second.png']);
     await visit.button('Show both, turn the lamp').click();
     await visit.until(({ lamp }) => lamp === 1);
     assert.deepEqual(await visit.state(names), ['second', 'first.png', 'second.png']);
-    const [one, other] = await visit.state(({ plate }) => plate.directions.pictures.map(({ lamp }) => lamp));
+    const [one, other] = await visit.state(({ plate }) => plate.layers[0].pictures.map(({ lamp }) => lamp));
     assert.notDeepEqual(one, other);
   },
 );
@@ -141,7 +141,7 @@ test('who tries other cards and comes back is asked for no file again', { skip }
   const { page } = visit;
   await visit.drop([photo('second.png')]);
   await visit.button('Show both, turn the lamp').click();
-  await visit.until(({ plate }) => plate.directions.pictures.length === 2);
+  await visit.until(({ plate }) => plate.layers[0].pictures.length === 2);
   await page.evaluate(() => {
     globalThis.asked = 0;
     document.querySelector('sillon-app').studio.pick = async () => {
@@ -150,20 +150,20 @@ test('who tries other cards and comes back is asked for no file again', { skip }
     };
   });
   const card = async (name) => page.getByRole('radio', { name, exact: true }).check();
-  const pictures = ({ plate }) => plate.directions.pictures.map(({ file, lamp }) => [file.name, lamp]);
+  const pictures = ({ plate }) => plate.layers[0].pictures.map(({ file, lamp }) => [file.name, lamp]);
   const both = await visit.state(pictures);
   for (const way of [['Waves'], ['Picture by brightness'], ['Picture by brightness', 'Waves']]) {
     for (const name of way) await card(name);
     await card('Picture under a lamp');
-    await visit.until(({ plate }) => plate.directions.kind === 'lamp');
+    await visit.until(({ plate }) => plate.layers[0].kind === 'picture');
     assert.deepEqual(await visit.state(pictures), both, String(way));
   }
   // What was set is as it was left.
   await card('Waves');
-  await page.getByRole('spinbutton', { name: 'Swing' }).fill('12');
+  await page.getByRole('spinbutton', { name: 'Amplitude' }).fill('12');
   await card('Noise');
   await card('Waves');
-  await visit.until(({ plate }) => plate.directions.kind === 'waves' && plate.directions.amplitude === 12);
+  await visit.until(({ plate }) => plate.layers[0].pattern === 'waves' && plate.layers[0].amplitude === 12);
 
   const drawing = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20"><rect width="40" height="20"/></svg>';
   await visit.drop([fileOf('wide.svg', Buffer.from(drawing), 'image/svg+xml')]);

@@ -61,7 +61,7 @@ test('the welcome goes with the first change, and for good once it is dismissed'
   assert.equal(await other.state((state) => state.welcome), false);
 });
 
-const names = ({ plate }) => plate.directions.pictures?.map(({ file }) => file.name);
+const names = ({ plate }) => plate.layers[0].pictures.map(({ file }) => file.name);
 
 /** How bright the plate is at these places: from -1 to 1 across it, y up. */
 const brightness = (visit, places) =>
@@ -126,7 +126,7 @@ test('the lamp of the first plate turns by itself until somebody does something'
 
   // Somebody's own picture takes the place of both; one step back, and they are there again.
   await visit.drop([fileAt(join(inputs, 'photo.png'))]);
-  await visit.until(({ plate }) => plate.directions.pictures?.length === 1);
+  await visit.until(({ plate }) => plate.layers[0].pictures.length === 1);
   assert.deepEqual(await visit.state(names), ['photo.png']);
   await welcome(visit).waitFor({ state: 'detached' });
   assert.equal(await visit.state(({ flipping }) => flipping), false);
@@ -200,7 +200,7 @@ test('the shimmer that a first visit sees is of the plate that it then gets', { 
 
 test('the gallery begins with the sun and the moon, as the first visit does', { skip }, async () => {
   const visit = await bench.open({ small: true });
-  await visit.until(({ plate }) => plate.directions.kind === 'waves');
+  await visit.until(({ plate }) => plate.layers[0].pattern === 'waves');
   await visit.button('Examples').click();
   const card = visit.page.getByRole('dialog').getByRole('button').filter({ hasText: 'Sun and moon' });
   await until(
@@ -208,8 +208,8 @@ test('the gallery begins with the sun and the moon, as the first visit does', { 
     'its picture',
   );
   await card.click();
-  await visit.until(({ plate, dialog }) => plate.directions.kind === 'lamp' && dialog === undefined);
+  await visit.until(({ plate, dialog }) => plate.layers[0].kind === 'picture' && dialog === undefined);
   assert.deepEqual(await visit.state(names), ['sun.png', 'moon.png']);
   assert.equal(await visit.state(({ plate }) => plate.name), 'Sun and moon');
-  assert.deepEqual(await visit.state(({ plate }) => plate.directions.pictures.map(({ lamp }) => lamp[0])), [70, 110]);
+  assert.deepEqual(await visit.state(({ plate }) => plate.layers[0].pictures.map(({ lamp }) => lamp[0])), [70, 110]);
 });

@@ -133,9 +133,9 @@ test(
     const chosen = await roles.evaluateAll((all) => all.map((one) => one.value));
     assert.deepEqual(chosen, ['shape', 'angle', 'modes']);
     await roles.nth(2).selectOption('none');
-    await visit.until((state) => state.plate.modes.file === undefined);
+    await visit.until((state) => state.plate.layers[0].modeFile === null);
     await roles.nth(2).selectOption('modes');
-    await visit.until((state) => state.plate.modes.file !== undefined);
+    await visit.until((state) => state.plate.layers[0].modeFile !== null);
     await visit.button('Done').click();
     await visit.idle();
     assert.equal(await visit.state((state) => state.plate.shape.kind), 'file');
@@ -145,7 +145,7 @@ test(
     assert.equal(firstDifference(text, natively(project.bytes, text)), undefined);
     // One step back: the files are gone.
     await visit.page.keyboard.press('Control+z');
-    await visit.until((state) => state.plate.shape.kind === 'disc' && state.plate.directions.kind === 'waves');
+    await visit.until((state) => state.plate.shape.kind === 'disc' && state.plate.layers[0].pattern === 'waves');
     // The project brings all of it back.
     await visit.drop([{ name: 'logo.sillon.zip', type: 'application/zip', data: project.bytes.toString('base64') }]);
     await visit.until((state) => state.plate.shape.kind === 'file');
@@ -161,7 +161,7 @@ test('a photograph becomes directions, and a drawing from the clipboard a shape'
   const visit = await bench.open({ small: true });
   await visit.idle();
   await visit.paste([fileAt(join(inputs, 'photo.png'))]);
-  await visit.until((state) => state.plate.directions.kind === 'lamp');
+  await visit.until((state) => state.plate.layers[0].kind === 'picture');
   await visit.idle();
   await visit.paste(
     [],
@@ -307,6 +307,6 @@ test('a link carries the settings, and says what it cannot carry', { skip }, asy
   await visit.page.waitForFunction((input) => input.value !== '', await field.elementHandle());
   const url = await field.inputValue();
   const other = await bench.open({ path: new URL(url).pathname + new URL(url).hash });
-  await other.until((state) => state.plate.toolpath.spacing === 0.52 && state.plate.directions.kind === 'waves');
+  await other.until((state) => state.plate.toolpath.spacing === 0.52 && state.plate.layers[0].pattern === 'waves');
   await other.idle();
 });

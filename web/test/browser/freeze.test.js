@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { sharedBench } from './support/shared.js';
-import { linkOf } from './support/small.js';
+import { linkOf, named } from './support/small.js';
 import { fileOf, skip, start } from './support/studio.js';
 import { keptPlate, patience, settled, until } from './support/waits.js';
 
@@ -28,7 +28,7 @@ const patterns = svg(
     )
     .join('')}</defs><rect width="20" height="20" fill="url(#l)"/>`,
 );
-const inLink = (text) => ({ name: 'x.svg', data: Buffer.from(text).toString('base64url') });
+const inLink = { files: { 'x.svg': Buffer.from(uses).toString('base64url') } };
 
 /** A page that stands still answers nothing, for ever. */
 const inTime = (answer) =>
@@ -40,13 +40,13 @@ const inTime = (answer) =>
   ]);
 const answers = (visit) => inTime(visit.page.evaluate(() => true));
 const shows = (visit, name) => inTime(visit.until(`({ plate }) => plate.name === '${name}'`));
-const named = (visit, name) =>
+const rename = (visit, name) =>
   visit.page.evaluate((name) => {
     document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, name }));
   }, name);
 async function keepMine(visit) {
   await visit.idle();
-  await named(visit, 'Mine');
+  await rename(visit, 'Mine');
   await until(async () => (await keptPlate(visit.page))?.name === 'Mine', 'the work in the storage');
 }
 const plates = (visit) =>
@@ -80,9 +80,11 @@ test('what the engine does not look into is not drawn', { skip }, async () => {
   await answers(visit);
 });
 
+/** With its page, which else the file would be asked for while the link is read. */
+const studio = { ...named('gift').studio, page: [24, 24] };
 for (const [what, change] of [
-  ['shape', { shape: { kind: 'file', file: inLink(uses), unitless: 'px' } }],
-  ['directions', { directions: { kind: 'colours', colours: [{ colour: '#ff0000', angle: 10 }], file: inLink(uses) } }],
+  ['shape', { shape: { file: 'x.svg', pageWidth: 24, unitless: 'px' } }],
+  ['layer', { layers: [{ kind: 'tones', by: 'colours', colours: [{ colour: '#ff0000', angle: 10 }], file: 'x.svg' }] }],
 ]) {
   test(
     `a link whose ${what} cannot be made is told of, and is not what the next visit begins with`,
@@ -91,10 +93,10 @@ for (const [what, change] of [
       const mine = await bench.open({ small: true, fresh: true });
       await keepMine(mine);
       await mine.page.close();
-      const visit = await bench.open({ keep: mine.context, path: `/${linkOf({ name: 'gift', ...change })}` });
+      const visit = await bench.open({ keep: mine.context, path: `/${linkOf({ studio, ...change }, inLink)}` });
       await shows(visit, 'gift');
       await visit.page.locator('sillon-notices .problem').first().waitFor();
-      await named(visit, 'gift, changed');
+      await rename(visit, 'gift, changed');
       await answers(visit);
       assert.deepEqual(await plates(visit), ['Mine']);
       await visit.page.close();
@@ -105,7 +107,7 @@ for (const [what, change] of [
 }
 
 test('a link is kept once its plate has been made', { skip }, async () => {
-  const visit = await bench.open({ path: `/${linkOf({ name: 'gift' })}`, fresh: true });
+  const visit = await bench.open({ path: `/${linkOf(named('gift'))}`, fresh: true });
   await until(async () => (await keptPlate(visit.page))?.name === 'gift', 'the plate in the storage');
   assert.ok(await visit.state(({ result }) => result !== undefined));
 });
@@ -117,7 +119,14 @@ async function killed() {
   await mine.page.close();
   const { context } = mine;
   const stuck = await context.newPage();
-  await stuck.route('**/*.wasm', () => undefined); // it never comes, so that nothing is shown
+  // Its path is asked for and never comes, so that nothing is shown.
+  await stuck.addInitScript(() => {
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (...given) {
+      const { studio } = document.querySelector('sillon-app') ?? {};
+      if (studio?.store.state.plate.name !== 'Mine') postMessage.apply(this, given);
+    };
+  });
   await stuck.goto(bench.origin);
   await stuck.waitForFunction(() => document.querySelector('sillon-app')?.studio.store.state.plate.name === 'Mine');
   const crash = new Promise((resolve) => stuck.once('crash', resolve));

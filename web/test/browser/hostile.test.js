@@ -61,7 +61,7 @@ test('of several files those that can be used are opened', { skip }, async () =>
   const visit = await bench.open({ small: true });
   await visit.idle();
   await visit.drop([fileOf('nothing.png', [], 'image/png'), fileAt(join(inputs, 'photo.png'))]);
-  await visit.until(({ plate }) => plate.directions.kind === 'lamp');
+  await visit.until(({ plate }) => plate.layers[0].kind === 'picture');
   await visit.page.locator('sillon-notices').getByText('nothing.png is empty').waitFor();
 });
 
@@ -79,7 +79,7 @@ test('a value that is too high, and a plate that does not fit, are told with nam
 });
 
 test('a broken link is told, and the page begins as usual', { skip }, async () => {
-  const visit = await bench.open({ path: '/#plate=1.AAAA', fresh: true });
+  const visit = await bench.open({ path: '/#plate=2.AAAA', fresh: true });
   const alert = visit.page.locator('sillon-notices .problem').first();
   await alert.waitFor();
   assert.match(await alert.innerText(), /link/i);
@@ -146,8 +146,13 @@ test('what cannot be made is told for as long as it cannot, whatever mends it', 
   await alarms.waitFor();
   await alarms.getByRole('button', { name: 'Undo' }).click();
   await alarms.waitFor({ state: 'detached' });
-  // No directions can be drawn.
-  await change('directions', { kind: 'qr', text: 'x'.repeat(5000), dark: 0, light: 90, margin: 2 });
+  // A layer cannot be drawn.
+  await visit.page.evaluate(() =>
+    document.querySelector('sillon-app').studio.change((plate) => {
+      const [ground] = plate.layers;
+      return { ...plate, layers: [ground, { ...ground, id: 2, kind: 'code', text: 'x'.repeat(4000) }] };
+    }),
+  );
   await alarms.waitFor();
   await alarms.getByRole('button', { name: 'Undo' }).click();
   await alarms.waitFor({ state: 'detached' });
@@ -183,13 +188,13 @@ test('unsaved work survives a reload', { skip }, async () => {
   const visit = await bench.open({ small: true, fresh: true });
   await visit.idle();
   await visit.drop([fileAt(join(inputs, 'relief.png'))]);
-  await visit.until((state) => state.plate.directions.kind === 'lamp');
+  await visit.until((state) => state.plate.layers[0].kind === 'picture');
   await visit.page.evaluate(() => {
     document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, name: 'Kept' }));
   });
   await until(async () => (await keptPlate(visit.page))?.name === 'Kept', 'the work in the storage');
   await visit.page.reload();
-  await visit.until((state) => state.plate.name === 'Kept' && state.plate.directions.pictures.length === 1);
+  await visit.until((state) => state.plate.name === 'Kept' && state.plate.layers[0].pictures.length === 1);
   await visit.idle();
 });
 

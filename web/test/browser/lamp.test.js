@@ -28,7 +28,7 @@ const second = async (page) => {
   return fileOf('moon.jpg', Buffer.from(data, 'latin1'), 'image/jpeg');
 };
 
-const lamps = ({ plate }) => plate.directions.pictures?.map(({ file, lamp }) => [file.name, lamp]);
+const lamps = ({ plate }) => plate.layers[0].pictures.map(({ file, lamp }) => [file.name, lamp]);
 const small = (visit) =>
   visit.page.evaluate(() => {
     document.querySelector('sillon-app').studio.change((plate) => ({
@@ -42,7 +42,7 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
   const visit = await bench.open({ small: true });
   await visit.until(({ plate }) => plate.width === 24); // of the link, which would take the photograph's place
   await visit.drop([photo()]);
-  await visit.until('({ plate }) => plate.directions.kind === "lamp"');
+  await visit.until('({ plate }) => plate.layers[0].kind === "picture"');
   await visit.idle();
   assert.deepEqual(await visit.state(lamps), [['photo.png', [60, 35]]]);
   await visit.until(({ result }) => JSON.stringify(result?.toolpath.look?.lamps) === '[[60,35]]');
@@ -77,7 +77,7 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
 
   await visit.drop([await second(visit.page)]);
   await visit.button('Show both, turn the lamp').click();
-  await visit.until('({ plate }) => plate.directions.pictures.length === 2');
+  await visit.until('({ plate }) => plate.layers[0].pictures.length === 2');
   await visit.idle();
   assert.deepEqual(await visit.state(lamps), [
     ['photo.png', [60, 35]],
@@ -150,7 +150,7 @@ test('the light stands where one’s own picture is to be seen until a hand move
   for (const device of [{}, phone]) {
     const visit = await bench.open({ ...moving, ...device });
     await visit.drop([photo()]);
-    await visit.until('({ plate }) => plate.directions.kind === "lamp"');
+    await visit.until('({ plate }) => plate.layers[0].kind === "picture"');
     await visit.idle();
     await visit.until('({ light }) => light.azimuth === 60 && light.elevation === 35');
     assert.deepEqual(await visit.page.evaluate(placesOfLight, 40), ['{"azimuth":60,"elevation":35}']);
@@ -164,7 +164,7 @@ test('the light stands where one’s own picture is to be seen until a hand move
 test('a picture can be made for the light that the pointer has aimed', { skip }, async () => {
   const visit = await bench.open(moving);
   await visit.drop([photo()]);
-  await visit.until('({ plate }) => plate.directions.kind === "lamp"');
+  await visit.until('({ plate }) => plate.layers[0].kind === "picture"');
   await visit.idle();
   /** A page that has not shown the plate yet forgets a move, and bars that come late move the plate under the pointer. */
   const aim = (across, down, stands) =>
@@ -181,7 +181,7 @@ test('a picture can be made for the light that the pointer has aimed', { skip },
   await button.hover();
   await visit.until(stands);
   await button.click();
-  await visit.until('({ plate }) => JSON.stringify(plate.directions.pictures[0].lamp) === "[146,36]"');
+  await visit.until('({ plate }) => JSON.stringify(plate.layers[0].pictures[0].lamp) === "[146,36]"');
   await visit.idle();
   // Aimed once more, and brought back.
   await aim(0.8, 0.7, ({ light }) => light.azimuth > 300);
@@ -196,7 +196,7 @@ test('pictures under lamps come back after a reload, from a project and from a l
   const visit = await bench.open({ small: true, fresh: true });
   await visit.until(({ plate }) => plate.width === 24);
   await visit.drop([photo(), await second(visit.page)]);
-  await visit.until('({ plate }) => plate.directions.pictures?.length === 2');
+  await visit.until('({ plate }) => plate.layers[0].pictures.length === 2');
   await visit.button('Done').click();
   await small(visit);
   await visit.idle();
@@ -214,17 +214,17 @@ test('pictures under lamps come back after a reload, from a project and from a l
   assert.ok(hash.length < 13_000, `the link has ${hash.length} characters`);
 
   await visit.page.reload();
-  await visit.until('({ plate }) => plate.directions.pictures?.length === 2');
+  await visit.until('({ plate }) => plate.layers[0].pictures.length === 2');
   await visit.idle();
   assert.deepEqual(await visit.state(lamps), before);
   assert.equal(await visit.state(({ result }) => result.report.digest), digest);
 
   const other = await bench.open({ path: `/${hash}` });
-  await other.until('({ plate }) => plate.directions.pictures?.length === 2');
+  await other.until('({ plate }) => plate.layers[0].pictures.length === 2');
   await other.idle();
   assert.deepEqual(await other.state(lamps), before);
   await other.drop([fileOf('plate.sillon.zip', project.bytes)]);
-  await other.until('({ plate }) => plate.directions.pictures?.[0].file.bytes.type === "image/png"');
+  await other.until('({ plate }) => plate.layers[0].pictures[0]?.file.bytes.type === "image/png"');
   await other.idle();
   assert.equal(await other.state(({ result }) => result.report.digest), digest);
   assert.deepEqual([...visit.problems, ...other.problems], []);

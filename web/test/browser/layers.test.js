@@ -31,17 +31,28 @@ async function open(options = {}) {
   return visit;
 }
 
+/** Those on top of the ground. */
 const layers = (visit) =>
-  visit.state(({ plate }) => plate.layers.map((layer) => ({ ...layer, file: null, maskFile: null, font: '' })));
+  visit.state(({ plate }) =>
+    plate.layers.slice(1).map((layer) => ({ ...layer, file: null, pictures: [], maskFile: null, font: '' })),
+  );
 const undos = (visit) => visit.page.evaluate(() => document.querySelector('sillon-app').studio.store.steps.past.length);
+
+/** Presses the tile of a kind, which may be among those that are not there unasked. */
+async function choose(panel, name) {
+  await panel.locator('.tiles').waitFor();
+  const tile = panel.locator('.tiles').getByRole('button', { name, exact: true });
+  if ((await tile.count()) === 0) await panel.locator('#more-kinds').click();
+  await tile.click();
+}
 
 async function add(visit, name) {
   const { page } = visit;
   const panel = page.locator('sillon-layers-panel');
   const count = (await layers(visit)).length;
   if (count > 0) await panel.locator('#add').click();
-  await panel.locator('.tiles').getByRole('button', { name, exact: true }).click();
-  await visit.until(`({ plate }) => plate.layers.length === ${count + 1}`);
+  await choose(panel, name);
+  await visit.until(`({ plate }) => plate.layers.length === ${count + 2}`);
   await settled(page);
 }
 
@@ -89,6 +100,31 @@ const near = (found, wanted, within = 0.1) => {
   wanted.forEach((value, k) => assert.ok(Math.abs(found[k] - value) <= within, `${found} is not ${wanted}`));
 };
 
+test('cards fill the ground, alone or chosen, and leave what lies on top of it', { skip }, async () => {
+  const visit = await open();
+  const { page } = visit;
+  const panel = page.locator('sillon-layers-panel');
+  const card = (name) => panel.getByRole('radio', { name, exact: true });
+  const list = () => visit.state(({ plate }) => plate.layers.map(({ id, kind, pattern }) => [id, kind, pattern]));
+  const [ground, text] = [1, 2];
+  assert.equal(await card('Waves').isChecked(), true);
+  assert.equal(await panel.locator('li[data-layer]').count(), 0);
+  await add(visit, 'Text');
+  assert.equal(await panel.locator('.cards, .tiles').count(), 0);
+  await panel.getByRole('button', { name: 'Waves', exact: true }).click();
+  await card('Spiral').check();
+  await visit.until(({ plate }) => plate.layers[0].pattern === 'spiral');
+  assert.deepEqual(await list(), [
+    [ground, 'pattern', 'spiral'],
+    [text, 'text', 'radial'],
+  ]);
+  await page.keyboard.press('Control+z');
+  await visit.until(({ plate }) => plate.layers[0].pattern === 'waves');
+  assert.equal(await card('Waves').isChecked(), true);
+  assert.equal((await layers(visit)).length, 1);
+  assert.deepEqual(visit.problems, []);
+});
+
 test(
   'a text is added, typed, and moved, scaled and turned by its frame, each as one step of undo',
   { skip },
@@ -99,7 +135,7 @@ test(
     // Its letters are what comes next: the field has the focus, and all of it is chosen.
     await page.keyboard.type('AB');
     await page.locator('#layer-text').blur();
-    await visit.until(({ plate, layerBoxes }) => layerBoxes.get(1)?.layer === plate.layers[0]);
+    await visit.until(({ plate, layerBoxes }) => layerBoxes.get(2)?.layer === plate.layers[1]);
     await settled(page);
     const [text] = await layers(visit);
     assert.deepEqual([text.text, text.kind, text.at, text.textSize], ['AB', 'text', null, 4]);
@@ -202,7 +238,7 @@ test('rays over all of the page move by their middle, and an inner knob turns wa
   const set = (values) =>
     page.evaluate((values) => {
       const { studio } = document.querySelector('sillon-app');
-      studio.change((plate) => ({ ...plate, layers: [{ ...plate.layers[0], ...values }] }));
+      studio.change((plate) => ({ ...plate, layers: [plate.layers[0], { ...plate.layers[1], ...values }] }));
       studio.settle();
     }, values);
   const arm = await page.evaluate(
@@ -234,7 +270,10 @@ test(
     await add(visit, 'Text');
     await page.evaluate(() => {
       const { studio } = document.querySelector('sillon-app');
-      studio.change((plate) => ({ ...plate, layers: [{ ...plate.layers[0], at: [6, 18], text: 'A' }] }));
+      studio.change((plate) => ({
+        ...plate,
+        layers: [plate.layers[0], { ...plate.layers[1], at: [6, 18], text: 'A' }],
+      }));
     });
     await add(visit, 'Direction');
     await page.evaluate(() => document.querySelector('sillon-app').studio.stage.focus());
@@ -246,15 +285,15 @@ test(
     assert.equal(await undos(visit), before + 3);
 
     await page.mouse.click(...(await screen(visit, 6, 18)));
-    await visit.until((state) => state.layer === 1);
+    await visit.until((state) => state.layer === 2);
     await page.mouse.click(...(await screen(visit, 2, 2)));
     await visit.until((state) => state.layer === undefined);
     await page.mouse.click(...(await screen(visit, 6, 18)));
-    await visit.until((state) => state.layer === 1);
+    await visit.until((state) => state.layer === 2);
     await page.keyboard.press('Delete');
-    await visit.until(({ plate }) => plate.layers.length === 1);
-    await page.keyboard.press('Control+z');
     await visit.until(({ plate }) => plate.layers.length === 2);
+    await page.keyboard.press('Control+z');
+    await visit.until(({ plate }) => plate.layers.length === 3);
     await page.keyboard.press('Escape');
     await visit.until((state) => state.layer === undefined);
 
@@ -266,11 +305,12 @@ test(
     assert.notEqual(await camera(), at);
     await page.keyboard.press('b');
     await drag(visit, [6, 18], [9, 15]);
-    assert.equal(await visit.state(({ plate }) => plate.strokes.length), 1);
-    assert.deepEqual(await layers(visit), was);
+    const now = await layers(visit);
+    assert.deepEqual([now.length, now[2].kind, now[2].strokes.length], [3, 'strokes', 1]);
+    assert.deepEqual(now.slice(0, 2), was);
     await page.keyboard.press('v');
     await page.locator('sillon-layers-panel').getByRole('button', { name: 'A', exact: true }).click();
-    assert.equal(await visit.state((state) => state.layer), 1);
+    assert.equal(await visit.state((state) => state.layer), 2);
   },
 );
 
@@ -296,23 +336,30 @@ test(
       '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M0 0h9v9z"/></svg>',
     );
     const font = fileOf('mine', Buffer.from([0, 1, 0, 0, 0, 0]));
+    await add(visit, 'Direction'); // with the ground alone, files are for that and for the shape
+    const before = await undos(visit);
     await drop([star, fileAt(join(inputs, 'moon.png')), font]);
-    await visit.until(({ plate }) => plate.layers.length === 3);
+    await visit.until(({ plate }) => plate.layers.length === 5);
     assert.deepEqual(
       (await layers(visit)).map(({ kind }) => kind),
-      ['drawing', 'picture', 'text'],
+      ['direction', 'drawing', 'picture', 'text'],
     );
-    assert.deepEqual(await visit.state(({ plate }) => [plate.layers[0].file.name, plate.layers[2].font.name]), [
-      'star.svg',
-      'mine.ttf',
-    ]);
+    assert.deepEqual(
+      await visit.state(({ plate: { layers } }) => [
+        layers[2].file.name,
+        layers[3].pictures[0].file.name,
+        layers[4].font.name,
+      ]),
+      ['star.svg', 'moon.png', 'mine.ttf'],
+    );
     assert.equal(await visit.state(({ plate }) => plate.shape.kind), 'disc');
-    assert.equal(await undos(visit), 1);
+    assert.equal(await undos(visit), before + 1);
     await drop([fileOf('notes.txt', 'hello')]);
     await page.getByText('This page cannot open files like notes.txt.').waitFor();
-    assert.equal((await layers(visit)).length, 3);
+    assert.equal((await layers(visit)).length, 4);
     // On the plate: where it is let go, and also where another section is open.
     await visit.section('Shape');
+    await settled(page); // words of what has happened make the plate smaller for a while
     const shape = await visit.state(({ plate }) => plate.shape.kind);
     const over = async (place, files, text = '') =>
       page.evaluate(
@@ -350,28 +397,28 @@ test(
       ],
     );
     for (const { width, height } of targets) assert.ok(width > 300 && height >= 96, JSON.stringify(targets));
-    await visit.until(({ plate, panel }) => plate.layers.length === 4 && panel === 'layers');
-    near((await layers(visit))[3].at, [8, 15]);
+    await visit.until(({ plate, panel }) => plate.layers.length === 6 && panel === 'layers');
+    near((await layers(visit))[4].at, [8, 15]);
     assert.equal(await visit.state(({ plate }) => plate.shape.kind), shape);
     await over(await screen(visit, 15, 8), [], 'Hello');
-    await visit.until(({ plate }) => plate.layers.length === 5);
-    const { kind, text, at } = (await layers(visit))[4];
+    await visit.until(({ plate }) => plate.layers.length === 7);
+    const { kind, text, at } = (await layers(visit))[5];
     assert.deepEqual([kind, text], ['text', 'Hello']);
     near(at, [15, 8]);
     // A font is the chosen text's.
     await visit.drop([font]);
-    await visit.until(({ plate }) => plate.layers[4].font.name === 'mine.ttf');
-    assert.equal((await layers(visit)).length, 5);
+    await visit.until(({ plate }) => plate.layers[6].font.name === 'mine.ttf');
+    assert.equal((await layers(visit)).length, 6);
     await page.keyboard.press('Control+z');
     // Pasted: letters, and a picture; beside the plate, each where there is room.
     await page.mouse.move(...(await screen(visit, 6, 10)));
     await visit.paste([], 'Good\nday');
-    await visit.until(({ plate }) => plate.layers.length === 6);
-    near((await layers(visit))[5].at, [6, 10]);
-    assert.equal((await layers(visit))[5].text, 'Good\nday');
+    await visit.until(({ plate }) => plate.layers.length === 8);
+    near((await layers(visit))[6].at, [6, 10]);
+    assert.equal((await layers(visit))[6].text, 'Good\nday');
     await page.mouse.move(3, 300);
     await visit.paste([fileAt(join(inputs, 'moon.png'))]);
-    await visit.until(({ plate }) => plate.layers.length === 7 && plate.layers[6].kind === 'picture');
+    await visit.until(({ plate }) => plate.layers.length === 9 && plate.layers[8].kind === 'picture');
     assert.equal(await visit.state(({ plate }) => plate.shape.kind), shape);
     // The other target.
     const [, { left, top, width, height }] = targets;
@@ -381,7 +428,7 @@ test(
       [false, true],
     );
     await visit.until(({ plate }) => plate.shape.kind === 'file');
-    assert.equal((await layers(visit)).length, 7);
+    assert.equal((await layers(visit)).length, 8);
     assert.deepEqual(visit.problems, []);
   },
 );
@@ -392,7 +439,7 @@ test('a warning about a layer marks its row and its frame, once the whole plate 
   for (const kind of ['Text', 'Text']) await add(visit, kind);
   await visit.idle();
   /** As the engine would tell it, of a kind that the panel has never heard of. */
-  // The lowest layer is that of the directions.
+  // The lowest layer is the ground.
   const tell = (change) =>
     page.evaluate((change) => {
       const { store } = document.querySelector('sillon-app').studio;
@@ -422,10 +469,10 @@ test('a warning about a layer marks its row and its frame, once the whole plate 
   await tell({ coarse: false });
   await page.locator('sillon-layers-panel').getByText('Layer 2 lies beside the plate.').waitFor();
   assert.equal(await rows.count(), 1);
-  assert.equal(await rows.getAttribute('data-layer'), '1');
+  assert.equal(await rows.getAttribute('data-layer'), '2');
   await settled(page);
   assert.ok(await red(9, 14), 'the frame of a layer that is not chosen');
-  await page.locator('li[data-layer="1"] .row').click();
+  await page.locator('li[data-layer="2"] .row').click();
   await settled(page);
   assert.ok(await red(9, 14), 'the frame of the chosen layer');
   // It is about the layer as it was.
@@ -434,18 +481,18 @@ test('a warning about a layer marks its row and its frame, once the whole plate 
     const { result } = studio.store.state;
     studio.change((plate) => ({
       ...plate,
-      layers: plate.layers.map((one, k) => (k === 0 ? { ...one, angle: 5 } : one)),
+      layers: plate.layers.map((one, k) => (k === 1 ? { ...one, angle: 5 } : one)),
     }));
     studio.store.set({ result });
   });
   assert.equal(await rows.count(), 0);
 });
 
-test('a font that is dropped on a plate without layers makes the first', { skip }, async () => {
+test('a font that is dropped on a plate that has but its ground makes a text', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.until(({ plate }) => plate.width === 24);
   await visit.drop([fileOf('lobster.ttf', Buffer.from([0, 1, 0, 0, 0, 0]))]);
-  await visit.until(({ plate, panel }) => panel === 'layers' && plate.layers[0]?.font.name === 'lobster.ttf');
+  await visit.until(({ plate, panel }) => panel === 'layers' && plate.layers[1]?.font.name === 'lobster.ttf');
   assert.equal(await visit.state(({ notices }) => notices.length), 0);
 });
 
@@ -454,7 +501,7 @@ test('new layers and copies lie beside those that are there, inside the shape', 
   const { page } = visit;
   for (const kind of ['Text', 'Text']) await add(visit, kind);
   await page.getByRole('button', { name: /^Duplicate/ }).click();
-  await visit.until(({ plate, layer }) => plate.layers.length === 3 && layer === 3);
+  await visit.until(({ plate, layer }) => plate.layers.length === 4 && layer === 4);
   const found = await layers(visit);
   assert.equal(found[0].at, null); // the first lies in the middle
   const boxes = found.map(({ kind, at, text, textSize, size }) => ({
@@ -479,13 +526,13 @@ test('a picture is cropped where it lies, and what is cut off is seen', { skip }
   const { page } = visit;
   const [chooser] = await Promise.all([
     page.waitForEvent('filechooser'),
-    page.locator('sillon-layers-panel .tiles').getByRole('button', { name: 'Picture', exact: true }).click(),
+    choose(page.locator('sillon-layers-panel'), 'Picture'),
   ]);
   await chooser.setFiles(join(inputs, 'moon.png'));
-  await visit.until(({ plate }) => plate.layers[0]?.file?.name === 'moon.png');
+  await visit.until(({ plate }) => plate.layers[1]?.pictures[0]?.file.name === 'moon.png');
   await page.evaluate(() => {
     const { studio } = document.querySelector('sillon-app');
-    studio.change((plate) => ({ ...plate, layers: [{ ...plate.layers[0], size: [16, 16] }] }));
+    studio.change((plate) => ({ ...plate, layers: [plate.layers[0], { ...plate.layers[1], size: [16, 16] }] }));
   });
   await settled(page);
   assert.equal(await cover(visit, 17, 12), 0);
@@ -499,7 +546,7 @@ test('a picture is cropped where it lies, and what is cut off is seen', { skip }
   await drag(visit, [8, 12], [4, 12]); // the picture under its box
   near((await layers(visit))[0].cropMin, [0.25, 0], 0.01);
   await page.keyboard.press('Escape');
-  await visit.until((state) => !state.cropping && state.layer === 1);
+  await visit.until((state) => !state.cropping && state.layer === 2);
   await settled(page);
   assert.equal(await cover(visit, 17, 12), 0);
   await page.locator('sillon-layers-panel').getByRole('button', { name: 'Whole picture' }).click();
@@ -512,26 +559,26 @@ test('the list is worked by keys alone: order, copies, sight', { skip }, async (
   for (const kind of ['Border', 'Pattern', 'Direction']) await add(visit, kind);
   const panel = page.locator('sillon-layers-panel');
   const names = () => panel.locator('li[data-layer] .name').allInnerTexts();
-  assert.deepEqual(await names(), ['Direction', 'Rays, rings', 'Border']);
+  assert.deepEqual(await names(), ['One direction', 'Rays', 'Border', 'Waves']);
   const row = (name) => panel.getByRole('button', { name, exact: true });
-  await row('Direction').focus();
+  await row('One direction').focus();
   await page.keyboard.press('ArrowDown');
-  assert.equal(await row('Rays, rings').evaluate((one) => one.matches(':focus')), true);
+  assert.equal(await row('Rays').evaluate((one) => one.matches(':focus')), true);
   await page.keyboard.press('Alt+ArrowDown');
-  await until(async () => (await names()).join() === 'Direction,Border,Rays, rings', 'the other order');
-  await until(() => row('Rays, rings').evaluate((one) => one.matches(':focus')), 'the focus to stay');
+  await until(async () => (await names()).join() === 'One direction,Border,Rays,Waves', 'the other order');
+  await until(() => row('Rays').evaluate((one) => one.matches(':focus')), 'the focus to stay');
   await page.keyboard.press('Enter');
-  await visit.until((state) => state.layer === 2);
-  await row('Move Rays, rings up').press('Enter');
-  await until(async () => (await names()).join() === 'Direction,Rays, rings,Border', 'the first order');
-  await row('Duplicate Rays, rings').press('Enter');
-  await visit.until((state) => state.plate.layers.length === 4 && state.layer === 4);
+  await visit.until((state) => state.layer === 3);
+  await row('Move Rays up').press('Enter');
+  await until(async () => (await names()).join() === 'One direction,Rays,Border,Waves', 'the first order');
+  await row('Duplicate Rays').press('Enter');
+  await visit.until((state) => state.plate.layers.length === 5 && state.layer === 5);
   await row('Hide Border').press('Enter');
-  await visit.until(({ plate }) => plate.layers[0].visible === false);
+  await visit.until(({ plate }) => plate.layers[1].visible === false);
   await row('Show Border').waitFor();
   await panel.locator('li.chosen .row').focus();
   await page.keyboard.press('Delete');
-  await visit.until(({ plate }) => plate.layers.length === 3);
+  await visit.until(({ plate }) => plate.layers.length === 4);
   await until(() => panel.locator('li.chosen .row').evaluate((one) => one.matches(':focus')), 'the focus');
 });
 
@@ -553,7 +600,7 @@ test('rows are dragged to other places, each time as one step of undo', { skip }
   await page.evaluate(() => document.querySelector('sillon-app').studio.store.set({ layer: undefined }));
   await settled(page);
   const before = await undos(visit);
-  const [border, pattern, direction] = ['Border', 'Rays, rings', 'Direction'];
+  const [border, pattern, direction, ground] = ['Border', 'Rays', 'One direction', 'Waves'];
   const pull = async (from, to) => {
     await page.mouse.move(...from);
     await page.mouse.down();
@@ -562,7 +609,7 @@ test('rows are dragged to other places, each time as one step of undo', { skip }
   const [x, top] = await partOf(visit, direction, '.row');
   await pull(await partOf(visit, border, '.grip'), [x, top - 4]);
   await settled(page);
-  assert.deepEqual(await namesIn(visit), [border, direction, pattern]); // already while it is held
+  assert.deepEqual(await namesIn(visit), [border, direction, pattern, ground]); // already while it is held
   assert.equal(await page.locator('li.held .name').innerText(), border);
   await page.mouse.up();
   await settled(page);
@@ -576,7 +623,7 @@ test('rows are dragged to other places, each time as one step of undo', { skip }
   );
   await page.mouse.up();
   await settled(page);
-  assert.deepEqual(await namesIn(visit), [direction, border, pattern]);
+  assert.deepEqual(await namesIn(visit), [direction, border, pattern, ground]);
   assert.equal(await visit.state(({ layer }) => layer), undefined);
   assert.equal(await undos(visit), before + 2);
 
@@ -586,23 +633,23 @@ test('rows are dragged to other places, each time as one step of undo', { skip }
   await page.mouse.move(...place, { steps: 8 });
   await page.mouse.up();
   await settled(page);
-  assert.deepEqual(await namesIn(visit), [direction, border, pattern]);
+  assert.deepEqual(await namesIn(visit), [direction, border, pattern, ground]);
   assert.equal(await undos(visit), before + 2);
   assert.equal(await visit.state(({ layer }) => layer), undefined);
   // Escape means the drag: the row goes back where it was.
   await pull(place, [x, top - 4]);
   await page.keyboard.press('Escape');
-  assert.deepEqual(await namesIn(visit), [direction, border, pattern]);
+  assert.deepEqual(await namesIn(visit), [direction, border, pattern, ground]);
   await page.mouse.move(x, top + 4);
   await page.mouse.up();
   await settled(page);
-  assert.deepEqual(await namesIn(visit), [direction, border, pattern]);
+  assert.deepEqual(await namesIn(visit), [direction, border, pattern, ground]);
   assert.equal(await undos(visit), before + 2);
   assert.equal(await visit.state(({ layer }) => layer), undefined);
   await page.mouse.click(...(await partOf(visit, pattern, '.row')));
-  await visit.until((state) => state.layer === 2);
+  await visit.until((state) => state.layer === 3);
   await page.keyboard.press('Control+z');
-  assert.deepEqual(await namesIn(visit), [border, direction, pattern]);
+  assert.deepEqual(await namesIn(visit), [border, direction, pattern, ground]);
 });
 
 test('a finger drags rows by their handles, and elsewhere it scrolls the panel', { skip }, async () => {
@@ -624,18 +671,18 @@ test('a finger drags rows by their handles, and elsewhere it scrolls the panel',
     await touch('touchEnd');
     await settled(page);
   };
-  const names = ['Abc', 'Direction', 'Rays, rings', 'Border'];
+  const names = ['Abc', 'One direction', 'Rays', 'Border', 'Waves'];
   assert.deepEqual(await namesIn(visit), names);
   const before = await undos(visit);
-  const [x, y] = await partOf(visit, 'Direction', '.grip');
-  await swipe([x, y], [x, (await partOf(visit, 'Rays, rings', '.grip'))[1] + 4]);
-  assert.deepEqual(await namesIn(visit), ['Abc', 'Rays, rings', 'Direction', 'Border']);
+  const [x, y] = await partOf(visit, 'One direction', '.grip');
+  await swipe([x, y], [x, (await partOf(visit, 'Rays', '.grip'))[1] + 4]);
+  assert.deepEqual(await namesIn(visit), ['Abc', 'Rays', 'One direction', 'Border', 'Waves']);
   assert.equal(await scrolled(), 0);
   assert.equal(await undos(visit), before + 1);
-  const row = await partOf(visit, 'Direction', '.row');
+  const row = await partOf(visit, 'One direction', '.row');
   await swipe(row, [row[0], row[1] - 80]);
   await until(async () => (await scrolled()) > 20, 'the panel to scroll');
-  assert.deepEqual(await namesIn(visit), ['Abc', 'Rays, rings', 'Direction', 'Border']);
+  assert.deepEqual(await namesIn(visit), ['Abc', 'Rays', 'One direction', 'Border', 'Waves']);
   assert.equal(await undos(visit), before + 1);
 });
 
@@ -664,30 +711,34 @@ for (const { viewport, language } of narrow) {
         );
       assert.deepEqual(cut, [], what);
     };
-    await look('no layers');
+    await look('the ground alone');
     for (const kind of ['text', 'code', 'pattern', 'border', 'picture', 'tones', 'strokes']) {
       await page.evaluate((kind) => {
         const { studio } = document.querySelector('sillon-app');
         studio.change((plate) => ({
           ...plate,
           layers: [
+            plate.layers[0],
             {
-              ...{ id: 1, kind, visible: true, at: null, size: [0, 0], rotation: 0, mirror: false, mask: 'inside' },
+              ...{ id: 2, kind, visible: true, at: null, size: [0, 0], rotation: 0, mirror: false, mask: 'inside' },
               ...{ maskFile: null, soft: 0, angle: 0, ground: 12, fill: 'angle', file: null, encoding: 'angle' },
-              ...{ cropMin: [0, 0], cropMax: [1, 1], lamp: [60, 45], text: 'Hallo', font: 'Nunito', textSize: 4 },
+              ...{ cropMin: [0, 0], cropMax: [1, 1], pictures: [], text: 'Hallo', font: 'Nunito', textSize: 4 },
               ...{ circle: 0, align: 'middle', correction: 'medium', pattern: 'noise', waveLength: 5, amplitude: 20 },
-              ...{ mode: 'constrained', modeFile: null, seed: 7, others: [], colours: [], strokes: [], width: 2 },
+              ...{ mode: 'constrained', modeFile: null, seed: 7, colours: [], strokes: [], width: 2 },
               ...{ by: 'levels', from: 0, to: 90, threshold: 0.5, contrast: 1, smoothing: 0 },
             },
           ],
         }));
         studio.settle();
-        studio.store.set({ layer: 1 });
+        studio.store.set({ layer: 2 });
       }, kind);
       const folded = page.locator('sillon-layers-panel details:not([open]) summary');
       if ((await folded.count()) > 0) await folded.click();
       await look(kind);
     }
+    await page.evaluate(() => document.querySelector('sillon-app').studio.store.set({ layer: 1 }));
+    await page.locator('sillon-layers-panel .cards').first().waitFor();
+    await look('the ground below another');
   });
 }
 

@@ -73,7 +73,7 @@ const windows = [
 test('stage, bar and Cancel are seen in every window while a photograph is made', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.drop([fileAt(join(inputs, 'photo.png'))]);
-  await visit.until('({ plate }) => plate.directions.kind === "lamp"');
+  await visit.until('({ plate }) => plate.layers[0].kind === "picture"');
   for (const [width, height] of windows) {
     await visit.page.setViewportSize({ width, height });
     await visit.page.evaluate((width) => {
@@ -101,7 +101,9 @@ function cutWords() {
   const all = (root) =>
     [...root.querySelectorAll('*')].flatMap((one) => [one, ...(one.shadowRoot ? all(one.shadowRoot) : [])]);
   return all(document)
-    .filter((one) => one.matches('nav button, .cards label, .segments label, .views button, sillon-legend .kind'))
+    .filter((one) =>
+      one.matches('nav button, .cards label, .tiles button, .segments label, .views button, sillon-legend .kind'),
+    )
     .filter((one) => one.checkVisibility())
     .filter((one) => {
       const [box, text] = [one.getBoundingClientRect(), document.createRange()];

@@ -85,20 +85,23 @@ test(
     let asked = 0;
     page.on('filechooser', () => ++asked);
     const card = (name) => page.getByRole('radio', { name, exact: true });
-    const kind = ({ plate }) => plate.directions.kind;
-    await card('Text').focus();
+    const pattern = ({ plate }) => plate.layers[0].pattern;
+    const hasFocus = (name) => card(name).evaluate((one) => one.matches(':focus'));
+    await card('Waves').focus();
     await page.keyboard.press('ArrowLeft');
-    assert.equal(await card('Direction map').evaluate((one) => one.matches(':focus')), true);
-    assert.equal(await visit.state(kind), 'waves');
-    await page.keyboard.press('ArrowRight');
+    assert.equal(await hasFocus('Spiral'), true);
+    assert.equal(await visit.state(pattern), 'waves');
     await page.keyboard.press('Space');
-    await visit.until(({ plate }) => plate.directions.kind === 'text');
+    await visit.until(({ plate }) => plate.layers[0].pattern === 'spiral');
     await page.keyboard.press('ArrowDown');
-    assert.equal(await visit.state(kind), 'text');
+    assert.equal(await visit.state(pattern), 'spiral');
     await page.keyboard.press('Enter');
-    await visit.until(({ plate }) => plate.directions.kind === 'qr');
+    await visit.until(({ plate }) => plate.layers[0].pattern === 'waves');
+    await card('A direction per colour').focus();
+    await page.keyboard.press('ArrowRight');
+    assert.equal(await hasFocus('Direction map'), true);
+    assert.equal(await visit.state(pattern), 'waves');
     assert.equal(asked, 0);
-    await card('Direction map').focus();
     const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.keyboard.press('Enter')]);
     assert.ok(chooser);
   },
@@ -121,11 +124,27 @@ for (const colorScheme of ['light', 'dark']) {
       await settled(page);
       assert.deepEqual(await violations(page, rules), [], section);
     }
-    for (const source of ['Text', 'QR code', 'Noise', 'Rays']) {
-      await page.getByRole('radio', { name: source }).check();
+    for (const fill of ['Spiral', 'Noise', 'Rays']) {
+      await page.getByRole('radio', { name: fill }).check();
       await visit.idle();
-      assert.deepEqual(await violations(page, rules), [], source);
+      assert.deepEqual(await violations(page, rules), [], fill);
     }
+    const panel = page.locator('sillon-layers-panel');
+    for (const [kind, name] of [
+      ['text', 'Text'],
+      ['code', 'QR code'],
+    ]) {
+      if (kind !== 'text') await panel.locator('#add').click();
+      await panel.locator('#kinds').getByRole('button', { name }).click();
+      await visit.until(`({ plate }) => plate.layers.at(-1).kind === '${kind}'`); // once there is a place for it
+      await visit.idle();
+      assert.deepEqual(await violations(page, rules), [], name);
+    }
+    await panel.locator('li .row').last().click(); // the ground
+    await panel.getByRole('radio', { name: 'Rays' }).waitFor();
+    await panel.locator('#add').click();
+    await settled(page);
+    assert.deepEqual(await violations(page, rules), [], 'the ground of several layers');
     for (const dialog of ['Examples', 'Share', 'Help']) {
       await visit.button(dialog).click();
       await page.getByRole('dialog').waitFor();
@@ -191,10 +210,11 @@ test('keys alone reach everything that the plate needs', { skip }, async () => {
   await page.keyboard.press('Space');
   for (let k = 0; k < 4; ++k) await page.keyboard.press('ArrowUp');
   await page.keyboard.press('Space');
-  await visit.until((state) => state.plate.strokes.length === 1 && !state.live);
+  await visit.until(({ plate, live }) => plate.layers[1]?.kind === 'strokes' && !live);
+  assert.equal(await visit.state(({ plate }) => plate.layers[1].strokes.length), 1);
   await visit.idle();
   await page.keyboard.press('Control+z');
-  await visit.until((state) => state.plate.strokes.length === 0);
+  await visit.until(({ plate }) => plate.layers.length === 1);
   await page.keyboard.press('?');
   await page.getByRole('dialog').waitFor();
   await page.keyboard.press('Escape');

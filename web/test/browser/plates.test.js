@@ -7,7 +7,7 @@ import { test } from 'node:test';
 import { strFromU8, unzipSync } from 'fflate';
 
 import { sharedBench } from './support/shared.js';
-import { linkOf } from './support/small.js';
+import { linkOf, named, sized } from './support/small.js';
 import { fileAt, fileOf, inputs, skip, start } from './support/studio.js';
 import { keptPlate, stretchWaits, until } from './support/waits.js';
 
@@ -147,7 +147,7 @@ test('a plate of another version stays, is handed out, and goes when it is delet
   ]);
   assert.equal(saved.suggestedFilename(), 'Theirs.sillon.zip');
   const { record } = JSON.parse(strFromU8(unzipSync(readFileSync(await saved.path()))['kept.json']));
-  assert.ok(record.plate.sparkle && record.plate.name === 'Theirs');
+  assert.ok(record.plate.sparkle && record.plate.project.studio.name === 'Theirs');
   await dialog.getByRole('button', { name: 'Delete Theirs' }).click();
   await until(async () => (await list(visit)).every(({ name }) => name !== 'Theirs'), 'the deletion');
   await until(async () => (await badge.count()) === 0, 'a list without it');
@@ -172,27 +172,55 @@ test('a link carries a photo made small, and tells who opens it what it lacks', 
   const visit = await bench.open({ small: true });
   await visit.until((state) => state.result !== undefined);
   await visit.drop([fileAt(join(inputs, 'photo.png'))]);
-  await visit.until((state) => state.plate.directions.kind === 'lamp');
+  await visit.until((state) => state.plate.layers[0].kind === 'picture');
   const url = await visit.page.evaluate(async () => {
     const { studio } = document.querySelector('sillon-app');
-    const { directions } = studio.store.state.plate;
-    const { file } = directions.pictures[0];
-    studio.change((plate) => ({
-      ...plate,
-      directions: { kind: 'tone', file, from: 60, to: 150, invert: false, contrast: 1, smoothing: 0.004 },
-      strokes: [{ tool: 'comb', points: [0.2, 0.2, 0.8, 0.8], radius: 0.1, softness: 0.5 }],
-    }));
+    studio.change((plate) => {
+      const [ground] = plate.layers;
+      const told = { file: ground.pictures[0].file, pictures: [], kind: 'tones', from: 60, to: 150, smoothing: 0.1 };
+      const points = Array.from({ length: 8000 }, (_, k) => 12 + 9 * Math.sin(k)); // more than a link carries
+      const strokes = [{ tool: 'comb', points, radius: 2, soft: 0.5 }];
+      return {
+        ...plate,
+        layers: [
+          { ...ground, ...told },
+          { ...ground, id: 2, pictures: [], kind: 'strokes', strokes },
+        ],
+      };
+    });
     return (await studio.services.link(studio.store.state.plate)).url;
   });
   const hash = new URL(url).hash;
   assert.ok(hash.length < 16_000, `${hash.length} characters`);
   const other = await bench.open({ path: `/${hash}` });
-  await other.until((state) => state.plate.directions.kind === 'tone');
-  assert.ok((await other.state((state) => state.plate.directions.file.bytes.size)) <= 8000);
+  await other.until((state) => state.plate.layers[0].kind === 'tones');
+  assert.ok((await other.state((state) => state.plate.layers[0].file.bytes.size)) <= 8000);
   await other.page.getByText(/could not carry .*your strokes/).waitFor();
   await other.idle();
-  const plain = await bench.open({ path: `/${linkOf({ width: 22 })}` });
+  const plain = await bench.open({ path: `/${linkOf(sized(22))}` });
   await plain.page.getByText('Opened from a link.', { exact: true }).waitFor();
+});
+
+test('a project of the command line is opened with the drawing that tells its directions', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  const halves = '<rect width="5" height="9" fill="#d00"/><rect x="5" width="5" height="9" fill="#00d"/>';
+  const drawing = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 9">${halves}</svg>`;
+  const colours = [
+    { colour: '#dd0000', angle: 10 },
+    { colour: '#0000dd', angle: 80 },
+  ];
+  const project = {
+    sillon: 1,
+    shape: { builtin: 'disc', size: [20, 20] },
+    layers: [{ kind: 'tones', by: 'colours', colours, file: 'halves.svg' }],
+  };
+  await visit.drop([
+    fileOf('halves.json', JSON.stringify(project)),
+    fileOf('halves.svg', Buffer.from(drawing), 'image/svg+xml'),
+  ]);
+  await visit.until(({ plate }) => plate.layers[0].file?.name === 'halves.svg' && plate.width === 20);
+  await visit.idle();
 });
 
 test('a project that was opened is saved back in its place', { skip }, async () => {
@@ -243,11 +271,11 @@ test('a new plate and an example stay on the visitor’s printer', { skip }, asy
   const mk4s = await visit.state(printer);
   assert.match(mk4s, /MK4S/); // also of the plate that a first visit begins with
   await visit.page.evaluate(() => document.querySelector('sillon-app').studio.services.newPlate());
-  await visit.until(({ plate }) => plate.directions.kind === 'waves');
+  await visit.until(({ plate }) => plate.layers[0].pattern === 'waves');
   assert.equal(await visit.state(printer), mk4s);
   await visit.button('Examples').click();
   await visit.page.getByRole('dialog').getByRole('button', { name: 'Rays' }).click();
-  await visit.until(({ plate }) => plate.directions.kind === 'radial');
+  await visit.until(({ plate }) => plate.layers[0].pattern === 'radial');
   assert.equal(await visit.state(printer), mk4s);
 });
 
@@ -272,7 +300,7 @@ test('a link that is pasted or dropped is opened; of another address it is said 
   const { page } = visit;
   await visit.button('Help').click();
   await page.getByRole('dialog').waitFor();
-  await visit.paste([], ` https://sillon.example/${linkOf({ width: 22, name: 'Pasted' })}\n`);
+  await visit.paste([], ` https://sillon.example/${linkOf({ ...sized(22), ...named('Pasted') })}\n`);
   await visit.until(({ plate, dialog }) => plate.name === 'Pasted' && dialog === undefined);
   assert.equal(await page.evaluate(() => location.hash), '');
   /** As if it had been dragged from another page. @returns whether the browser would have gone there */
@@ -286,7 +314,10 @@ test('a link that is pasted or dropped is opened; of another address it is said 
       );
       return events.map((event) => app.dispatchEvent(event));
     }, address);
-  assert.deepEqual(await dropped(`https://sillon.example/${linkOf({ width: 21, name: 'Dropped' })}`), [false, false]);
+  assert.deepEqual(await dropped(`https://sillon.example/${linkOf({ ...sized(21), ...named('Dropped') })}`), [
+    false,
+    false,
+  ]);
   await visit.until(({ plate }) => plate.name === 'Dropped');
   assert.deepEqual(await dropped('https://pictures.example/cat.jpg'), [false, false]);
   await page.getByText('Nothing is fetched from pictures.example. Save the picture first').waitFor();

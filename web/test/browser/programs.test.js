@@ -55,33 +55,31 @@ async function show(visit, roles) {
     );
   }
   const count = Object.keys(roles).length;
-  await visit.until(`({ plate }) => plate.directions.pictures?.length === ${count}`);
+  await visit.until(`({ plate }) => plate.layers[0].pictures.length === ${count}`);
 }
 
-const stroke = { tool: 'comb', points: [0.2, 0.4, 0.5, 0.6, 0.8, 0.4], radius: 0.15, softness: 0.5 };
-const text = { kind: 'text', text: 'Ab', font: 'serif', bold: true, size: 0.6, letters: 90, ground: 0 };
-const code = { kind: 'qr', text: 'SILLON', dark: 0, light: 90, margin: 2 };
+const ground = { kind: 'direction', angle: 20 };
+const stroke = { tool: 'comb', points: [4.8, 9.6, 12, 14.4, 19.2, 9.6], radius: 3.6, soft: 0.5 };
 
 /** Plates by name: changes of the small plate in a link, then what is done with it. */
 const plates = {
   photograph: [{}, (visit) => show(visit, { 'photo.png': 'lamp' })],
   'two photographs': [{}, (visit) => show(visit, { 'photo.png': 'lamp', 'relief.png': 'more' })],
-  text: [{ directions: text }],
-  'QR code': [{ shape: { kind: 'rectangle' }, directions: code }],
-  'comb stroke': [
-    { directions: { kind: 'angle', angle: 20 } },
-    (visit) =>
-      visit.page.evaluate((stroke) => {
-        document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, strokes: [stroke] }));
-      }, stroke),
+  text: [{ layers: [ground, { kind: 'text', text: 'Ab', textSize: 12, ground: 0 }] }],
+  'QR code': [
+    {
+      shape: { builtin: 'rectangle', size: [24, 24] },
+      layers: [ground, { kind: 'code', text: 'SILLON', size: [21, 0] }],
+    },
   ],
+  'comb stroke': [{ layers: [ground, { kind: 'strokes', strokes: [stroke] }] }],
 };
 
 for (const [what, [link, make]] of Object.entries(plates)) {
   test(`studio, npm package and command line write one G-code: ${what}`, { skip }, async () => {
     // Between the nozzles whose gloss was measured, so that slopes are computed everywhere.
-    const settings = { 'printer.nozzle': 0.5, 'toolpath.spacing': 0.5, 'pictures.spool': 'bluePla' };
-    const visit = await bench.open({ path: `/${linkOf({ ...link, settings })}` });
+    const settings = { printer: { nozzle: 0.5 }, toolpath: { spacing: 0.5 }, pictures: { spool: 'bluePla' } };
+    const visit = await bench.open({ path: `/${linkOf({ ...link, ...settings })}` });
     await visit.until(({ plate }) => plate.width === 24);
     await make?.(visit);
     await visit.idle();

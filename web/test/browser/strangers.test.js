@@ -7,7 +7,7 @@ import { zipSync } from 'fflate';
 
 import { languages } from './support/languages.js';
 import { sharedBench } from './support/shared.js';
-import { linkOf } from './support/small.js';
+import { linkOf, named } from './support/small.js';
 import { fileOf, skip, start } from './support/studio.js';
 import { keptPlate, settled, until } from './support/waits.js';
 
@@ -27,21 +27,21 @@ const harm = [
   'M30 /other.gco',
 ];
 const spoof = {
-  'printer.name': 'MK4S',
-  'printer.flavor': 'prusa',
-  'printer.startGcode': harm.join('\n'),
-  'printer.endGcode': 'M104 S0\nM140 S0\nM112',
+  name: 'MK4S',
+  flavor: 'prusa',
+  startGcode: harm.join('\n'),
+  endGcode: 'M104 S0\nM140 S0\nM112',
 };
 const hot = {
-  'printer.name': 'MK4S',
-  'printer.anyTemperature': true,
-  'printer.nozzleTemperature': 500,
-  'printer.firstLayerNozzleTemperature': 500,
-  'printer.bedTemperature': 200,
+  name: 'MK4S',
+  anyTemperature: true,
+  nozzleTemperature: 500,
+  firstLayerNozzleTemperature: 500,
+  bedTemperature: 200,
 };
 const hotMarks = /M10[49] .*S(4[0-9]{2}|500)|M1[49]0 .*S200/;
 
-const giftWith = (settings) => `/${linkOf({ name: 'gift', settings })}`;
+const giftWith = (printer) => `/${linkOf({ ...named('gift'), printer })}`;
 const projectOf = (printer) =>
   JSON.stringify({
     sillon: 1,
@@ -65,12 +65,12 @@ const draw = async (visit, name) => {
   await visit.page.screenshot({ path: `${pictures}/${name}.png` });
 };
 
-for (const [what, settings, says] of [
+for (const [what, printer, says] of [
   ['commands', spoof, /“MK4S”, 11 lines of start G-code, 3 lines of end G-code/],
   ['heat', hot, /“MK4S”, nozzle 500 °C, bed 200 °C, no temperature limits/],
 ]) {
   test(`a link with ${what} under the name of a printer of ours changes nothing of the file`, { skip }, async () => {
-    const visit = await bench.open({ path: giftWith(settings) });
+    const visit = await bench.open({ path: giftWith(printer) });
     await visit.idle();
     const said = await bar(visit).innerText();
     assert.match(said, says);
@@ -83,7 +83,7 @@ for (const [what, settings, says] of [
 }
 
 test('what a link brings is shown line by line, and used only when that is chosen', { skip }, async () => {
-  const visit = await bench.open({ path: giftWith({ ...spoof, 'printer.flavor': 'marlin' }) });
+  const visit = await bench.open({ path: giftWith({ ...spoof, flavor: 'marlin' }) });
   await visit.idle();
   await bar(visit).getByRole('button', { name: 'Show' }).click();
   await dialog(visit).waitFor();
@@ -105,7 +105,7 @@ test('what a link brings is shown line by line, and used only when that is chose
 
 test('used unseen, lines are shown before the first download, which may be given up', { skip }, async () => {
   const visit = await bench.open({
-    path: giftWith({ 'printer.startGcode': 'G28 ; home\nG29\nM300 S440' }),
+    path: giftWith({ startGcode: 'G28 ; home\nG29\nM300 S440' }),
     fresh: true,
   });
   await visit.idle();

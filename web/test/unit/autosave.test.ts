@@ -1,72 +1,26 @@
 import assert from 'node:assert/strict';
-import { afterEach, beforeEach, mock, test } from 'node:test';
-import { createAutosave, type Autosave, type Kept, type Storage } from '../../src/files/autosave.js';
-import type { Locks } from '../../src/files/locks.js';
-import { newFileDirections, newFileShape, newPlate, newShape } from '../../src/model/defaults.js';
+import { after, afterEach, before, beforeEach, mock, test } from 'node:test';
+import { createEngine, type Engine } from 'sillon';
+import { createAutosave, type Autosave, type Kept } from '../../src/files/autosave.js';
+import { filesOf } from '../../src/files/plate-project.js';
+import { newFileShape, newShape } from '../../src/model/defaults.js';
+import { filledWith, groundOf } from '../../src/model/fills.js';
+import { newLayer, withLayer } from '../../src/model/layer-list.js';
+import { newPlate } from '../../src/model/new-plate.js';
 import type { Plate } from '../../src/model/plate.js';
 import type { Problem } from '../../src/model/problem.js';
 import type { Steps } from '../../src/model/store.js';
 import { fileOf } from './support/pictures.js';
+import { layered, strokes, unfinished } from './support/plates.js';
+import { Box, Browser } from './support/storage.js';
 
-/** A browser's storage, as a Map that counts what is put into it. */
-class Box implements Storage {
-  readonly kept = new Map<string, unknown>();
-  puts: string[] = [];
-  asked = 0;
-  failure: Error | undefined;
-  /** Acts in order, as databases do, but answers only after this. */
-  answers: Promise<unknown> | undefined;
-
-  async #answer<Result>(act: () => Result): Promise<Result> {
-    if (this.failure !== undefined) throw this.failure;
-    const result = act();
-    await this.answers;
-    return result;
-  }
-  getMany(names: string[]): Promise<unknown[]> {
-    return this.#answer(() => names.map((name) => structuredClone(this.kept.get(name))));
-  }
-  setMany(entries: [string, unknown][]): Promise<void> {
-    return this.#answer(() => {
-      for (const [name, value] of entries) {
-        this.puts.push(name);
-        this.kept.set(name, structuredClone(value));
-      }
-    });
-  }
-  delMany(names: string[]): Promise<void> {
-    return this.#answer(() => {
-      for (const name of names) this.kept.delete(name);
-    });
-  }
-  keys(): Promise<string[]> {
-    ++this.asked; // what is there
-    return this.#answer(() => [...this.kept.keys()]);
-  }
-}
-
-/** A browser with tabs: each is told of what it lost. */
-class Browser {
-  readonly #holders = new Map<string, { tab: object; onLost: (id: string) => void }>();
-
-  tab(): Locks {
-    const tab = {};
-    return {
-      take: (id, { steal = false, onLost }) => {
-        const holder = this.#holders.get(id);
-        if (holder !== undefined && holder.tab !== tab && !steal) return Promise.resolve(false);
-        this.#holders.set(id, { tab, onLost });
-        if (holder !== undefined && holder.tab !== tab) holder.onLost(id);
-        return Promise.resolve(true);
-      },
-      held: () => Promise.resolve(new Set(this.#holders.keys())),
-      mine: (id) => this.#holders.get(id)?.tab === tab,
-    };
-  }
-  close(): void {
-    this.#holders.clear();
-  }
-}
+let engine: Engine;
+before(async () => {
+  engine = await createEngine({ threads: 'off' });
+});
+after(() => {
+  engine.dispose();
+});
 
 let box: Box;
 let browser: Browser;
@@ -76,7 +30,11 @@ let taken: number;
 /** A tab. @param session  what it remembers over a reload */
 function start(session: { id?: string } = {}): Autosave {
   return createAutosave(
-    { onProblem: (problem) => problems.push(problem), onTaken: () => ++taken },
+    {
+      onProblem: (problem) => problems.push(problem),
+      onTaken: () => ++taken,
+      engine: () => Promise.resolve(engine),
+    },
     'test',
     box,
     browser.tab(),
@@ -112,13 +70,11 @@ afterEach(() => {
 const named = (name: string): Plate => ({ ...newPlate(), name });
 const shape = fileOf('leaf.svg', '<svg/>');
 const picture = fileOf('photo.png', 'pixels');
-const withFiles = (): Plate => ({
-  ...named('leaf'),
-  shape: newFileShape(shape, 'mm'),
-  directions: newFileDirections('tone', picture),
-  modes: { mode: 'smoothest', file: picture },
-  strokes: [{ tool: 'mode', points: [0.1, 0.2, 0.3, 0.4], radius: 0.05, softness: 0.5, mode: 'parallel' }],
-});
+const withFiles = (): Plate => {
+  const plate: Plate = { ...named('leaf'), shape: newFileShape(shape, 'mm') };
+  const filled = filledWith(plate, 'brightness', { file: picture, modeFile: picture, mode: 'smoothest' });
+  return withLayer(filled, newLayer(plate, 'strokes', { strokes: [...strokes] }));
+};
 async function keep(autosave: Autosave, plate: Plate): Promise<Plate> {
   autosave.save(steps(plate));
   await autosave.flush();
@@ -126,9 +82,9 @@ async function keep(autosave: Autosave, plate: Plate): Promise<Plate> {
 }
 
 async function contents(plate: Plate | undefined): Promise<unknown> {
-  assert.ok(plate?.shape.kind === 'file' && plate.directions.kind === 'tone');
-  const { file } = plate.directions;
-  return [await plate.shape.file.bytes.text(), await file.bytes.text(), await plate.modes.file?.bytes.text()];
+  assert.ok(plate?.shape.kind === 'file');
+  const { file, modeFile } = groundOf(plate) ?? assert.fail();
+  return [await plate.shape.file.bytes.text(), await file?.bytes.text(), await modeFile?.bytes.text()];
 }
 
 test('what was saved comes back after a reload, files and all', async () => {
@@ -168,14 +124,12 @@ test('a step that is undone before it was saved can be redone after a reload', a
 });
 
 test('strokes without end, and files that only earlier steps use, do not fill the storage', async () => {
-  const stroke = { tool: 'comb' as const, points: new Array<number>(200_000).fill(0), radius: 0.1, softness: 0 };
-  const long = (count: number): Plate => ({ ...named('long'), strokes: new Array<typeof stroke>(count).fill(stroke) });
-  const large = (id: string): Plate => ({
-    ...named('large'),
-    directions: newFileDirections('tone', { id, name: id, bytes: new Blob([new Uint8Array(20e6)]) }),
-  });
+  const stroke = { tool: 'comb' as const, points: new Array<number>(160_000).fill(0), radius: 1, soft: 0 };
+  const long = (): Plate => withLayer(named('long'), newLayer(newPlate(), 'strokes', { strokes: [stroke] }));
+  const large = (id: string): Plate =>
+    filledWith(named('large'), 'brightness', { file: { id, name: id, bytes: new Blob([new Uint8Array(20e6)]) } });
   for (const [past, left] of [
-    [[long(1), long(1), long(1)], 2],
+    [[long(), long(), long()], 2],
     [[large('a'), large('b')], 1],
   ] as const) {
     box.kept.clear();
@@ -337,7 +291,8 @@ test('a denied or full storage is told of, once until it is mended, and keeps no
 });
 
 test('where the browser has no storage at all', async () => {
-  const autosave = createAutosave({ onProblem: (problem) => problems.push(problem) }, 'test', undefined, browser.tab());
+  const host = { onProblem: (problem: Problem) => problems.push(problem), engine: () => Promise.resolve(engine) };
+  const autosave = createAutosave(host, 'test', undefined, browser.tab());
   assert.equal(await autosave.load(), undefined);
   await keep(autosave, named('a'));
   assert.deepEqual(
@@ -393,54 +348,192 @@ test('an earlier plate does not throw away the files of a later one', async () =
   assert.deepEqual(await contents(plateOf(await later().load())), ['<svg/>', 'pixels', 'pixels']);
 });
 
-test('a record of another version stays as it is, is listed, and goes when its owner deletes it', async () => {
-  await keep(start(), withFiles());
+// --- Layers ------------------------------------------------------------------------------------------------------------
+
+const font = fileOf('Own.ttf', 'letters');
+const files = { drawing: shape, photo: picture, modes: fileOf('modes.png', 'modes'), font };
+
+test('layers of every kind come back in their order, with their files', async () => {
+  const plate = await keep(start(), layered(files));
+  const back = plateOf(await later().load()) ?? assert.fail();
+  assert.deepEqual(back, plate);
+  const texts = await Promise.all(filesOf(back).map(async ({ name, bytes }) => [name, await bytes.text()]));
+  assert.deepEqual(Object.fromEntries(texts), {
+    ...{ 'leaf.svg': '<svg/>', 'photo.png': 'pixels', 'modes.png': 'modes', 'Own.ttf': 'letters' },
+  });
+  const turned = { ...plate, layers: [...plate.layers].reverse().map((layer, k) => ({ ...layer, id: k + 1 })) };
+  await keep(start(), turned);
+  assert.deepEqual(plateOf(await later().load())?.layers, turned.layers);
+});
+
+test('layers that nobody has finished are kept as they are, each with what it has and lacks', async () => {
+  const plate = unfinished(files).reduce(withLayer, newPlate());
+  await keep(start(), plate);
+  assert.deepEqual(plateOf(await later().load()), plate);
+  assert.deepEqual(fileKeys(), [shape.id]);
+  // One after the other, beside others that have everything.
+  for (const layer of unfinished(files)) {
+    const one = [newLayer(newPlate(), 'border'), layer, newLayer(newPlate(), 'text', { text: '-' })];
+    const mixed = one.reduce(withLayer, newPlate());
+    await keep(start(), mixed);
+    assert.deepEqual(plateOf(await later().load()), mixed, layer.kind);
+  }
+});
+
+test('files of equal bytes are one after a reload, for a plate and all its steps', async () => {
+  const again = { ...picture, bytes: new Blob(['pixels']) }; // opened twice
+  const plate = filledWith(newPlate(), 'brightness', { file: picture, modeFile: again });
+  const earlier = filledWith(newPlate(), 'edges', { file: again });
+  const later1 = withLayer(plate, newLayer(plate, 'picture', { pictures: [{ file: again, lamp: null }] }));
+  const autosave = start();
+  autosave.save({ past: [earlier], plate, future: [later1] });
+  await autosave.flush();
+  assert.equal(box.puts.filter((key) => key.startsWith('file/')).length, 1);
+  const kept = await later().load();
+  assert.ok(kept !== undefined && 'steps' in kept);
+  const { past, plate: now, future } = kept.steps;
+  const found = [...past, now, ...future].flatMap(({ layers }) =>
+    layers.flatMap(({ file, modeFile, pictures }) => [file, modeFile, ...pictures.map((one) => one.file)]),
+  );
+  const told = found.filter((file) => file !== null);
+  assert.equal(told.length, 5 + 1);
+  for (const file of told) assert.equal(file, told[0]);
+});
+
+test('a printer that waits for its visitor waits on after a reload, and its spool stays', async () => {
+  const brought = { ...newPlate().printer, name: 'Theirs', startGcode: 'G28', profile: 'prusa-mk4s' };
+  const spool = { key: 'mine', colour: [1, 2, 3], fine: { nozzleSide: [3, 14], bedSide: [2, 9] } } as const;
+  const plate = { ...newPlate(), brought, spool: structuredClone(spool) as unknown as NonNullable<Plate['spool']> };
+  await keep(start(), plate);
+  assert.deepEqual(plateOf(await later().load()), plate);
+});
+
+// --- Other versions ------------------------------------------------------------------------------------------------------
+
+type Told = Record<string, unknown> & { project: Record<string, unknown> };
+
+/** What was kept, its record, and the key of that. */
+async function keptRecord(plate: Plate) {
+  await keep(start(), plate);
   const kept = structuredClone([...box.kept]);
   const [key = ''] = records();
-  const good = box.kept.get(key) as Record<string, unknown>;
-  const plate = good['plate'] as Record<string, unknown>;
-  const wrong: unknown[] = [
-    null,
-    'text',
-    {},
-    { ...good, version: 3 },
-    { ...good, plate: { ...plate, pictures: { spool: 'purple' } } },
-    { ...good, files: [] },
-    { ...good, files: 'all' },
-    { ...good, plate: undefined },
-    { ...good, plate: { ...plate, width: '70' } },
-    { ...good, plate: { ...plate, width: NaN } },
-    { ...good, plate: { ...plate, extra: 1 } },
-    { ...good, plate: { ...plate, shape: { kind: 'file', file: { id: 'unknown', name: 'x' } } } },
-    { ...good, plate: { ...plate, strokes: [{ tool: 'comb', points: [1], radius: 0.1, softness: 0 }] } },
-    { ...good, plate: { ...plate, toolpath: { spacing: 1e9 } } },
-  ];
-  for (const record of wrong) {
+  const good = box.kept.get(key) as Record<string, unknown> & { plate: Told };
+  const refill = (record: unknown): void => {
     box.kept.clear();
     for (const [name, value] of kept) box.kept.set(name, value);
     box.kept.set(key, record);
-    const before = [...box.kept];
-    const autosave = later();
-    assert.deepEqual(await autosave.load(), { state: 'foreign' }, JSON.stringify(record));
-    assert.equal(await autosave.open(key.slice('plate/'.length)), undefined);
-    await keep(autosave, named('another'));
-    const [{ id } = assert.fail(), ...others] = (await autosave.list()).filter(({ foreign }) => foreign);
-    assert.deepEqual([`plate/${id}`, others.length], [key, 0]);
-    for (const [name, value] of before) assert.equal(box.kept.get(name), value, name);
-    assert.equal((await autosave.stored(id)).files.size, 2);
-    await autosave.remove(id);
-    assert.ok(before.every(([name]) => !box.kept.has(name)));
+  };
+  return { kept, key, good, refill };
+}
+
+/** The record in the storage cannot be opened, is told to be of another version, and stays until its owner deletes it. */
+async function staysForeign(key: string, what: string): Promise<void> {
+  const before = [...box.kept];
+  const autosave = later();
+  assert.deepEqual(await autosave.load(), { state: 'foreign' }, what);
+  assert.equal(await autosave.open(key.slice('plate/'.length)), undefined, what);
+  await keep(autosave, named('another'));
+  const [{ id } = assert.fail(what), ...others] = (await autosave.list()).filter(({ foreign }) => foreign);
+  assert.deepEqual([`plate/${id}`, others.length], [key, 0]);
+  for (const [name, value] of before) assert.equal(box.kept.get(name), value, name);
+  assert.equal((await autosave.stored(id)).files.size, 2);
+  await autosave.remove(id);
+  assert.ok(before.every(([name]) => !box.kept.has(name)));
+  assert.deepEqual(problems, []);
+}
+
+test('a record of another version stays as it is, is listed, and goes when its owner deletes it', async () => {
+  const { good, key, refill } = await keptRecord(withFiles());
+  const first = {
+    ...{ version: 1, files: [shape.id, picture.id], past: [], future: [] },
+    plate: { name: 'first', width: 70, height: 70, shape: { kind: 'disc' }, directions: { kind: 'angle', angle: 3 } },
+  };
+  const wrong: unknown[] = [
+    ...[null, 'text', 7, {}, [], first],
+    { ...good, version: 1 },
+    { ...good, version: 3 },
+    { ...good, files: 'all' },
+    { ...good, files: [...(good['files'] as string[]), 'gone'] },
+    { ...good, plate: undefined },
+    { ...good, plate: 7 },
+    { ...good, more: 1 },
+  ];
+  for (const record of wrong) {
+    refill(record);
+    await staysForeign(key, JSON.stringify(record));
   }
-  box.kept.clear();
-  for (const [name, value] of kept) if (!name.endsWith(shape.id)) box.kept.set(name, value);
-  assert.deepEqual(await later().load(), { state: 'foreign' }, 'a file is gone');
-  // A step that cannot be one is left out, with all before it.
-  for (const [name, value] of kept) box.kept.set(name, value);
-  box.kept.set(key, { ...good, past: [plate, { ...plate, width: -1 }, plate] });
+});
+
+test('a record that the core refuses stays as well, and nothing of it is taken', async () => {
+  const { good, key, refill } = await keptRecord(withFiles());
+  const { project } = good.plate;
+  const studio = project['studio'] as object;
+  const told = (change: object): object => ({ ...good, plate: { ...good.plate, project: { ...project, ...change } } });
+  const wrong: object[] = [
+    { ...good, plate: {} },
+    { ...good, plate: { ...good.plate, extra: 1 } },
+    { ...good, plate: { project: null } },
+    told({ pictures: { spool: 'purple' } }),
+    told({ toolpath: { spacing: 1e9 } }),
+    told({ layers: [{ kind: 'sparkle' }] }),
+    told({ layers: [{ kind: 'strokes', strokes: [{ points: [1] }] }] }),
+    told({ printer: { profile: 'unknown' } }),
+    told({ sparkle: 1 }),
+    told({ studio: { ...studio, version: 3 } }),
+    told({ studio: { ...studio, name: 7 } }),
+    { ...good, plate: { ...good.plate, brought: { speed: 'fast' } } },
+    // Files that the record does not have: no layer that lacks one.
+    { ...good, files: [] },
+    told({ shape: { file: 'unknown', pageWidth: 70 } }),
+    told({ layers: [{ kind: 'map', file: 'unknown' }] }),
+    told({ layers: [{ kind: 'picture', pictures: [{ file: picture.id }, { file: 'unknown' }] }] }),
+  ];
+  for (const record of wrong) {
+    refill(record);
+    await staysForeign(key, JSON.stringify(record).slice(0, 2000));
+  }
+});
+
+test('a plate whose file is gone is not opened', async () => {
+  const { kept, key, good, refill } = await keptRecord(withFiles());
+  for (const gone of [shape.id, picture.id]) {
+    refill(good);
+    for (const [name] of kept) if (name.endsWith(gone)) box.kept.delete(name);
+    const autosave = later();
+    assert.deepEqual(await autosave.load(), { state: 'foreign' });
+    assert.equal(await autosave.open(key.slice('plate/'.length)), undefined);
+  }
+});
+
+test('a step that cannot be one is left out, with all before it', async () => {
+  const { good, refill } = await keptRecord(withFiles());
+  const { plate } = good;
+  const bad = { ...plate, project: { ...plate.project, toolpath: { spacing: -1 } } };
+  for (const one of [bad, 7, null, { ...plate, more: 1 }]) {
+    refill({ ...good, past: [plate, one, plate], future: [plate, plate, one] });
+    const found = await later().load();
+    assert.ok(found !== undefined && 'steps' in found);
+    assert.deepEqual([found.steps.past.length, found.steps.future.length], [1, 2]);
+    assert.deepEqual(found.steps.plate, withFiles());
+  }
+  refill({ ...good, past: 'all', future: 7 });
   const found = await later().load();
   assert.ok(found !== undefined && 'steps' in found);
-  assert.equal(found.steps.past.length, 1);
-  assert.deepEqual(problems, []);
+  assert.deepEqual([found.steps.past, found.steps.future, problems], [[], [], []]);
+});
+
+test('an engine that cannot be had keeps nobody from going on, and nothing is lost', async () => {
+  await keep(start(), withFiles());
+  const before = [...box.kept];
+  browser.close();
+  const autosave = createAutosave(
+    { onProblem: (problem) => problems.push(problem), engine: () => Promise.reject(new Error('not fetched')) },
+    ...(['test', box, browser.tab(), { get: () => undefined, set: () => undefined }] as const),
+  );
+  assert.equal(await autosave.load(), undefined);
+  await keep(autosave, named('another'));
+  for (const [name, value] of before) assert.equal(box.kept.get(name), value, name);
+  assert.equal((await autosave.list()).length, 2);
 });
 
 test('what another version says of its plates in the list may be anything', async () => {

@@ -10,7 +10,8 @@ import {
   withoutBlocks,
   withoutBrought,
 } from '../../src/model/brought.js';
-import { newPlate, printerDefaults } from '../../src/model/defaults.js';
+import { printerDefaults } from '../../src/model/defaults.js';
+import { newPlate } from '../../src/model/new-plate.js';
 import { withFilament } from '../../src/model/filaments.js';
 import type { Plate } from '../../src/model/plate.js';
 import { isGeneric, printers, profileOf, withPrinter } from '../../src/model/printers.js';

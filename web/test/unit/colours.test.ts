@@ -2,15 +2,15 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { degreesOf } from '../../src/generators/angle.js';
-import { coloursAngles } from '../../src/generators/colours.js';
-import { Unfit } from '../../src/model/check.js';
-import { directionsFrom } from '../../src/model/check-plate.js';
-import { newColours } from '../../src/model/defaults.js';
-import { directionsFor, flatColours } from '../../src/model/flat-colours.js';
-import { colourPicture, fileOf } from './support/pictures.js';
+import { createEngine } from 'sillon';
 
-const file = fileOf('flag.svg');
+import { newShape } from '../../src/model/defaults.js';
+import { filledWith } from '../../src/model/fills.js';
+import { directionsFor, flatColours } from '../../src/model/flat-colours.js';
+import { engineInput } from '../../src/model/input.js';
+import { newPlate } from '../../src/model/new-plate.js';
+import { colourPicture, degreesOf, fileOf } from './support/pictures.js';
+
 type Colour = [number, number, number];
 const blue: Colour = [0, 0, 1];
 const white: Colour = [1, 1, 1];
@@ -56,51 +56,29 @@ test('dark colours get the direction that is dark under the usual light; what wa
   );
 });
 
-test('each texel runs as its colour says, edges as what is beside them', () => {
-  const source = newColours(file, [
-    { colour: '#0000ff', angle: 10 },
-    { colour: '#ff0000', angle: -80 },
-    { colour: '#ffffff', angle: 45 },
-  ]);
-  for (const size of [
-    { width: 60, height: 30 },
-    { width: 240, height: 120 },
-    { width: 30, height: 15 },
-  ]) {
-    const angles = coloursAngles(source, size, flag);
-    for (let x = 0; x < size.width; ++x) {
-      const at = ((x + 0.5) * 60) / size.width;
-      const angle = degreesOf(angles[(size.height >> 1) * size.width + x] as number);
+test('each place of a picture runs as its colour says, edges as what is beside them', async () => {
+  const engine = await createEngine({ threads: 'off' });
+  try {
+    const colours = [
+      { colour: '#0000ff', angle: 10 },
+      { colour: '#ff0000', angle: -80 },
+      { colour: '#ffffff', angle: 45 },
+    ];
+    const page = { ...newPlate(), shape: newShape('rectangle'), width: 60, height: 30 };
+    const plate = filledWith(page, 'colours', { file: fileOf('flag.png'), colours });
+    const { input, params } = engineInput(plate);
+    const layers = (input.layers ?? []).map((layer) => ({ ...layer, file: flag }));
+    const { width, height, angle } = await engine.drawLayers({ ...input, layers }, params);
+    for (let x = 0; x < width; ++x) {
+      const at = ((x + 0.5) * 60) / width;
+      const found = degreesOf(angle[(height >> 1) * width + x] as number);
       const wanted = at < 20 ? [10] : at < 21 ? [10, 45] : at < 40 ? [45] : at < 41 ? [45, -80] : [-80];
       assert.ok(
-        wanted.some((one) => Math.abs(one - angle) < 0.01),
-        `${angle} at ${at}, of ${size.width} texels`,
+        wanted.some((one) => Math.abs(one - found) < 0.01),
+        `${found} at ${at}, of ${width} texels`,
       );
     }
+  } finally {
+    engine.dispose();
   }
-});
-
-test('around what is painted go the directions of its rim', () => {
-  const picture = { width: 8, height: 8, channels: 4 as const, samples: new Uint8Array(4 * 64) };
-  for (let y = 2; y < 6; ++y) for (let x = 2; x < 6; ++x) picture.samples.set([0, 0, 0, 255], 4 * (8 * y + x));
-  const angles = coloursAngles(newColours(file, [{ colour: '#000000', angle: 30 }]), picture, picture);
-  assert.ok(angles.every((angle) => Math.abs(degreesOf(angle) - 30) < 0.01));
-  const none = coloursAngles(newColours(file, []), picture, picture);
-  assert.ok(none.every((angle) => degreesOf(angle) === degreesOf(32768)));
-});
-
-test('what comes from elsewhere is read only as far as the panel could have set it', () => {
-  const told = newColours(file, [{ colour: '#00ff00', angle: 12 }]);
-  const read = (changed: object): unknown => directionsFrom({ ...told, ...changed }, () => file);
-  assert.deepEqual(read({}), told);
-  for (const colours of [
-    [{ colour: 'red', angle: 0 }],
-    [{ colour: '#00ff00', angle: 1000 }],
-    [{ colour: '#00ff00', angle: 0, more: 1 }],
-    Array.from({ length: 13 }, () => ({ colour: '#00ff00', angle: 0 })),
-    'none',
-  ]) {
-    assert.throws(() => read({ colours }), Unfit, JSON.stringify(colours));
-  }
-  assert.throws(() => directionsFrom(told), Unfit); // no files where none are allowed
 });

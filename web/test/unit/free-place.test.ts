@@ -1,9 +1,9 @@
 // A new box lies where nothing else does.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { freePlace, freePlaceOn } from '../../src/generators/free-place.js';
-import type { Room } from '../../src/generators/room.js';
-import { newPlate } from '../../src/model/defaults.js';
+import { freePlace, freePlaceOn } from '../../src/layers/free-place.js';
+import type { Room } from '../../src/layers/room.js';
+import { newPlate } from '../../src/model/new-plate.js';
 import type { Taken, Wanted } from '../../src/model/free-place.js';
 import type { Point } from '../../src/model/layer-frame.js';
 

@@ -97,9 +97,9 @@ test('the sections of settings and the views share no name', async () => {
     const words = new Map(await wordsOf(tag));
     const named = (kind: string, names: string[]): string[] =>
       names.map((name) => words.get(`${kind}.${name}`)?.[0] ?? '');
-    const rail = named('section', ['shape', 'directions', 'layers', 'toolpath', 'print', 'quality']);
+    const rail = named('section', ['shape', 'layers', 'toolpath', 'print', 'quality']);
     const tabs = named('view', ['directions', 'toolpath', 'appearance', 'quality']);
-    assert.equal(new Set([...rail, ...tabs, '']).size, 11, `${tag}: ${[...rail, ...tabs].join()}`);
+    assert.equal(new Set([...rail, ...tabs, '']).size, 10, `${tag}: ${[...rail, ...tabs].join()}`);
   }
 });
 
@@ -434,8 +434,8 @@ test('progress in words', () => {
 
 test('what a link lacks is listed', () => {
   assert.equal(
-    untoldText(['shape', 'modes', 'strokes']),
-    'A link cannot carry: the shape’s file, the mode map, and your strokes. Send the project file for those.',
+    untoldText(['shape', 'layers', 'strokes']),
+    'A link cannot carry: the shape’s file, layers with large files, and your strokes. Send the project file for those.',
   );
   assert.equal(untoldText([]), 'It holds the whole plate.');
 });

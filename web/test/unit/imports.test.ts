@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { createEngine, type Engine, type PrinterValues } from 'sillon';
 import { onOwnPrinter, useBrought, withoutBlocks } from '../../src/model/brought.js';
-import { newPlate } from '../../src/model/defaults.js';
+import { newPlate } from '../../src/model/new-plate.js';
 import { filaments, heatFor, lookOf, withFilament, withSpool } from '../../src/model/filaments.js';
 import type { OwnSpool, Plate } from '../../src/model/plate.js';
 import { filamentFamily } from '../../src/model/printers.js';

@@ -1,7 +1,7 @@
 // Frames, handles, snapping and crops, in closed form.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { newPlate } from '../../src/model/defaults.js';
+import { newPlate } from '../../src/model/new-plate.js';
 import { croppedTo, refilled, scaledLayer, slid, wholePicture } from '../../src/model/layer-changes.js';
 import {
   boundsOf,

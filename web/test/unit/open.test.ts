@@ -6,13 +6,16 @@ import { createEngine, type Engine, type Picture } from 'sillon';
 import { allowedRoles, factsOf, guessRoles } from '../../src/files/guess.js';
 import { kindOf } from '../../src/files/kind.js';
 import { identify, withFile, withFiles, withoutFiles } from '../../src/files/open.js';
-import { encodeGreyPng } from '../../src/files/png16.js';
 import { cleanName, digest, plainDigest, stemOf } from '../../src/files/source-file.js';
-import { newFileDirections, newFileShape, newGenerator, newPlate, newShape } from '../../src/model/defaults.js';
+import { newFileShape, newShape } from '../../src/model/defaults.js';
+import { filledWith, groundFill, groundOf, groundPictures, patternFills, pictureFills } from '../../src/model/fills.js';
+import { changeLayer, newLayer, withLayer } from '../../src/model/layer-list.js';
+import { newPlate } from '../../src/model/new-plate.js';
 import type { Plate } from '../../src/model/plate.js';
 import { StudioError, type ProblemCode } from '../../src/model/problem.js';
 import type { Opened, Role } from '../../src/model/file-role.js';
 import { chances, colourPicture, fileOf, greyPicture } from './support/pictures.js';
+import { encodeGreyPng } from './support/png16.js';
 
 let engine: Engine;
 before(async () => {
@@ -178,22 +181,24 @@ test('files that come together share the work', () => {
   assert.deepEqual(roles('photo', 'ramp'), ['lamp', 'more']);
   assert.deepEqual(roles('svg', 'svg'), ['shape', 'none']);
   // One after the other: a map of directions waits for an outline.
-  const map = { ...newFileDirections('map', fileOf('a.png')) };
+  const mapped = filledWith(newPlate(), 'map', { file: fileOf('a.png') });
   const logo = [{ name: 'x', facts: facts('logo') }];
-  assert.deepEqual(guessRoles(logo, plateWith({ directions: map })), ['mask']);
-  const shape = newFileShape(fileOf('a.svg'));
-  assert.deepEqual(guessRoles(logo, plateWith({ directions: map, shape })), ['levels']);
+  assert.deepEqual(guessRoles(logo, mapped), ['mask']);
+  assert.deepEqual(guessRoles(logo, { ...mapped, shape: newFileShape(fileOf('a.svg')) }), ['levels']);
 });
 
 test('a drawing of several colours tells directions, where nobody has chosen others', () => {
   const drawing = { name: 'flag.svg', facts: undefined, colours: 3 };
-  const plain = plateWith({ directions: newGenerator('waves') });
-  assert.deepEqual(guessRoles([drawing], plain), ['colours']);
+  const plain = newPlate();
+  for (const fill of patternFills) assert.deepEqual(guessRoles([drawing], filledWith(plain, fill)), ['colours'], fill);
+  assert.deepEqual(guessRoles([drawing], { ...plain, layers: [] }), ['colours']);
+  assert.deepEqual(guessRoles([drawing], filledWith(plain, 'colours', { file: fileOf('a.svg') })), ['colours']);
   assert.deepEqual(guessRoles([{ ...drawing, colours: 1 }], plain), ['shape']);
-  const chosen = plateWith({ directions: newGenerator('text') });
-  assert.deepEqual(guessRoles([drawing], chosen), ['shape']);
-  const combed = { tool: 'comb', points: [0, 0, 1, 1], radius: 0.1, softness: 0 } as const;
-  assert.deepEqual(guessRoles([drawing], { ...plain, strokes: [combed] }), ['shape']);
+  for (const fill of pictureFills.filter((one) => one !== 'colours')) {
+    assert.deepEqual(guessRoles([drawing], filledWith(plain, fill)), ['shape'], fill);
+  }
+  const combed = withLayer(plain, newLayer(plain, 'strokes', { strokes: [{ points: [0, 0, 1, 1] }] }));
+  assert.deepEqual(guessRoles([drawing], combed), ['shape']);
   const photo = { name: 'cat.png', facts: factsOf(pictures.ramp) };
   assert.deepEqual(guessRoles([drawing, photo], plain), ['shape', 'lamp']);
 });
@@ -243,13 +248,46 @@ test('built-in shapes take a picture’s proportions; drawn ones keep theirs', (
 
 test('another picture of the same use keeps what was set for it', () => {
   const [a, b] = [fileOf('a.png'), fileOf('b.png')];
-  const tone = { ...newFileDirections('tone', a), from: 12, invert: true };
-  const plate = plateWith({ directions: tone });
-  assert.deepEqual(withFile(plate, b, 'tone', [1, 1]).directions, { ...tone, file: b });
-  assert.deepEqual(withFile(plate, b, 'edges', [1, 1]).directions, newFileDirections('edges', b));
-  assert.deepEqual(withFile(plate, b, 'tangent', [1, 1]).directions, { kind: 'map', file: b, encoding: 'tangent' });
-  assert.deepEqual(withFile(plate, b, 'modes', [1, 1]).modes, { mode: 'constrained', file: b });
-  assert.equal(withFile(plate, b, 'none', [1, 1]), plate);
+  const plate = filledWith(newPlate(), 'brightness', { file: a, from: 12, contrast: 2 });
+  const square: [number, number] = [1, 1];
+  assert.deepEqual(withFile(plate, b, 'tone', square).layers, changeLayer(plate, 1, () => ({ file: b })).layers);
+  assert.deepEqual(withFile(plate, b, 'edges', square).layers, filledWith(plate, 'edges', { file: b }).layers);
+  const map = groundOf(withFile(plate, b, 'tangent', square));
+  assert.deepEqual([map?.kind, map?.encoding, map?.file], ['map', 'tangent', b]);
+  // Another encoding of the same map is the same fill.
+  const turned = filledWith(newPlate(), 'map', { file: a, encoding: 'angle', mode: 'parallel' });
+  const rotated = groundOf(withFile(turned, b, 'rotation', square));
+  assert.deepEqual([rotated?.encoding, rotated?.file, rotated?.mode], ['rotation', b, 'parallel']);
+  assert.equal(withFile(plate, b, 'none', square), plate);
+});
+
+test('modes lie over whatever fills the plate', () => {
+  const b = fileOf('b.png');
+  const plate = filledWith(newPlate(), 'noise', { mode: 'smoothest' });
+  const ground = groundOf(withFile(plate, b, 'modes', [1, 1]));
+  assert.deepEqual([ground?.pattern, ground?.mode, ground?.modeFile], ['noise', 'smoothest', b]);
+  const bare = { ...plate, layers: [] };
+  const laid = groundOf(withFile(bare, b, 'modes', [1, 1]));
+  assert.deepEqual([laid?.kind, laid?.modeFile], ['direction', b]);
+});
+
+test('a picture that fills the plate leaves the layers above it alone', () => {
+  const plate = withLayer(newPlate(), newLayer(newPlate(), 'text', { text: 'A' }));
+  for (const role of ['lamp', 'tone', 'edges', 'levels', 'angle', 'modes'] as const) {
+    const made = withFile(plate, fileOf('b.png'), role, [1, 1]);
+    assert.equal(made.layers.length, 2, role);
+    assert.equal(made.layers[1], plate.layers[1], role);
+  }
+  // Where letters lie lowest, it goes below them.
+  const letters = { ...plate, layers: plate.layers.slice(1) };
+  const made = withFile(letters, fileOf('b.png'), 'tone', [1, 1]);
+  assert.deepEqual(
+    made.layers.map(({ kind, id }) => [kind, id]),
+    [
+      ['tones', 3],
+      ['text', 2],
+    ],
+  );
 });
 
 // --- With the engine -----------------------------------------------------------------------------------------------------------
@@ -271,8 +309,8 @@ test('the examples’ own files are recognised, and make the plate', async () =>
   const plate = await withFiles(newPlate(), found.opened, engine);
   assert.equal(plate.name, '1');
   assert.equal(plate.shape.kind, 'file');
-  assert.equal(plate.directions.kind, 'map');
-  assert.equal(plate.modes.file?.name, '1.png');
+  assert.equal(groundFill(plate), 'map');
+  assert.equal(groundOf(plate)?.modeFile?.name, '1.png');
   const shape = await engine.readShape({ file: example('logo.svg'), pageWidth: plate.width });
   assert.ok(Math.abs(plate.height - shape.page[1]) < 1e-5);
   // Roles can be changed.
@@ -280,8 +318,8 @@ test('the examples’ own files are recognised, and make the plate', async () =>
     one.role === 'angle' ? { ...one, role: 'tone' as const } : { ...one, role: 'none' as const },
   );
   const toned = await withFiles(newPlate(), others, engine);
-  assert.equal(toned.directions.kind, 'tone');
-  assert.deepEqual([toned.modes.file, toned.name], [undefined, '2']);
+  assert.equal(groundFill(toned), 'brightness');
+  assert.deepEqual([groundOf(toned)?.modeFile, toned.name], [null, '2']);
   assert.equal((await withFiles(plateWith({ name: 'kept' }), others, engine)).name, 'kept');
 });
 
@@ -300,8 +338,8 @@ test('another role keeps every edit since the files were opened', async () => {
   assert.deepEqual(withoutFiles(edited, opened), { ...before, name: 'Gift', print: { ...before.print, base: 5 } });
   // A size is of no use to another shape.
   const larger = { ...made, width: 100, height: 25 };
-  const { shape, width, height, directions } = withoutFiles(larger, opened);
-  assert.deepEqual([shape, width, height, directions], [made.shape, 100, 25, before.directions]);
+  const { shape, width, height, layers } = withoutFiles(larger, opened);
+  assert.deepEqual([shape, width, height, layers], [made.shape, 100, 25, before.layers]);
   // Of the drawn shape it stays, whatever else the drawing is used for.
   const drawing = (await identify([text('logo.svg', svg)], before, engine)).opened;
   const plain = await withFiles(before, drawing, engine);
@@ -314,9 +352,14 @@ test('another role keeps every edit since the files were opened', async () => {
   // A picture whose lamp was moved is there once, whatever it is used as.
   const moved: Plate = { ...made, pictures: { ...made.pictures, lampSize: 0.01 } };
   const again = files.map((one) => ({ ...one, role: 'more' as const }));
-  const { directions: lit, pictures: other } = await withFiles(withoutFiles(moved, opened), again, engine);
-  assert.ok(lit.kind === 'lamp');
-  assert.deepEqual([lit.pictures.length, other.lampSize], [1, 0.01]);
+  const lit = await withFiles(withoutFiles(moved, opened), again, engine);
+  assert.deepEqual([groundPictures(lit).length, lit.pictures.lampSize], [1, 0.01]);
+  // And so it is where a hand has moved its lamp.
+  const turned = changeLayer(made, 1, ({ pictures }) => ({
+    pictures: pictures.map((one) => ({ ...one, lamp: [1, 2] })),
+  }));
+  const back = await withFiles(withoutFiles(turned, opened), again, engine);
+  assert.equal(groundPictures(back).length, 1);
 });
 
 test('a name that is a file’s goes on to the next picture, and not to what it does not show', async () => {
@@ -377,7 +420,7 @@ test('a project counts alone, and takes the files that it names', async () => {
   const found = await identify([text('leaf.svg', svg), json], newPlate(), engine);
   assert.deepEqual(found.opened, []);
   assert.ok(found.project !== undefined);
-  assert.deepEqual(found.project.directions, { kind: 'angle', angle: 12 });
+  assert.deepEqual(found.project.layers, filledWith({ ...newPlate(), layers: [] }, 'direction', { angle: 12 }).layers);
   assert.deepEqual([found.project.width, found.project.height], [40, 30]);
 });
 

@@ -2,8 +2,7 @@ import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
 import { Pipeline } from '../../src/app/pipeline.js';
 import type { StudioEngine } from '../../src/engine/studio-engine.js';
-import type { Rasteriser } from '../../src/generators/rasteriser.js';
-import { newPlate } from '../../src/model/defaults.js';
+import { newPlate } from '../../src/model/new-plate.js';
 import type { PlateResult } from '../../src/model/state.js';
 import { Store } from '../../src/model/store.js';
 import { newShown, type Shown } from '../../src/studio/shown.js';
@@ -22,8 +21,7 @@ test('a summary that was given up while its plate was waited for does not stop t
           ? Promise.reject(new DOMException('given up', 'AbortError'))
           : Promise.resolve({ gcode: { summary: { seconds: 60 } }, check: {}, result }),
     } as unknown as StudioEngine;
-    const never = () => Promise.reject(new Error('not asked for'));
-    const pipeline = new Pipeline(store, engine, {} as Rasteriser, () => ({}) as Worker, never);
+    const pipeline = new Pipeline(store, engine, () => ({}) as Worker);
     const waiting: (() => void)[] = [];
     pipeline.finished = () =>
       new Promise((resolve) =>

@@ -5,33 +5,26 @@ import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { unzipSync, zipSync, type Zippable } from 'fflate';
-import { createEngine, type Engine } from 'sillon';
-import { rasterise } from '../../src/generators/rasterise.js';
-import type { DirectionRaster } from '../../src/model/raster.js';
+import { createEngine, type Engine, type Project } from 'sillon';
 import { layersFor } from '../../src/app/example-layers.js';
-import { groundOf } from '../../src/model/ground.js';
-import { engineInput, sectionsOf } from '../../src/model/input.js';
-import { packStored, projectData, readProject, writeProject } from '../../src/files/project.js';
-import { filesOf, plateData } from '../../src/files/plate-data.js';
+import { createAutosave } from '../../src/files/autosave.js';
+import { filesOf } from '../../src/files/plate-project.js';
+import { packStored, projectFileData, readProject, writeProject } from '../../src/files/project.js';
 import { sourceFile } from '../../src/files/source-file.js';
-import {
-  fileKinds,
-  generatorKinds,
-  newFileDirections,
-  newFileShape,
-  newGenerator,
-  newLampDirections,
-  newPlate,
-  newShape,
-} from '../../src/model/defaults.js';
+import { newFileShape, newShape } from '../../src/model/defaults.js';
+import { changeGround, filledWith, patternFills, pictureFills } from '../../src/model/fills.js';
+import { engineInput, sectionsOf } from '../../src/model/input.js';
 import { layerKinds, newLayer, projectLayer, withLayer } from '../../src/model/layer-list.js';
-import type { LayerKind, LayerValues } from '../../src/model/layers.js';
-import type { DirectionSource, Plate, SourceFile } from '../../src/model/plate.js';
-import { templates } from '../../src/plates/templates.js';
-import { builtinShapes, withHole } from '../../src/model/shapes.js';
+import { lackOf } from '../../src/model/layers.js';
+import { newPlate } from '../../src/model/new-plate.js';
+import type { Plate, SourceFile } from '../../src/model/plate.js';
 import { printers, withPrinter } from '../../src/model/printers.js';
 import { StudioError, type ProblemCode } from '../../src/model/problem.js';
+import { builtinShapes, withHole } from '../../src/model/shapes.js';
+import { templates } from '../../src/plates/templates.js';
 import { chances } from './support/pictures.js';
+import { layered, strokes, unfinished, type Files } from './support/plates.js';
+import { Box, Browser } from './support/storage.js';
 
 const nativeProgram = resolve('build/release/sillon');
 const examples = resolve('examples');
@@ -42,6 +35,7 @@ let leaf: SourceFile;
 let photo: SourceFile;
 let modeMap: SourceFile;
 let ownFont: SourceFile;
+let files: Files;
 before(async () => {
   engine = await createEngine({ threads: 'off' });
   const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="20mm" height="16mm" viewBox="0 0 20 16">
@@ -50,6 +44,7 @@ before(async () => {
   photo = await sourceFile('photo.png', new Uint8Array(readFileSync(join(examples, 'inputs/photo.png'))));
   ownFont = await sourceFile('Own.ttf', Uint8Array.of(0, 1, 0, 0, 9, 9)); // that is all that the studio knows of fonts
   modeMap = await sourceFile('mode.png', new Uint8Array(readFileSync(join(examples, 'inputs/logo_mode.png'))));
+  files = { drawing: leaf, photo, modes: modeMap, font: ownFont };
 });
 after(() => {
   engine.dispose();
@@ -60,29 +55,11 @@ const bytesOf = async (blob: Blob): Promise<Uint8Array<ArrayBuffer>> => new Uint
 const asFile = (name: string, bytes: Uint8Array<ArrayBuffer> | string): Promise<SourceFile> =>
   sourceFile(name, typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytes);
 
-async function drawn(plate: Plate, resolution = 96): Promise<DirectionRaster> {
-  const decoded = async (part: object & { file?: SourceFile }): ReturnType<Engine['decodePicture']> =>
-    engine.decodePicture(part.file?.bytes ?? new Blob());
-  return rasterise(
-    plate.directions,
-    plate.modes,
-    plate.strokes,
-    [plate.width, plate.height || plate.width],
-    resolution,
-    {
-      ...('file' in plate.directions ? { source: await decoded(plate.directions) } : {}),
-      ...(plate.modes.file === undefined ? {} : { modes: await decoded(plate.modes) }),
-    },
-  );
-}
-
-/** Stands for directions that no test looks at. */
-const anyRaster: DirectionRaster = { width: 1, height: 1, angle: Uint16Array.of(7), mode: Uint8Array.of(3) };
-
-const zipOf = async (plate: Plate, raster = anyRaster): Promise<Uint8Array<ArrayBuffer>> =>
-  bytesOf(await writeProject(plate, raster));
+const zipOf = async (plate: Plate): Promise<Uint8Array<ArrayBuffer>> => bytesOf(await writeProject(plate));
 const read = async (bytes: Uint8Array<ArrayBuffer> | string, others: SourceFile[] = []): Promise<Plate> =>
   readProject(await asFile(typeof bytes === 'string' ? 'plate.json' : 'plate.zip', bytes), others, engine);
+const projectIn = (zip: Uint8Array): Record<string, unknown> =>
+  JSON.parse(Buffer.from(unzipSync(zip)['project.json'] ?? []).toString()) as Record<string, unknown>;
 
 async function contents(plate: Plate): Promise<string[]> {
   return Promise.all(filesOf(plate).map(async ({ bytes }) => Buffer.from(await bytesOf(bytes)).toString('hex')));
@@ -96,64 +73,32 @@ const small = (): Plate => ({
   printer: { ...newPlate().printer, nozzle: 0.8 },
 });
 
-/** One layer of each kind, with files of every sort. */
-const layered = (): Plate => {
-  const strokes = [{ tool: 'comb' as const, radius: 4, soft: 0.5, points: [1, 2, 3, 4.5] }];
-  const own: Partial<Record<LayerKind, Partial<LayerValues>>> = {
-    map: { file: photo, encoding: 'tangent', modeFile: modeMap, mode: 'parallel' },
-    picture: { file: photo, cropMin: [0.1, 0.2] },
-    tones: { file: photo, by: 'colours', colours: [{ colour: '#00ff7f', angle: -45 }] },
-    drawing: { file: leaf, ground: 20 },
-    strokes: { strokes },
-  };
-  const made = layerKinds.map((kind) => newLayer(newPlate(), kind, own[kind]));
-  const more = [
-    newLayer(newPlate(), 'text', { font: ownFont, maskFile: leaf, mask: 'inside', at: [3, 4.5] }),
-    newLayer(newPlate(), 'picture', {
-      ...{ file: photo, lamp: [10, 40] },
-      others: [
-        { file: modeMap, lamp: [-20, 30.5] },
-        { file: photo, lamp: null },
-      ],
-    }),
-    newLayer(newPlate(), 'pattern', { pattern: 'spiral', waveLength: 12 }),
-    newLayer(newPlate(), 'pattern', { pattern: 'noise', seed: 7, mode: 'smoothest' }),
-    newLayer(newPlate(), 'pattern', { pattern: 'echo', text: 'A', font: 'Caveat' }),
-    newLayer(newPlate(), 'pattern', { pattern: 'echo', file: leaf }),
-    ...(['brightness', 'levels', 'edges'] as const).map((by) =>
-      newLayer(newPlate(), 'tones', { file: photo, by, threshold: 0.25, contrast: 2, smoothing: 1.5 }),
-    ),
-  ];
-  return [...made, ...more].reduce(withLayer, { ...newPlate(), directions: { kind: 'angle', angle: 12 } });
-};
-
-const stroke = { tool: 'comb', points: [0.1, 0.5, 0.5, 0.6, 0.9, 0.5], radius: 0.1, softness: 0.5 } as const;
+const combed = (plate: Plate): Plate => withLayer(plate, newLayer(plate, 'strokes', { strokes: [...strokes] }));
 
 // --- Round trip --------------------------------------------------------------------------------------------------------
 
 test('every kind of plate comes back as it went, with the bytes of its files', async () => {
+  const pictures = [
+    { file: photo, lamp: [60, 45] },
+    { file: modeMap, lamp: null },
+  ] as const;
   const plates: Plate[] = [
     newPlate(),
-    ...generatorKinds.map((kind) => ({ ...newPlate(), directions: newGenerator(kind) })),
-    ...fileKinds.map((kind) => ({ ...newPlate(), directions: newFileDirections(kind, photo) })),
-    {
-      ...newPlate(),
-      directions: newLampDirections([
-        { file: photo, lamp: [60, 45] },
-        { file: modeMap, lamp: null },
-      ]),
-    },
+    { ...newPlate(), layers: [] },
+    ...patternFills.map((fill) => filledWith(newPlate(), fill)),
+    ...pictureFills
+      .filter((fill) => fill !== 'picture')
+      .map((fill) => filledWith(newPlate(), fill, { file: photo, mode: 'parallel', modeFile: modeMap })),
+    filledWith(newPlate(), 'picture', { pictures }),
     ...builtinShapes.map((kind) => ({ ...newPlate(), shape: newShape(kind) })),
     withHole({ ...newPlate(), shape: { ...newShape('tag'), corners: 'chamfer', inner: 4, offset: 2.5 } }, 'magnet'),
     ...printers.map(({ key }) => withPrinter(newPlate(), key)),
-    layered(),
+    combed(newPlate()),
+    layered(files),
     {
-      ...newPlate(),
+      ...combed(filledWith(newPlate(), 'brightness', { file: photo, mode: 'smoothest', modeFile: modeMap })),
       name: 'Épicéa ✨ “quoted”',
       shape: { ...newFileShape(leaf, 'mm'), paint: 'shown', keepThin: true },
-      directions: newFileDirections('tone', photo),
-      modes: { mode: 'smoothest', file: modeMap },
-      strokes: [stroke, { ...stroke, tool: 'mode', mode: 'orthogonal' }, { ...stroke, tool: 'erase' }],
       height: 0,
       print: { ...newPlate().print, place: [12.5, 3], rotate: 30, mirror: true },
     },
@@ -165,48 +110,62 @@ test('every kind of plate comes back as it went, with the bytes of its files', a
   }
 });
 
+test('layers come back in the order that they lay in, whichever that was', async () => {
+  const plate = layered(files);
+  const numbered = ({ layers }: Plate): Plate => ({
+    ...plate,
+    layers: layers.map((layer, k) => ({ ...layer, id: k + 1 })),
+  });
+  const turned = numbered({ ...plate, layers: [...plate.layers].reverse() });
+  assert.deepEqual((await read(await zipOf(turned))).layers, turned.layers);
+  const left = numbered({ ...plate, layers: plate.layers.slice(3) });
+  assert.deepEqual((await read(await zipOf(left))).layers, left.layers);
+});
+
+test('layers that lack something are in no project, and neither are their files', async () => {
+  const whole = newLayer(newPlate(), 'border');
+  const all = [whole, ...unfinished(files), newLayer(newPlate(), 'text', { text: 'A' })];
+  const plate = all.reduce(withLayer, newPlate());
+  const zip = await zipOf(plate);
+  assert.deepEqual(
+    (projectIn(zip)['layers'] as { kind: string }[]).map(({ kind }) => kind),
+    ['pattern', 'border', 'text'],
+  );
+  const back = await read(zip);
+  assert.deepEqual(
+    back.layers,
+    plate.layers.filter((layer) => lackOf(layer) === undefined).map((layer, k) => ({ ...layer, id: k + 1 })),
+  );
+  assert.deepEqual(Object.keys(unzipSync(zip)), ['project.json']);
+});
+
 test('names that no file system would take stay the plate’s, and stand beside each other', async () => {
-  const shape = { ...leaf, name: 'a:b?/leaf.svg' };
   const one = { ...photo, name: 'Leaf.png' };
   const other = { ...modeMap, name: 'leaf.png' };
-  const plate: Plate = {
-    ...newPlate(),
-    shape: newFileShape({ ...shape, name: 'b:…?*.svg' }),
-    directions: newFileDirections('levels', one),
-    modes: { mode: 'parallel', file: other },
-  };
+  const filled = filledWith(newPlate(), 'levels', { file: one, mode: 'parallel', modeFile: other });
+  const plate: Plate = { ...filled, shape: newFileShape({ ...leaf, name: 'b:…?*.svg' }) };
   const zip = await zipOf(plate);
-  const names = Object.keys(unzipSync(zip));
-  assert.deepEqual(names, [
-    ...['project.json', 'directions.png', 'modes.png'],
+  assert.deepEqual(Object.keys(unzipSync(zip)), [
+    'project.json',
     ...['inputs/b_.svg', 'inputs/Leaf.png', 'inputs/leaf-2.png'],
   ]);
   assert.deepEqual(await read(zip), plate);
 });
 
+test('a file that is used in several places is packed once', async () => {
+  const drawing = newLayer(newPlate(), 'drawing', { file: leaf, mask: 'outside', maskFile: leaf });
+  const plate = [drawing, drawing].reduce(withLayer, { ...newPlate(), shape: newFileShape(leaf) });
+  const zip = await zipOf(plate);
+  assert.deepEqual(Object.keys(unzipSync(zip)), ['project.json', 'inputs/leaf.svg']);
+  const back = await read(zip);
+  assert.ok(back.shape.kind === 'file');
+  for (const layer of back.layers.slice(1)) assert.ok(layer.file === back.shape.file && layer.maskFile === layer.file);
+});
+
 test('the same plate gives the same bytes', async () => {
-  const plate: Plate = { ...small(), shape: newFileShape(leaf) };
-  const raster = await drawn(plate);
-  assert.deepEqual(await zipOf(plate, raster), await zipOf(plate, raster));
+  const plate: Plate = { ...layered(files), shape: newFileShape(leaf) };
+  assert.deepEqual(await zipOf(plate), await zipOf(plate));
 });
-
-test('directions and modes stand in the zip exactly as the raster has them', async () => {
-  const plate: Plate = { ...small(), strokes: [stroke, { ...stroke, tool: 'mode', mode: 'parallel' }] };
-  const raster = await drawn(plate);
-  const files = unzipSync(await zipOf(plate, raster));
-  const angles = await engine.decodePicture(files['directions.png'] ?? new Uint8Array());
-  assert.deepEqual([angles.width, angles.height], [raster.width, raster.height]);
-  assert.deepEqual(Array.from(angles.samples), Array.from(raster.angle));
-  const modes = await engine.decodePicture(files['modes.png'] ?? new Uint8Array());
-  assert.ok(new Set(raster.mode).size > 1);
-  assert.deepEqual(
-    Array.from(modes.samples, (grey) => grey / 257),
-    Array.from(raster.mode, (mode) => 85 * mode),
-  );
-});
-
-const layersIn = (zip: Uint8Array): unknown =>
-  (JSON.parse(Buffer.from(unzipSync(zip)['project.json'] ?? []).toString()) as { layers: unknown }).layers;
 
 test('layers of every kind are the same after the studio has read and written a project', async () => {
   const ground = [
@@ -254,29 +213,53 @@ test('layers of every kind are the same after the studio has read and written a 
     },
   ];
   assert.deepEqual(new Set(above.map(({ kind }) => kind)), new Set(layerKinds));
-  const files = [photo, modeMap, leaf, ownFont];
+  const others = [photo, modeMap, leaf, ownFont];
   for (const lowest of ground) {
     const project = { sillon: 1, shape: { builtin: 'rectangle', size: [40, 30] }, layers: [lowest, ...above] };
     const text = JSON.stringify(project);
     const { layers = [] } = await engine.readProject(text); // without what is as usual
-    const zip = await zipOf(await read(text, files));
-    const fills = lowest.kind !== 'pattern' && !('at' in lowest);
-    // Nothing lies below the lowest: directions of 0.
-    const below = fills
-      ? []
-      : ((await engine.readProject('{"sillon":1,"layers":[{"kind":"direction"}]}')).layers ?? []);
-    const back = (await engine.readProject(JSON.stringify({ ...project, layers: layersIn(zip) }))).layers;
-    assert.deepEqual(back, [...below, ...layers]);
-    assert.deepEqual((await read(zip)).layers, (await read(text, files)).layers);
+    const zip = await zipOf(await read(text, others));
+    const back = (await engine.readProject(JSON.stringify({ ...project, layers: projectIn(zip)['layers'] }))).layers;
+    assert.deepEqual(back, layers);
+    assert.deepEqual((await read(zip)).layers, (await read(text, others)).layers);
   }
+});
+
+// --- Projects of the version before ------------------------------------------------------------------------------------------
+
+test('a project with directions and strokes of the studio’s own is read: its layers say the same', async () => {
+  const plate = combed(filledWith({ ...newPlate(), name: 'before' }, 'map', { file: photo, modeFile: modeMap }));
+  const now = projectFileData(plate) as { studio: { files: object } };
+  const studio = {
+    ...now.studio,
+    version: 1,
+    files: { 'inputs/own.png': 'own.png' },
+    directions: {
+      kind: 'tone',
+      file: 'inputs/own.png',
+      from: 60,
+      to: 150,
+      contrast: 1,
+      smoothing: 0.004,
+      invert: false,
+    },
+    modes: 'inputs/own.png',
+    strokes: [{ tool: 'comb', points: [0.1, 0.5, 0.5, 0.6], radius: 0.1, softness: 0.5 }],
+    layers: [{ kind: 'picture', id: 7, file: null }],
+  };
+  const zip = packed(
+    { ...now, studio },
+    { 'inputs/photo.png': await bytesOf(photo.bytes), 'inputs/mode.png': await bytesOf(modeMap.bytes) },
+  );
+  assert.deepEqual(await read(zip), plate);
 });
 
 // --- The native program --------------------------------------------------------------------------------------------------
 
 const date = new Date(0);
 
-async function studioGcode(plate: Plate, raster: DirectionRaster): Promise<string> {
-  const { input, params } = engineInput({ plate, raster });
+async function studioGcode(plate: Plate): Promise<string> {
+  const { input, params } = engineInput(plate);
   const { toolpath } = await engine.generateToolpath(input, params);
   const { blob } = await engine.writeGcode(toolpath, plate.printer, { ...plate.print, date });
   return blob.text();
@@ -301,16 +284,22 @@ function nativeGcode(zip: Uint8Array, name: string): string {
 const noProgram = existsSync(nativeProgram) ? false : 'no build/release/sillon; run ./dev build';
 
 test('the native program makes the page’s G-code from the unpacked project', { skip: noProgram }, async () => {
-  const drawnPlates: [string, Plate][] = [
+  const plates: [string, Plate][] = [
     ['waves', small()],
-    ['strokes', { ...small(), strokes: [stroke, { ...stroke, tool: 'mode', mode: 'smoothest' }] }],
+    ['strokes', combed(small())],
+    [
+      'plain',
+      filledWith({ ...small(), shape: newShape('rectangle') }, 'direction', { angle: 33.3, mode: 'orthogonal' }),
+    ],
+    ['nothing', { ...small(), layers: [] }],
+    ['letters', [...unfinished(files), newLayer(small(), 'text', { text: 'Ab' })].reduce(withLayer, small())],
+    ['picture', filledWith(small(), 'picture', { pictures: [{ file: photo, lamp: [60, 45] }] })],
     [
       'leaf',
       {
-        ...small(),
+        ...filledWith(small(), 'brightness', { file: photo, smoothing: 0.5 }),
         shape: newFileShape(leaf),
         height: 16,
-        directions: newFileDirections('tone', photo),
         print: { ...newPlate().print, layers: 2, rotate: 17, mirror: true, place: [50, 60.5] },
         printer: { ...small().printer, flavor: 'klipper', name: 'Ünï “x”', setPressureAdvance: true },
       },
@@ -318,33 +307,21 @@ test('the native program makes the page’s G-code from the unpacked project', {
     [
       'rounded',
       {
-        ...small(),
+        ...filledWith(small(), 'map', { file: photo, encoding: 'rotation', modeFile: modeMap }),
         shape: { ...newShape('rounded'), radius: 5.3 },
         height: 0,
-        directions: { ...newFileDirections('map', photo), encoding: 'rotation' },
-        modes: { mode: 'constrained', file: modeMap },
         toolpath: { ...small().toolpath, perimeterMode: 'soft', seed: Number.MAX_SAFE_INTEGER, bridge: 0 },
       },
     ],
   ];
-  for (const [name, plate] of drawnPlates) {
-    const raster = await drawn(plate);
-    const expected = await studioGcode(plate, raster);
+  const made = new Set<string>();
+  for (const [name, plate] of plates) {
+    const expected = await studioGcode(plate);
     assert.ok(expected.length > 10_000);
-    assert.ok(nativeGcode(await zipOf(plate, raster), name) === expected, `G-code of ${name} differs`);
+    assert.ok(nativeGcode(await zipOf(plate), name) === expected, `G-code of ${name} differs`);
+    made.add(expected);
   }
-});
-
-test('and without a raster, from one direction and one mode', { skip: noProgram }, async () => {
-  const plate: Plate = {
-    ...small(),
-    directions: { kind: 'angle', angle: 33.3 },
-    modes: { mode: 'orthogonal' },
-    shape: newShape('rectangle'),
-  };
-  const zip = await zipOf(plate);
-  assert.ok(!('directions.png' in unzipSync(zip)));
-  assert.ok(nativeGcode(zip, 'plain') === (await studioGcode(plate, anyRaster)));
+  assert.equal(made.size, plates.length);
 });
 
 // --- Projects of the command line ----------------------------------------------------------------------------------------
@@ -353,21 +330,26 @@ test('every example project of the command line opens, as large as the command l
   for (const name of ['islands', 'logo', 'mosaic', 'noise', 'photo', 'qr', 'relief', 'strokes', 'tiles']) {
     const json = readFileSync(join(examples, `${name}.json`), 'utf8');
     const project = await engine.readProject(json);
-    const [lowest, ...above] = project.layers ?? [];
-    assert.deepEqual(above, []);
-    const { file: map = '', modeFile = '' } = lowest ?? {};
-    const named = [project.shape.file, map, modeFile].filter((file) => file !== '');
+    const layers = project.layers ?? [];
+    const named = [project.shape.file, ...layers.flatMap(({ file = '', modeFile = '' }) => [file, modeFile])];
     const others = await Promise.all(
-      named.map((file) => asFile(file, new Uint8Array(readFileSync(join(examples, file))))),
+      named
+        .filter((file) => file !== '')
+        .map((file) => asFile(file, new Uint8Array(readFileSync(join(examples, file))))),
     );
     const plate = await read(json, others);
     assert.equal(plate.name, 'plate');
     assert.deepEqual(plate.toolpath, project.toolpath);
     assert.deepEqual(plate.print, project.print);
     assert.deepEqual({ ...plate.printer, profile: '', filament: '' }, project.printer);
-    assert.equal(plate.directions.kind, map === '' ? 'angle' : 'map');
-    assert.equal(plate.modes.file?.name, others.find(({ name }) => modeFile.endsWith(`/${name}`))?.name);
-    const { page } = await engine.readShape(engineInput({ plate, raster: undefined }).input.shape ?? {});
+    assert.deepEqual(
+      plate.layers.map(({ kind, file, modeFile }) => [kind, file?.name, modeFile?.name]),
+      layers.map(({ kind, file = '', modeFile = '' }) => [
+        kind,
+        ...[file, modeFile].map((path) => others.find(({ name: own }) => path.endsWith(`/${own}`))?.name),
+      ]),
+    );
+    const { page } = await engine.readShape(engineInput(plate).input.shape ?? {});
     assert.deepEqual(
       [plate.width, plate.height].map((mm) => mm.toFixed(6)),
       page.map((mm) => mm.toFixed(6)),
@@ -377,20 +359,17 @@ test('every example project of the command line opens, as large as the command l
 });
 
 test('templates have the layers of the examples that they are made of', async () => {
-  for (const { id, directions, layers = [] } of templates) {
+  for (const { id, layers } of templates) {
     const name = id.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
     const { shape, layers: wanted = [] } = await engine.readProject(
       readFileSync(join(examples, `${name}.json`), 'utf8'),
     );
-    const own = await layersFor(layers, (file) => asFile(file, file));
-    const plate: Plate = { ...newPlate(), directions: directions as DirectionSource, layers: own };
-    const { layers: told } = sectionsOf(plate, (file) => `inputs/${file.name}`, undefined, projectLayer);
+    const plate: Plate = { ...newPlate(), layers: await layersFor(layers, (file) => asFile(file, file)) };
+    const { layers: told } = sectionsOf(plate, (file) => `inputs/${file.name}`, projectLayer);
     const { layers: found = [] } = await engine.readProject(JSON.stringify({ sillon: 1, shape, layers: told }));
-    // Directions of 0° lie below layers that do not fill the page.
-    assert.deepEqual(groundOf(wanted) === undefined ? found.slice(1) : found, wanted, id);
-    assert.equal(found[0]?.angle ?? 0, groundOf(wanted)?.angle ?? 0, id);
+    assert.deepEqual(found, wanted, id);
   }
-  assert.ok(templates.some(({ layers = [] }) => layers.some(({ kind, file }) => kind === 'picture' && file)));
+  assert.ok(templates.some(({ layers }) => layers.some(({ kind, pictures }) => kind === 'picture' && pictures)));
 });
 
 test('a project of a picture alone is as large as the command line makes it', async () => {
@@ -399,7 +378,10 @@ test('a project of a picture alone is as large as the command line makes it', as
   const { width, height } = await engine.decodePicture(photo.bytes);
   assert.deepEqual([plate.shape, plate.width], [{ ...newShape('rectangle'), radius: 3 }, 80]);
   assert.ok(Math.abs(plate.height - (80 * height) / width) < 1e-6);
-  assert.deepEqual(plate.directions, { kind: 'map', file: photo, encoding: 'rotation' });
+  assert.deepEqual(
+    plate.layers,
+    filledWith({ ...plate, layers: [] }, 'map', { file: photo, encoding: 'rotation' }).layers,
+  );
 });
 
 test('a zip that was packed by hand opens, also with a folder around it', async () => {
@@ -418,6 +400,13 @@ test('a zip that was packed by hand opens, also with a folder around it', async 
   const studio = unzipSync(await zipOf(small()));
   const again = zipSync(Object.fromEntries(Object.entries(studio).map(([path, bytes]) => [`folder/${path}`, bytes])));
   assert.deepEqual(await read(again), small());
+});
+
+test('a size that somebody has written into a project counts, not the page that the studio kept', async () => {
+  const project = projectFileData({ ...small(), shape: newShape('rectangle') }) as { shape: object };
+  const wider = { ...project, shape: { ...project.shape, size: [30, 25] } };
+  const { width, height } = await read(JSON.stringify(wider));
+  assert.deepEqual([width, height], [30, 25]);
 });
 
 // --- Bad files -------------------------------------------------------------------------------------------------------------
@@ -446,29 +435,56 @@ test('what is wrong with a project is said', async () => {
   await refused('{ "sillon": 1, "toolpath": { "spacing": 99 } }', 'BrokenProject', /spacing/);
   await refused(`{ "sillon": 1, "layers": [], "x": ${'['.repeat(1e5)}`, 'BrokenProject', /./);
   await refused(' '.repeat(17 << 20), 'BrokenProject', /17\.8 MB; at most/);
-  const project = { ...(projectData(newPlate()) as { studio: object }) };
+  const project = { ...(projectFileData(newPlate()) as Project & { studio: object }) };
   const withStudio = (studio: object): Uint8Array<ArrayBuffer> =>
     packed({ ...project, studio: { ...project.studio, ...studio } });
-  await refused(withStudio({ version: 2 }), 'BrokenProject', /^studio\.version is 2/);
-  await refused(withStudio({ more: 1 }), 'BrokenProject', /^studio\.more is 1/);
-  await refused(withStudio({ name: 7 }), 'BrokenProject', /^name is 7/);
-  await refused(withStudio({ directions: { kind: 'up' } }), 'BrokenProject', /^directions\.kind is "up"/);
-  await refused(withStudio({ strokes: [7] }), 'BrokenProject', /^strokes\[0\] is 7/);
-  const tone = { ...newFileDirections('tone', photo), file: 'inputs/a.png' };
-  await refused(withStudio({ directions: tone }), 'BrokenProject', /^inputs\/a\.png is missing/);
+  await refused(withStudio({ version: 3 }), 'BrokenProject', /^studio\.version is 3/);
+  await refused(withStudio({ version: null }), 'BrokenProject', /^studio\.version is null/);
+  await refused(withStudio({ name: 7 }), 'BrokenProject', /^studio\.name is 7/);
+  await refused(withStudio({ name: 'x'.repeat(201) }), 'BrokenProject', /^studio\.name is "xxx/);
+  await refused(withStudio({ spool: 7 }), 'BrokenProject', /^spool is 7/);
+  await refused(packed({ ...project, studio: 7 }), 'BrokenProject', /studio is a number/);
+  const mapped = { ...project, layers: [{ kind: 'map', file: 'inputs/a.png' }] };
+  await refused(packed(mapped), 'BrokenProject', /^inputs\/a\.png is missing/);
+  const named = { ...mapped, studio: { ...project.studio, files: { 'inputs/a.png': 7 } } };
+  await refused(packed(named, { 'inputs/a.png': Buffer.from('x') }), 'BrokenProject', /^studio\.files\.inputs/);
   const lowest = { kind: 'direction', mode: 'up' };
   await refused(packed({ ...project, layers: [lowest] }), 'BrokenProject', /layers(\[0\])?\.mode is "up"/);
   await refused(packed({ ...project, sparkle: {} }), 'BrokenProject', /unknown key "sparkle"/);
-  await refused(packed('{"sillon":1,"studio":{"__proto__":{"width":3}}}'), 'BrokenProject', /__proto__/);
+  await refused(packed({ ...project, layers: [{ kind: 'picture' }] }), 'BrokenProject', /layers\[0\]/);
+  await refused(
+    packed('{"sillon":1,"layers":[{"kind":"border","__proto__":{"width":3}}]}'),
+    'BrokenProject',
+    /__proto__/,
+  );
   await refused(packed(`{"sillon":1,"studio":${'['.repeat(1e6)}`), 'BrokenProject', /nested deeper/);
   await refused(packed('{"sillon":1,'), 'BrokenProject', /JSON/);
   await refused(zipSync({ 'word/document.xml': Buffer.from('<w/>') }), 'UnknownFile', /^$/);
   await refused(packed({ sillon: 1, shape: { file: 'b.svg' } }), 'BrokenProject', /b\.svg/);
 });
 
+test('what the studio’s own section says beside that harms nobody', async () => {
+  const project = projectFileData(newPlate()) as { studio: object };
+  const odd: object[] = [
+    { files: 7, textless: 7 },
+    { files: null, textless: [0, -1, 'x', 1e9, null] },
+    { files: [], page: 'all' },
+    { page: [1, 2, 3] },
+    { page: [null, null] },
+    { page: [70, [70]] },
+    { page: [{ toString: 7 }, 70] },
+    JSON.parse('{ "__proto__": { "width": 3 }, "constructor": 7 }') as object,
+  ];
+  for (const studio of odd) {
+    const told = JSON.stringify({ ...project, studio: { ...project.studio, ...studio } });
+    assert.deepEqual(await read(packed(told)), newPlate(), JSON.stringify(studio));
+  }
+  assert.equal(({} as Record<string, unknown>)['width'], undefined);
+});
+
 test('names that lead out of the archive are refused', async () => {
   for (const path of ['../project.json', '/etc/passwd', 'a/../../b', 'C:\\a', 'a\\..\\b', 'a\u0000b']) {
-    await refused(packed(projectData(newPlate()), { [path]: Buffer.from('x') }), 'BrokenProject', /not allowed/);
+    await refused(packed(projectFileData(newPlate()), { [path]: Buffer.from('x') }), 'BrokenProject', /not allowed/);
   }
 });
 
@@ -486,7 +502,7 @@ test('bombs are refused before they are unpacked', async () => {
   await refused(bomb, 'BrokenProject', /100 MB; at most 16\.8 MB/);
   await refused(patched(bomb, 24, 1000), 'BrokenProject', /larger than the archive says/);
   await refused(patched(bomb, 24, 15e6), 'BrokenProject', /larger than the archive says/);
-  const good = packed(projectData(newPlate()));
+  const good = packed(projectFileData(newPlate()));
   await refused(patched(good, 24, 1e6), 'BrokenProject', /is incomplete/);
   await refused(patched(good, 16, 1), 'BrokenProject', /is damaged/);
   await refused(patched(good, 42, 1e9), 'BrokenProject', /./);
@@ -501,12 +517,11 @@ test('random bytes and damage end in a plate or in an error of ours', async () =
   const chance = chances(11);
   const pick = (n: number): number => Math.floor(n * chance());
   const plate: Plate = {
-    ...newPlate(),
+    ...combed(newPlate()),
     shape: newFileShape(leaf),
-    strokes: [stroke],
     toolpath: { ...newPlate().toolpath, seed: 7 },
   };
-  const whole = await zipOf(plate, await drawn(plate, 16));
+  const whole = await zipOf(plate);
   const project = Buffer.from(unzipSync(whole)['project.json'] ?? new Uint8Array(0)).toString();
   const cases: (() => Uint8Array<ArrayBuffer> | string)[] = [
     () => Uint8Array.from({ length: pick(2000) }, () => pick(256)),
@@ -544,43 +559,68 @@ test('random bytes and damage end in a plate or in an error of ours', async () =
   assert.ok(opened > 10, `only ${opened} were harmless`);
 });
 
-// --- What another version has kept --------------------------------------------------------------------------------------
+// --- What a browser has kept ---------------------------------------------------------------------------------------------
 
 test('what is kept is handed out as it is, and the version that wrote it opens it', async () => {
-  const plate: Plate = {
-    ...small(),
-    shape: newFileShape(leaf, 'mm'),
-    directions: newLampDirections([{ file: photo, lamp: [60, 45] }]),
-  };
-  const told = plateData(plate, ({ id, name }) => ({ id, name })) as object;
-  const files = new Map(filesOf(plate).map(({ id, bytes }) => [id, bytes]));
-  const record = { version: 1, files: [...files.keys()], plate: told, past: [], future: [] };
-  const about = { name: 'theirs', picture: new Blob(['small']) };
-  const zip = await bytesOf(await packStored({ record, about, files }));
+  const shown = { pictures: [{ file: photo, lamp: [60, 45] as const }] };
+  const lacking = newLayer(newPlate(), 'text', { text: '', mask: 'inside' });
+  const plate = withLayer(filledWith({ ...small(), shape: newFileShape(leaf, 'mm') }, 'picture', shown), lacking);
+  const autosave = createAutosave(
+    { onProblem: ({ detail }) => assert.fail(detail), engine: () => Promise.resolve(engine) },
+    ...(['test', new Box(), new Browser().tab(), { get: () => undefined, set: () => undefined }] as const),
+  );
+  autosave.save({ past: [changeGround(plate, { mode: 'parallel' })], plate, future: [] });
+  const stored = await autosave.stored(autosave.current());
+  const zip = await bytesOf(await packStored(stored));
   const back = await read(zip);
   assert.deepEqual(await contents(back), await contents(plate));
   assert.deepEqual(back, plate);
 
-  const theirs = { ...record, version: 9, sparkle: true };
-  const packed = unzipSync(await bytesOf(await packStored({ record: theirs, about, files })));
-  const kept = JSON.parse(Buffer.from(packed['kept.json'] ?? []).toString()) as {
+  const about = { name: 'theirs', picture: new Blob(['small']) };
+  const theirs = { ...(stored.record as object), version: 9, sparkle: true };
+  const packedTheirs = unzipSync(await bytesOf(await packStored({ record: theirs, about, files: stored.files })));
+  const kept = JSON.parse(Buffer.from(packedTheirs['kept.json'] ?? []).toString()) as {
     record: unknown;
     about: { name: string; picture: { id: string } };
     files: Record<string, string>;
   };
   assert.deepEqual(kept.record, theirs);
-  const bytes = (id: string): string => Buffer.from(packed[kept.files[id] ?? ''] ?? []).toString('hex');
+  const bytes = (id: string): string => Buffer.from(packedTheirs[kept.files[id] ?? ''] ?? []).toString('hex');
   assert.equal(bytes(leaf.id), Buffer.from(await bytesOf(leaf.bytes)).toString('hex'));
   assert.equal(bytes(photo.id), Buffer.from(await bytesOf(photo.bytes)).toString('hex'));
   assert.equal(Buffer.from(bytes(kept.about.picture.id), 'hex').toString(), 'small');
+  await refused(zipSync(packedTheirs), 'BrokenProject', /sparkle|version/);
+
+  // A file that is gone is no layer that lacks one.
+  for (const path of Object.keys(unzipSync(zip)).filter((name) => name.startsWith('inputs/'))) {
+    const others = Object.fromEntries(Object.entries(unzipSync(zip)).filter(([name]) => name !== path));
+    await refused(zipSync(others), 'BrokenProject', /./);
+  }
+});
+
+/** As the first version kept it. */
+const firstRecord = (): { record: object; files: ReadonlyMap<string, unknown> } => {
+  const { id, name } = photo;
+  const directions = { kind: 'lamp', pictures: [{ file: { id, name }, lamp: [60, 45] }] };
+  const plate = { name: 'first', width: 20, height: 20, shape: { kind: 'disc' }, directions, modes: {}, strokes: [] };
+  return { record: { version: 1, files: [id], plate, past: [], future: [] }, files: new Map([[id, photo.bytes]]) };
+};
+
+test('what the first version has kept is handed out, and told to be of another', async () => {
+  const { record, files: own } = firstRecord();
+  const zip = await bytesOf(await packStored({ record, about: { name: 'first' }, files: own }));
+  const entries = unzipSync(zip);
+  const kept = JSON.parse(Buffer.from(entries['kept.json'] ?? []).toString()) as { record: unknown };
+  assert.deepEqual(kept.record, record);
+  assert.deepEqual(Buffer.from(entries['inputs/photo.png'] ?? []), Buffer.from(await bytesOf(photo.bytes)));
+  await refused(zip, 'BrokenProject', /^version is 1/);
 });
 
 for (const record of [null, 'text', 7, {}, { plate: null, files: 'all' }]) {
   test(`whatever is kept is handed out: ${JSON.stringify(record)}`, async () => {
-    const packed = unzipSync(await bytesOf(await packStored({ record, about: undefined, files: new Map() })));
-    assert.deepEqual(
-      (JSON.parse(Buffer.from(packed['kept.json'] ?? []).toString()) as { record: unknown }).record,
-      record,
-    );
+    const zip = await bytesOf(await packStored({ record, about: undefined, files: new Map() }));
+    const kept = JSON.parse(Buffer.from(unzipSync(zip)['kept.json'] ?? []).toString()) as { record: unknown };
+    assert.deepEqual(kept.record, record);
+    await refused(zip, 'BrokenProject', /./);
   });
 }

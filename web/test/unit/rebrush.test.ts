@@ -1,12 +1,20 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createEngine, type DirectionRaster, type Engine, type PrintRelief, type SlicedSurface } from 'sillon';
-import { degreesOf } from '../../src/generators/angle.js';
+import {
+  createEngine,
+  type DirectionRaster,
+  type Engine,
+  type PrintRelief,
+  type SlicedSurface,
+  type Stroke,
+} from 'sillon';
 import { brushedName, seemsSliced } from '../../src/files/sliced.js';
-import { newPlate } from '../../src/model/defaults.js';
-import { engineInput, rasterLayer } from '../../src/model/input.js';
+import { newPlate } from '../../src/model/new-plate.js';
+import { filledWith } from '../../src/model/fills.js';
+import { engineInput } from '../../src/model/input.js';
 import { layerKinds, newLayer, withLayer } from '../../src/model/layer-list.js';
-import type { DirectionSource, SourceFile, Stroke } from '../../src/model/plate.js';
+import type { LayerKind } from '../../src/model/layers.js';
+import type { SourceFile } from '../../src/model/plate.js';
 import { boxOf, facesOf, howOf, lackOf, type Box, type Wish } from '../../src/model/rebrush.js';
 import {
   fitted,
@@ -21,6 +29,7 @@ import {
 } from '../../src/views/orbit.js';
 import { shadedRelief } from '../../src/views/relief.js';
 import { seenCycles, seenRuns } from '../../src/views/seen-lines.js';
+import { between, degreesOf } from './support/pictures.js';
 
 const surface = (side: 'top' | 'bottom', areaMm2: number, left = ''): SlicedSurface => ({
   side,
@@ -94,10 +103,10 @@ test('the engine is asked for what was chosen, and for no list where all are', (
   const all = facesOf([surface('bottom', 9), surface('top', 1), surface('bottom', 2), surface('top', 3)], 'top');
   const more = facesOf([surface('bottom', 9), surface('top', 1), surface('top', 2), surface('top', 3)], 'top');
   const plate = newPlate();
-  assert.deepEqual(howOf(wish({}), all, plate, undefined, 0.4), {
+  assert.deepEqual(howOf(wish({}), all, plate, 0.4), {
     layers: [{ kind: 'direction', angle: 40 }],
   });
-  assert.deepEqual(howOf(wish({ chosen: new Set([3, 1]) }), more, plate, undefined, 0.4).only, [1, 3]);
+  assert.deepEqual(howOf(wish({ chosen: new Set([3, 1]) }), more, plate, 0.4).only, [1, 3]);
 
   // Bottoms are asked for by their side, or by their places.
   const surfaces = [surface('bottom', 9), surface('top', 1), surface('bottom', 2)];
@@ -107,27 +116,26 @@ test('the engine is asked for what was chosen, and for no list where all are', (
     bottoms.map(({ index }) => index),
     [0, 2],
   );
-  assert.equal(howOf(wish({ side: 'bottom', chosen }), bottoms, plate, undefined, 0.4).sides, 'bottom');
+  assert.equal(howOf(wish({ side: 'bottom', chosen }), bottoms, plate, 0.4).sides, 'bottom');
   const both = facesOf(surfaces, 'both');
-  assert.equal(howOf(wish({ side: 'both', chosen: new Set([0, 1, 2]) }), both, plate, undefined, 0.4).sides, 'both');
-  const some = howOf(wish({ side: 'both', chosen }), both, plate, undefined, 0.4);
+  assert.equal(howOf(wish({ side: 'both', chosen: new Set([0, 1, 2]) }), both, plate, 0.4).sides, 'both');
+  const some = howOf(wish({ side: 'both', chosen }), both, plate, 0.4);
   assert.deepEqual([some.sides, some.only], [undefined, [0, 2]]);
 
-  const lit = howOf(wish({ way: 'picture', picture }), all, plate, undefined, 0.4);
+  const lit = howOf(wish({ way: 'picture', picture }), all, plate, 0.4);
   assert.deepEqual(lit, {
     layers: [{ kind: 'picture', pictures: [{ file: picture.bytes, lamp: [60, 35] }] }],
     pictures: { spool: 'bluePla' },
     fit: 'object',
   });
-  const raster = { width: 1, height: 1, angle: Uint16Array.of(7), mode: Uint8Array.of(3) };
-  const drawn = howOf(wish({ way: 'plate' }), all, plate, raster, 0.4);
+  const drawn = howOf(wish({ way: 'plate' }), all, plate, 0.4);
   assert.deepEqual(Object.keys(drawn).sort(), ['fit', 'layers']);
-  assert.deepEqual(drawn.layers, [rasterLayer(raster)]);
+  assert.deepEqual(drawn.layers, engineInput(plate).input.layers);
   // Pictures of the plate stay pictures.
-  const directions = { kind: 'lamp', pictures: [{ file: picture, lamp: [10, 40] }] } satisfies DirectionSource;
-  const solved = howOf(wish({ way: 'plate' }), all, { ...plate, directions }, undefined, 0.4);
-  const shown = { kind: 'picture', pictures: [{ file: picture.bytes, lamp: [10, 40] }], mode: 'constrained' };
-  assert.deepEqual(solved.layers, [shown]);
+  const pictured = filledWith(plate, 'picture', { pictures: [{ file: picture, lamp: [10, 40] }] });
+  const solved = howOf(wish({ way: 'plate' }), all, pictured, 0.4);
+  assert.equal(solved.layers?.[0]?.kind, 'picture');
+  assert.deepEqual(solved.layers[0].pictures, [{ file: picture.bytes, lamp: [10, 40] }]);
   assert.equal(solved.pictures?.spool, plate.pictures.spool);
 
   assert.equal(lackOf(wish({ chosen: new Set() })), 'nothing');
@@ -137,24 +145,31 @@ test('the engine is asked for what was chosen, and for no list where all are', (
 
 test('the way of the plate hands over all layers of the plate', () => {
   const faces = facesOf([surface('top', 1), surface('top', 3)], 'top');
-  const raster = { width: 1, height: 1, angle: Uint16Array.of(7), mode: Uint8Array.of(3) };
-  const kinds = layerKinds.map((kind) => newLayer(newPlate(), kind, { file: picture }));
-  const others = [{ file: second, lamp: [20, 30] as const }];
-  const lit = newLayer(newPlate(), 'picture', { file: picture, lamp: [10, 40], others, at: [3, 4], visible: false });
+  const own: Partial<Record<LayerKind, object>> = {
+    picture: { pictures: [{ file: second, lamp: null }] },
+    text: { text: 'A' },
+  };
+  const kinds = layerKinds.map((kind) => newLayer(newPlate(), kind, { file: picture, ...own[kind] }));
+  const pictures = [
+    { file: picture, lamp: [10, 40] },
+    { file: second, lamp: [20, 30] },
+  ] as const;
+  const lit = newLayer(newPlate(), 'picture', { pictures, at: [3, 4], visible: false });
   const plate = [...kinds, lit].reduce(withLayer, newPlate());
-  const how = howOf(wish({ way: 'plate' }), faces, plate, raster, 0.4);
+  const how = howOf(wish({ way: 'plate' }), faces, plate, 0.4);
   assert.deepEqual(
     how.layers?.map(({ kind }) => kind),
-    ['map', ...layerKinds, 'picture'],
+    ['pattern', ...layerKinds, 'picture'],
   );
-  assert.deepEqual(how.layers, engineInput({ plate, raster }).input.layers);
-  const { pictures, at, visible } = how.layers.at(-1) ?? {};
-  assert.deepEqual(pictures, [
+  assert.deepEqual(how.layers, engineInput(plate).input.layers);
+  const { pictures: told, at, visible } = how.layers.at(-1) ?? {};
+  assert.deepEqual(told, [
     { file: picture.bytes, lamp: [10, 40] },
     { file: second.bytes, lamp: [20, 30] },
   ]);
   assert.deepEqual([at, visible], [[3, 4], false]);
   assert.equal(how.pictures?.spool, plate.pictures.spool); // it shows pictures
+  assert.ok('slopes' in how.pictures);
 });
 
 test('a relief is lit from the upper left, darker where it is low, and clear beside the print', () => {
@@ -180,16 +195,15 @@ async function drawnOn(engine: Engine, { corner, size }: Box, change: Partial<Wi
   const face = { ...surface(change.side === 'bottom' ? 'bottom' : 'top', 9), corner: [...corner] as [number, number] };
   const faces = facesOf([{ ...face, region: { page: [...size], paths: [] } }], face.side);
   const wanted = wish({ way: 'hand', angle: 90, chosen: new Set([0]), ...change });
-  const { layers = [] } = howOf(wanted, faces, newPlate(), undefined, 0.4);
+  const { layers = [] } = howOf(wanted, faces, newPlate(), 0.4);
   return engine.drawLayers({ shape: { builtin: 'rectangle', size: [...size] }, layers }, { spacing: 0.4 });
 }
 
 test('strokes lie where they were drawn on the bed, and the angle everywhere else', async () => {
   const engine = await createEngine({ threads: 'off' });
-  const stroke: Stroke = { tool: 'comb', points: [105, 60, 115, 60], radius: 3, softness: 0 };
+  const stroke: Stroke = { tool: 'comb', points: [105, 60, 115, 60], radius: 3, soft: 0 };
   const box: Box = { corner: [100, 50], size: [40, 20] };
-  const isAt = (stored: number | undefined, degrees: number): boolean =>
-    Math.abs(((((degreesOf(stored ?? 0) - degrees + 270) % 180) + 180) % 180) - 90) < 0.5;
+  const isAt = (stored: number | undefined, degrees: number): boolean => between(degreesOf(stored ?? 0), degrees) < 0.5;
   for (const side of ['top', 'bottom'] as const) {
     const { width, height, angle, mode } = await drawnOn(engine, box, { side, strokes: [stroke] });
     let touched = 0;
@@ -226,13 +240,12 @@ test('a hand draws on the box of what is chosen and free, which the engine is to
   const faces = facesOf([at(0, 0), at(20, 40), at(50, 10), at(90, 90, 'it is narrow')], 'top');
   const chosen = wish({ way: 'hand', chosen: new Set([1, 2, 3]) });
   assert.deepEqual(boxOf(chosen, faces), { corner: [20, 10], size: [40, 35] });
-  const stroke: Stroke = { tool: 'mode', mode: 'smoothest', points: [20, 10, 60, 45], radius: 2, softness: 0.25 };
-  const how = howOf({ ...chosen, strokes: [stroke] }, faces, newPlate(), undefined, 0.4);
+  const stroke: Stroke = { tool: 'mode', mode: 'smoothest', points: [20, 10, 60, 45], radius: 2, soft: 0.25 };
+  const how = howOf({ ...chosen, strokes: [stroke] }, faces, newPlate(), 0.4);
   assert.equal(how.fit, 'all');
-  const told = { tool: 'mode', mode: 'smoothest', radius: 2, soft: 0.25 };
   assert.deepEqual(how.layers, [
     { kind: 'direction', angle: 40 },
-    { kind: 'strokes', strokes: [{ ...told, points: [0, 0, 40, 35] }] },
+    { kind: 'strokes', strokes: [{ ...stroke, points: [0, 0, 40, 35] }] },
   ]);
   assert.deepEqual(how.only, [1, 2, 3]);
 });

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { placeIn, type Room } from '../../src/generators/room.js';
+import { placeIn, type Room } from '../../src/layers/room.js';
 
 const side = 300;
 const roomOf = (inside: (x: number, y: number) => boolean, [width, height] = [side, side]): Room => ({

@@ -13,7 +13,6 @@ import type { SourceFile } from '../../src/model/plate.js';
 
 const program = resolve('build/release/sillon');
 const folder = mkdtempSync(join(tmpdir(), 'sillon-round-'));
-const raster = { width: 1, height: 1, angle: Uint16Array.of(7), mode: Uint8Array.of(3) };
 
 let engine: Engine;
 let files: SourceFile[];
@@ -132,7 +131,7 @@ const pictures = [
   { file: 'sun.png', lamp: null },
 ];
 
-/** The lowest layer of a project: its directions in the studio. */
+/** The lowest layer of a project. */
 const lowest: Record<string, Section> = {
   drawing: { kind: 'map', file: 'logo_angle.png', encoding: 'rotation', modeFile: 'logo_mode.png', mode: 'smoothest' },
   layered: { kind: 'direction', angle: 12.5 },
@@ -193,7 +192,7 @@ async function there(name: string, sections: Sections, settings: readonly Row[])
   const before = completed(path);
 
   const plate = await readProject(await sourceFile(path, new TextEncoder().encode(text)), files, engine);
-  const zip = new Uint8Array(await (await writeProject(plate, raster)).arrayBuffer());
+  const zip = new Uint8Array(await (await writeProject(plate)).arrayBuffer());
   for (const [file, bytes] of Object.entries(unzipSync(zip))) {
     const place = join(folder, name, file);
     mkdirSync(dirname(place), { recursive: true });

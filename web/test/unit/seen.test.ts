@@ -4,20 +4,20 @@ import { test } from 'node:test';
 
 import type { Toolpath } from 'sillon';
 
-import { storeDegrees } from '../../src/generators/angle.js';
-import { newGenerator, newPlate, newShape } from '../../src/model/defaults.js';
-import { doubtsOf } from '../../src/model/doubts.js';
+import { newShape } from '../../src/model/defaults.js';
+import { newPlate } from '../../src/model/new-plate.js';
+import { doubtsOf, type Doubt, type Seen } from '../../src/model/doubts.js';
+import { withFilament } from '../../src/model/filaments.js';
+import { changeGround, filledWith, patternFills, pictureFills, type Fill } from '../../src/model/fills.js';
+import { newLayer, withLayer } from '../../src/model/layer-list.js';
 import type { Plate } from '../../src/model/plate.js';
 import { seenOf } from '../../src/quality/seen.js';
+import { fileOf, storeDegrees } from './support/pictures.js';
 
 const side = 40; // [mm]
-const plate: Plate = {
-  ...newPlate(),
-  shape: newShape('rectangle'),
-  width: side,
-  height: side,
-  directions: newGenerator('text'),
-};
+const page: Plate = { ...newPlate(), shape: newShape('rectangle'), width: side, height: side };
+/** Under a light from 0°. */
+const plate = filledWith(page, 'levels', { file: fileOf('two tones.png') });
 const { spacing } = plate.toolpath;
 
 /** The left half runs one way, the right half another [degrees]. */
@@ -74,23 +74,22 @@ test('beads that run the other way show the opposite', () => {
   assert.ok(seenOf({ plate, toolpath: beads('upright', 'level') }, raster(0, 90)).r < -0.99);
 });
 
-test('letters that are far too small are told as such, whatever the beads show, and so is a text of nothing', () => {
-  const seen = { r: 0, contrast: 1, kept: 0.1 };
-  assert.deepEqual(doubtsOf(plate, undefined, { ...seen, letters: 7 * spacing }), ['small']);
-  assert.deepEqual(doubtsOf(plate, undefined, { ...seen, letters: 8 * spacing }), ['faint']);
-  const blank = { ...plate, directions: { ...newGenerator('text'), text: ' \n' } } as Plate;
-  assert.deepEqual(doubtsOf(blank, undefined, undefined), ['blank']);
-});
-
-test('letters are doubted sooner than pictures, and other directions not at all', () => {
+test('tones are doubted, other directions and what lies under layers are not', () => {
   const seen = { r: 0.9, contrast: 4, kept: 0.9 };
-  const levels = { ...plate, directions: { kind: 'levels' } } as unknown as Plate;
-  assert.deepEqual(doubtsOf(plate, undefined, seen), ['letters']);
-  assert.deepEqual(doubtsOf(levels, undefined, seen), []);
-  assert.deepEqual(doubtsOf(levels, undefined, { ...seen, r: 0.8 }), ['fine']);
-  assert.deepEqual(
-    doubtsOf({ ...plate, directions: newGenerator('waves') }, undefined, { r: 0, contrast: 1, kept: 0 }),
-    [],
-  );
-  assert.deepEqual(doubtsOf(levels, undefined, { ...seen, kept: 0.3 }), ['fine']);
+  const doubted: Fill[] = ['levels', 'brightness', 'colours'];
+  for (const fill of [...pictureFills, ...patternFills]) {
+    const filled = filledWith(withFilament(page, 'bluePla'), fill, { file: fileOf('a.png') });
+    const doubts = (change: Partial<Seen>): Doubt[] => doubtsOf(filled, undefined, { ...seen, ...change });
+    const fine: Doubt[] = doubted.includes(fill) ? ['fine'] : [];
+    assert.deepEqual([doubts({}), doubts({ r: 0.8 }), doubts({ kept: 0.3 })], [[], fine, fine], fill);
+    assert.deepEqual(doubts({ contrast: 1.5, r: 0 }), doubted.includes(fill) ? ['faint'] : [], fill);
+    assert.deepEqual(doubtsOf(filled, undefined, undefined), [], fill);
+  }
+  const bad = { r: 0, contrast: 1, kept: 0 };
+  assert.deepEqual(doubtsOf(withLayer(plate, newLayer(plate, 'border')), undefined, bad), []);
+  const lacking = withLayer(plate, newLayer(plate, 'drawing'));
+  assert.deepEqual(doubtsOf(lacking, undefined, bad), ['faint']); // nothing of that layer is drawn
+  const hidden = changeGround(plate, { visible: false });
+  assert.deepEqual(doubtsOf(hidden, undefined, bad), []);
+  assert.deepEqual(doubtsOf(withLayer(hidden, newLayer(plate, 'border')), undefined, bad), []);
 });

@@ -4,9 +4,9 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { test } from 'node:test';
-import { newPlate, newShape } from '../../src/model/defaults.js';
+import { newShape } from '../../src/model/defaults.js';
+import { newPlate } from '../../src/model/new-plate.js';
 import { pageOf } from '../../src/model/plate.js';
-import { isRound, roomShape } from '../../src/model/result.js';
 import { shapeTable } from '../../src/model/setting-table.js';
 import { builtinShapes, ownHeight, usualHoles, withHole, withShape } from '../../src/model/shapes.js';
 
@@ -73,17 +73,4 @@ test('new holes lie on the shape: in the middle, near the edge for a key ring, b
     three.shape.holes.map(({ diameter }) => diameter),
     [4.5, 8.2, 5],
   );
-});
-
-test('codes stay within a shape with holes as within any other', () => {
-  const code = { kind: 'qr', text: 'A', dark: 0, light: 90, margin: 2 } as const;
-  const disc = { ...newPlate(), directions: code };
-  assert.equal(isRound(disc), true);
-  assert.equal(roomShape(disc), undefined);
-  const holed = withHole(disc, 'screw');
-  assert.equal(isRound(holed), false);
-  assert.equal(roomShape(holed), holed.shape);
-  const rectangle = withShape(disc, 'rectangle');
-  assert.equal(roomShape(rectangle), undefined);
-  assert.notEqual(roomShape(withShape(disc, 'heart')), undefined);
 });

@@ -5,16 +5,19 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { createEngine } from 'sillon';
 import { kinds, answerOf, spacingBetween, withFound, withWidths } from '../../src/calibrate/model.js';
 import { Unfit } from '../../src/model/check.js';
-import { plateFrom } from '../../src/model/check-plate.js';
-import { newLampDirections, newPlate } from '../../src/model/defaults.js';
+import { newPlate } from '../../src/model/new-plate.js';
 import { lookOf, slopesOf, viewLook, withFilament, withSpool } from '../../src/model/filaments.js';
+import { filledWith } from '../../src/model/fills.js';
 import { engineInput } from '../../src/model/input.js';
-import { samePictures, type LampSource } from '../../src/model/lamp.js';
+import { samePictures } from '../../src/model/lamp.js';
 import type { OwnSpool, Plate, SourceFile } from '../../src/model/plate.js';
 import { howOf } from '../../src/model/rebrush.js';
-import { readLink, writeLink } from '../../src/model/share.js';
+import { readLink, writeLink } from '../../src/files/link.js';
+import { plateOf, projectData } from '../../src/files/plate-project.js';
+import { plateSpoolFrom } from '../../src/model/own-spool.js';
 import { readSpools, spoolKey, spoolsText, withOne } from '../../src/print/spools.js';
 
 const spool: OwnSpool = {
@@ -27,9 +30,7 @@ const entry = { colour: [10, 20, 30], fine: { nozzleSide: [3, 14], bedSide: [2, 
 const fileWith = (change: object, key = 'mySilk'): string =>
   JSON.stringify({ version: 1, spools: { [key]: { ...entry, ...change } } });
 const picture: SourceFile = { id: 'a', name: 'a.png', bytes: new Blob(['x']) };
-const refuse = (): SourceFile => {
-  throw new Error('no file');
-};
+const refuse = (): Promise<SourceFile> => Promise.reject(new Error('no file'));
 
 test('a file of spools comes back as it was written', () => {
   const wide: OwnSpool = { ...spool, key: 'other', wide: spool.fine };
@@ -96,31 +97,47 @@ test('whatever is drawn or solved takes the spool', () => {
   const wide = { ...spool, wide: { nozzleSide: [5, 18] as [number, number], bedSide: [2, 9] as [number, number] } };
   assert.deepEqual(slopesOf({ ...withSpool(plain, wide), printer: { ...plain.printer, nozzle: 0.6 } }), [4, 16]);
 
-  const directions: LampSource = newLampDirections([{ file: picture, lamp: null }]);
-  assert.deepEqual(engineInput({ plate: { ...own, directions }, raster: undefined }).input.pictures?.slopes, [3, 14]);
-  assert.ok(!samePictures({ ...own, directions }, { ...plain, directions }));
+  const pictured = (plate: Plate): Plate => filledWith(plate, 'picture', { pictures: [{ file: picture, lamp: null }] });
+  assert.deepEqual(engineInput(pictured(own)).input.pictures?.slopes, [3, 14]);
+  assert.ok(!samePictures(pictured(own), pictured(plain)));
   const wish = {
     ...{ side: 'bottom' as const, chosen: new Set([0]), way: 'picture' as const, angle: 0, picture },
     ...{ lamp: [60, 35] as const, spool: 'bluePla' as const, own: spool, fit: 'face' as const, strokes: [] },
   };
-  assert.deepEqual(howOf(wish, [], plain, undefined, 0.4).pictures?.slopes, [2, 9]);
-  assert.deepEqual(
-    howOf({ ...wish, side: 'top', way: 'plate' }, [], { ...own, directions }, undefined, 0.4).pictures?.slopes,
-    [3, 14],
-  );
+  assert.deepEqual(howOf(wish, [], plain, 0.4).pictures?.slopes, [2, 9]);
+  assert.deepEqual(howOf({ ...wish, side: 'top', way: 'plate' }, [], pictured(own), 0.4).pictures?.slopes, [3, 14]);
 
-  assert.deepEqual(howOf({ ...wish, own: wide, side: 'top' }, [], plain, undefined, 0.6).pictures?.slopes, [4, 16]);
+  assert.deepEqual(howOf({ ...wish, own: wide, side: 'top' }, [], plain, 0.6).pictures?.slopes, [4, 16]);
 
   assert.equal(withFilament(own, 'greyPla').spool, undefined);
   assert.ok(!('spool' in withSpool(own, undefined)));
 });
 
 test('a plate carries its spool, into projects and links', async () => {
-  const own: Plate = withSpool(newPlate(), spool);
-  assert.deepEqual(plateFrom(JSON.parse(JSON.stringify(own)), refuse).spool, spool);
-  assert.deepEqual((await readLink((await writeLink(own)).hash))?.spool, spool);
-  for (const wrong of [{ ...spool, key: 'bluePla' }, { ...spool, fine: undefined }, { ...spool, more: 1 }, 'mySilk']) {
-    assert.throws(() => plateFrom({ ...own, spool: wrong }, refuse), Unfit);
+  const engine = await createEngine({ threads: 'off' });
+  try {
+    const own: Plate = withSpool(newPlate(), spool);
+    const text = JSON.stringify(projectData(own, () => ''));
+    assert.deepEqual(await plateOf(text, '', refuse, engine), own);
+    assert.deepEqual(await readLink((await writeLink(own)).hash, refuse, () => Promise.resolve(engine)), own);
+    // Slopes that somebody has changed since are not the spool's any more.
+    const changed = JSON.parse(text) as { pictures: object };
+    const other = JSON.stringify({ ...changed, pictures: { ...changed.pictures, slopes: [5, 20] } });
+    const plate = await plateOf(other, '', refuse, engine);
+    assert.deepEqual([plate.spool, plate.pictures.slopes], [undefined, [5, 20]]);
+    for (const wrong of [
+      { ...spool, key: 'bluePla' },
+      { ...spool, fine: undefined },
+      { ...spool, more: 1 },
+      'mySilk',
+      null,
+    ]) {
+      assert.throws(() => plateSpoolFrom(wrong), Unfit);
+      const broken = JSON.stringify({ ...changed, studio: { version: 2, spool: wrong } });
+      await assert.rejects(plateOf(broken, '', refuse, engine), Unfit);
+    }
+  } finally {
+    engine.dispose();
   }
 });
 

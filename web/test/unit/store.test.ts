@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { newPlate } from '../../src/model/defaults.js';
+import { newPlate } from '../../src/model/new-plate.js';
 import type { Plate } from '../../src/model/plate.js';
 import { Store } from '../../src/model/store.js';
 

@@ -10,13 +10,16 @@ import type {
   Toolpath,
   ToolpathParams,
 } from 'sillon';
-import type { DirectionRaster } from '../../src/model/raster.js';
 import { Cost, cellsOf } from '../../src/engine/coarse.js';
-import { engineInput, sameToolpath } from '../../src/model/input.js';
+import { changeGround, filledWith } from '../../src/model/fills.js';
+import { engineInput } from '../../src/model/input.js';
+import { newLayer, withLayer } from '../../src/model/layer-list.js';
+import { sameToolpath } from '../../src/model/result.js';
 import { StudioEngine } from '../../src/engine/studio-engine.js';
 import { TimeLeft } from '../../src/model/time-left.js';
-import { newFileShape, newGenerator, newLampDirections, newPlate, newShape } from '../../src/model/defaults.js';
-import type { DirectionSource, Plate } from '../../src/model/plate.js';
+import { newFileShape, newShape } from '../../src/model/defaults.js';
+import { newPlate } from '../../src/model/new-plate.js';
+import type { Plate } from '../../src/model/plate.js';
 import type { Problem } from '../../src/model/problem.js';
 import type { PlateResult, Progress } from '../../src/model/state.js';
 import { fileOf } from './support/pictures.js';
@@ -143,7 +146,6 @@ class Bench {
 }
 
 const plateOf = (width: number): Plate => ({ ...newPlate(), width, height: width });
-const raster: DirectionRaster = { width: 2, height: 1, angle: new Uint16Array([1, 2]), mode: new Uint8Array([0, 3]) };
 
 let bench: Bench;
 beforeEach(() => {
@@ -155,7 +157,7 @@ beforeEach(() => {
 test('nothing is loaded before a plate asks for it', async () => {
   await turn();
   assert.equal(bench.loads, 0);
-  bench.studio.update(newPlate(), raster);
+  bench.studio.update(newPlate());
   assert.equal(bench.progress.at(-1)?.job, 'loading');
   await turn();
   assert.equal(bench.loads, 1);
@@ -164,7 +166,7 @@ test('nothing is loaded before a plate asks for it', async () => {
 
 test('a resting plate is made whole, shown, then measured; the measured one has the same beads', async () => {
   const plate = newPlate();
-  bench.studio.update(plate, raster);
+  bench.studio.update(plate);
   await turn();
   assert.equal(bench.call.options.measure, false);
   assert.equal(bench.call.params.spacing, plate.toolpath.spacing);
@@ -181,7 +183,7 @@ test('a resting plate is made whole, shown, then measured; the measured one has 
 });
 
 test('while a hand moves there are previews, the whole plate comes when it rests', async () => {
-  bench.studio.update(plateOf(200), raster, { live: true });
+  bench.studio.update(plateOf(200), { live: true });
   await turn();
   assert.ok((bench.call.params.spacing ?? 0) > 0.4, 'the preview is as fine as the plate');
   assert.equal(bench.call.options.measure, false);
@@ -199,14 +201,12 @@ test('while a hand moves there are previews, the whole plate comes when it rests
 });
 
 /** A plate of one picture, which is corrected. */
-const litOf = (width: number): Plate => ({
-  ...plateOf(width),
-  directions: newLampDirections([{ file: fileOf('moon.png'), lamp: [60, 45] }]),
-});
+const litOf = (width: number): Plate =>
+  filledWith(plateOf(width), 'picture', { pictures: [{ file: fileOf('moon.png'), lamp: [60, 45] }] });
 
 test('a picture is solved once while a hand moves, and with all corrections when it rests', async () => {
   const asked = (): (number | undefined)[] => bench.calls.map(({ input }) => input.pictures?.corrections);
-  bench.studio.update(litOf(20), raster, { live: true });
+  bench.studio.update(litOf(20), { live: true });
   await turn();
   await bench.call.finish();
   assert.deepEqual([asked(), bench.results.at(-1)?.coarse], [[0], true]);
@@ -218,19 +218,19 @@ test('a picture is solved once while a hand moves, and with all corrections when
   assert.equal(bench.call.options.measure, true);
 
   // At rest from the start: something is seen after the first of the four plates.
-  bench.studio.update(litOf(30), raster);
+  bench.studio.update(litOf(30));
   await bench.finishAll();
   assert.deepEqual(asked(), [0, 3, 0, 3]);
   // Without corrections it is made as any other.
   const { pictures } = newPlate();
-  bench.studio.update({ ...litOf(30), pictures: { ...pictures, corrections: 0 } }, raster);
+  bench.studio.update({ ...litOf(30), pictures: { ...pictures, corrections: 0 } });
   await bench.finishAll();
   assert.deepEqual(asked().slice(4), [0, 0]);
 });
 
 test('of updates under a running preview only the newest is made, and none is starved', async () => {
   for (let width = 200; width < 210; ++width) {
-    bench.studio.update(plateOf(width), raster, { live: true });
+    bench.studio.update(plateOf(width), { live: true });
     await turn();
   }
   assert.equal(bench.calls.length, 1);
@@ -249,10 +249,10 @@ test('of updates under a running preview only the newest is made, and none is st
 });
 
 test('small plates need no preview, and are not restarted by every move', async () => {
-  bench.studio.update(plateOf(20), raster, { live: true });
+  bench.studio.update(plateOf(20), { live: true });
   await turn();
   assert.equal(bench.call.params.spacing, 0.4);
-  bench.studio.update(plateOf(21), raster, { live: true });
+  bench.studio.update(plateOf(21), { live: true });
   assert.equal(bench.call.options.signal?.aborted, false);
   await bench.call.finish();
   assert.equal(bench.results.at(-1)?.coarse, false);
@@ -264,17 +264,17 @@ test('small plates need no preview, and are not restarted by every move', async 
 });
 
 test('a change stops the whole plate and its measures at once', async () => {
-  bench.studio.update(plateOf(50), raster);
+  bench.studio.update(plateOf(50));
   await turn();
   const first = bench.call;
-  bench.studio.update(plateOf(51), raster);
+  bench.studio.update(plateOf(51));
   assert.equal(first.options.signal?.aborted, true);
   await turn();
   assert.equal(bench.results.length, 0);
   await bench.call.finish();
   assert.equal(bench.call.options.measure, true);
   const measuring = bench.call;
-  bench.studio.update(plateOf(52), raster);
+  bench.studio.update(plateOf(52));
   assert.equal(measuring.options.signal?.aborted, true);
   await bench.finishAll();
   assert.equal(bench.results.at(-1)?.plate.width, 52);
@@ -283,17 +283,17 @@ test('a change stops the whole plate and its measures at once', async () => {
 
 test('changes of printer, print and name make nothing again', async () => {
   const plate = newPlate();
-  bench.studio.update(plate, raster);
+  bench.studio.update(plate);
   await bench.finishAll();
   const { length } = bench.calls;
   const pictures = { ...plate.pictures, spool: 'bluePla' as const };
-  bench.studio.update({ ...plate, name: 'x', printer: { ...plate.printer, speed: 20 }, pictures }, raster);
+  bench.studio.update({ ...plate, name: 'x', printer: { ...plate.printer, speed: 20 }, pictures });
   await turn();
   assert.equal(bench.calls.length, length);
 });
 
 test('cancel stops the job and waits for the next change', async () => {
-  bench.studio.update(plateOf(50), raster);
+  bench.studio.update(plateOf(50));
   await turn();
   bench.studio.cancel();
   assert.equal(bench.call.options.signal?.aborted, true);
@@ -311,7 +311,7 @@ test('cancel stops the job and waits for the next change', async () => {
 });
 
 test('cancel under a hand that moves does not let the whole plate come', async () => {
-  bench.studio.update(plateOf(200), raster, { live: true });
+  bench.studio.update(plateOf(200), { live: true });
   await turn();
   bench.studio.cancel();
   mock.timers.tick(10_000);
@@ -320,14 +320,14 @@ test('cancel under a hand that moves does not let the whole plate come', async (
 });
 
 test('a problem is told once, does not repeat the job, and goes with the next good plate', async () => {
-  bench.studio.update(plateOf(50), raster);
+  bench.studio.update(plateOf(50));
   await turn();
   await bench.call.fail(new SillonError('EmptyShape', 'the shape has no area'));
   assert.deepEqual(bench.problems, [{ code: 'EmptyShape', values: {}, detail: 'the shape has no area' }]);
   assert.equal(bench.progress.at(-1), undefined);
   await turn();
   assert.equal(bench.calls.length, 1);
-  bench.studio.update(plateOf(51), raster);
+  bench.studio.update(plateOf(51));
   await bench.finishAll();
   assert.equal(bench.problems.at(-1), undefined);
   assert.equal(bench.problems.length, 2);
@@ -335,7 +335,7 @@ test('a problem is told once, does not repeat the job, and goes with the next go
 
 test('an engine that could not be loaded is asked for again', async () => {
   bench.loadError = new SillonError('LoadFailed', 'http://x could not be fetched');
-  bench.studio.update(plateOf(50), raster);
+  bench.studio.update(plateOf(50));
   await turn();
   assert.equal(bench.problems.at(-1)?.code, 'LoadFailed');
   bench.loadError = undefined;
@@ -347,7 +347,7 @@ test('an engine that could not be loaded is asked for again', async () => {
 });
 
 test('progress has a stage, and in time an estimate', async () => {
-  bench.studio.update(plateOf(50), raster);
+  bench.studio.update(plateOf(50));
   await turn();
   const { onProgress } = bench.call.options;
   bench.time = 100;
@@ -359,7 +359,7 @@ test('progress has a stage, and in time an estimate', async () => {
 });
 
 test('previews tell no progress', async () => {
-  bench.studio.update(plateOf(200), raster, { live: true });
+  bench.studio.update(plateOf(200), { live: true });
   await turn();
   bench.progress = [];
   bench.call.options.onProgress?.({ stage: 'lines', fraction: 0.1 });
@@ -368,7 +368,7 @@ test('previews tell no progress', async () => {
 
 test('G-code waits for the whole, measured path and takes the printer of now', async () => {
   const plate = plateOf(200);
-  bench.studio.update(plate, raster, { live: true });
+  bench.studio.update(plate, { live: true });
   await turn();
   const printing = { ...plate, printer: { ...plate.printer, speed: 33 } };
   const done = bench.studio.gcode(printing);
@@ -386,7 +386,7 @@ test('G-code waits for the whole, measured path and takes the printer of now', a
 
 test('a base layer across the beads has a path of its own, made for the G-code alone', async () => {
   const plate = plateOf(200);
-  bench.studio.update(plate, raster);
+  bench.studio.update(plate);
   const printing: Plate = { ...plate, print: { ...plate.print, basePattern: 'across' } };
   const done = bench.studio.gcode(printing);
   await bench.finishAll();
@@ -409,7 +409,7 @@ test('a base layer across the beads has a path of its own, made for the G-code a
 
 test('the base body is of the shape that is filled, and takes the layers of now', async () => {
   const plate = plateOf(200);
-  bench.studio.update(plate, raster);
+  bench.studio.update(plate);
   const printing = { ...plate, print: { ...plate.print, base: 7 } };
   const done = bench.studio.body(printing);
   await bench.finishAll();
@@ -418,7 +418,7 @@ test('the base body is of the shape that is filled, and takes the layers of now'
 });
 
 test('G-code of a plate that cannot be made rejects with its problem', async () => {
-  bench.studio.update(plateOf(50), raster);
+  bench.studio.update(plateOf(50));
   await turn();
   const rejected = assert.rejects(bench.studio.gcode(plateOf(50)), { code: 'TooLarge', detail: 'too many cells' });
   await bench.call.fail(new SillonError('TooLarge', 'too many cells'));
@@ -428,7 +428,7 @@ test('G-code of a plate that cannot be made rejects with its problem', async () 
 });
 
 test('cancel ends exports, whether they wait or write', async () => {
-  bench.studio.update(plateOf(50), raster);
+  bench.studio.update(plateOf(50));
   await turn();
   const waiting = bench.studio.gcode(plateOf(50));
   bench.studio.cancel();
@@ -442,7 +442,7 @@ test('cancel ends exports, whether they wait or write', async () => {
 });
 
 test('a file that nobody wants any more is not written to its end', async () => {
-  bench.studio.update(plateOf(50), raster);
+  bench.studio.update(plateOf(50));
   await turn();
   await bench.finishAll();
   const control = new AbortController();
@@ -473,60 +473,32 @@ const unchanged = {
   keepThin: false,
 };
 
-test('a plate becomes what the engine takes: degrees as grey, modes as the four greys', () => {
-  const { input, params } = engineInput({ plate: newPlate(), raster });
+test('a plate becomes what the engine takes: its shape, its layers and its settings', () => {
+  const { input, params } = engineInput(newPlate());
   const read = { ...unchanged, unitless: 'px', paint: 'shown' };
   assert.deepEqual(input.shape, { builtin: 'disc', size: [70, 70], ...read });
-  assert.deepEqual(input.layers, [
-    {
-      kind: 'map',
-      file: { width: 2, height: 1, channels: 1, samples: new Uint16Array([1, 2]) },
-      modeFile: { width: 2, height: 1, channels: 1, samples: new Uint8Array([0, 255]) },
-    },
-  ]);
+  const [{ kind, pattern, amplitude, waveLength } = assert.fail(), ...others] = input.layers ?? [];
+  assert.deepEqual([kind, pattern, amplitude, waveLength, others], ['pattern', 'waves', 40, 24.5, []]);
   assert.deepEqual(params, newPlate().toolpath);
 });
 
-test('without a picture the one direction is told in words', () => {
-  const plate: Plate = {
-    ...newPlate(),
-    directions: { ...newGenerator('angle'), angle: 30 },
-    modes: { mode: 'smoothest' },
-  };
-  const { input } = engineInput({ plate, raster: undefined });
-  assert.deepEqual(input.layers, [{ kind: 'direction', angle: 30, mode: 'smoothest' }]);
+test('files are handed over as they came', () => {
+  const [map, modes] = [fileOf('map.png'), fileOf('modes.png')];
+  const plate = filledWith(plateOf(40), 'map', { file: map, encoding: 'tangent', modeFile: modes, mode: 'parallel' });
+  const [layer] = engineInput(plate).input.layers ?? [];
+  assert.equal(layer?.file, map.bytes);
+  assert.equal(layer.modeFile, modes.bytes);
+  assert.deepEqual([layer.encoding, layer.mode], ['tangent', 'parallel']);
 });
 
-test('a preview has wider spacing, a thinner picture, and joins no parts that the plate keeps apart', () => {
-  const size = 512;
-  const large: DirectionRaster = {
-    width: size,
-    height: size,
-    angle: Uint16Array.from({ length: size * size }, (_, k) => k % size),
-    mode: new Uint8Array(size * size).fill(3),
-  };
-  const { input, params } = engineInput({ plate: plateOf(40), raster: large }, { factor: 2 });
-  assert.equal(params.spacing, 0.8);
-  assert.equal(params.bridge, 0.4);
-  const mapOf = ({ layers }: PlateInput): { width: number; height: number; samples: Uint16Array } =>
-    layers?.[0]?.file as ReturnType<typeof mapOf>;
-  const file = mapOf(input);
-  // 40 mm hold 50 beads: 100 texels suffice.
-  assert.deepEqual([file.width, file.height], [103, 103]);
-  assert.equal(file.samples.length, 103 * 103);
-  assert.equal(file.samples[1], 5);
-  assert.equal(file.samples[103 + 2], 10);
-  assert.equal(mapOf(engineInput({ plate: plateOf(40), raster: large }).input).samples, large.angle);
-});
-
-test('a preview of a direction picture is read as the studio has drawn it, whatever the picture’s encoding', () => {
-  const file = fileOf('a.png');
-  const directions = { kind: 'map', file, encoding: 'tangent' } satisfies DirectionSource;
-  const plate: Plate = { ...plateOf(40), directions, modes: { mode: 'parallel' } };
-  const [itself] = engineInput({ plate, raster }).input.layers ?? [];
-  assert.deepEqual(itself, { kind: 'map', file: file.bytes, encoding: 'tangent', mode: 'parallel' });
-  const [coarse] = engineInput({ plate, raster }, { factor: 2 }).input.layers ?? [];
-  assert.deepEqual(Object.keys(coarse ?? {}).sort(), ['file', 'kind', 'modeFile']);
+test('a preview has wider spacing, the same layers, and joins no parts that the plate keeps apart', () => {
+  const plate = plateOf(40);
+  const { input, params } = engineInput(plate, { factor: 2 });
+  assert.deepEqual([params.spacing, params.bridge], [0.8, 0.4]);
+  assert.deepEqual(input, engineInput(plate).input);
+  const apart = { ...plate, toolpath: { ...plate.toolpath, bridge: 1.5 } };
+  assert.equal(engineInput(apart, { factor: 2 }).params.bridge, 1.5);
+  assert.equal(engineInput(plate, { factor: 1 }).params.bridge, null);
 });
 
 test('a file is handed over with the width of its page', () => {
@@ -536,25 +508,21 @@ test('a file is handed over with the width of its page', () => {
     shape: newFileShape({ id: 'a', name: 'a.svg', bytes }, 'mm'),
   };
   const read = { ...unchanged, unitless: 'mm', paint: 'ignore' };
-  assert.deepEqual(engineInput({ plate, raster }).input.shape, { file: bytes, pageWidth: 70, ...read });
+  assert.deepEqual(engineInput(plate).input.shape, { file: bytes, pageWidth: 70, ...read });
 });
 
 test('what makes another toolpath, and what does not', () => {
   const plate = newPlate();
-  const same = (change: Partial<Plate>, other: DirectionRaster | undefined = raster): boolean =>
-    sameToolpath({ plate, raster }, { plate: { ...plate, ...change }, raster: other });
+  const same = (change: Partial<Plate>): boolean => sameToolpath(plate, { ...plate, ...change });
   assert.ok(same({}));
   assert.ok(same({ print: { ...plate.print } }));
+  assert.ok(same({ layers: [...plate.layers] }));
   assert.ok(!same({ width: 71 }));
   assert.ok(!same({ shape: newShape('disc') }));
   assert.ok(!same({ toolpath: { ...plate.toolpath } }));
-  assert.ok(!same({}, { ...raster }));
-  assert.ok(
-    !sameToolpath(
-      { plate, raster: undefined },
-      { plate: { ...plate, modes: { mode: 'parallel' } }, raster: undefined },
-    ),
-  );
+  assert.ok(!same({ layers: [] }));
+  assert.ok(!sameToolpath(plate, changeGround(plate, { mode: 'parallel' })));
+  assert.ok(!sameToolpath(plate, withLayer(plate, newLayer(plate, 'border'))));
 });
 
 test('previews are as coarse as the last ones cost', () => {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { newPlate } from '../../src/model/defaults.js';
+import { newPlate } from '../../src/model/new-plate.js';
 import type { Plate } from '../../src/model/plate.js';
 import type { PlateResult } from '../../src/model/state.js';
 import { Untried } from '../../src/model/untried.js';
@@ -18,7 +18,7 @@ test('a plate of somebody else’s is kept once it has been made; one of one’s
     assert.ok(!untried.mayKeep({ plate: theirs, result: made(mine) }, changed));
     return Promise.resolve();
   });
-  const edited = { ...theirs, strokes: [] };
+  const edited = { ...theirs, layers: [] };
   assert.ok(!untried.mayKeep({ plate: edited, result: made(mine) }, theirs));
   assert.ok(untried.mayKeep({ plate: edited, result: made(edited) }, edited));
   assert.ok(untried.mayKeep({ plate: other(), result: made(edited) }, edited));

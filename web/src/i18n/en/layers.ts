@@ -1,11 +1,10 @@
-// Layers over the directions: their list, their fields, and what a hand does with them on the plate.
+// The list of layers, their fields, and what a hand does with them on the plate.
 
 export const words = {
-  'layers.what': 'Texts, pictures, drawings and patterns over the directions, each with directions of its own.',
   'layers.list': 'Layers, the topmost first',
-  'layers.add': 'Add a layer',
+  'layers.add': 'Add on top',
+  'layers.others': 'More',
   'layers.full': 'A plate can have {n} layers.',
-  'layers.below': 'Directions: {name}',
   'layers.show': 'Show {name}',
   'layers.hide': 'Hide {name}',
   'layers.up': 'Move {name} up',
@@ -64,9 +63,6 @@ export const words = {
   'layers.by.levels': 'Two levels',
   'layers.by.edges': 'Edges',
   'layers.by.colours': 'Colours',
-  'layers.lamp': 'Lamp',
-  'layers.lamp.help': 'The picture shows under this lamp.',
-  'layers.null.lamp': 'as for the plate',
   'layers.null.ground': 'what lies below',
   'layers.null.modules': 'across the dark modules',
 } as const;

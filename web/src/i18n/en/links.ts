@@ -7,7 +7,6 @@ export const words = {
   'link.untold.shape': 'the shape’s file',
   'link.untold.directions': 'the picture of the directions',
   'link.untold.detail': 'the pictures in full size (small ones travel)',
-  'link.untold.modes': 'the mode map',
   'link.untold.layers': 'layers with large files',
   'link.untold.strokes': 'your strokes',
   'link.untold.blocks': 'your printer’s start and end G-code',

@@ -66,12 +66,15 @@ export async function walkToComposed(visit, task, opened = () => {}) {
     if (file !== undefined) {
       const [chooser] = await Promise.all([
         page.waitForEvent('filechooser'),
-        click(panel.getByRole('button', { name: 'Replace' })),
+        click(panel.getByRole('button', { name: /^Replace/ })),
       ]);
       await chooser.setFiles(file);
       ++done.files;
       const name = nameOf(file);
-      await visit.until(`({ plate }) => plate.layers.some(({ file }) => file?.name === '${name}')`);
+      await visit.until(
+        `({ plate }) => plate.layers.flatMap(({ file, pictures }) => [file, ...pictures.map((one) => one.file)])
+          .some((one) => one?.name === '${name}')`,
+      );
     }
   }
   await click(page.locator('[popovertarget=export]'));

@@ -45,7 +45,7 @@ async function beginAgain(language) {
   await studio.setLanguage(language);
   if (store.state.plate !== plate) studio.services.newPlate(); // a record of its own in the storage
   store.restore({ past: [], plate, future: [] });
-  const panel = matchMedia('(min-width: 721px)').matches ? 'directions' : '';
+  const panel = matchMedia('(min-width: 721px)').matches ? 'layers' : '';
   store.set({ ...others, panel, language });
   studio.setOpened(undefined);
   studio.stage.fit();
@@ -205,7 +205,7 @@ class Visit {
       await until(() => this.state(read), read);
     } catch (error) {
       const found = await this.state(({ plate, progress, cancelled, problem, live, result }) => ({
-        ...{ name: plate.name, width: plate.width, height: plate.height, directions: plate.directions.kind },
+        ...{ name: plate.name, width: plate.width, height: plate.height, layers: plate.layers.map(({ kind }) => kind) },
         ...{ progress, cancelled, problem, live, coarse: result?.coarse, measured: result?.measured },
       }));
       error.message += `\nthe studio is at ${JSON.stringify(found)}`;

@@ -14,7 +14,7 @@ export const stretchWaits = (pages, delay, longer) =>
     [delay, longer],
   );
 
-/** The plate of a frame or page that the studio kept last, or null: as it stands in the browser's storage now.
+/** What is told of the plate of a frame or page that the studio kept last, or null: as it stands in the browser's storage now.
  * @param host  a site's origin and the name that it gave the work; '': the studio's own */
 export const keptPlate = (frame, host = '') =>
   frame.evaluate(async (name) => {
@@ -30,7 +30,9 @@ export const keptPlate = (frame, host = '') =>
       const ids = (await answered(work.getAllKeys())).flatMap((key) => /^about\/(.+)$/.exec(key)?.[1] ?? []);
       const abouts = await Promise.all(ids.map((id) => answered(work.get(`about/${id}`))));
       const last = ids.toSorted((a, b) => abouts[ids.indexOf(b)].changed - abouts[ids.indexOf(a)].changed)[0];
-      return last === undefined ? null : (await answered(work.get(`plate/${last}`))).plate;
+      if (last === undefined) return null;
+      const { project, brought } = (await answered(work.get(`plate/${last}`))).plate;
+      return { name: project.studio.name, printer: project.printer, brought };
     } finally {
       database.close();
     }

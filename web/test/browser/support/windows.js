@@ -76,7 +76,7 @@ export async function inAllViews(bench, widthsOf) {
             store.set({ view, panel, notices: [], problem: undefined });
             for (let n = 0; n < 2; ++n) await new Promise((resolve) => requestAnimationFrame(resolve));
           },
-          { view, panel: width > 720 ? 'directions' : '' },
+          { view, panel: width > 720 ? 'layers' : '' },
         );
         const found = [...(await page.evaluate(overlaps)), ...(await page.evaluate(cut))];
         wrong.push(...found.map((what) => `${language}, ${width}, ${view}: ${what}`));
@@ -117,7 +117,7 @@ export async function inDialogs(bench, widths) {
 /** The page and its frames, and which panels of each are looked at. */
 export const pages = [
   { mode: 'edit', path: '/', panels: ['print'] },
-  { mode: 'edit', path: '/embed.html?lang=fr', panels: ['', 'directions'] },
+  { mode: 'edit', path: '/embed.html?lang=fr', panels: ['', 'layers'] },
   {
     mode: 'customize',
     path: '/embed.html?mode=customize&controls=size,filament,toolpath.spacing,toolpath,download',

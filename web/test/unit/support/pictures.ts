@@ -37,3 +37,12 @@ export function between(a: number, b: number): number {
   const turn = (((a - b) % 180) + 180) % 180;
   return Math.min(turn, 180 - turn);
 }
+
+/** Of an angle as rasters store it. */
+export const degreesOf = (stored: number): number => (stored / 65535) * 180 - 90;
+
+/** As rasters store it. */
+export const storeDegrees = (degrees: number): number => {
+  const turn = (((degrees + 90) % 180) + 180) % 180;
+  return Math.round((turn / 180) * 65535);
+};

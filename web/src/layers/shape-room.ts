@@ -3,7 +3,7 @@ import type { Engine } from 'sillon';
 import { shapeInput } from '../model/input.js';
 import type { Plate } from '../model/plate.js';
 import type { Room } from './room.js';
-import { sizeFor } from './texels.js';
+import { sizeFor } from '../model/raster.js';
 
 const longest = 320; // texels: a box of letters is as large as it may be to within a third of a percent
 

@@ -3,7 +3,7 @@ import type { FreePlace, Taken, Wanted } from '../model/free-place.js';
 import { boundsOf, contains, type Point } from '../model/layer-frame.js';
 import { pageOf, type Plate } from '../model/plate.js';
 import { adder, placeIn, type Room } from './room.js';
-import { sizeFor } from './texels.js';
+import { sizeFor } from '../model/raster.js';
 
 const cutOff = 4; // times as bad as lying over another box
 

@@ -1,14 +1,16 @@
 // The flat colours of a drawing, each with the direction of what is painted in it.
-import { css, html, nothing, type TemplateResult } from 'lit';
-import { customElement } from 'lit/decorators.js';
+import type { ColourAngle } from 'sillon';
+import { css, html, type TemplateResult } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
 import { directionsFor } from '../model/flat-colours.js';
 import { words } from '../i18n/en/colours.js';
 import { say } from '../i18n/text.js';
-import type { FlatColour } from '../model/plate.js';
+import type { PlateLayer } from '../model/plate.js';
 import '../controls/dial.js';
 import { StudioElement } from '../controls/element.js';
 import { numberInput } from '../controls/fields.js';
 import { panelStyle } from '../controls/panel-style.js';
+import { changeIn } from './layer-field.js';
 
 const limits = { min: -360, max: 360, step: 1 };
 
@@ -46,10 +48,10 @@ export class ColoursPanel extends StudioElement {
     `,
   ];
 
-  override render(): TemplateResult | typeof nothing {
-    const { directions } = this.state.plate;
-    if (directions.kind !== 'colours') return nothing;
-    const { colours } = directions;
+  @property({ attribute: false }) layer!: PlateLayer;
+
+  override render(): TemplateResult {
+    const { colours } = this.layer;
     if (colours.length === 0) return html`<p class="note">${say(words, 'colours.none')}</p>`;
     const names = colours.map(({ colour }) => colour);
     return html`
@@ -66,7 +68,7 @@ export class ColoursPanel extends StudioElement {
     `;
   }
 
-  #action(label: string, help: string, made: () => FlatColour[]): TemplateResult {
+  #action(label: string, help: string, made: () => ColourAngle[]): TemplateResult {
     return html`<button
       type="button"
       title=${help}
@@ -78,15 +80,13 @@ export class ColoursPanel extends StudioElement {
     </button>`;
   }
 
-  #row({ colour, angle }: FlatColour, k: number): TemplateResult {
+  #row({ colour, angle }: ColourAngle, k: number): TemplateResult {
     const label = say(words, 'colours.one', { n: k + 1, colour });
     const id = `colour-${k}`;
     const turn = (next: number): void => {
-      const { directions } = this.state.plate;
-      if (directions.kind !== 'colours') return;
       this.#set(
-        directions.colours.map((one, other) => (other === k ? { ...one, angle: next } : one)),
-        `colours.${k}`,
+        this.layer.colours.map((one, other) => (other === k ? { ...one, angle: next } : one)),
+        `colours.${this.layer.id}.${k}`,
       );
     };
     const onSettle = (): void => {
@@ -110,11 +110,7 @@ export class ColoursPanel extends StudioElement {
     </li>`;
   }
 
-  #set(colours: readonly FlatColour[], gesture?: string): void {
-    this.studio.change(
-      (plate) =>
-        plate.directions.kind === 'colours' ? { ...plate, directions: { ...plate.directions, colours } } : plate,
-      gesture,
-    );
+  #set(colours: ColourAngle[], gesture?: string): void {
+    changeIn(this.studio, this.layer, () => ({ colours }), gesture);
   }
 }

@@ -1,5 +1,5 @@
 // Where a box of letters or modules lies whole inside a shape.
-import type { Size } from './texels.js';
+import type { Size } from '../model/raster.js';
 
 /** What of the page is inside the shape: rows from the top, 1 inside. */
 export interface Room extends Size {

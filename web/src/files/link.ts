@@ -1,0 +1,271 @@
+// A plate in the hash of a link: version, then deflated JSON of its project and of the files that are small, or can be made so.
+// A link may have been written by anybody: the core reads its project as it reads every project.
+import { fieldsOf, textIn, Unfit } from '../model/check.js';
+import { newShape } from '../model/defaults.js';
+import { groundOf } from '../model/fills.js';
+import { filesOfLayer, projectLayer } from '../model/layer-list.js';
+import { completeLayers } from '../model/layers.js';
+import type { Plate, PlateLayer, SourceFile } from '../model/plate.js';
+import { profileOf } from '../model/printers.js';
+import { problemOf, StudioError } from '../model/problem.js';
+import { untoldParts, type Untold } from '../model/untold.js';
+import { shapeTable, table } from '../model/setting-table.js';
+import { filesOf, plateOf, projectData, type ProjectEngine } from './plate-project.js';
+
+const key = 'plate=';
+/** The first told directions and settings in a form of the studio's own. */
+const version = 2;
+/** Browsers and chats cut longer ones. An honest link has under 2000 characters. */
+const mostCharacters = 16_000;
+const mostBytes = 200_000;
+/** All strokes say at most so much [characters]. */
+const mostStrokes = 20_000;
+/** Most bytes of a link once it is packed: base64 takes a third more, and some room is left. */
+const mostPacked = 11_000;
+
+/** Most bytes of all pictures of a link together, and of one drawing. */
+export const mostPictureBytes = 8000;
+const mostDrawingBytes = 4000;
+
+/** A picture made small enough; undefined: it cannot be. @param most  [bytes] */
+export type Shrink = (file: SourceFile, most: number) => Promise<Uint8Array | undefined>;
+/** A file of a link. */
+export type Unpack = (name: string, bytes: Uint8Array<ArrayBuffer>) => Promise<SourceFile>;
+
+export interface Link {
+  /** Begins with '#'. */
+  hash: string;
+  untold: Untold[];
+}
+
+// --- Bytes -------------------------------------------------------------------------------------------------------------
+
+async function collected(stream: ReadableStream<Uint8Array>, most: number): Promise<Uint8Array<ArrayBuffer>> {
+  const pieces: Uint8Array[] = [];
+  let length = 0;
+  const reader = stream.getReader();
+  for (;;) {
+    const { value, done } = await reader.read();
+    if (done) break;
+    length += value.length;
+    if (length > most) {
+      void reader.cancel().catch(() => undefined);
+      throw new StudioError('LinkTooLong', { bytes: length, most });
+    }
+    pieces.push(value);
+  }
+  const bytes = new Uint8Array(length);
+  let at = 0;
+  for (const piece of pieces) {
+    bytes.set(piece, at);
+    at += piece.length;
+  }
+  return bytes;
+}
+
+const streamOf = (bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<ArrayBuffer>> =>
+  new Blob([bytes]).stream();
+
+const deflated = (bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> =>
+  collected(streamOf(bytes).pipeThrough(new CompressionStream('deflate-raw')), Infinity);
+
+const inflated = (bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> =>
+  collected(streamOf(bytes).pipeThrough(new DecompressionStream('deflate-raw')), mostBytes);
+
+function toBase64Url(bytes: Uint8Array): string {
+  let text = '';
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+}
+
+function fromBase64Url(text: string): Uint8Array<ArrayBuffer> {
+  if (!/^[\w-]*$/.test(text)) throw new StudioError('LinkBroken');
+  return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (letter) => letter.charCodeAt(0));
+}
+
+// --- Out ---------------------------------------------------------------------------------------------------------------
+
+/** Settings that stay at home: they would move and heat the machine of whoever opens the link, and may hold names and passwords
+ * of a network. */
+const ownAlone: Readonly<Record<string, true>> = { startGcode: true, endGcode: true, anyTemperature: true };
+
+const svgType = 'image/svg+xml';
+
+/** Drawings travel as they are, and colours that stand for directions, which grey pictures lack. */
+const isWhole = ({ kind, by, file }: PlateLayer, one: SourceFile): boolean =>
+  one.bytes.type === svgType || (kind === 'tones' && by === 'colours' && one === file);
+
+const whole = async ({ bytes }: SourceFile, most: number): Promise<Uint8Array | undefined> =>
+  bytes.size > Math.min(most, mostDrawingBytes) ? undefined : new Uint8Array(await bytes.arrayBuffer());
+
+/** Maps and pictures of modes would tell something else when they are small, and fonts have no small form. */
+async function smallFile(layer: PlateLayer, file: SourceFile, most: number, shrink: Shrink) {
+  const exact = file === layer.font || file === layer.modeFile || (file === layer.file && layer.kind === 'map');
+  if (exact) return undefined;
+  return isWhole(layer, file) ? whole(file, most) : shrink(file, most);
+}
+
+const sizeOf = (all: Iterable<Uint8Array>): number => [...all].reduce((sum, { length }) => sum + length, 0);
+
+/** The plate that a link can carry, and its files. */
+interface Carried {
+  plate: Plate;
+  files: Map<string, Uint8Array>;
+  untold: Set<Untold>;
+}
+
+async function withShapeOf({ plate, files, untold }: Carried, shrink: Shrink | undefined): Promise<Plate> {
+  const { shape } = plate;
+  if (shape.kind !== 'file') return plate;
+  const bytes = shape.file.bytes.type === svgType && shrink ? await whole(shape.file, mostDrawingBytes) : undefined;
+  if (bytes === undefined) {
+    untold.add('shape');
+    return { ...plate, shape: newShape('rectangle') };
+  }
+  files.set(shape.file.id, bytes);
+  return plate;
+}
+
+async function withLayersOf({ plate, files, untold }: Carried, shrink: Shrink | undefined): Promise<Plate> {
+  const complete = completeLayers(plate);
+  const ground = groundOf(plate);
+  const layers: PlateLayer[] = [];
+  const bare = await packedOf(toldOf({ plate: { ...plate, layers: [] }, files, untold }));
+  let left = mostPacked - bare.length;
+  let room = mostPictureBytes - sizeOf(files.values());
+  let waiting = complete.flatMap(filesOfLayer).length;
+  let strokes = 0;
+  if (complete.length < plate.layers.length) untold.add('layers');
+  for (const layer of complete) {
+    const own = filesOfLayer(layer);
+    const small: [SourceFile, Uint8Array][] = [];
+    const words = (await packedOf(projectLayer(layer, ({ name }) => name))).length;
+    const free = Math.min(room, left - words);
+    let taken = 0;
+    for (const file of own) {
+      const most = (free - taken) / waiting;
+      const bytes = shrink && most > 0 ? await smallFile(layer, file, most, shrink) : undefined;
+      --waiting;
+      if (bytes === undefined) continue;
+      taken += bytes.length;
+      small.push([file, bytes]);
+    }
+    strokes += JSON.stringify(layer.strokes).length;
+    if (layer.strokes.length > 0 && (strokes > mostStrokes || words > left)) untold.add('strokes');
+    else if (small.length < own.length || words > left) untold.add(layer === ground ? 'directions' : 'layers');
+    else {
+      layers.push(layer);
+      room -= taken;
+      left -= words + taken;
+      for (const [file, bytes] of small) {
+        files.set(file.id, bytes);
+        if (!isWhole(layer, file)) untold.add('detail');
+      }
+    }
+  }
+  return { ...plate, layers };
+}
+
+type Rows = Readonly<Record<string, { default: unknown }>>;
+
+/** Values that are not the defaults'. */
+const changed = (section: object, rows: Rows, left: Readonly<Record<string, unknown>> = {}): object =>
+  Object.fromEntries(
+    Object.entries(section).filter(
+      ([name, value]) => !(name in left) && JSON.stringify(value) !== JSON.stringify(rows[name]?.default),
+    ),
+  );
+
+/** A project without what every reader fills in. */
+function sparse(project: object, plate: Plate): object {
+  const sections = project as Record<'shape' | keyof typeof table, object>;
+  // The names would bring values that the plate has changed back to the usual ones.
+  const left = { profile: true, filament: true, ...(profileOf(plate.printer) === undefined && ownAlone) };
+  return {
+    ...project,
+    shape: changed(sections.shape, shapeTable),
+    pictures: changed(sections.pictures, table.pictures),
+    toolpath: changed(sections.toolpath, table.toolpath),
+    print: changed(sections.print, table.print),
+    printer: changed(sections.printer, table.printer, left),
+  };
+}
+
+/** Tells the plate as a link's data. */
+function toldOf({ plate, files, untold }: Carried): object {
+  const paths = new Map(filesOf(plate).map(({ id, name }, k) => [id, `${k}/${name}`]));
+  const project = projectData(plate, ({ id }) => paths.get(id) ?? '');
+  return {
+    project: sparse(project, plate),
+    ...(files.size > 0 && {
+      files: Object.fromEntries(Array.from(files, ([id, bytes]) => [paths.get(id), toBase64Url(bytes)])) as object,
+    }),
+    ...(untold.size > 0 && { untold: [...untold] }),
+  };
+}
+
+const packedOf = (told: object): Promise<Uint8Array> => deflated(new TextEncoder().encode(JSON.stringify(told)));
+
+/** @param shrink  left out: pictures do not travel */
+export async function writeLink(given: Plate, shrink?: Shrink): Promise<Link> {
+  const carried: Carried = { plate: given, files: new Map(), untold: new Set() };
+  carried.plate = await withShapeOf(carried, shrink);
+  carried.plate = await withLayersOf(carried, shrink);
+  const { plate, untold } = carried;
+  const { printer } = plate;
+  if (profileOf(printer) === undefined && printer.startGcode + printer.endGcode !== '') untold.add('blocks');
+  const packed = await packedOf(toldOf(carried));
+  return { hash: `#${key}${version}.${toBase64Url(packed)}`, untold: untoldParts.filter((part) => untold.has(part)) };
+}
+
+// --- In ----------------------------------------------------------------------------------------------------------------
+
+/** @param tell  what the link could not carry */
+async function plateIn(
+  value: unknown,
+  unpack: Unpack,
+  engine: ProjectEngine,
+  tell: (parts: Untold[]) => void,
+): Promise<Plate> {
+  const { project, files = {}, untold = [] } = fieldsOf(value, '', ['project', 'files', 'untold']);
+  const packed = fieldsOf(files, 'files', Object.keys(files ?? {}));
+  const fileAt = async (path: string, name: string): Promise<SourceFile> => {
+    if (!Object.hasOwn(packed, path)) throw new Unfit(path, undefined);
+    return unpack(name, fromBase64Url(textIn(packed[path], path, mostCharacters)));
+  };
+  const plate = await plateOf(JSON.stringify(project ?? null), '', fileAt, engine);
+  tell(untoldParts.filter((part) => Array.isArray(untold) && untold.includes(part)));
+  return plate;
+}
+
+/** @returns undefined where the hash is no plate's.
+ * @throws StudioError LinkTooLong, LinkTooNew, LinkBroken, LinkValue; errors of the engine */
+export async function readLink(
+  hash: string,
+  unpack: Unpack,
+  engine: () => Promise<ProjectEngine>,
+  tell: (parts: Untold[]) => void = () => undefined,
+): Promise<Plate | undefined> {
+  const text = hash.replace(/^#/, '');
+  if (!text.startsWith(key)) return undefined;
+  if (text.length > mostCharacters) throw new StudioError('LinkTooLong', { bytes: text.length, most: mostCharacters });
+  const [, number, packed] = /^(\d{1,6})\.(.*)$/s.exec(text.slice(key.length)) ?? [];
+  if (number === undefined || packed === undefined) throw new StudioError('LinkBroken');
+  if (Number(number) !== version) throw new StudioError('LinkTooNew', { version: Number(number) });
+  let value: unknown;
+  try {
+    const json = new TextDecoder('utf-8', { fatal: true }).decode(await inflated(fromBase64Url(packed)));
+    value = JSON.parse(json);
+  } catch (error) {
+    if (error instanceof StudioError) throw error;
+    throw new StudioError('LinkBroken');
+  }
+  const reader = await engine();
+  try {
+    return await plateIn(value, unpack, reader, tell);
+  } catch (error) {
+    if (error instanceof Unfit) throw new StudioError('LinkValue', { where: error.where, value: error.value });
+    if (problemOf(error).code !== 'Internal') throw error;
+    throw new StudioError('LinkBroken'); // files that are no base64, JSON that is nested too deep
+  }
+}

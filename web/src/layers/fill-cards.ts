@@ -1,0 +1,93 @@
+// A card for each fill, which takes the place of the ground that is there.
+import { html, type TemplateResult } from 'lit';
+import { cards, type Option } from '../controls/fields.js';
+import { t } from '../i18n/text.js';
+import {
+  filledWith,
+  groundFill,
+  groundOf,
+  isPictureFill,
+  patternFills,
+  pictureFills,
+  type Fill,
+  type PictureFill,
+} from '../model/fills.js';
+import { lampFor } from '../model/lamp.js';
+import type { LayerValues } from '../model/layers.js';
+import { filesFor, leaving, leftOf } from '../model/left.js';
+import type { SourceFile } from '../model/plate.js';
+import type { Studio } from '../studio/studio.js';
+import { pictureFiles } from './add-layer.js';
+import { fillIcons } from './icons.js';
+
+/** @param pictureOf  address of a picture of the plate with this fill */
+export function fillCards(studio: Studio, pictureOf: (fill: Fill) => string | undefined): TemplateResult {
+  const { plate } = studio.store.state;
+  const option = (value: Fill): Option<Fill> => ({
+    value,
+    label: t(`source.${value}`),
+    icon: fillIcons[value],
+    picture: pictureOf(value),
+  });
+  const group = (id: 'pictures' | 'patterns', fills: readonly Fill[]): TemplateResult =>
+    html`<h3>${t(`source.${id}`)}</h3>
+      ${cards<Fill>({
+        id: `source-${id}`,
+        label: t(`source.${id}`),
+        value: groundFill(plate),
+        options: fills.map(option),
+        onChoose: (chosen) => {
+          void choose(studio, chosen);
+        },
+      })}`;
+  return html`${group('pictures', pictureFills)} ${group('patterns', patternFills)}`;
+}
+
+async function choose(studio: Studio, fill: Fill): Promise<void> {
+  const { plate } = studio.store.state;
+  if (fill === groundFill(plate)) return;
+  if (!isPictureFill(fill)) {
+    use(studio, fill, leftOf(studio.left, fill, undefined));
+    return;
+  }
+  const file = fileFor(studio, fill);
+  if (file !== undefined) {
+    await useFile(studio, fill, file);
+    return;
+  }
+  const files = await studio.pick(pictureFiles); // the card stays as it was until a picture is there
+  if (files.length === 0) return;
+  await studio.open(files, fill === 'colours' ? fill : undefined);
+  const opened = fileFor(studio, fill);
+  if (opened !== undefined && groundFill(studio.store.state.plate) !== fill) await useFile(studio, fill, opened);
+}
+
+/** The file that may tell such directions. */
+function fileFor({ store, left }: Studio, fill: PictureFill): SourceFile | undefined {
+  const { plate } = store.state;
+  if (fill === 'colours' && plate.shape.kind === 'file') return plate.shape.file;
+  const isSvg = ({ bytes }: SourceFile): boolean => bytes.type === 'image/svg+xml';
+  const drawn = fill !== 'picture' && fill !== 'map'; // those take pixels alone
+  return filesFor(plate, left).find((file) => drawn || !isSvg(file));
+}
+
+async function useFile(studio: Studio, fill: PictureFill, file: SourceFile): Promise<void> {
+  const before = leftOf(studio.left, fill, file);
+  if (before !== undefined) use(studio, fill, before);
+  else if (fill === 'picture') {
+    use(studio, fill, { pictures: [{ file, lamp: lampFor([], studio.homeLight()) }] });
+  } else if (fill === 'colours') {
+    await studio.attempt(async () => {
+      const [{ coloursOf }, running] = await Promise.all([import('../files/drawn.js'), studio.services.engine()]);
+      use(studio, fill, { file, colours: await coloursOf(file, running) });
+    });
+  } else use(studio, fill, { file });
+}
+
+function use(studio: Studio, fill: Fill, given: Partial<LayerValues> = {}): void {
+  const { plate: before } = studio.store.state;
+  studio.left = leaving(before, studio.left);
+  studio.change((plate) => filledWith(plate, fill, given));
+  // The new ground is chosen, so that the cards stay in sight.
+  if (groundOf(before) === undefined) studio.store.set({ layer: groundOf(studio.store.state.plate)?.id });
+}

@@ -1,0 +1,118 @@
+// The ground of a plate: its lowest layer, where that fills the page. What it may be filled with, and how each begins.
+import { layerDefaults, nextLayerId } from './layer-list.js';
+import { lackOf, type LayerValues } from './layers.js';
+import { mostLayers } from './facts.js';
+import { pageOf, type PageParts, type Plate, type PlateLayer, type SourceFile } from './plate.js';
+import { without } from './without.js';
+
+/** Fills that are told from pictures. */
+export const pictureFills = ['picture', 'brightness', 'edges', 'levels', 'colours', 'map'] as const;
+export const patternFills = ['direction', 'radial', 'spiral', 'waves', 'noise'] as const;
+export type PictureFill = (typeof pictureFills)[number];
+export type Fill = PictureFill | (typeof patternFills)[number];
+
+export const isPictureFill = (fill: Fill): fill is PictureFill => (pictureFills as readonly Fill[]).includes(fill);
+
+/** @returns undefined for layers that have a form of their own */
+export function fillOf({ kind, pattern, by }: Pick<PlateLayer, 'kind' | 'pattern' | 'by'>): Fill | undefined {
+  switch (kind) {
+    case 'picture':
+    case 'map':
+    case 'direction':
+      return kind;
+    case 'tones':
+      return by;
+    case 'pattern':
+      return pattern === 'echo' ? undefined : pattern;
+    default:
+      return undefined;
+  }
+}
+
+/** @returns undefined where something else lies lowest */
+export function groundOf({ layers }: Pick<Plate, 'layers'>): PlateLayer | undefined {
+  const [lowest] = layers;
+  if (lowest === undefined || fillOf(lowest) === undefined) return undefined;
+  const { at, size, rotation, mask } = lowest;
+  const whole = size[0] + size[1] === 0 && (mask === 'page' || (mask === 'own' && at === null && rotation === 0));
+  return whole ? lowest : undefined;
+}
+
+export const groundFill = (plate: Pick<Plate, 'layers'>): Fill | undefined => {
+  const ground = groundOf(plate);
+  return ground && fillOf(ground);
+};
+
+/** Files that the layer's directions are told from. */
+export const toldFrom = ({ file, pictures }: PlateLayer): readonly SourceFile[] =>
+  file === null ? pictures.map((one) => one.file) : [file];
+
+/** The pictures of the ground, where it shows any under lamps. */
+export function groundPictures(plate: Pick<Plate, 'layers'>): PlateLayer['pictures'] {
+  const ground = groundOf(plate);
+  return ground?.kind === 'picture' && ground.visible && lackOf(ground) === undefined ? ground.pictures : [];
+}
+
+const hundredth = (length: number): number => Math.round(100 * length) / 100;
+
+/** White is bright at these angles under the light from 60°, with which the appearance begins. */
+const dark = 60;
+const bright = 150;
+
+const first: Record<Fill, (width: number) => Partial<LayerValues>> = {
+  picture: () => ({}),
+  map: () => ({}),
+  direction: () => ({}),
+  brightness: (width) => ({ from: dark, to: bright, smoothing: hundredth(0.004 * width) }),
+  edges: (width) => ({ smoothing: hundredth(0.01 * width) }),
+  levels: () => ({ from: 0, to: 90 }),
+  colours: () => ({}),
+  radial: () => ({}),
+  spiral: (width) => ({ waveLength: hundredth(width / 3) }),
+  waves: (width) => ({ amplitude: 40, waveLength: hundredth(0.35 * width) }),
+  noise: (width) => ({ amplitude: 90, waveLength: hundredth(0.2 * width) }),
+};
+
+const kindOf = (fill: Fill): Partial<LayerValues> & Pick<LayerValues, 'kind'> => {
+  switch (fill) {
+    case 'picture':
+    case 'map':
+    case 'direction':
+      return { kind: fill };
+    case 'brightness':
+    case 'edges':
+    case 'levels':
+    case 'colours':
+      return { kind: 'tones', by: fill };
+    default:
+      return { kind: 'pattern', pattern: fill };
+  }
+};
+
+/** A layer of this fill as it is first chosen. @param given  its files, above all */
+export const newFill = (plate: PageParts, fill: Fill, given: Partial<LayerValues> = {}): LayerValues => ({
+  ...layerDefaults(),
+  ...first[fill](pageOf(plate)[0]),
+  ...given,
+  ...kindOf(fill),
+});
+
+/** The plate with another ground, in the place of the one that it has. */
+export function withGround(plate: Plate, values: LayerValues): Plate {
+  const ground = groundOf(plate);
+  const others = plate.layers.filter((layer) => layer !== ground);
+  if (ground === undefined && others.length >= mostLayers) return plate;
+  return { ...plate, layers: [{ ...values, id: ground?.id ?? nextLayerId(plate) }, ...others] };
+}
+
+/** The plate filled with something else; what beads may do beside it stays. @param given  as of newFill */
+export function filledWith(plate: Plate, fill: Fill, given: Partial<LayerValues> = {}): Plate {
+  const ground = groundOf(plate);
+  const kept = ground && { mode: ground.mode, modeFile: ground.modeFile };
+  return withGround(plate, newFill(plate, fill, { ...kept, ...given }));
+}
+
+export const changeGround = (plate: Plate, change: Partial<LayerValues>): Plate => {
+  const ground = groundOf(plate);
+  return ground === undefined ? plate : withGround(plate, { ...without(ground, 'id'), ...change });
+};
