@@ -132,9 +132,9 @@ test(
       await page.waitForFunction(
         () => document.querySelector('sillon-app')?.studio.store.state.plate.shape.kind === 'file',
       );
-      const { shape, width, directions, modes } = await plate();
+      const { shape, width, layers } = await plate();
       assert.deepEqual(
-        [shape.file.name, width, directions.kind, modes.file.name],
+        [shape.file.name, width, layers[0].kind, layers[0].modeFile.name],
         ['stress.svg', 35, 'map', 'stress_mode.png'],
       );
       assert.ok(!page.url().includes('#'));
