@@ -132,9 +132,9 @@ const another = (page, k) =>
     };
     while (!idle()) await new Promise((resolve) => setTimeout(resolve, 100));
     const begin = performance.now();
-    studio.change(({ directions, toolpath, ...plate }) => ({
+    studio.change(({ pictures, toolpath, ...plate }) => ({
       ...plate,
-      directions: { ...directions, lampSize: directions.lampSize + k / 10_000 },
+      pictures: { ...pictures, lampSize: pictures.lampSize + k / 10_000 },
       toolpath: { ...toolpath, bridge: toolpath.spacing + k / 1000 },
     }));
     return new Promise((resolve) => {

@@ -14,10 +14,9 @@ const side = 320;
 const presetSide = 128;
 /** Small, so that single beads are seen. */
 const sample = linkOf({
-  width: 10,
-  height: 10,
-  directions: { kind: 'waves', angle: 20, amplitude: 50, length: 0.6 },
-  filament: 'greyPla',
+  shape: { builtin: 'disc', size: [10, 10] },
+  layers: [{ kind: 'pattern', pattern: 'waves', angle: 20, amplitude: 50, waveLength: 6 }],
+  pictures: { spool: 'greyPla' },
 });
 
 /** Runs in the page. */
