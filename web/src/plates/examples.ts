@@ -63,7 +63,7 @@ export const examples: readonly Example[] = [
     height: 60,
     filament: 'clearPetg',
     shape: newShape('rounded'),
-    layers: [{ kind: 'pattern', pattern: 'noise', seed: 4, waveLength: 28.8, amplitude: 90 }],
+    layers: [{ kind: 'pattern', pattern: 'noise', seed: 4, waveLength: 24, amplitude: 90, angle: 110 }],
   },
   {
     id: 'grain',
