@@ -74,6 +74,9 @@ export class Menu extends StudioElement {
       ${this.#item('print', t('verb.first'), () => {
         this.studio.show('first');
       })}
+      ${this.#item('comb', t('verb.rebrush'), () => {
+        void this.studio.attempt(async () => (await import('./pick-sliced.js')).pickSliced(this.studio));
+      })}
       ${this.#item('tune', t('verb.calibrate'), () => {
         this.studio.show('calibrate');
       })}

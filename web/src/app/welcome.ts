@@ -87,6 +87,14 @@ export class Welcome extends StudioElement {
         >
           ${t('verb.first')}
         </button>
+        <button
+          type="button"
+          @click=${() => {
+            void this.studio.attempt(async () => (await import('./pick-sliced.js')).pickSliced(this.studio));
+          }}
+        >
+          ${t('verb.rebrush')}
+        </button>
       </div>
       <button
         type="button"

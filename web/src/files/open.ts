@@ -65,6 +65,7 @@ export async function readFile(given: File): Promise<Read> {
   const { kind } = kindOf(bytes.subarray(0, enoughToKnow), file.name);
   const source = await sourceFile(file.name, bytes);
   if (kind === 'unknown') {
+    if (/\.(stl|step|stp|obj|ply|amf)$/i.test(source.name)) throw new StudioError('BodyHere', { name: source.name });
     const ofPrinter = /\.(gcode|gco|g|bgcode|3mf|ini)$/i.test(source.name);
     const format = bytes.length === 0 ? 'empty' : otherFormat(bytes);
     throw new StudioError(ofPrinter ? 'PrinterFileHere' : 'UnknownFile', {

@@ -27,6 +27,7 @@ import type { words as problems } from './en/problems.js';
 import type { words as quality } from './en/quality.js';
 import type { words as rebrush } from './en/rebrush.js';
 import type { words as shaping } from './en/shaping.js';
+import type { words as synonyms } from './en/synonyms.js';
 import { languages, spoken } from './languages.js';
 
 /** A sentence, or its forms by the number `n` it speaks of. `{name}` stands for a value. */
@@ -60,6 +61,7 @@ type Late =
   | typeof rebrush
   | typeof settingHelp
   | typeof shaping
+  | typeof synonyms
   | typeof verdicts
   | typeof warnings;
 type IdOf<Words> = Words extends unknown ? keyof Words : never;

@@ -37,13 +37,14 @@ export function fillCards(studio: Studio, pictureOf: (fill: Fill) => string | un
         value: groundFill(plate),
         options: fills.map(option),
         onChoose: (chosen) => {
-          void choose(studio, chosen);
+          void chooseFill(studio, chosen);
         },
       })}`;
   return html`${group('pictures', pictureFills)} ${group('patterns', patternFills)}`;
 }
 
-async function choose(studio: Studio, fill: Fill): Promise<void> {
+/** Fills the plate with something else; where that needs a file and there is none, it is asked for. */
+export async function chooseFill(studio: Studio, fill: Fill): Promise<void> {
   const { plate } = studio.store.state;
   if (fill === groundFill(plate)) return;
   if (!isPictureFill(fill)) {

@@ -7,6 +7,8 @@ export type ProblemCode =
   | 'UnknownFile'
   /** A printer's file among those for a plate. */
   | 'PrinterFileHere'
+  | 'NotSliced'
+  | 'BodyHere'
   /** A picture of a kind that this browser cannot read. */
   | 'BrowserPicture'
   /** A picture of one tone: nothing of it could be seen. */

@@ -14,7 +14,6 @@ import './tool-palette.js';
 
 const views: readonly ViewName[] = ['directions', 'toolpath', 'appearance', 'quality'];
 const colours: readonly ColourBy[] = ['direction', 'width', 'speed', 'order', 'delay'];
-const videoSeconds = 6;
 
 /** Parts that the first view does not need at once. */
 const loadBars = (): Promise<unknown> =>
@@ -396,19 +395,13 @@ export class StageElement extends StudioElement {
         aria-label=${t(recording ? 'capture.recording' : 'capture.video')}
         title=${t(recording ? 'capture.recording' : 'capture.video')}
         ?disabled=${recording}
-        @click=${this.#record}
+        @click=${() => {
+          void this.studio.saveVideo();
+        }}
       >
         ${icon('video')}
       </button> `;
   }
-
-  #record = async (): Promise<void> => {
-    await this.studio.attempt(async () => {
-      const { blob, name } = await this.studio.video(videoSeconds);
-      this.studio.deliver(blob, name);
-      this.studio.notify(t('export.done', { name }));
-    });
-  };
 
   #colourBy(): TemplateResult {
     const { colourBy } = this.state;

@@ -36,6 +36,7 @@ export interface Stage {
   record(seconds: number, signal?: AbortSignal): Promise<Blob>;
 }
 
+const videoSeconds = 6;
 const noticeFor = 7000; // [ms]
 const offerFor = 30_000; // [ms] of a notice with a button: time to read, decide, and reach it by keys
 
@@ -453,6 +454,14 @@ export class Studio {
     const { plate } = this.store.state;
     const blob = await this.#canvas().record(seconds, signal);
     return { blob, name: fileName(plate, blob.type.startsWith('video/mp4') ? '.mp4' : '.webm') };
+  }
+
+  async saveVideo(): Promise<void> {
+    await this.attempt(async () => {
+      const { blob, name } = await this.video(videoSeconds);
+      this.deliver(blob, name);
+      this.notify(t('export.done', { name }));
+    });
   }
 
   #canvas(): Stage {

@@ -26,6 +26,7 @@ export const words = {
   'verb.plates': 'Your plates…',
   'verb.calibrate': 'Calibrate…',
   'verb.first': 'First print…',
+  'verb.rebrush': 'Re-brush a sliced print…',
   'verb.rotate': 'Rotate',
   'verb.rotateLeft': 'Rotate 90° left',
   'verb.mirror': 'Mirror',
@@ -348,6 +349,10 @@ export const words = {
   'problem.OneTone': '{name} has only one tone.',
   'hint.OneTone': 'Nothing of it can be seen on the plate. Use a picture with light and shade.',
   'problem.PrinterFileHere': '{name} is a printer file.',
+  'problem.NotSliced': '{name} is no sliced print.',
+  'hint.NotSliced': 'Choose the G-code, .3mf or .bgcode that your slicer has written.',
+  'problem.BodyHere': '{name} is a body, not yet sliced.',
+  'hint.BodyHere': 'Slice it in your slicer, then open the sliced file here: its top surfaces get new beads.',
   'hint.PrinterFileHere':
     'To import its printer settings, open it under Print, “From your slicer’s file…”. A sliced print, to be re-brushed, comes alone.',
   'problem.LeftOut': '{name} contains text or pictures, which were left out.',

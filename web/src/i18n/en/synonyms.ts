@@ -1,0 +1,27 @@
+// Other words by which people look for actions, in any order; they are searched, never shown.
+
+export const words = {
+  'also.open': 'file image photo photograph picture logo drawing svg png jpeg upload import load',
+  'also.undo': 'back step',
+  'also.share': 'link url send address copy',
+  'also.rebrush':
+    'brush rebrush top surface face sliced slicer bambu ironing cura prusaslicer orcaslicer stl 3mf gcode',
+  'also.first': 'test try begin start tutorial',
+  'also.calibrate': 'flow speed pressure advance test coupon tuning swatch spool',
+  'also.gcode': 'g-code print printer file save export sd card ender',
+  'also.zones': 'slicer bambu prusaslicer orcaslicer ams 3mf stl modifier infill direction',
+  'also.svg': 'vector laser plotter dxf',
+  'also.project': 'save file backup zip',
+  'also.layers': 'picture photo pattern layers layer text code',
+  'also.shape':
+    'hole holes size diameter width height inch mm outline round square ring heart thickness proportions radius offset',
+  'also.toolpath': 'spacing line width walls perimeters quality preset seed bridge nozzle',
+  'also.print':
+    'printer nozzle temperature bed heat thickness height base bottom filament pla petg spool weight time bambu',
+  'also.quality': 'check problems errors verdict width gaps u-turns',
+  'also.light': 'lamp sun shine azimuth',
+  'also.text': 'name letters font word caption writing sign',
+  'also.code': 'qr url wifi link barcode scan',
+  'also.drawing': 'logo svg icon vector dxf outline',
+  'also.picture': 'photo photograph image portrait lithophane lamp',
+} as const;
