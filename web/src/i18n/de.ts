@@ -64,7 +64,6 @@ export const de: Translation = {
   'section.gallery': 'Beispiele',
   'section.own': 'Anpassen',
   'section.shape': 'Form',
-  'section.size': 'Größe',
   'section.layers': 'Richtungen',
   'section.edit': 'Bearbeiten',
   'section.modes': 'Modi',
@@ -853,6 +852,9 @@ export const de: Translation = {
 
   'shaping.kind.rectangle': 'Rechteck',
   'shaping.kind.rounded': 'Abgerunde\u00ADtes Rechteck',
+  'shaping.outline': 'Umriss',
+  'shaping.thickness': 'Dicke',
+  'shaping.thickness.help': 'Bodenschichten gleichen aus; was man sieht, bleibt.',
   'shaping.kind.disc': 'Scheibe',
   'shaping.kind.file': 'Aus einer Datei',
   'shaping.kind.hexagon': 'Sechseck',

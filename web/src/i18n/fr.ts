@@ -64,7 +64,6 @@ export const fr: Translation = {
   'section.gallery': 'Exemples',
   'section.own': 'Personnaliser',
   'section.shape': 'Forme',
-  'section.size': 'Taille',
   'section.layers': 'Directions',
   'section.edit': 'Retouche',
   'section.modes': 'Modes',
@@ -862,6 +861,9 @@ export const fr: Translation = {
 
   'shaping.kind.rectangle': 'Rectangle',
   'shaping.kind.rounded': 'Rectangle arrondi',
+  'shaping.outline': 'Contour',
+  'shaping.thickness': 'Épaisseur',
+  'shaping.thickness.help': 'Les couches du fond font la différence ; ce qui se voit ne change pas.',
   'shaping.kind.disc': 'Disque',
   'shaping.kind.file': 'D’après un fichier',
   'shaping.kind.hexagon': 'Hexagone',

@@ -8,6 +8,7 @@ import { words } from '../i18n/en/printer.js';
 import { formatBytes, formatDuration, formatNumber, say, t } from '../i18n/text.js';
 import { loadSpools } from './own-spools.js';
 import { settings } from '../model/settings.js';
+import { thicknessOf } from '../model/thickness.js';
 import { advancedSettings } from '../controls/advanced.js';
 import './bed.js';
 import '../quality/doubts-list.js';
@@ -139,10 +140,7 @@ export class PrintPanel extends StudioElement {
   #summary(): TemplateResult {
     const { summary, plate, result } = this.state;
     const warnings = summary === undefined ? [] : [...(result?.report.warnings ?? []), ...summary.warnings];
-    const { print } = plate;
-    const { layerHeight, startHeight, firstLayerHeight } = print;
-    const upper = print.layers * (print.showSide === 'both' ? 2 : 1) + print.base + print.rim - 1;
-    const tall = upper * layerHeight + ((startHeight === 0 && firstLayerHeight) || layerHeight);
+    const tall = thicknessOf(plate) + plate.print.rim * plate.print.layerHeight;
     const value = (label: string, text: string): TemplateResult =>
       html`<div>
         <dt>${label}</dt>

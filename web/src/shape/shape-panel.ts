@@ -15,6 +15,7 @@ import { panelStyle } from '../controls/panel-style.js';
 import { settingField } from '../controls/setting-field.js';
 import './shape-fields.js';
 import { sizeFields, sizeStyle } from './size-fields.js';
+import { thicknessField } from './thickness-field.js';
 
 const loadDrawing = (): Promise<unknown> => import('./drawing-fields.js');
 
@@ -32,6 +33,10 @@ export class ShapePanel extends StudioElement {
     return html`
       <section aria-labelledby="shape-title">
         <h2 id="shape-title">${t('section.shape')}</h2>
+        ${sizeFields(this.studio)} ${this.#fit(plate)} ${thicknessField(this.studio)}
+      </section>
+      <section aria-labelledby="outline-title">
+        <h3 id="outline-title">${a('outline')}</h3>
         ${cards<ShapeSource['kind']>({
           id: 'shape-kind',
           label: t('section.shape'),
@@ -47,10 +52,6 @@ export class ShapePanel extends StudioElement {
           },
         })}
         ${this.#details(shape)}
-      </section>
-      <section aria-labelledby="size-title">
-        <h3 id="size-title">${t('section.size')}</h3>
-        ${sizeFields(this.studio)} ${this.#fit(plate)}
       </section>
       <section aria-label=${t('verb.rotate')}>
         <div class="buttons">

@@ -182,7 +182,7 @@ test('the view that re-brushes prints speaks every language, and shows all its w
 });
 
 test('the panel of a shape shows all its words', async () => {
-  const fields = ['shape-fields', 'shape-panel', 'size-fields']
+  const fields = ['shape-fields', 'shape-panel', 'size-fields', 'thickness-field']
     .map((part) => readFileSync(`web/src/shape/${part}.ts`, 'utf8'))
     .join('\n');
   const built = [...fields.matchAll(/a\(`([\w.]+)\$\{[^}`]*\}(?:\.help)?`/g)].map(([, start = '']) => start);

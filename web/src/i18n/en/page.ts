@@ -56,7 +56,6 @@ export const words = {
   'section.gallery': 'Examples',
   'section.own': 'Customize',
   'section.shape': 'Shape',
-  'section.size': 'Size',
   'section.layers': 'Directions',
   'section.edit': 'Edit',
   'section.modes': 'Modes',

@@ -3,6 +3,9 @@
 export const words = {
   'shaping.kind.rectangle': 'Rectangle',
   'shaping.kind.rounded': 'Rounded rectangle',
+  'shaping.outline': 'Outline',
+  'shaping.thickness': 'Thickness',
+  'shaping.thickness.help': 'Bottom layers make up for it; what shows stays as it is.',
   'shaping.kind.disc': 'Disc',
   'shaping.kind.file': 'From a file',
   'shaping.kind.hexagon': 'Hexagon',
