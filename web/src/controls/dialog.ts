@@ -66,6 +66,10 @@ export abstract class DialogElement extends StudioElement {
 
   override firstUpdated(): void {
     this.dialog.showModal();
+    // The browser would choose the cross, which nobody came for.
+    const fields = 'input:not([type=file]), select, textarea, button';
+    const [first] = this.dialog.querySelectorAll<HTMLElement>(`.body :is(${fields}):not([disabled])`);
+    (first ?? this.dialog.querySelector<HTMLElement>('.body'))?.focus();
   }
 
   /** @param afterwards  done once the sheet is gone, which is later: what it opens is not closed with this one */

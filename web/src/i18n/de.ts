@@ -228,7 +228,8 @@ export const de: Translation = {
   'view.toolpath.help': 'Die Bahnen, wie sie gedruckt werden, in ihrer wahren Breite.',
   'view.appearance.help': 'Wie die Platte glänzen wird, berechnet. Das Licht lässt sich bewegen.',
   'view.quality.help': 'Was vor dem Druck zu prüfen ist.',
-  'view.canvas': 'Bild der Platte. Pfeiltasten verschieben, Plus und Minus zoomen, 0 zeigt alles.',
+  'view.canvas':
+    '{name}, {view}, {width} × {height} mm. Pfeiltasten verschieben, Plus und Minus zoomen, 0 zeigt alles.',
   'legend.direction': 'Richtung der Bahnen',
   'legend.first': 'Anfang',
   'legend.last': 'Ende',
@@ -589,6 +590,7 @@ export const de: Translation = {
   'job.measuring': 'Qualität wird geprüft',
   'job.writing': 'Datei wird geschrieben',
   'job.done': 'Fertig',
+  'job.ready': 'Die Platte ist fertig: {time}, {g} g.',
   'job.cancelled': 'Abgebrochen. Eine Änderung startet neu.',
   'stage.outline': 'Umriss verfolgen',
   'stage.distance': 'Abstände zum Rand messen',

@@ -2,7 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { Shape } from 'sillon';
 import { customElement, query } from 'lit/decorators.js';
-import { t } from '../i18n/text.js';
+import { formatNumber, t } from '../i18n/text.js';
 import { pictureOf } from '../model/lamp.js';
 import { pictureLayers } from '../model/layers.js';
 import { pageOf, type Plate } from '../model/plate.js';
@@ -46,7 +46,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     `,
   ];
 
-  static override reads = ['tool', 'over', 'view'] as const;
+  static override reads = ['tool', 'over', 'view', 'plate'] as const;
 
   @query('.drawing') private drawing!: HTMLCanvasElement;
   @query('.overlay') private overlay!: HTMLCanvasElement;
@@ -64,6 +64,12 @@ export class PlateCanvas extends StudioElement implements Stage {
   #flipTimer: ReturnType<typeof setTimeout> | undefined;
   readonly #darkScheme = matchMedia('(prefers-color-scheme: dark)');
 
+  #description(): string {
+    const { plate, view } = this.state;
+    const [width, height] = pageOf(plate).map((length) => formatNumber(length, 1)) as [string, string];
+    return t('view.canvas', { name: plate.name || t('app.untitled'), view: t(`view.${view}`), width, height });
+  }
+
   override render(): TemplateResult {
     return html`<canvas class="drawing" aria-hidden="true"></canvas
       ><canvas
@@ -71,7 +77,7 @@ export class PlateCanvas extends StudioElement implements Stage {
         tabindex="0"
         role="application"
         aria-roledescription=${t('app.plate')}
-        aria-label=${t('view.canvas')}
+        aria-label=${this.#description()}
       ></canvas
       >${
         overOf(this.state) === undefined || !this.lazy(loadDivider)

@@ -1,6 +1,6 @@
 // The line below the plate: what it measures and takes, and what the engine does.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { customElement } from 'lit/decorators.js';
+import { customElement, state } from 'lit/decorators.js';
 import { progressWords } from '../i18n/say.js';
 import { formatDuration, formatNumber, t } from '../i18n/text.js';
 import { isOf } from '../model/result.js';
@@ -8,6 +8,9 @@ import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
 import { inUnits } from '../shape/units.js';
 import { pageOf } from '../model/plate.js';
+
+/** Shorter work is over before anybody could hear of it [ms]. */
+const worthSaying = 1000;
 
 @customElement('sillon-status')
 export class StatusBar extends StudioElement {
@@ -27,6 +30,10 @@ export class StatusBar extends StudioElement {
         background: var(--surface);
         font-size: var(--note);
         white-space: nowrap;
+      }
+      .said {
+        position: absolute;
+        clip-path: inset(50%);
       }
       .figures {
         display: flex;
@@ -92,9 +99,40 @@ export class StatusBar extends StudioElement {
     `,
   ];
 
+  /** Words for those who hear the page: that it works, that the plate is ready, or that the work was cancelled. */
+  @state() private said = '';
+  #busyTimer: ReturnType<typeof setTimeout> | undefined;
+  #busy = false;
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    clearTimeout(this.#busyTimer);
+  }
+
+  protected override willUpdate(): void {
+    const { progress, cancelled, summary } = this.state;
+    if (progress !== undefined && !this.#busy) {
+      this.#busy = true;
+      this.#busyTimer = setTimeout(() => {
+        const { progress: now } = this.state;
+        if (now !== undefined) this.said = progressWords(now).job;
+      }, worthSaying);
+    } else if (progress === undefined && (cancelled || summary !== undefined)) {
+      clearTimeout(this.#busyTimer);
+      if (!this.#busy) return;
+      this.#busy = false;
+      this.said = cancelled || summary === undefined ? t('job.cancelled') : this.#ready(summary);
+    }
+  }
+
+  #ready({ seconds, filamentGrams }: NonNullable<this['state']['summary']>): string {
+    return t('job.ready', { time: formatDuration(seconds), g: formatNumber(filamentGrams, 1) });
+  }
+
   override render(): TemplateResult {
     const { progress, reading } = this.state;
-    return html`${
+    return html`<p class="said" role="status">${this.said}</p>
+      ${
         reading !== undefined
           ? this.#job(t('job.reading', { name: reading.name }), reading.fraction, '', reading.cancel)
           : progress === undefined

@@ -30,6 +30,53 @@ test('where a word’s button goes that had the focus, the plate gets it', { ski
   assert.equal(await atPlate(), true);
 });
 
+test('those who hear the page hear that the plate is ready, or that its work was cancelled', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  const { page } = visit;
+  const said = page.locator('sillon-status .said');
+  const change = (width) =>
+    page.evaluate(
+      (width) => document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, width })),
+      width,
+    );
+  await change(30);
+  await page.waitForFunction(() => {
+    const { renderRoot } = document.querySelector('sillon-app');
+    const stage = renderRoot.querySelector('sillon-stage').renderRoot;
+    return /^The plate is ready: .*, \d+\.\d g\.$/.test(
+      stage.querySelector('sillon-status').renderRoot.querySelector('.said').textContent,
+    );
+  });
+  assert.equal(await said.getAttribute('role'), 'status');
+  assert.match(
+    await page.locator('sillon-canvas .overlay').getAttribute('aria-label'),
+    /^Untitled plate, Appearance, 30 × 24 mm\. Arrow keys/,
+  );
+  await change(90);
+  await visit.until(({ progress }) => progress !== undefined);
+  await page.evaluate(() => document.querySelector('sillon-app').studio.services.cancel());
+  await page.getByText('Cancelled. Change anything to start again.').first().waitFor();
+  assert.match(await said.textContent(), /^Cancelled/);
+});
+
+test('a dialog opens on its first field, not on its cross', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const { page } = visit;
+  for (const [dialog, name] of [
+    ['palette', /All actions/],
+    ['share', /./],
+  ]) {
+    await page.evaluate((name) => document.querySelector('sillon-app').studio.show(name), dialog);
+    await page.locator(`sillon-${dialog} dialog[open]`).waitFor();
+    const label = await focused(page);
+    assert.doesNotMatch(label, /^Close$/);
+    assert.match(label, name);
+    await page.keyboard.press('Escape');
+    await page.locator(`sillon-${dialog}`).waitFor({ state: 'detached' });
+  }
+});
+
 /** What has the focus, through all shadows. */
 const focused = (page) =>
   page.evaluate(() => {
@@ -196,7 +243,7 @@ test('keys alone reach everything that the plate needs', { skip }, async () => {
     'Shape',
     'Print',
     'Appearance',
-    'Picture of the plate',
+    'mm. Arrow keys',
   ]) {
     assert.ok(names.includes(name), `${name} is not reached; these are:\n${names}`);
   }
