@@ -1,19 +1,13 @@
 // Made by tools/generate.mjs from the core's words: ./dev generate.
 export const words = {
-  'reason.OverRoundBed': 'The plate lies {by} mm over the edge of the round bed.',
-  'reason.OnExcludedZone': 'The plate touches the excluded part of the bed; place it elsewhere.',
-  'reason.TooHigh': 'With the lift of the nozzle the print is {height} mm high; this printer reaches {most} mm.',
-  'reason.CopiesTooHigh':
-    'These plates are {height} mm high; several on one bed, printed one after the other, may be at most {most} mm, or the print head would touch them.',
-  'reason.NoBeadFits':
-    'No bead fits into this shape at a spacing of {spacing} mm; use a smaller spacing or a larger shape.',
-  'reason.HoleOutside':
-    'Hole {n} at {x}, {y} mm, {diameter} mm wide, lies outside the shape, which reaches from {left}, {bottom} to {right}, {top} mm; move it onto the shape, or leave it out.',
-  'reason.OffsetTooDeep':
-    'An offset of {offset} mm leaves nothing of the shape, whose deepest place is {depth} mm from the outline; use an offset that is nearer to 0.',
-  'reason.MissingLetter': 'No font has a letter for {letter}; take a font that has it, or leave it out.',
-  'reason.PictureLetter':
-    'The font {font} has {letter} only as a picture; take a font that has its outline, or leave it out.',
-  'reason.RimBelow':
-    '“Rim” is {rim}, but oriented layers lie on the bed; “Side to show” must be up for a rim, or “Rim” 0.',
+  'reason.OverRoundBed': "The plate lies {by} mm over the edge of the round bed.",
+  'reason.OnExcludedZone': "The plate touches the excluded part of the bed; place it elsewhere.",
+  'reason.TooHigh': "With the lift of the nozzle the print is {height} mm high; this printer reaches {most} mm.",
+  'reason.CopiesTooHigh': "These plates are {height} mm high; several on one bed, printed one after the other, may be at most {most} mm, or the print head would touch them.",
+  'reason.NoBeadFits': "No bead fits into this shape at a spacing of {spacing} mm; use a smaller spacing or a larger shape.",
+  'reason.HoleOutside': "Hole {n} at {x}, {y} mm, {diameter} mm wide, lies outside the shape, which reaches from {left}, {bottom} to {right}, {top} mm; move it onto the shape, or leave it out.",
+  'reason.OffsetTooDeep': "An offset of {offset} mm leaves nothing of the shape, whose deepest place is {depth} mm from the outline; use an offset that is nearer to 0.",
+  'reason.MissingLetter': "No font has a letter for {letter}; take a font that has it, or leave it out.",
+  'reason.PictureLetter': "The font {font} has {letter} only as a picture; take a font that has its outline, or leave it out.",
+  'reason.RimBelow': "“Rim” is {rim}, but oriented layers lie on the bed; “Side to show” must be up for a rim, or “Rim” 0.",
 } as const;
