@@ -1,5 +1,6 @@
 // Every action of the page with its name, its key and the words by which people look for it.
 import { words } from '../i18n/en/help.js';
+import { words as printerWords } from '../i18n/en/printer.js';
 import { words as synonyms } from '../i18n/en/synonyms.js';
 import { l } from '../i18n/layers.js';
 import { languages } from '../i18n/languages.js';
@@ -14,10 +15,11 @@ import { filaments, withFilament } from '../model/filaments.js';
 import { patternFills, pictureFills } from '../model/fills.js';
 import { sections } from '../model/guest.js';
 import { layerKinds } from '../model/layer-list.js';
-import { printers, withPrinter } from '../model/printers.js';
+import { printers, printersByFile, withPrinter } from '../model/printers.js';
 import { expertSettings, settings } from '../model/settings.js';
 import { builtinShapes, withShape } from '../model/shapes.js';
 import { filamentLabel } from '../print/filament-name.js';
+import { pickPrinter } from '../print/machine-fields.js';
 import type { Product, Studio } from '../studio/studio.js';
 import { pickSliced } from './pick-sliced.js';
 import { showSetting } from './show-setting.js';
@@ -269,6 +271,12 @@ function rare(studio: Studio): Action[] {
       label: printerLabel(printer),
       icon: 'print' as const,
       run: change((plate) => withPrinter(plate, printer.key)),
+    })),
+    ...printersByFile.map(({ label }) => ({
+      group: t('section.printer'),
+      label: say(printerWords, 'printer.byFile', { name: label }),
+      icon: 'print' as const,
+      run: () => void pickPrinter(studio),
     })),
     ...filaments.map((filament) => ({
       group: t('section.filament'),

@@ -537,6 +537,7 @@ export const de: Translation = {
   'printer.generic': 'Allgemein',
   'printer.generic-centre': 'Allgemein, Nullpunkt in der Mitte',
   'printer.import': 'Aus einer Datei des Slicers …',
+  'printer.byFile': '{name}: aus einer Datei des Slicers',
   'printer.imported': { one: '{name}: {n} Einstellung übernommen.', other: '{name}: {n} Einstellungen übernommen.' },
   'printer.heats': 'Gedruckt wird {type} mit {nozzle} °C auf einem Bett von {bed} °C.',
   'printer.keeps': 'Das Filament bleibt: {type} mit {nozzle} °C auf einem Bett von {bed} °C.',

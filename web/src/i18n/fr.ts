@@ -539,6 +539,7 @@ export const fr: Translation = {
   'printer.generic': 'Générique',
   'printer.generic-centre': 'Générique, origine au centre',
   'printer.import': 'Depuis un fichier de votre slicer…',
+  'printer.byFile': '{name} : depuis un fichier de votre slicer',
   'printer.imported': { one: '{name} : {n} réglage repris.', other: '{name} : {n} réglages repris.' },
   'printer.heats': 'Impression en {type} à {nozzle} °C, plateau à {bed} °C.',
   'printer.keeps': 'Le filament reste : {type} à {nozzle} °C, plateau à {bed} °C.',

@@ -53,11 +53,16 @@ function choice(
 /** Stands for no machine in particular. */
 export const isGeneric = ({ key }: PrinterChoice): boolean => key.startsWith('generic');
 
-/** Generic ones first, then by name. Bambu's need a start block of the owner's own: those come from a file. */
-export const printers: readonly PrinterChoice[] = Object.entries(table.printers as unknown as Record<string, Row>)
+/** Generic ones first, then by name. */
+const all: readonly PrinterChoice[] = Object.entries(table.printers as unknown as Record<string, Row>)
   .map(([key, values]) => choice(key, values))
-  .filter(({ machine }) => machine.flavor !== 'bambu')
   .sort((a, b) => Number(isGeneric(b)) - Number(isGeneric(a)) || a.label.localeCompare(b.label, 'en'));
+
+/** Bambu's need a start block of the owner's own, which comes from a file that their slicer made. */
+const needsFile = ({ machine }: PrinterChoice): boolean => machine.flavor === 'bambu';
+
+export const printers = all.filter((one) => !needsFile(one));
+export const printersByFile = all.filter(needsFile);
 
 /** As the core's `filamentFamily`: "PLA" for "PLA Silk" and "pla-cf". */
 export const filamentFamily = (type: string): string => /^[A-Za-z]*/.exec(type)?.[0].toUpperCase() ?? '';

@@ -7,7 +7,7 @@ import { say, t } from '../i18n/text.js';
 import { countLines } from '../model/brought.js';
 import { filaments, withFilament, withSpool } from '../model/filaments.js';
 import type { OwnSpool } from '../model/plate.js';
-import { printers, profileOf, withPrinter, type PrinterKey } from '../model/printers.js';
+import { printers, printersByFile, profileOf, withPrinter, type PrinterKey } from '../model/printers.js';
 import { filamentLabel, filamentName, listedFilament } from './filament-name.js';
 import { spoolColour } from './spool.js';
 import { select } from '../controls/fields.js';
@@ -50,10 +50,14 @@ export function printerField(studio: Studio): TemplateResult {
   const { plate } = studio.store.state;
   const { name, startGcode } = plate.printer;
   const current = profileOf(plate.printer);
-  const options: { value: PrinterKey; label: string }[] = printers.map((printer) => ({
-    value: printer.key,
-    label: printerLabel(printer),
-  }));
+  const options: { value: PrinterKey; label: string; disabled?: boolean }[] = [
+    ...printers.map((printer) => ({ value: printer.key, label: printerLabel(printer) })),
+    ...printersByFile.map(({ key, label }) => ({
+      value: key,
+      label: say(words, 'printer.byFile', { name: label }),
+      disabled: true,
+    })),
+  ];
   if (current === undefined)
     options.unshift({ value: '', label: name === '' ? t('printer.own') : say(words, 'printer.ownNamed', { name }) });
   return html`${select<PrinterKey>({
@@ -65,15 +69,7 @@ export function printerField(studio: Studio): TemplateResult {
         if (key !== '') studio.change((plate) => withPrinter(plate, key));
       },
     })}
-    <button
-      type="button"
-      @click=${async () => {
-        const [file] = await studio.pick('.gcode,.bgcode,.gz,.ini,.json,.orca_printer,.3mf');
-        if (file !== undefined) await takePrinter(studio, file);
-      }}
-    >
-      ${say(words, 'printer.import')}
-    </button>
+    <button type="button" @click=${() => void pickPrinter(studio)}>${say(words, 'printer.import')}</button>
     ${
       startGcode === ''
         ? html`<p class="note">${say(words, 'printer.start')}</p>`
@@ -92,6 +88,12 @@ export function printerField(studio: Studio): TemplateResult {
             </p>`
           : nothing
     }`;
+}
+
+/** Asks for a file of another program that tells a printer. */
+export async function pickPrinter(studio: Studio): Promise<void> {
+  const [file] = await studio.pick('.gcode,.bgcode,.gz,.ini,.json,.orca_printer,.3mf');
+  if (file !== undefined) await takePrinter(studio, file);
 }
 
 /** Takes the printer from G-code or settings of another program. */
