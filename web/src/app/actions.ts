@@ -28,7 +28,7 @@ type Known = keyof typeof synonyms extends `also.${infer Name}` ? Name : never;
 const also = (id: Known): string => say(synonyms, `also.${id}`);
 
 export interface Action {
-  /** Where it belongs; empty: nowhere. */
+  /** Heading that it stands under; empty: none. */
   group: string;
   label: string;
   icon: IconName;

@@ -1,4 +1,4 @@
-// Directions of the plate as the engine draws them, for the view that shows them: of plates only the newest counts.
+// Directions of the plate as the engine draws them, for the view that shows them. Only the newest plate counts.
 import type { Engine } from 'sillon';
 import { engineInput } from '../model/input.js';
 import { pictureLayers } from '../model/layers.js';
@@ -46,7 +46,9 @@ export function followDirections(store: Store<Shown>, engine: () => Promise<Engi
       const resolution = live ? coarseResolution : fineResolution;
       store.set({ directions: await drawDirections(plate, await engine(), resolution) });
     } catch {
-      // Whatever is wrong with a layer is told where the plate is made.
+      // Whatever is wrong with a layer is told where the plate is made. The next look at the view asks again.
+      drawn = undefined;
+      if (store.state.plate === plate) return;
     } finally {
       drawing = false;
     }

@@ -1060,7 +1060,7 @@ export const de: Translation = {
   'help.mouse.pan': 'Ziehen: Ansicht verschieben',
   'help.mouse.zoom': 'Mausrad oder zwei Finger: zoomen',
   'help.mouse.light': 'Über das Aussehen fahren: Licht bewegen',
-  'help.mouse.layers': 'Im Abschnitt Ebenen: gewählte Ebene ziehen, vergrößern, drehen',
+  'help.mouse.layers': 'Im Abschnitt Richtungen: gewählte Ebene ziehen, vergrößern, drehen',
   'keys.help': 'Diese Hilfe',
   'keys.open': 'Dateien öffnen',
   'keys.save': 'Projekt speichern',

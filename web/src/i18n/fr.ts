@@ -1075,7 +1075,7 @@ export const fr: Translation = {
   'help.mouse.pan': 'Glisser : déplacer la vue',
   'help.mouse.zoom': 'Molette ou pincement : zoomer',
   'help.mouse.light': 'Passer sur l’apparence : déplacer la lumière',
-  'help.mouse.layers': 'Dans Calques : glisser, redimensionner, tourner le calque choisi',
+  'help.mouse.layers': 'Dans Directions : glisser, redimensionner, tourner le calque choisi',
   'keys.help': 'Cette aide',
   'keys.open': 'Ouvrir des fichiers',
   'keys.save': 'Enregistrer le projet',

@@ -71,7 +71,7 @@ export type Machine = PrinterValues & { profile?: string; filament?: string };
 
 export interface Plate {
   shape: ShapeSource;
-  /** Of the page without what an offset adds; a file's proportions are kept by whoever sets them. 0 height: follows the picture
+  /** Size of the page without what an offset adds; a file's proportions are kept by whoever sets them. 0 height: follows the picture
    * of the lowest layer. */
   width: number;
   height: number;

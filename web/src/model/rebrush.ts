@@ -27,7 +27,7 @@ export interface Wish {
   /** Instead of it, a spool of one's own. */
   own: OwnSpool | undefined;
   fit: Fit;
-  /** Of the way 'hand': points in mm on the bed. */
+  /** Strokes of the way 'hand': points in mm on the bed. */
   strokes: readonly Stroke[];
 }
 

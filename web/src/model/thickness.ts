@@ -1,4 +1,4 @@
-// How thick a plate is: its bottom layers, and the layers that show.
+// Thickness of a plate: its bottom layers, and the layers that show.
 import type { Plate } from './plate.js';
 import { settingOf, withValue } from './settings.js';
 

@@ -10,7 +10,7 @@ import { icon } from '../controls/icons.js';
 import { thumbnail } from '../controls/thumbnail.js';
 import type { PrintWork } from './work.js';
 
-/** Of a picture, that is worth a word. */
+/** Least share of a picture cut off that is worth a word. */
 const leastCut = 0.03;
 
 export function pictureFields(work: PrintWork, onPick: () => void): TemplateResult {

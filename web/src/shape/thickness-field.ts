@@ -1,4 +1,4 @@
-// How thick the plate is: a number, and the thicknesses that people ask for.
+// The field of the plate's thickness: a number, and buttons for those that people ask for.
 import { html, type TemplateResult } from 'lit';
 import { numberField } from '../controls/fields.js';
 import { a } from '../i18n/shaping.js';

@@ -23,7 +23,7 @@ function withStroke(plate: Plate, stroke: Stroke, more: boolean): Plate {
 }
 
 export class Brush extends Pen {
-  /** What is being drawn, as it lies in the plate. */
+  /** The stroke being drawn, as it lies in the plate. */
   #stroke: Stroke | undefined;
   readonly #studio: Studio;
 
