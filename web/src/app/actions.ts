@@ -41,7 +41,7 @@ export interface Action {
   run: () => void;
 }
 
-const views = ['directions', 'toolpath', 'appearance', 'quality'] as const;
+const views = ['appearance', 'toolpath', 'quality', 'directions'] as const;
 const tools = [
   ['pan', 'hand', 'V'],
   ['comb', 'comb', 'B'],

@@ -2,6 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
+import { isBare } from '../model/fills.js';
 import { sections, type Section } from '../model/guest.js';
 import '../print/brought-bar.js';
 import { StudioElement } from '../controls/element.js';
@@ -11,7 +12,6 @@ import type { Handed, PointerPlace } from './take-in.js';
 import { composes, offers, ownControls, type Dialog } from '../studio/shown.js';
 import { onShortcut, typesText } from './shortcuts.js';
 import '../stage/stage.js';
-import './welcome.js';
 
 type Tab = [name: Section | 'own', image: IconName, label: string];
 
@@ -39,6 +39,7 @@ const dialogs: Record<Dialog, Part> = {
   first: ['sillon-first', () => import('./first-print.js')],
 };
 
+const loadFacts = (): Promise<unknown> => import('./plate-facts.js');
 const loadTargets = (): Promise<unknown> => import('./drop-targets.js');
 
 const panels: Record<string, Part> = {
@@ -62,14 +63,14 @@ interface Handing {
 
 @customElement('sillon-app')
 export class App extends StudioElement {
-  static override reads = ['panel', 'dialog', 'dropping', 'mode', 'controls'] as const;
+  static override reads = ['plate', 'panel', 'dialog', 'dropping', 'mode', 'controls'] as const;
 
   static override styles = [
     ...StudioElement.styles,
     css`
       :host {
         display: grid;
-        grid-template: auto auto auto minmax(0, 1fr) / minmax(0, 1fr);
+        grid-template: auto auto minmax(0, 1fr) / minmax(0, 1fr);
         height: 100%;
       }
       .skip {
@@ -79,10 +80,11 @@ export class App extends StudioElement {
         z-index: 5;
       }
       .skip:not(:focus) {
-        clip-path: inset(50%);
+        top: -80px;
       }
       .work {
-        grid-row: 4;
+        grid-row: 3;
+        position: relative;
         display: grid;
         grid-template-columns: 5rem auto minmax(0, 1fr);
         min-height: 0;
@@ -133,10 +135,31 @@ export class App extends StudioElement {
           width: clamp(300px, 40vw, 18.75rem);
         }
       }
-      @media (max-width: 720px) {
-        .beside {
-          display: none;
+      /* A low window keeps the sections at its side; where it is narrow, too, an open one lies over the bench. */
+      @media (max-height: 479px) {
+        .work {
+          grid-template-columns: 3.5rem auto minmax(0, 1fr);
         }
+        nav {
+          gap: 0;
+          padding: 4px 2px;
+          overflow-y: auto;
+        }
+        nav button {
+          min-height: max(44px, var(--control));
+          padding: 2px;
+        }
+      }
+      @media (max-width: 720px) and (max-height: 479px) {
+        .panel {
+          position: absolute;
+          inset: 0 auto 0 3.5rem;
+          width: min(20rem, 100% - 3.5rem);
+          z-index: 2;
+          box-shadow: var(--lift);
+        }
+      }
+      @media (max-width: 720px) and (min-height: 480px) {
         .work {
           grid-template: minmax(0, 1fr) auto auto / minmax(0, 1fr);
         }
@@ -194,7 +217,7 @@ export class App extends StudioElement {
   ];
 
   override render(): TemplateResult {
-    const { panel, dialog, dropping, mode } = this.state;
+    const { panel, dialog, dropping, mode, plate } = this.state;
     if (mode === 'view') {
       this.#shown = {};
       return html`<sillon-stage class="only" role="main" .studio=${this.studio}></sillon-stage>`;
@@ -203,7 +226,6 @@ export class App extends StudioElement {
       <button type="button" class="skip" @click=${this.#skip}>${t('app.skip')}</button>
       <sillon-header role="banner" .studio=${this.studio}></sillon-header>
       <sillon-brought .studio=${this.studio}></sillon-brought>
-      <sillon-welcome class=${panel && 'beside'} .studio=${this.studio}></sillon-welcome>
       <div class="work">
         <nav aria-label=${t('app.settings')}>
           ${this.#sections().map(
@@ -230,6 +252,11 @@ export class App extends StudioElement {
             }}
           ></button>
           ${this.#part('panel', panels[panel])}
+          ${
+            panel === 'layers' && mode === 'edit' && isBare(plate) && this.lazy(loadFacts)
+              ? html`<sillon-plate-facts .studio=${this.studio}></sillon-plate-facts>`
+              : nothing
+          }
         </aside>
         <sillon-stage role="main" .studio=${this.studio}></sillon-stage>
       </div>
@@ -239,8 +266,9 @@ export class App extends StudioElement {
   }
 
   #sections(): Tab[] {
+    // What is to be checked stands in the view of that name.
     const offered = sections
-      .filter((name) => offers(this.state, name))
+      .filter((name) => name !== 'quality' && name !== 'toolpath' && offers(this.state, name))
       .map((name): Tab => [name, name, t(`section.${name}`)]);
     return ownControls(this.state).length > 0 ? [['own', 'shuffle', t('section.own')], ...offered] : offered;
   }

@@ -62,12 +62,6 @@ export class Header extends StudioElement {
       .space {
         flex: 1;
       }
-      .rule {
-        width: 1px;
-        height: 22px;
-        margin: 0 4px;
-        background: var(--line);
-      }
       .main {
         margin-left: 4px;
         padding: 0 14px;
@@ -87,15 +81,15 @@ export class Header extends StudioElement {
         box-shadow: var(--lift);
         overflow: auto;
       }
+      #menu {
+        inset-inline: 10px auto;
+      }
       @media (max-width: 980px) {
-        .wide {
-          display: none !important;
-        }
-        .always {
+        .examples {
           width: var(--control);
           padding: 0;
         }
-        .always .words {
+        .examples .words {
           position: absolute;
           clip-path: inset(50%);
           width: 1px; /* else words would reach out of the page */
@@ -112,6 +106,11 @@ export class Header extends StudioElement {
           clip-path: inset(50%);
           width: 1px; /* else words would reach out of the page */
           overflow: hidden;
+        }
+      }
+      @media (max-height: 479px) {
+        button {
+          min-height: calc(var(--bar) - 6px) !important;
         }
       }
       @media (max-width: 560px) {
@@ -134,32 +133,27 @@ export class Header extends StudioElement {
   ];
 
   override render(): TemplateResult {
-    const { store } = this.studio;
     const { plate, mode } = this.state;
     const edits = mode === 'edit';
     return html`
+      ${edits ? this.#menu() : nothing}
       <h1>${mark()}<span class="word">Sillon</span></h1>
-      ${edits ? this.#name(plate) : nothing}
-      ${this.#button(
-        'undo',
-        t('verb.undo'),
-        'Ctrl+Z',
-        () => {
-          store.undo();
-        },
-        !store.canUndo,
-      )}
-      ${this.#button(
-        'redo',
-        t('verb.redo'),
-        'Ctrl+Shift+Z',
-        () => {
-          store.redo();
-        },
-        !store.canRedo,
-      )}
+      ${edits ? this.#name(plate) : nothing} ${this.#steps()}
       <span class="space"></span>
-      ${edits ? this.#all() : nothing}
+      ${
+        edits
+          ? html`<button
+              type="button"
+              class="plain examples"
+              title=${t('section.gallery')}
+              @click=${() => {
+                this.studio.show('gallery');
+              }}
+            >
+              ${icon('gallery')} <span class="words">${t('section.gallery')}</span>
+            </button>`
+          : nothing
+      }
       ${
         offers(this.state, 'download')
           ? html`<button type="button" class="main" popovertarget="export">
@@ -168,6 +162,18 @@ export class Header extends StudioElement {
           : nothing
       }
     `;
+  }
+
+  /** They come with the first change. */
+  #steps(): TemplateResult | typeof nothing {
+    const { store } = this.studio;
+    if (!store.canUndo && !store.canRedo) return nothing;
+    return html`${this.#button('undo', t('verb.undo'), 'Ctrl+Z', !store.canUndo, () => {
+      store.undo();
+    })}
+    ${this.#button('redo', t('verb.redo'), 'Ctrl+Shift+Z', !store.canRedo, () => {
+      store.redo();
+    })}`;
   }
 
   #name(plate: Plate): TemplateResult {
@@ -205,48 +211,10 @@ export class Header extends StudioElement {
     this.studio.store.change((now) => (now.name === name ? now : { ...now, name }), 'name');
   }
 
-  /** What only those who may change everything need. */
-  #all(): TemplateResult {
-    return html`${this.#worded('gallery', t('section.gallery'), 'always', () => {
-        this.studio.show('gallery');
-      })}
-      ${this.#worded('open', t('verb.open'), 'always', () => {
-        void this.#open();
-      })}
-      ${this.#worded('share', t('verb.share'), 'wide', () => {
-        this.studio.show('share');
-      })}
-      <span class="rule wide"></span>
-      <button
-        type="button"
-        class="plain square"
-        aria-label=${t('app.menu')}
-        title=${t('app.menu')}
-        popovertarget="menu"
-      >
-        ${icon('more')}
-      </button>
-      ${this.#button(
-        'help',
-        t('verb.help'),
-        '?',
-        () => {
-          this.studio.show('help');
-        },
-        false,
-        'wide',
-      )}
-      ${this.#menu()}`;
-  }
-
-  async #open(): Promise<void> {
-    await this.studio.open(await this.studio.pick());
-  }
-
-  #button(name: IconName, label: string, keys: string, run: () => void, disabled = false, where = ''): TemplateResult {
+  #button(name: IconName, label: string, keys: string, disabled: boolean, run: () => void): TemplateResult {
     return html`<button
       type="button"
-      class="plain square ${where}"
+      class="plain square"
       aria-label=${label}
       aria-keyshortcuts=${keys.replace('Ctrl', 'Control')}
       title="${label} (${keys})"
@@ -254,13 +222,6 @@ export class Header extends StudioElement {
       @click=${run}
     >
       ${icon(name)}
-    </button>`;
-  }
-
-  /** @param where  'always': as a picture alone where there is little room; 'wide': in the menu there */
-  #worded(name: IconName, label: string, where: 'always' | 'wide', run: () => void): TemplateResult {
-    return html`<button type="button" class="plain ${where}" title=${label} @click=${run}>
-      ${icon(name)} <span class="words">${label}</span>
     </button>`;
   }
 
@@ -306,27 +267,36 @@ export class Header extends StudioElement {
 
   /** Its content comes when it is first opened. */
   #menu(): TemplateResult {
-    return html`<div
-      id="menu"
-      popover
-      role="group"
-      aria-label=${t('app.menu')}
-      @beforetoggle=${(event: ToggleEvent) => {
-        this.#onToggle(event);
-        this.#menuOpened = true;
-        this.requestUpdate();
-      }}
-    >
-      ${
-        this.#menuOpened && this.lazy(loadMenu)
-          ? html`<sillon-menu
-              .studio=${this.studio}
-              @done=${() => {
-                this.#hide();
-              }}
-            ></sillon-menu>`
-          : nothing
-      }
-    </div>`;
+    return html`<button
+        type="button"
+        class="plain square"
+        aria-label=${t('app.menu')}
+        title=${t('app.menu')}
+        popovertarget="menu"
+      >
+        ${icon('menu')}
+      </button>
+      <div
+        id="menu"
+        popover
+        role="group"
+        aria-label=${t('app.menu')}
+        @beforetoggle=${(event: ToggleEvent) => {
+          this.#onToggle(event);
+          this.#menuOpened = true;
+          this.requestUpdate();
+        }}
+      >
+        ${
+          this.#menuOpened && this.lazy(loadMenu)
+            ? html`<sillon-menu
+                .studio=${this.studio}
+                @done=${() => {
+                  this.#hide();
+                }}
+              ></sillon-menu>`
+            : nothing
+        }
+      </div>`;
   }
 }

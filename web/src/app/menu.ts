@@ -43,11 +43,6 @@ export class Menu extends StudioElement {
         padding: 4px 0;
         color: var(--accent);
       }
-      @media (width > 980px) {
-        .narrow {
-          display: none;
-        }
-      }
     `,
   ];
 
@@ -56,6 +51,9 @@ export class Menu extends StudioElement {
     return html`${this.#item('plus', t('verb.new'), () => {
         this.studio.services.newPlate();
       })}
+      ${this.#item('open', t('verb.open'), () => {
+        void this.studio.pick().then((files) => this.studio.open(files));
+      })}
       ${
         host === ''
           ? this.#item('gallery', t('verb.plates'), () => {
@@ -63,14 +61,9 @@ export class Menu extends StudioElement {
             })
           : nothing
       }
-      ${this.#item(
-        'share',
-        t('verb.share'),
-        () => {
-          this.studio.show('share');
-        },
-        'narrow',
-      )}
+      ${this.#item('share', t('verb.share'), () => {
+        this.studio.show('share');
+      })}
       ${this.#item('print', t('verb.first'), () => {
         this.studio.show('first');
       })}
@@ -133,10 +126,10 @@ export class Menu extends StudioElement {
     return html`<li><a href=${address} target="_blank" rel="noopener">${label}</a></li>`;
   }
 
-  #item(name: IconName, label: string, run: () => void, where = ''): TemplateResult {
+  #item(name: IconName, label: string, run: () => void): TemplateResult {
     return html`<button
       type="button"
-      class="item ${where}"
+      class="item"
       @click=${() => {
         this.dispatchEvent(new Event('done'));
         run();

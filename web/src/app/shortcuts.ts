@@ -5,7 +5,7 @@ import { isTyping } from '../controls/fields.js';
 import { offers } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 
-const views: Record<string, ViewName> = { '1': 'directions', '2': 'toolpath', '3': 'appearance', '4': 'quality' };
+const views: Record<string, ViewName> = { '1': 'appearance', '2': 'toolpath', '3': 'quality', '4': 'directions' };
 const tools: Record<string, Tool> = { v: 'pan', b: 'comb', m: 'mode', e: 'erase' };
 const lightKeys = [',', '.'];
 const radiusStep = 1.2;

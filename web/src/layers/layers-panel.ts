@@ -9,7 +9,7 @@ import { DrawnChoices } from '../controls/drawn-choices.js';
 import { l, layerLabel, layerName } from '../i18n/layers.js';
 import { warningText } from '../i18n/say-core.js';
 import { t } from '../i18n/text.js';
-import { groundFill, groundOf, type Fill } from '../model/fills.js';
+import { groundFill, groundOf, isBare, type Fill } from '../model/fills.js';
 import { changeLayer, layerOf, raised, withoutLayer } from '../model/layer-list.js';
 import { lackOf, type LayerKind } from '../model/layers.js';
 import type { Plate, PlateLayer } from '../model/plate.js';
@@ -23,6 +23,7 @@ import { foldedFields, kindFields, modeFields } from './kind-fields.js';
 import { layersStyle } from './layers-style.js';
 import { middleFields, placeFields } from './place-fields.js';
 import { dragRow, rowTaken } from './row-drag.js';
+import { startStyle, startTiles } from './start.js';
 import { tile } from './tiles.js';
 import { warnedLayers } from './warned.js';
 
@@ -43,9 +44,19 @@ const first = 3;
 
 @customElement('sillon-layers-panel')
 export class LayersPanel extends StudioElement {
-  static override reads = ['plate', 'layer', 'cropping', 'layerBoxes', 'result', 'tool', 'brush', 'scan'] as const;
+  static override reads = [
+    'plate',
+    'layer',
+    'cropping',
+    'layerBoxes',
+    'result',
+    'tool',
+    'brush',
+    'scan',
+    'welcome',
+  ] as const;
 
-  static override styles = [...StudioElement.styles, panelStyle, layersStyle];
+  static override styles = [...StudioElement.styles, panelStyle, layersStyle, startStyle];
 
   @state() private adding = false;
   @state() private allTiles = false;
@@ -62,38 +73,16 @@ export class LayersPanel extends StudioElement {
   }
 
   override render(): TemplateResult {
-    const { plate, layer, tool } = this.state;
+    const { plate, layer, tool, welcome } = this.state;
     const layers = [...plate.layers].reverse();
     const warned = warnedLayers(this.state);
     const ground = groundOf(plate);
-    /** There is nothing to choose, to order or to show again. */
-    const alone = layers.length === 1 && ground?.visible === true;
-    const bare = alone || layers.length === 0;
-    const chosen = alone ? ground : layerOf(plate, layer);
+    const bare = isBare(plate);
+    const chosen = bare ? ground : layerOf(plate, layer);
     return html`<section aria-labelledby="layers-title">
-        <h2 id="layers-title">${t('section.layers')}</h2>
-        ${
-          bare
-            ? nothing
-            : html`<ul aria-label=${l('list')} @keydown=${this.#onListKey} @pointerdown=${this.#onListDown}>
-                ${layers.map((one) => this.#row(one, one === chosen, warned.has(one)))}
-              </ul>`
-        }
-        ${
-          /* Below the list, whose rows would else change their places under a hand that drags one. */
-          layers.flatMap((one) =>
-            (warned.get(one) ?? []).map(
-              (words) => html`<p class="warning" role="status"><b>${layerName(one)}</b> ${warningText(words)}</p>`,
-            ),
-          )
-        }
-        ${bare ? nothing : this.#adder()} ${chosen === ground ? this.#cards() : nothing}
-        ${
-          bare
-            ? html`<h3>${l('add')}</h3>
-                ${this.#tiles()}`
-            : nothing
-        }
+        <h2 id="layers-title">${t(bare ? 'start.title' : 'section.layers')}</h2>
+        ${bare ? this.#start() : this.#list(layers, chosen, warned)}
+        ${!bare && chosen === ground ? this.#cards() : nothing}
       </section>
       ${
         tool === 'pan'
@@ -103,7 +92,41 @@ export class LayersPanel extends StudioElement {
               ${brushFields(this.studio)}
             </section>`
       }
-      ${chosen === undefined ? nothing : this.#fields(chosen, chosen === ground)}`;
+      ${chosen === undefined || welcome ? nothing : this.#fields(chosen, chosen === ground)} `;
+  }
+
+  #list(
+    layers: readonly PlateLayer[],
+    chosen: PlateLayer | undefined,
+    warned: ReturnType<typeof warnedLayers>,
+  ): TemplateResult {
+    return html`<ul aria-label=${l('list')} @keydown=${this.#onListKey} @pointerdown=${this.#onListDown}>
+        ${layers.map((one) => this.#row(one, one === chosen, warned.has(one)))}
+      </ul>
+      ${
+        /* Below the list, whose rows would else change their places under a hand that drags one. */
+        layers.flatMap((one) =>
+          (warned.get(one) ?? []).map(
+            (words) => html`<p class="warning" role="status"><b>${layerName(one)}</b> ${warningText(words)}</p>`,
+          ),
+        )
+      }
+      ${this.#adder()}`;
+  }
+
+  #start(): TemplateResult {
+    const more = (): void => {
+      this.allTiles = !this.allTiles;
+    };
+    return html`${this.state.welcome ? html`<p class="note">${t('start.what')}</p>` : nothing}
+    ${startTiles(this.studio, more, this.allTiles)}
+    ${
+      this.allTiles
+        ? html`${this.#cards()}
+            <h3>${l('add')}</h3>
+            ${this.#tiles()}`
+        : html`<p class="note drop">${t('start.drop')}</p>`
+    }`;
   }
 
   #cards(): TemplateResult {

@@ -43,6 +43,10 @@ export const groundFill = (plate: Pick<Plate, 'layers'>): Fill | undefined => {
   return ground && fillOf(ground);
 };
 
+/** There is no layer to choose, to order or to show again: nothing but a ground that is seen, or not even that. */
+export const isBare = (plate: Pick<Plate, 'layers'>): boolean =>
+  plate.layers.length === 0 || (plate.layers.length === 1 && groundOf(plate)?.visible === true);
+
 /** Files that the layer's directions are told from. */
 export const toldFrom = ({ file, pictures }: PlateLayer): readonly SourceFile[] =>
   file === null ? pictures.map((one) => one.file) : [file];

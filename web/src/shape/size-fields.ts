@@ -76,37 +76,49 @@ function sideField(
   );
 }
 
-export function sizeFields(studio: Studio): TemplateResult {
+/** The fields of the plate's size: one where the other side follows from it. */
+export function sizeNumbers(studio: Studio): readonly NumberField[] {
   const { keepRatio, plate } = studio.store.state;
   const { kind } = plate.shape;
   if (isRoundKind(kind))
-    return numberField(sideField(studio, 'width', a('size.diameter'), (_, value) => ({ width: value, height: value })));
+    return [sideField(studio, 'width', a('size.diameter'), (_, value) => ({ width: value, height: value }))];
   const locked = keepRatio || kind === 'file'; // a file's proportions are its own
-  const stacked = (side: 'width' | 'height', other: 'width' | 'height'): TemplateResult => {
-    const field = sideField(studio, side, a(`size.${side}`), (now, value) => ({
+  return [['width', 'height'] as const, ['height', 'width'] as const].map(([side, other]) =>
+    sideField(studio, side, a(`size.${side}`), (now, value) => ({
       [side]: value,
       ...(locked ? { [other]: hundredth((now[other] / now[side]) * value) } : {}),
-    }));
-    return html`<div class="field stacked">
-      <label for=${field.id}>${field.label}</label>${numberInput(field)}
-      <p class="error" id="${field.id}-error" role="status" hidden></p>
-    </div>`;
-  };
+    })),
+  );
+}
+
+/** A number below its label. */
+export const stacked = (field: NumberField): TemplateResult =>
+  html`<div class="field stacked">
+    <label for=${field.id}>${field.label}</label>${numberInput(field)}
+    <p class="error" id="${field.id}-error" role="status" hidden></p>
+  </div>`;
+
+export function sizeFields(studio: Studio): TemplateResult {
+  const { keepRatio, plate } = studio.store.state;
+  const [first, second] = sizeNumbers(studio);
+  if (first === undefined || second === undefined) return html`${first && numberField(first)}`;
+  const isFile = plate.shape.kind === 'file';
+  const locked = keepRatio || isFile;
   return html`<div class="size">
-    ${stacked('width', 'height')}
+    ${stacked(first)}
     <button
       type="button"
       class="square"
       aria-pressed=${String(locked)}
       aria-label=${a('size.lock')}
       title=${a('size.lock')}
-      ?disabled=${kind === 'file'}
+      ?disabled=${isFile}
       @click=${() => {
         studio.store.set({ keepRatio: !keepRatio });
       }}
     >
       ${icon(locked ? 'lock' : 'unlock', 16)}
     </button>
-    ${stacked('height', 'width')}
+    ${stacked(second)}
   </div>`;
 }

@@ -7,8 +7,9 @@ import { pictureOf } from '../model/lamp.js';
 import { pictureLayers } from '../model/layers.js';
 import { pageOf, type Plate } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
+import { thicknessOf } from '../model/thickness.js';
 import { bench } from '../controls/bench.js';
-import { lightOfTilt } from '../views/light.js';
+import { lampOf, lightOfTilt } from '../views/light.js';
 import { createRenderer } from '../views/renderer.js';
 import type { Camera, Renderer, Scene } from '../views/scene.js';
 import { StudioElement } from '../controls/element.js';
@@ -22,7 +23,9 @@ import { FileBitmap } from './file-bitmap.js';
 import { MovingLight } from './moving-light.js';
 import { drawOverlay, type Overlay } from './overlay.js';
 import { PlateCamera } from './plate-camera.js';
-import { overOf, sceneOf } from './plate-scene.js';
+import { isRuled, overOf, sceneOf } from './plate-scene.js';
+
+const longestShadow = 18; // [CSS pixels]: of a low lamp; longer ones look like a second plate
 
 const loadDivider = (): Promise<unknown> => import('../controls/divider.js');
 const loadAhead = () => import('../views/ahead.js');
@@ -34,6 +37,13 @@ export class PlateCanvas extends StudioElement implements Stage {
     ...StudioElement.styles,
     bench,
     css`
+      :host {
+        background: radial-gradient(
+          farthest-side,
+          color-mix(in srgb, var(--bench), white 11%),
+          color-mix(in srgb, var(--bench), white 3%)
+        );
+      }
       .overlay.draws {
         cursor: none;
       }
@@ -220,6 +230,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     const wait = this.#motion.move(now);
     clearTimeout(this.#flipTimer);
     this.#drawScene();
+    this.#castShadow();
     this.#placeDivider();
     const pixels = devicePixelRatio;
     const { plate, view, marks, mark } = this.state;
@@ -239,11 +250,28 @@ export class PlateCanvas extends StudioElement implements Stage {
       picture: this.#laidOver(),
       grey: overOf(this.state) === 'picture',
       wipe: this.state.wipe,
+      ruled: isRuled(this.state),
       styles: getComputedStyle(this),
     });
     if (wait === 0) this.#redraw();
     else if (wait !== undefined) this.#flipTimer = setTimeout(this.#redraw, wait);
   }
+
+  /** The plate lies on the bench: its shadow falls away from the lamp, as far as its thickness throws it. */
+  #castShadow(): void {
+    const { plate, light, view } = this.state;
+    const [x, y, z] = lampOf(light);
+    const thrown = (thicknessOf(plate) * this.#camera.cssScale) / z; // [CSS pixels] for each unit towards the lamp
+    const length = Math.min(1, longestShadow / (thrown * Math.hypot(x, y) || 1)) * thrown;
+    const away = `${(-x * length).toFixed(1)}px ${(y * length).toFixed(1)}px`;
+    const cast =
+      view === 'appearance' ? `drop-shadow(0 0 2px rgb(0 0 0 / 0.6)) drop-shadow(${away} 6px rgb(0 0 0 / 0.5))` : '';
+    if (cast === this.#cast) return;
+    this.#cast = cast;
+    this.drawing.style.filter = cast;
+  }
+
+  #cast = '';
 
   /** What is drawn already stays as it is: a brush that hovers must not wait for beads, which take long without a GPU. */
   #drawScene(): void {

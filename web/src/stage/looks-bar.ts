@@ -1,30 +1,21 @@
-// Under the plate: which picture's lamp shines, the turn from one to the other, what lies over the plate to compare it with,
-// and the size it is seen at.
+// Under the plate: which picture's lamp shines, and the turn from one to the other.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { live } from 'lit/directives/live.js';
-import { words } from '../i18n/en/looks.js';
-import { say, t } from '../i18n/text.js';
-import { pictureOf, shownPictures } from '../model/lamp.js';
+import { t } from '../i18n/text.js';
+import { shownPictures } from '../model/lamp.js';
 import type { LampPicture } from '../model/plate.js';
 import { StudioElement } from '../controls/element.js';
-import { icon, type IconName } from '../controls/icons.js';
-import type { Over, Sizing } from '../studio/shown.js';
+import { icon } from '../controls/icons.js';
 import { thumbnail } from '../controls/thumbnail.js';
-
-interface Choice {
-  value: string;
-  label: string;
-}
 
 @customElement('sillon-looks')
 export class LooksBar extends StudioElement {
-  static override reads = ['plate', 'result', 'lamp', 'aimed', 'flipping', 'over', 'sizing'] as const;
+  static override reads = ['plate', 'lamp', 'aimed', 'flipping'] as const;
 
   static override styles = [
     ...StudioElement.styles,
     css`
-      :host {
+      .bar {
         display: flex;
         flex-wrap: wrap;
         align-items: center;
@@ -55,59 +46,8 @@ export class LooksBar extends StudioElement {
         object-fit: cover;
         border-radius: 2px;
       }
-      .pick {
-        position: relative;
-        display: flex;
-        align-items: center;
-        gap: 2px;
-        padding-left: 6px;
-        color: var(--soft);
-      }
-      .pick.on {
-        color: var(--accent);
-      }
-      select {
-        width: auto;
-        max-width: 10rem;
-        border-color: transparent;
-        background-color: transparent;
-        font-weight: 500;
-      }
-      /* One row for a thumb: words give way to signs, which open the same lists. */
-      @container (width < 700px) {
-        :host {
-          padding: 4px;
-          gap: 4px;
-        }
-        .pick,
-        .turn {
-          justify-content: center;
-          width: 44px;
-          height: 44px;
-          padding: 0;
-        }
-        .pick {
-          border: 1px solid var(--line);
-          border-radius: var(--radius);
-        }
-        .pick:focus-within {
-          outline: 2px solid var(--accent);
-        }
-        .pick select {
-          position: absolute;
-          inset: -1px; /* the border is a part of it for a thumb */
-          width: 44px;
-          height: 44px;
-          min-height: 0;
-          opacity: 0;
-        }
-      }
-      /* Beside the light, so that the plate has the height of a row more. */
+      /* One row for a thumb: the word gives way to its sign. */
       @container (width < 1000px) {
-        select {
-          max-width: 9rem;
-          text-overflow: ellipsis;
-        }
         .turn .words {
           position: absolute;
           clip-path: inset(50%);
@@ -115,40 +55,25 @@ export class LooksBar extends StudioElement {
           overflow: hidden;
         }
       }
+      @container (width < 700px) {
+        .bar {
+          padding: 4px;
+          gap: 4px;
+        }
+        .turn {
+          justify-content: center;
+          width: 44px;
+          height: 44px;
+          padding: 0;
+        }
+      }
     `,
   ];
 
-  override render(): TemplateResult {
-    const { plate, result, lamp, aimed, over, sizing } = this.state;
-    const pictures = shownPictures(plate);
-    const overs: (Over | '')[] = [
-      '',
-      ...(pictureOf(plate, lamp) === undefined ? [] : ['picture' as const]),
-      'zigzag',
-      ...(result?.conflict === undefined ? [] : ['conflict' as const]),
-    ];
-    const sizings: Sizing[] = ['whole', 'life', 'arm', ...(sizing === 'free' ? ['free' as const] : [])];
-    return html`
-      ${pictures.length > 0 && (pictures.length > 1 || aimed !== undefined) ? this.#pictures(pictures) : nothing}
-      ${this.#pick(
-        'compare',
-        say(words, 'looks.over'),
-        over ?? '',
-        overs.map((value) => ({ value, label: say(words, `looks.over.${value || 'none'}`) })),
-        (value) => {
-          this.studio.store.set({ over: (value || undefined) as Over | undefined, compare: false });
-        },
-      )}
-      ${this.#pick(
-        'fit',
-        say(words, 'looks.size'),
-        sizing,
-        sizings.map((value) => ({ value, label: say(words, `looks.size.${value}`) })),
-        (value) => {
-          this.studio.store.set({ sizing: value as Sizing });
-        },
-      )}
-    `;
+  override render(): TemplateResult | typeof nothing {
+    const pictures = shownPictures(this.state.plate);
+    if (pictures.length === 0 || (pictures.length === 1 && this.state.aimed === undefined)) return nothing;
+    return html`<div class="bar">${this.#pictures(pictures)}</div>`;
   }
 
   #pictures(pictures: readonly LampPicture[]): TemplateResult {
@@ -184,26 +109,5 @@ export class LooksBar extends StudioElement {
               ${icon(flipping ? 'pause' : 'turn')} <span class="words">${t('lamp.flip')}</span>
             </button>`
       }`;
-  }
-
-  #pick(
-    name: IconName,
-    label: string,
-    value: string,
-    choices: readonly Choice[],
-    onChoose: (value: string) => void,
-  ): TemplateResult {
-    const usual = value === choices[0]?.value;
-    return html`<label class="pick ${usual ? '' : 'on'}" title=${label}
-      >${icon(name)}<select
-        aria-label=${label}
-        .value=${live(value)}
-        @change=${(event: Event) => {
-          onChoose((event.currentTarget as HTMLSelectElement).value);
-        }}
-      >
-        ${choices.map((one) => html`<option value=${one.value} ?selected=${one.value === value}>${one.label}</option>`)}
-      </select></label
-    >`;
   }
 }

@@ -9,6 +9,7 @@ const slowFrame = 120; // [ms]
 const mostSlowFrames = 8;
 const leap = 15; // [degrees] farther than that, the light springs to where it turns
 const flipEach = 2600; // [ms] for each picture while the lamp turns
+const crossing = 0.3; // share of that in which it moves: slower, two pictures are seen over each other for long
 const swayFor = 90_000; // [ms] without anybody touching anything, after which the light rests
 const longestStep = 50; // [ms] of a frame: after a pause the light does not leap
 
@@ -51,9 +52,9 @@ export class MovingLight {
 
   /** Moves the light to where it is now. @returns [ms] until it moves again: 0 with the next frame, undefined not by itself */
   move(now: number): number | undefined {
-    const { lightMode, view, light, aimed, recording, tool, flipping } = this.#state;
-    // It keeps still under a brush: else nobody could tell what a stroke changes.
-    if (view !== 'appearance' || recording || document.hidden || tool !== 'pan') return undefined;
+    const { lightMode, view, light, aimed, recording, tool, flipping, lampHeld } = this.#state;
+    // It keeps still under a brush, else nobody could tell what a stroke changes, and under a hand, which could not take it.
+    if (view !== 'appearance' || recording || document.hidden || tool !== 'pan' || lampHeld) return undefined;
     const resting = this.#rests(now) || this.#calm.matches;
     const orbits = lightMode === 'orbit' && !this.#calm.matches;
     const free = lightMode === 'pointer' && !this.#leads();
@@ -114,8 +115,8 @@ export class MovingLight {
     const from = Math.floor(turn) % lamps.length;
     const to = (from + 1) % lamps.length;
     if (this.#state.lamp !== from) this.studio.store.set({ lamp: from });
-    // It rests at each picture for half of the time.
-    const share = this.#steps() ? 0 : Math.min(1, Math.max(0, 2 * (turn % 1) - 0.5));
+    const moved = ((turn % 1) - (1 - crossing) / 2) / crossing;
+    const share = this.#steps() ? 0 : Math.min(1, Math.max(0, moved));
     return between(lamps[from] as Light, lamps[to] as Light, (1 - Math.cos(Math.PI * share)) / 2);
   }
 }

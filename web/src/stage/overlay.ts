@@ -34,6 +34,8 @@ export interface Overlay {
   /** Colours are not the plate's to show. */
   grey: boolean;
   wipe: number;
+  /** Rulers stand at its edges. */
+  ruled: boolean;
   styles: CSSStyleDeclaration;
 }
 
@@ -79,7 +81,7 @@ export function drawOverlay(canvas: HTMLCanvasElement, overlay: Overlay): void {
     const at = { x: toX(cursor.x), y: toY(cursor.y) };
     drawBrush(context, at, overlay.radius * scale, overlay.softness);
   }
-  drawRulers(context, overlay, width, height, scale, toX, toY);
+  if (overlay.ruled) drawRulers(context, overlay, width, height, scale, toX, toY);
 }
 
 function drawPicture(

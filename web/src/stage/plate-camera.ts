@@ -5,13 +5,14 @@ import type { Shown } from '../studio/shown.js';
 import { PageCamera } from '../views/camera.js';
 import { freeOf, seenIn, type Box } from '../views/fit.js';
 import { rulerWidth } from './overlay.js';
-import { blends, compares } from './plate-scene.js';
+import { blends, compares, isRuled } from './plate-scene.js';
 
 const gap = 0.08; // between plate and zigzag, share of the page's width
 const margin = 40; // around the plate [CSS pixels]
 const toolsWidth = 60;
 const narrow = 640; // [CSS pixels] where buttons lie over the plate
-const clear = 8;
+const clear = 4;
+const lowest = 440; // [CSS pixels] as in the stage's style: below, views stand beside the plate
 const armLength = 600; // [mm]
 const handLength = 350; // of a phone
 const mostBlended = 2048; // [pixels] of a side: a larger canvas is not drawn finer
@@ -88,7 +89,7 @@ export class PlateCamera extends PageCamera {
   keepFitted(): void {
     if (!this.fitted) return;
     const { width, height } = this.size;
-    const free = width <= narrow ? this.#amongButtons() : this.#betweenBars();
+    const free = width <= narrow || height < lowest ? this.#amongButtons() : this.#betweenBars();
     const scale = this.#state.sizing === 'whole' ? undefined : this.#lifeScale();
     const seen = seenIn(free, this.#shown(), [width, height], scale);
     this.now = { ...seen, scale: seen.scale * devicePixelRatio };
@@ -102,13 +103,16 @@ export class PlateCamera extends PageCamera {
     return this.canvas.getRootNode() as ShadowRoot;
   }
 
-  /** The room that the buttons leave on a narrow canvas. */
+  /** The room that the buttons leave on a narrow or low canvas. */
   #amongButtons(): Box {
     const { left: x, top: y, width, height } = this.size;
-    const area = { left: rulerWidth, top: rulerWidth, right: width, bottom: height };
+    const ruler = isRuled(this.#state) ? rulerWidth : 0;
+    const area = { left: ruler, top: ruler, right: width, bottom: height };
     // A notice lifts the bars under the plate for a while: the plate stays where it is.
     const lift = this.#root.querySelector('sillon-notices')?.clientHeight ?? 0;
-    const buttons = [...this.#root.querySelectorAll('.views, sillon-tools, .actions, .bottom > *')].map((one) => {
+    // What stands at the foot of a low bench is narrow, and lies beside the plate.
+    const over = height < lowest ? '.views, sillon-tools' : '.views, sillon-tools, .bottom > *';
+    const buttons = [...this.#root.querySelectorAll(over)].map((one) => {
       this.watch(one); // it may not be drawn yet
       const { left, top, right, bottom } = one.getBoundingClientRect();
       const down = (one.matches('.bottom > *') ? lift : 0) - y;
@@ -120,16 +124,17 @@ export class PlateCamera extends PageCamera {
     return { left: left + clear, top: top + clear, right: right - clear, bottom: bottom - clear };
   }
 
-  /** The room between the bars of a wide one. What a low bench leaves out (the stage's style) need not be kept free. */
+  /** The room between the bars of a wide one. */
   #betweenBars(): Box {
     const { width, height } = this.size;
-    const sides = { left: toolsWidth + margin, right: width - margin };
-    if (height > 340) {
-      const bars = this.#root.querySelector('.bottom')?.clientHeight ?? 0;
-      const below = Math.max(2 * margin, Math.min(bars + 24, height / 2 - margin));
-      return { ...sides, top: 2 * margin, bottom: height - below };
-    }
-    const bare = height <= 170 || this.#state.mode === 'view';
-    return { ...sides, top: rulerWidth + (bare ? 8 : 64), bottom: height - (bare ? 8 : 12) };
+    const side = isRuled(this.#state) ? toolsWidth + margin : toolsWidth;
+    const bars = this.#root.querySelector('.bottom')?.clientHeight ?? 0;
+    const bare = this.#state.mode === 'view';
+    return {
+      left: side,
+      right: width - side,
+      top: bare ? clear : isRuled(this.#state) ? 2 * margin : margin + 18,
+      bottom: height - (bare ? clear : Math.min(bars + 16, height / 2 - margin)),
+    };
   }
 }

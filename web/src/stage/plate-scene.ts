@@ -13,6 +13,9 @@ export const compares = ({ compare, view }: Readonly<Shown>): boolean => compare
 /** No bead is told from its neighbours. */
 export const blends = ({ sizing, view }: Readonly<Shown>): boolean => sizing === 'arm' && view === 'appearance';
 
+/** Rulers measure what is made; a picture of the plate needs none. */
+export const isRuled = ({ view, tool }: Readonly<Shown>): boolean => view !== 'appearance' || tool !== 'pan';
+
 /** The comparison that lies over the left of the plate. */
 export const overOf = ({ over, view }: Readonly<Shown>): Over | undefined => (view === 'appearance' ? over : undefined);
 

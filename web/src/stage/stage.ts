@@ -1,23 +1,27 @@
 // The plate and all that lies around it on the bench.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { customElement } from 'lit/decorators.js';
+import { customElement, state } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import type { ColourBy, ViewName } from '../model/view.js';
 import './canvas.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
-import './light-control.js';
+import './lamp-handle.js';
 import '../controls/notices.js';
 import { offers } from '../studio/shown.js';
+import { isRuled } from './plate-scene.js';
 import './status-bar.js';
 import './tool-palette.js';
 
-const views: readonly ViewName[] = ['directions', 'toolpath', 'appearance', 'quality'];
+/** The directions are seen in the place of the beads that follow them. */
+const tabs = ['appearance', 'toolpath', 'quality'] as const;
+const tabOf = (view: ViewName): (typeof tabs)[number] => (view === 'directions' ? 'toolpath' : view);
 const colours: readonly ColourBy[] = ['direction', 'width', 'speed', 'order', 'delay'];
 
 /** Parts that the first view does not need at once. */
 const loadBars = (): Promise<unknown> =>
   Promise.all([import('./looks-bar.js'), import('../quality/legend.js'), import('./player.js')]);
+const loadOptions = (): Promise<unknown> => import('./view-options.js');
 
 @customElement('sillon-stage')
 export class StageElement extends StudioElement {
@@ -25,11 +29,12 @@ export class StageElement extends StudioElement {
     'view',
     'colourBy',
     'compare',
-    'recording',
     'result',
     'mode',
     'controls',
     'plate',
+    'tool',
+    'panel',
     'welcome',
   ] as const;
 
@@ -40,6 +45,7 @@ export class StageElement extends StudioElement {
          wide bench there is room for them at its right, and nothing has to move. */
       :host {
         display: grid;
+        position: relative;
         grid-template: minmax(0, 1fr) minmax(0, auto) auto / minmax(0, 1fr);
         container-type: size;
         min-width: 0;
@@ -49,46 +55,39 @@ export class StageElement extends StudioElement {
         grid-area: 1 / 1 / 3 / 2;
       }
       .bench {
+        --edge-left: 12px;
+        --edge-top: 12px;
         grid-area: 1 / 1;
         position: relative;
         container-type: size;
         pointer-events: none;
       }
-      .bench > :not(.bottom, .captions) {
+      /* Beside the rulers. */
+      .bench.ruled {
+        --edge-left: 32px;
+        --edge-top: 32px;
+      }
+      .bench > :not(.bottom, .captions, sillon-lamp) {
         pointer-events: auto;
+      }
+      sillon-lamp {
+        position: absolute;
+        inset: 0;
       }
       sillon-notices {
         grid-area: 2 / 1;
-      }
-      @container (width > 640px) and (height >= 400px) {
-        .bench,
-        sillon-notices {
-          grid-area: 1 / 1 / 3 / 2;
-        }
-        sillon-notices {
-          align-self: start;
-          max-height: calc(100% - 250px);
-          margin: 78px 52px 0 0;
-        }
-      }
-      @container (width >= 1000px) and (height >= 400px) {
-        sillon-notices {
-          max-height: calc(100% - 180px);
-          margin: 70px 0 0;
-        }
       }
       sillon-status {
         grid-area: 3 / 1;
       }
       .views,
-      .actions,
       .bottom,
       sillon-tools {
         position: absolute;
         z-index: 1;
       }
       .views {
-        top: 32px;
+        top: var(--edge-top);
         left: 50%;
         transform: translateX(-50%);
         display: flex;
@@ -101,7 +100,7 @@ export class StageElement extends StudioElement {
       }
       .views button {
         min-height: calc(var(--control) - 2px);
-        padding: 0 14px;
+        padding: 0 18px;
         border-color: transparent;
         background: none;
         color: var(--soft);
@@ -110,35 +109,42 @@ export class StageElement extends StudioElement {
         background: var(--tint);
         color: var(--accent);
       }
-      .actions {
-        top: 32px;
-        right: 12px;
-        display: flex;
-        gap: 6px;
-      }
-      .actions button {
-        background: var(--surface);
-        box-shadow: var(--lift);
-      }
-      .actions button[aria-pressed='true'] {
-        background: var(--tint);
-      }
       sillon-tools {
-        top: 32px;
-        left: 32px;
+        top: var(--edge-top);
+        left: var(--edge-left);
       }
       .bottom {
-        left: 32px;
+        left: var(--edge-left);
         right: 12px;
         bottom: 12px;
         display: flex;
         flex-wrap: wrap;
         align-items: end;
-        justify-content: space-between;
         gap: 8px;
       }
       .bottom > * {
         pointer-events: auto;
+      }
+      .options {
+        width: calc(var(--control) + 4px);
+        min-height: calc(var(--control) + 4px);
+        margin-left: auto;
+        padding: 0;
+        background: var(--surface);
+        box-shadow: var(--lift);
+      }
+      #options {
+        inset: auto 12px 60px auto;
+        width: 264px;
+        max-height: calc(100dvh - 80px);
+        margin: 0;
+        padding: 14px 16px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--surface);
+        color: var(--ink);
+        box-shadow: var(--lift);
+        overflow: auto;
       }
       sillon-player {
         flex: 1;
@@ -164,7 +170,7 @@ export class StageElement extends StudioElement {
       }
       .captions span {
         position: absolute;
-        top: 76px;
+        top: 56px;
         padding: 2px 8px;
         border-radius: var(--radius);
         background: var(--surface);
@@ -178,161 +184,142 @@ export class StageElement extends StudioElement {
       .captions span:last-child {
         left: 75%;
       }
-      .light {
-        margin-left: auto;
+      @container (width > 640px) and (height >= 400px) {
+        .bench,
+        sillon-notices {
+          grid-area: 1 / 1 / 3 / 2;
+        }
+        sillon-notices {
+          align-self: start;
+          max-height: calc(100% - 180px);
+          margin: 12px 0 0;
+        }
       }
-      /* Beside the views there is no room for words; what counts is the bench, not the window. */
-      @container (width < 1000px) {
-        .actions {
-          top: 78px;
-          flex-direction: column;
-        }
-        .actions .words {
-          position: absolute;
-          clip-path: inset(50%);
-        }
-        .actions button {
-          width: calc(var(--control) + 4px);
-          min-height: calc(var(--control) + 4px);
-          padding: 0;
+      @container (width > 640px) and (width < 1000px) and (height >= 400px) {
+        sillon-notices {
+          margin-top: 56px; /* below the views */
         }
       }
       @container (width < 420px) {
-        .views {
-          top: 26px;
-          left: 26px;
-          right: 6px;
-          overflow-x: auto; /* of letters twice as large */
-          transform: none;
+        .bench.ruled {
+          --edge-left: 26px;
+          --edge-top: 26px;
         }
-        .views button {
-          flex: auto; /* the longest word has the most room */
-          min-width: max-content;
-          padding: 0 4px;
-          font-size: var(--note);
+        .bottom {
+          right: 8px;
+          bottom: 8px;
         }
+      }
+      @container (width < 420px) and (height >= 440px) {
         /* In a row: a column would lie over the plate. */
         sillon-tools {
-          top: 78px;
-          left: 26px;
+          top: calc(var(--edge-top) + var(--control) + 18px);
           flex-direction: row;
         }
-        /* A first plate is looked at, and needs the room. */
-        sillon-tools.welcome {
-          display: none;
-        }
-        .actions {
-          top: 78px;
-          right: 6px;
-        }
-        .light {
-          flex: auto;
-          width: auto;
-        }
-        .bottom {
-          left: 26px;
-          right: 6px;
-          bottom: 6px;
-        }
       }
-      @media (pointer: coarse) {
-        .views button {
-          min-height: var(--control);
-        }
-        @container (width < 420px) and (height <= 450px) {
-          .actions {
-            display: none;
-          }
-        }
-        @container (width < 420px) {
-          sillon-tools,
-          .actions {
-            top: 84px;
-          }
-        }
-      }
-      /* Beside the tools, where the middle is too near to them. */
-      @container (420px <= width <= 640px) {
+      /* A low bench is for the plate: beside it stand the views, and the line of figures lies over the bench. */
+      @container (height < 440px) {
         .views {
-          left: 90px;
-          max-width: calc(100% - 96px);
-          overflow-x: auto;
+          left: auto;
+          right: 8px;
+          top: 8px;
+          flex-direction: column;
           transform: none;
         }
         .views button {
-          padding: 0 9px;
+          padding: 0 8px;
         }
-      }
-      /* A low bench is for the plate. */
-      @container (width <= 640px) and (height <= 450px) {
-        .colour,
-        sillon-legend {
-          display: none;
+        sillon-tools {
+          display: grid;
+          grid-template-columns: auto auto;
         }
-      }
-      @container (height <= 340px) {
-        sillon-tools,
-        .actions,
         .bottom {
+          bottom: 8px;
+        }
+        .colour,
+        sillon-legend,
+        sillon-player {
+          max-width: 132px;
+          min-width: 0;
+        }
+        .colour .note,
+        .colour sillon-legend {
           display: none;
         }
-      }
-      @container (height <= 170px) {
-        .views {
+        .captions {
           display: none;
+        }
+        /* Above the figures. */
+        sillon-looks,
+        sillon-player,
+        .colour {
+          margin-bottom: 44px;
+        }
+      }
+      @container (height < 240px) {
+        sillon-looks {
+          display: none; /* the lamp turns by hand */
         }
       }
     `,
   ];
 
   override render(): TemplateResult {
-    const { view, compare, mode, welcome } = this.state;
+    const { view, compare, mode, welcome, panel } = this.state;
+    const looks = view === 'appearance';
+    const lamp = looks ? html`<sillon-lamp .studio=${this.studio}></sillon-lamp>` : nothing;
     if (mode === 'view') {
       return html`<sillon-canvas .studio=${this.studio}></sillon-canvas>
-        <div class="bench">
-          <div class="bottom"><sillon-light class="light" .studio=${this.studio}></sillon-light></div>
-        </div>
+        <div class="bench">${lamp}</div>
         <sillon-notices .studio=${this.studio}></sillon-notices>`;
     }
     return html`
       <sillon-canvas .studio=${this.studio}></sillon-canvas>
-      <div class="bench">
+      <div class=${isRuled(this.state) ? 'bench ruled' : 'bench'}>
+        ${lamp}
         <div class="views" role="tablist" aria-label=${t('view.title')} @keydown=${this.#onTabKey}>
-          ${views.map(
-            (name, k) =>
+          ${tabs.map(
+            (tab, k) =>
               html`<button
                 type="button"
                 role="tab"
-                id="tab-${name}"
-                aria-selected=${String(view === name)}
+                id="tab-${tab}"
+                aria-selected=${String(tabOf(view) === tab)}
                 aria-keyshortcuts=${k + 1}
-                title="${t(`view.${name}.help`)} (${k + 1})"
-                tabindex=${view === name ? 0 : -1}
+                title="${t(`view.${tab}.help`)} (${k + 1})"
+                tabindex=${tabOf(view) === tab ? 0 : -1}
                 @click=${() => {
-                  this.studio.setView(name);
+                  this.studio.setView(tab);
                 }}
               >
-                ${t(`view.${name}`)}
+                ${t(`view.${tab}`)}
               </button>`,
           )}
         </div>
         ${
-          offers(this.state, 'layers')
-            ? html`<sillon-tools
-                class=${welcome ? 'welcome' : ''}
-                .studio=${this.studio}
-                role="toolbar"
-                aria-label=${t('tool.title')}
-              ></sillon-tools>`
+          offers(this.state, 'layers') && !welcome
+            ? html`<sillon-tools .studio=${this.studio} role="toolbar" aria-label=${t('tool.title')}></sillon-tools>`
             : nothing
         }
-        ${view === 'appearance' ? this.#looks() : nothing}
         <div class="bottom">
-          ${view === 'toolpath' ? this.#colourBy() : nothing} ${this.lazy(loadBars) ? this.#bars(view) : nothing}
-          ${view === 'appearance' ? html`<sillon-light class="light" .studio=${this.studio}></sillon-light>` : nothing}
+          ${
+            welcome && panel === ''
+              ? html`<button
+                  type="button"
+                  class="main"
+                  @click=${() => {
+                    this.studio.setPanel('layers');
+                  }}
+                >
+                  ${icon('plus')} ${t('start.own')}
+                </button>`
+              : nothing
+          }
+          ${tabOf(view) === 'toolpath' ? this.#colourBy() : nothing}
+          ${!welcome && this.lazy(loadBars) ? this.#bars(view) : nothing} ${this.#options()}
         </div>
         ${
-          view === 'appearance' && compare
+          looks && compare
             ? html`<div class="captions"><span>${t('view.yours')}</span><span>${t('view.zigzag')}</span></div>`
             : nothing
         }
@@ -353,68 +340,56 @@ export class StageElement extends StudioElement {
     const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
     if (by === 0) return;
     event.preventDefault();
-    const next = views[(views.indexOf(this.state.view) + by + views.length) % views.length] as ViewName;
+    const next = tabs[(tabs.indexOf(tabOf(this.state.view)) + by + tabs.length) % tabs.length] as ViewName;
     this.studio.setView(next);
     void this.updateComplete.then(() => this.renderRoot.querySelector<HTMLElement>(`#tab-${next}`)?.focus());
   };
 
-  #looks(): TemplateResult {
-    const { compare } = this.state;
-    return html`<div class="actions">
-      <button
-        type="button"
-        aria-pressed=${String(compare)}
-        title="${t('view.compare.help')} (C)"
-        @click=${() => {
-          this.studio.store.set({ compare: !compare, over: undefined });
-        }}
-      >
-        ${icon('compare')} <span class="words">${t('view.zigzag')}</span>
-      </button>
-      ${offers(this.state, 'download') ? this.#captures() : nothing}
-    </div>`;
-  }
+  @state() private unfolded = false;
 
-  #captures(): TemplateResult {
-    const { recording } = this.state;
+  /** What is rarely changed of the view; it comes when it is first asked for. */
+  #options(): TemplateResult {
     return html`<button
         type="button"
-        class="square"
-        aria-label=${t('capture.picture')}
-        title=${t('capture.picture')}
-        @click=${() => {
-          void this.studio.save('png');
-        }}
+        class="options"
+        popovertarget="options"
+        aria-label=${t('view.options')}
+        title=${t('view.options')}
       >
-        ${icon('camera')}
+        ${icon('tune')}
       </button>
-      <button
-        type="button"
-        class="square"
-        aria-pressed=${String(recording)}
-        aria-label=${t(recording ? 'capture.recording' : 'capture.video')}
-        title=${t(recording ? 'capture.recording' : 'capture.video')}
-        ?disabled=${recording}
-        @click=${() => {
-          void this.studio.saveVideo();
+      <div
+        id="options"
+        popover
+        role="group"
+        aria-label=${t('view.options')}
+        @beforetoggle=${() => {
+          this.unfolded = true;
         }}
       >
-        ${icon('video')}
-      </button> `;
+        ${
+          this.unfolded && this.lazy(loadOptions)
+            ? html`<sillon-view-options .studio=${this.studio}></sillon-view-options>`
+            : nothing
+        }
+      </div>`;
   }
 
   #colourBy(): TemplateResult {
-    const { colourBy } = this.state;
+    const { colourBy, view } = this.state;
     return html`<div class="colour">
       <label for="colour" class="note">${t('colour.title')}</label>
       <select
         id="colour"
-        .value=${colourBy}
+        .value=${view === 'directions' ? view : colourBy}
         @change=${(event: Event) => {
-          this.studio.store.set({ colourBy: (event.currentTarget as HTMLSelectElement).value as ColourBy });
+          const chosen = (event.currentTarget as HTMLSelectElement).value as ColourBy | 'directions';
+          if (chosen === 'directions') this.studio.setView(chosen);
+          else this.studio.store.set({ colourBy: chosen, view: 'toolpath' });
         }}
       >
-        ${colours.map((name) => html`<option value=${name} ?selected=${name === colourBy}>${t(`colour.${name}`)}</option>`)}
+        <option value="directions" ?selected=${view === 'directions'}>${t('view.directions')}</option>
+        ${colours.map((name) => html`<option value=${name} ?selected=${view !== 'directions' && name === colourBy}>${t(`colour.${name}`)}</option>`)}
       </select>
       ${this.lazy(loadBars) ? html`<sillon-legend class="within" .studio=${this.studio}></sillon-legend>` : nothing}
     </div>`;

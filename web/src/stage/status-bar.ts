@@ -5,7 +5,6 @@ import { progressWords } from '../i18n/say.js';
 import { formatDuration, formatNumber, t } from '../i18n/text.js';
 import { isOf } from '../model/result.js';
 import { StudioElement } from '../controls/element.js';
-import { icon } from '../controls/icons.js';
 import { inUnits } from '../shape/units.js';
 import { pageOf } from '../model/plate.js';
 
@@ -74,9 +73,6 @@ export class StatusBar extends StudioElement {
         width: calc(100% * var(--share));
         background: var(--accent);
       }
-      .zoom {
-        display: flex;
-      }
       .job button {
         min-height: max(28px, var(--control));
         font-size: var(--note);
@@ -84,6 +80,36 @@ export class StatusBar extends StudioElement {
       @media (max-width: 720px) {
         :host {
           padding-left: 10px;
+        }
+      }
+      /* A low bench needs the row: figures stand in its corner, beside the plate. */
+      @container (height < 440px) {
+        :host {
+          position: absolute;
+          left: 8px;
+          bottom: 8px;
+          z-index: 1;
+          width: max-content;
+          max-width: 7.5rem;
+          min-height: 28px;
+          padding: 4px 8px;
+          border: 1px solid var(--line);
+          border-radius: var(--radius-large);
+          overflow: hidden;
+        }
+        .figures {
+          flex-direction: column;
+        }
+        .job {
+          gap: 6px;
+        }
+        .job .stage,
+        .rest {
+          display: none;
+        }
+        .job button {
+          min-height: 28px;
+          padding: 0 6px;
         }
       }
       /* Words go before figures are cut off. The container is the stage, which is as wide: Chromium gives no boxes to what
@@ -138,18 +164,7 @@ export class StatusBar extends StudioElement {
           : progress === undefined
             ? this.#figures()
             : this.#progress(progress)
-      }
-      <div class="zoom" role="group" aria-label=${t('section.view')}>
-        ${this.#button('minus', t('verb.zoomOut'), () => this.studio.stage?.zoom(1 / 1.4))}
-        ${this.#button('plus', t('verb.zoomIn'), () => this.studio.stage?.zoom(1.4))}
-        ${this.#button('fit', t('verb.fit'), () => this.studio.stage?.fit())}
-      </div>`;
-  }
-
-  #button(name: 'minus' | 'plus' | 'fit', label: string, run: () => void): TemplateResult {
-    return html`<button type="button" class="plain square" aria-label=${label} title=${label} @click=${run}>
-      ${icon(name, 16)}
-    </button>`;
+      }`;
   }
 
   #progress(progress: NonNullable<this['state']['progress']>): TemplateResult {

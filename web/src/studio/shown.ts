@@ -113,8 +113,10 @@ export interface Shown extends State {
   notices: readonly Notice[];
   /** Stands in for the beads of the first plate. */
   shimmer: Shimmer | undefined;
-  /** What this is and what to do is said: a first visit, before anything was done. */
+  /** A first visit, before anything was done: what comes later would only be in the way. */
   welcome: boolean;
+  /** A pointer is on the lamp, which must not move away from it. */
+  lampHeld: boolean;
   engine: EngineInfo | undefined;
   /** The engine was told to stop, and nothing has changed since. */
   cancelled: boolean;
@@ -168,6 +170,7 @@ export const newShown = (): Shown => ({
   notices: [],
   shimmer: undefined,
   welcome: false,
+  lampHeld: false,
   engine: undefined,
   cancelled: false,
 });

@@ -17,7 +17,7 @@ import type { Theme, Tool } from '../model/state.js';
 import type { Light, ViewName } from '../model/view.js';
 import type { OpenedFiles, Role } from '../model/file-role.js';
 import type { Services } from './services.js';
-import type { Dialog, LightMode, Notice, NoticeAction, Shown } from './shown.js';
+import { offers, type Dialog, type LightMode, type Notice, type NoticeAction, type Shown } from './shown.js';
 
 export type Product = 'gcode' | 'body' | 'zones' | 'svg' | 'png' | 'view' | 'project';
 
@@ -145,20 +145,28 @@ export class Studio {
 
   // --- The page -----------------------------------------------------------------------------------------------------------
 
+  /** The section that was open before the list of what was found. */
+  #before = '';
+
+  /** The list of what was found comes with the view that shows its places, and goes with it. */
   setView(view: ViewName): void {
-    this.store.set({ view });
+    const { state } = this.store;
+    const lists = view === 'quality' && offers(state, 'quality');
+    if (lists && state.panel !== 'quality') this.#before = state.panel;
+    const panel = lists ? 'quality' : state.panel === 'quality' ? this.#before : state.panel;
+    this.store.set({ view, panel });
   }
 
   /** The section that is open at first; '': none. */
   firstPanel(): string {
     const { mode } = this.store.state;
-    if (!matchMedia('(min-width: 721px)').matches) return '';
+    if (!matchMedia('(min-width: 721px) and (min-height: 480px)').matches) return '';
     return mode === 'edit' ? 'layers' : mode === 'customize' ? 'own' : '';
   }
 
   setPanel(panel: string): void {
-    this.store.set({ panel });
     if (panel === 'quality') this.setView('quality');
+    else this.store.set({ panel });
   }
 
   setTool(tool: Tool): void {

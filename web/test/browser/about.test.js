@@ -42,7 +42,7 @@ test(
     const visit = await bench.open({ small: true });
     await visit.idle();
     await visit.page.route(/assets\/share-dialog-/, (route) => route.fulfill({ status: 404 }));
-    await visit.button('Share').click();
+    await visit.menu('Share');
     const alert = visit.page.locator('sillon-notices .problem').first();
     await alert.getByText('A part of the page could not be loaded.').waitFor();
     await visit.page.unroute(/assets\/share-dialog-/);

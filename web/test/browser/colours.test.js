@@ -45,7 +45,7 @@ test('each colour of a drawing gets a direction, which can be turned, undone and
   assert.equal(await visit.state(({ plate }) => plate.shape.kind), 'file');
   await visit.page.getByText('flag.svg: Colours: a direction for each').waitFor();
   await visit.idle();
-  await visit.view('Flow');
+  await visit.directions();
   for (const [x, angle] of [
     [0.05, 60],
     [0.33, 150],
@@ -181,7 +181,7 @@ test(
       studio.change((plate) => ({ ...plate, layers: [{ ...plate.layers[0], from: 12 }] }));
     });
     await inMenu(visit, 'Dark and bright places hardly differ');
-    await visit.section('Quality');
+    await visit.view('Check');
     await page.locator('sillon-quality-panel').getByText('Dark and bright places hardly differ').waitFor();
     assert.deepEqual(visit.problems, []);
   },
@@ -204,7 +204,7 @@ test('letters that are too fine or too alike are told below the list and before 
   await visit.section('Print');
   const summary = visit.page.getByRole('region', { name: 'Print', exact: true });
   await summary.getByText('narrower than two beads and hard to read').waitFor();
-  await visit.section('Directions');
+  await visit.section('Picture');
   await change({ textSize: 6, text: 'Hi', font: 'Bebas Neue' });
   await visit.idle();
   await until(async () => (await panel.count()) === 0, 'nothing to be said of large letters');

@@ -172,7 +172,7 @@ for (const width of [1280, 390]) {
       assert.deepEqual(await violations(page), [], what);
       if (width < 720) assert.deepEqual(await unfit(visit, panel), [], what);
     };
-    if (width < 720) await visit.section('Directions');
+    if (width < 720) await visit.section('Picture');
     await page.locator('sillon-layers-panel li').first().waitFor();
     await look('the list', 'sillon-layers-panel');
     for (const row of ['LÉON', 'Border', 'One direction']) {

@@ -77,7 +77,7 @@ test('what was said of a file goes when something of another kind takes its plac
   assert.equal(await visit.button('Change').count(), 1);
   await visit.drop([photo('second.png')]);
   await visit.button('Show both, turn the lamp').waitFor();
-  await visit.section('Directions');
+  await visit.section('Picture');
   await visit.page.getByRole('radio', { name: 'Waves' }).check();
   await visit.button('Show both, turn the lamp').waitFor({ state: 'detached' });
   await visit.page.keyboard.press('Control+z');
@@ -127,7 +127,7 @@ for (const way of ['drop', 'paste']) {
   test(`no plate changes behind a sheet: it closes for a file, ${way}`, { skip }, async () => {
     const visit = await bench.open({ small: true });
     await visit.until(({ plate }) => plate.width === 24);
-    await visit.button('Share').click();
+    await visit.menu('Share');
     await visit.page.getByRole('dialog').waitFor();
     await visit[way]([photo('first.png')]);
     await visit.page.getByText('first.png: Picture under a lamp').waitFor();

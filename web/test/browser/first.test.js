@@ -8,8 +8,6 @@ import { fileAt, inputs, skip, start } from './support/studio.js';
 import { until } from './support/waits.js';
 
 const bench = sharedBench(skip, start);
-const welcome = (visit) => visit.page.getByRole('region', { name: 'Welcome' });
-
 /** In the window, and nothing lies over its middle. */
 const reached = (locator) =>
   locator.evaluate((one) => {
@@ -23,42 +21,125 @@ const reached = (locator) =>
     return width > 0 && (found === one || one.contains(found));
   });
 
+const welcomes = (visit) => visit.until(({ welcome }) => welcome);
+
+const ways = ['Photo', 'Logo', 'Text', 'QR code', 'Pattern', 'More ways'];
+
 for (const [width, height] of [
   [320, 600],
-  [1440, 900],
+  [1366, 768],
 ]) {
   test(`a first visit says what this is and what to do, ${width} pixels wide`, { skip }, async () => {
     const visit = await bench.open({ viewport: { width, height } });
-    await welcome(visit).waitFor();
-    assert.match(await welcome(visit).innerText(), /turns a picture into a plate.*\s+Drop a photo or a logo/);
-    for (const name of ['Open…', 'Examples', 'Choose a file…', 'See examples', 'Download']) {
-      assert.ok(await reached(visit.button(name)), name);
-    }
+    await welcomes(visit);
+    if (width < 720) await visit.button('Make your own').click();
+    const panel = visit.page.locator('sillon-layers-panel');
+    await panel.getByText('Sillon turns a picture into a plate').waitFor();
+    for (const name of ways) assert.ok(await panel.getByRole('button', { name }).isVisible(), name);
+    for (const name of ['Examples', 'Menu']) assert.ok(await reached(visit.button(name)), name);
     const [chooser] = await Promise.all([
       visit.page.waitForEvent('filechooser'),
-      visit.button(width < 720 ? 'Open…' : 'Choose a file…').click(),
+      panel.getByRole('button', { name: 'Photo' }).click(),
     ]);
     assert.ok(chooser.isMultiple());
   });
 }
 
-test('the welcome goes with the first change, and for good once it is dismissed', { skip }, async () => {
+test('a first view has at most 25 controls', { skip }, async () => {
+  const visit = await bench.open({ viewport: { width: 1366, height: 768 } });
+  await welcomes(visit);
+  await visit.page.locator('sillon-plate-facts').getByRole('button', { name: 'Re-brush' }).waitFor();
+  const controls = await visit.page.evaluate(() => {
+    const all = [];
+    const walk = (root) => {
+      for (const one of root.querySelectorAll('*')) {
+        all.push(one);
+        if (one.shadowRoot) walk(one.shadowRoot);
+      }
+    };
+    walk(document);
+    const kinds = 'button, a[href], input:not([type=file]), select, textarea, summary, [role=slider], [role=tab]';
+    return all
+      .filter((one) => one.matches(kinds) && one.checkVisibility({ visibilityProperty: true }))
+      .filter((one) => {
+        const { top, bottom, left, right } = one.getBoundingClientRect();
+        return bottom >= 0 && top <= innerHeight && right >= 0 && left <= innerWidth;
+      })
+      .map((one) => one.getAttribute('aria-label') ?? one.textContent.trim());
+  });
+  assert.ok(controls.length <= 25, `${controls.length}: ${controls.join(', ')}`);
+});
+
+for (const [width, height] of [
+  [683, 384],
+  [568, 320],
+  [360, 640],
+  [455, 256],
+]) {
+  test(`in a window of ${width} x ${height} the plate has its room and every tool is reached`, { skip }, async () => {
+    const visit = await bench.open({ viewport: { width, height }, hasTouch: true });
+    await welcomes(visit);
+    const { page } = visit;
+    const share = () =>
+      page.evaluate(() => {
+        const { stage } = document.querySelector('sillon-app').studio;
+        const { width, height } = stage.plateBox();
+        return (width * height) / (innerWidth * innerHeight);
+      });
+    // In the smallest window, which is one of 1366 x 768 at 300 percent, words and buttons keep their size.
+    const least = height < 300 ? 0.25 : 0.4;
+    await until(async () => (await share()) >= least, `a plate on ${least} of the window`);
+    for (const name of ['Look', 'Path', 'Check']) assert.ok(await reached(page.getByRole('tab', { name })), name);
+    assert.ok(await reached(page.getByRole('slider', { name: 'Light direction' })), 'the lamp');
+    assert.ok(await reached(visit.button('View and light')), 'options of the view');
+    for (const name of ['Picture', 'Shape', 'Print']) {
+      await visit.section(name);
+      const panel = page.locator('#panel');
+      const box = await panel.boundingBox();
+      assert.ok(box.height >= 150 && box.width >= 250, `${name}: ${JSON.stringify(box)}`);
+      await visit.section(name);
+    }
+    // Once there is a plate of one's own, the brushes are there.
+    await page.evaluate(() => {
+      document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, width: 30, height: 30 }));
+    });
+    for (const name of ['Move the view', 'Comb', 'Eraser']) assert.ok(await reached(visit.button(name)), name);
+  });
+}
+
+test('the first plate is nobody’s, until the first change', { skip }, async () => {
   const visit = await bench.open();
-  await welcome(visit).waitFor();
+  await welcomes(visit);
   await visit.page.evaluate(() => {
     document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, width: 20, height: 20 }));
   });
-  await welcome(visit).waitFor({ state: 'detached' });
+  await visit.until(({ welcome }) => !welcome);
+});
 
-  const other = await bench.open();
-  await welcome(other).getByRole('button', { name: 'Dismiss' }).click();
-  await welcome(other).waitFor({ state: 'detached' });
-  await other.page.reload();
-  await other.page.waitForFunction(() => {
-    const state = document.querySelector('sillon-app')?.studio.store.state;
-    return state?.progress !== undefined || state?.result !== undefined; // it has begun: nothing more is restored
-  });
-  assert.equal(await other.state((state) => state.welcome), false);
+test('the lamp is dragged around the plate, and turned by keys', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.idle();
+  const lamp = visit.page.getByRole('slider', { name: 'Light direction' });
+  const bench_ = await visit.canvas();
+  const drag = async (x, y) => {
+    const box = await lamp.boundingBox();
+    await visit.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await visit.page.mouse.down();
+    await visit.page.mouse.move(bench_.x + x * bench_.width, bench_.y + y * bench_.height, { steps: 5 });
+    await visit.page.mouse.up();
+  };
+  await drag(0.95, 0.5);
+  await visit.until(({ light }) => light.azimuth === 0 && light.elevation < 30);
+  await drag(0.5, 0.3);
+  await visit.until(({ light }) => light.azimuth === 90 && light.elevation > 60);
+  const box = await lamp.boundingBox();
+  const at = (box.x + box.width / 2 - bench_.x) / bench_.width;
+  assert.ok(Math.abs(at - 0.5) < 0.02, `the lamp at ${at} of the width`);
+  await lamp.focus();
+  await visit.page.keyboard.press('ArrowLeft');
+  await visit.page.keyboard.press('ArrowDown');
+  await visit.until(({ light }) => light.azimuth === 95);
+  assert.match(await lamp.getAttribute('aria-valuetext'), /Lamp at 95°, \d+° high/);
 });
 
 const names = ({ plate }) => plate.layers[0].pictures.map(({ file }) => file.name);
@@ -90,7 +171,7 @@ test(
     const visit = await bench.open({ path: '/404' });
     await visit.page.route('**/engine/**', () => undefined); // never answered
     await visit.page.goto(bench.origin);
-    await welcome(visit).waitFor();
+    await welcomes(visit);
     await visit.until(({ shimmer }) => shimmer !== undefined);
     assert.deepEqual(await visit.state(names), ['sun.png', 'moon.png']);
     const [sun, moon] = [
@@ -114,7 +195,7 @@ test(
 
 test('the lamp of the first plate turns by itself until somebody does something', { skip }, async () => {
   const visit = await bench.open({ reducedMotion: 'no-preference' });
-  await welcome(visit).waitFor();
+  await welcomes(visit);
   assert.equal(await visit.state(({ flipping }) => flipping), true);
   await visit.until(({ lamp }) => lamp === 1);
   await visit.until(({ lamp }) => lamp === 0);
@@ -128,7 +209,7 @@ test('the lamp of the first plate turns by itself until somebody does something'
   await visit.drop([fileAt(join(inputs, 'photo.png'))]);
   await visit.until(({ plate }) => plate.layers[0].pictures.length === 1);
   assert.deepEqual(await visit.state(names), ['photo.png']);
-  await welcome(visit).waitFor({ state: 'detached' });
+  await visit.until(({ welcome }) => !welcome);
   assert.equal(await visit.state(({ flipping }) => flipping), false);
   await visit.page.evaluate(() => {
     document.querySelector('sillon-app').studio.store.undo();
@@ -155,11 +236,11 @@ test('what the next visit needs is fetched once this one has its plate', { skip 
 
 test('the first plate is not kept as work, and stands still where motion is reduced', { skip }, async () => {
   const visit = await bench.open();
-  await welcome(visit).waitFor();
+  await welcomes(visit);
   await visit.until(({ light }) => light.azimuth === 70 && light.elevation === 45);
   assert.equal(await visit.state(({ flipping }) => flipping), false);
   await visit.page.reload();
-  await welcome(visit).waitFor();
+  await welcomes(visit);
   // Nothing is said of kept work; that the page works offline from now on may be.
   const said = await visit.state(({ notices }) => notices.map(({ text }) => text));
   assert.deepEqual(

@@ -302,7 +302,7 @@ test('a link carries the settings, and says what it cannot carry', { skip }, asy
   await visit.page.getByRole('spinbutton', { name: 'Bead spacing' }).fill('0.52');
   await visit.page.keyboard.press('Enter');
   await visit.until((state) => state.plate.toolpath.spacing === 0.52);
-  await visit.button('Share').click();
+  await visit.menu('Share');
   const field = visit.page.locator('sillon-share input');
   await visit.page.waitForFunction((input) => input.value !== '', await field.elementHandle());
   const url = await field.inputValue();

@@ -163,7 +163,7 @@ test('the page’s thread goes on while a plate is made', { skip }, async (t) =>
   const visit = await bench.open({ small: true });
   await visit.idle();
   // Another view draws no beads: graphics in software would hold the thread.
-  await visit.view('Flow');
+  await visit.directions();
   await settled(visit.page);
   const turns = await visit.page.evaluate(async () => {
     const { studio } = document.querySelector('sillon-app');

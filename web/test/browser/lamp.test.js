@@ -111,14 +111,15 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
       return overlay.getContext('2d').getImageData(Math.round(width / 2), Math.round(height / 2), 1, 1).data[3];
     });
   await until(async () => (await covered()) === 0, 'a plate without anything over it');
-  await visit.page.getByLabel('Compare with').selectOption('picture');
+  await (await visit.options()).getByLabel('Compare with').selectOption('picture');
+  await visit.page.keyboard.press('Escape');
   await visit.page.getByLabel('How much of the plate the original picture covers').focus();
   await visit.page.keyboard.press('End');
   await visit.page.waitForFunction(() => document.querySelector('sillon-app').studio.store.state.wipe === 1);
   await until(async () => (await covered()) === 255, 'the picture over the plate');
 
   // What is measured of each says which one it is.
-  await visit.section('Quality');
+  await visit.view('Check');
   const measures = visit.page.locator('sillon-quality-panel .verdicts b');
   await measures.filter({ hasText: 'Picture: photo.png' }).waitFor();
   await measures.filter({ hasText: 'Picture: moon.jpg' }).waitFor();
@@ -154,7 +155,7 @@ test('the light stands where one’s own picture is to be seen until a hand move
     await visit.idle();
     await visit.until('({ light }) => light.azimuth === 60 && light.elevation === 35');
     assert.deepEqual(await visit.page.evaluate(placesOfLight, 40), ['{"azimuth":60,"elevation":35}']);
-    const moves = visit.page.getByLabel('Light', { exact: true });
+    const moves = (await visit.options()).getByLabel('Light', { exact: true });
     const words = device === phone ? 'Stands still' : 'Follows the pointer';
     assert.equal(await moves.locator('option:checked').innerText(), words);
     assert.deepEqual(visit.problems, []);

@@ -161,12 +161,12 @@ for (const colorScheme of ['light', 'dark']) {
     const { page } = visit;
     // In the dark, the colours alone are others.
     const rules = colorScheme === 'dark' ? { runOnly: ['color-contrast'] } : {};
-    for (const view of ['Flow', 'Beads', 'Appearance', 'Check']) {
+    for (const view of ['Look', 'Path', 'Check']) {
       await visit.view(view);
       await settled(page);
       assert.deepEqual(await violations(page, rules), [], view);
     }
-    for (const section of ['Shape', 'Toolpath', 'Print', 'Quality', 'Directions']) {
+    for (const section of ['Shape', 'Print', 'Picture']) {
       await visit.section(section);
       await settled(page);
       assert.deepEqual(await violations(page, rules), [], section);
@@ -182,7 +182,10 @@ for (const colorScheme of ['light', 'dark']) {
       ['code', 'QR code'],
     ]) {
       if (kind !== 'text') await panel.locator('#add').click();
-      await panel.locator('#kinds').getByRole('button', { name }).click();
+      await panel
+        .locator(kind === 'text' ? '.start' : '#kinds')
+        .getByRole('button', { name })
+        .click();
       await visit.until(`({ plate }) => plate.layers.at(-1).kind === '${kind}'`); // once there is a place for it
       await visit.idle();
       assert.deepEqual(await violations(page, rules), [], name);
@@ -193,7 +196,7 @@ for (const colorScheme of ['light', 'dark']) {
     await settled(page);
     assert.deepEqual(await violations(page, rules), [], 'the ground of several layers');
     for (const dialog of ['Examples', 'Share', 'Help']) {
-      await visit.button(dialog).click();
+      await (dialog === 'Examples' ? visit.button(dialog).click() : visit.menu(dialog));
       await page.getByRole('dialog').waitFor();
       await settled(page);
       assert.deepEqual(await violations(page, rules), [], dialog);
@@ -234,23 +237,13 @@ test('keys alone reach everything that the plate needs', { skip }, async () => {
     seen.add(await focused(page));
   }
   const names = [...seen].join('\n');
-  for (const name of [
-    'Examples',
-    'Open',
-    'Share',
-    'Menu',
-    'Download',
-    'Shape',
-    'Print',
-    'Appearance',
-    'mm. Arrow keys',
-  ]) {
+  for (const name of ['Examples', 'Menu', 'Download', 'Shape', 'Print', 'Look', 'mm. Arrow keys']) {
     assert.ok(names.includes(name), `${name} is not reached; these are:\n${names}`);
   }
   // Views, tools, a stroke, undo, help: without a pointer.
   await page.locator('sillon-canvas .overlay').focus();
-  await page.keyboard.press('1');
-  await visit.until((state) => state.view === 'directions');
+  await page.keyboard.press('2');
+  await visit.until((state) => state.view === 'toolpath');
   await page.keyboard.press('b');
   await visit.until((state) => state.tool === 'comb');
   await page.locator('sillon-canvas .overlay').focus();
@@ -266,7 +259,7 @@ test('keys alone reach everything that the plate needs', { skip }, async () => {
   await page.getByRole('dialog').waitFor();
   await page.keyboard.press('Escape');
   await visit.until((state) => state.dialog === undefined);
-  await page.keyboard.press('3');
+  await page.keyboard.press('1');
   await visit.until((state) => state.view === 'appearance');
 });
 
@@ -308,7 +301,7 @@ test('Escape means the topmost open thing, and the work behind it goes on', { sk
     await page.keyboard.type('1');
     await escape(field);
   }
-  await visit.button('Share').click();
+  await visit.menu('Share');
   await page.getByRole('dialog').waitFor();
   await escape('a dialog');
   await page.getByRole('dialog').waitFor({ state: 'detached' });
@@ -328,7 +321,7 @@ test('what opens while a sheet closes stays open', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.idle();
   const { page } = visit;
-  await visit.button('Help').click();
+  await visit.menu('Help');
   await page.getByRole('dialog').waitFor();
   // The event of the closing comes after what is opened in the same task.
   const kept = await page.evaluate(async () => {
@@ -393,7 +386,7 @@ test('at 360 pixels nothing sticks out, and fingers can do it all', { skip }, as
   const { page } = visit;
   const wide = () => page.evaluate(() => document.documentElement.scrollWidth);
   assert.equal(await wide(), 360);
-  for (const section of ['Shape', 'Directions', 'Toolpath', 'Print', 'Quality']) {
+  for (const section of ['Shape', 'Picture', 'Print']) {
     await page.locator('nav').getByRole('button', { name: section, exact: true }).tap();
     await settled(page);
     assert.equal(await wide(), 360, section);

@@ -282,7 +282,7 @@ test('a new plate and an example stay on the visitor’s printer', { skip }, asy
 test('the link on show is that of the plate as it is now', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.until((state) => state.result !== undefined);
-  await visit.button('Share').click();
+  await visit.menu('Share');
   const link = visit.page.getByRole('dialog').getByRole('textbox', { name: 'Share' });
   const first = await until(() => link.inputValue(), 'the link');
   await rename(visit, 'Another');
@@ -298,7 +298,7 @@ test('a link that is pasted or dropped is opened; of another address it is said 
   const visit = await bench.open({ small: true });
   await visit.until((state) => state.result !== undefined);
   const { page } = visit;
-  await visit.button('Help').click();
+  await visit.menu('Help');
   await page.getByRole('dialog').waitFor();
   await visit.paste([], ` https://sillon.example/${linkOf({ ...sized(22), ...named('Pasted') })}\n`);
   await visit.until(({ plate, dialog }) => plate.name === 'Pasted' && dialog === undefined);

@@ -85,14 +85,15 @@ test('the views look as they should', { skip }, async () => {
     store.set({ light: { azimuth: 60, elevation: 40 }, lightMode: 'fixed', panel: '' });
   });
   const canvas = visit.page.locator('sillon-canvas');
-  for (const view of ['Flow', 'Beads', 'Appearance', 'Check']) {
+  for (const view of ['Look', 'Path', 'Check']) {
     await visit.view(view);
     await compare(view.toLowerCase(), () => canvas.screenshot(picture));
   }
-  await visit.view('Appearance');
-  await visit.button('Plain 45° zigzag').click();
+  await visit.view('Look');
+  await (await visit.options()).getByLabel('Compare with').selectOption('beside');
+  await visit.page.keyboard.press('Escape');
   await compare('compared', () => canvas.screenshot(picture));
-  await visit.view('Beads');
+  await visit.view('Path');
   await visit.page.locator('sillon-stage select').selectOption('width');
   await compare('widths', () => canvas.screenshot(picture));
 });
@@ -177,7 +178,7 @@ test('beads are drawn whole, wherever pieces of the path meet, and nothing else 
     },
   });
   await visit.idle();
-  await visit.view('Beads');
+  await visit.view('Path');
   await settled(visit.page);
   const { inside, outside, insides, outsides } = await visit.page.evaluate(coverage);
   assert.ok(insides > 1500 && outsides > 100, `${insides} inside, ${outsides} outside`);

@@ -202,7 +202,7 @@ test('links leave blocks out, and say so', { skip }, async () => {
       .querySelector('sillon-app')
       .studio.change((plate) => ({ ...plate, printer: { ...plate.printer, startGcode: 'M587 S"net" P"secret"' } })),
   );
-  await visit.button('Share').click();
+  await visit.menu('Share');
   const share = visit.page.locator('sillon-share');
   await until(async () => /#plate=/.test(await share.locator('input').inputValue()), 'the link');
   assert.match(await share.locator('p').first().innerText(), /your printer’s start and end G-code/);

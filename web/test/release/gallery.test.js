@@ -10,7 +10,7 @@ const bench = sharedBench(skip, start);
 test('every example of the gallery makes one whole plate', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.idle();
-  await visit.view('Flow'); // no beads to draw in software
+  await visit.directions(); // no beads to draw in software
   await visit.button('Examples').click();
   await visit.page.locator('sillon-gallery li').first().waitFor();
   const count = await visit.page.locator('sillon-gallery li button').count();

@@ -97,9 +97,9 @@ test('the sections of settings and the views share no name', async () => {
     const words = new Map(await wordsOf(tag));
     const named = (kind: string, names: string[]): string[] =>
       names.map((name) => words.get(`${kind}.${name}`)?.[0] ?? '');
-    const rail = named('section', ['shape', 'layers', 'toolpath', 'print', 'quality']);
+    const rail = named('section', ['shape', 'layers', 'print']);
     const tabs = named('view', ['directions', 'toolpath', 'appearance', 'quality']);
-    assert.equal(new Set([...rail, ...tabs, '']).size, 10, `${tag}: ${[...rail, ...tabs].join()}`);
+    assert.equal(new Set([...rail, ...tabs, '']).size, 8, `${tag}: ${[...rail, ...tabs].join()}`);
   }
 });
 

@@ -19,7 +19,7 @@ export const words = {
   'keys.file': 'Download G-code',
   'keys.undo': 'Undo',
   'keys.redo': 'Redo',
-  'keys.views': 'Flow, beads, appearance, check',
+  'keys.views': 'Look, path, check, directions',
   'keys.move': 'Move the view',
   'keys.layer': 'Move the chosen layer: 1, 10, 0.1 mm',
   'keys.layerDelete': 'Delete the chosen layer',

@@ -14,7 +14,8 @@ export async function walkToFirstPrint(visit, first, seen = () => {}) {
     await locator.click();
   };
   await seen(page.locator('body'));
-  await click(visit.button('First print…').first());
+  await click(visit.button('Menu'));
+  await click(page.locator('#menu').getByRole('button', { name: 'First print…' }));
   const dialog = page.locator('sillon-first dialog');
   await dialog.waitFor();
   clicks += 2; // opens the list, and chooses

@@ -230,6 +230,24 @@ class Visit {
     await this.page.getByRole('tab', { name, exact: true }).click();
   }
 
+  /** The directions, which are seen in the place of the path. */
+  async directions() {
+    await this.view('Path');
+    await this.page.getByLabel('Colour by').selectOption('directions');
+  }
+
+  /** Chooses from the page's menu. */
+  async menu(name) {
+    await this.button('Menu').click();
+    await this.page.locator('#menu').getByRole('button', { name }).click();
+  }
+
+  /** Opens what is rarely changed of the view. @returns its fields */
+  async options() {
+    await this.button('View and light').click();
+    return this.page.locator('sillon-view-options');
+  }
+
   async download(product) {
     const begins = new RegExp(`^${product.replace(/[()]/g, '\\$&')}`); // what other products are for may name it, too
     await this.page.locator('[popovertarget=export]').click();

@@ -1,0 +1,73 @@
+// How a plate begins: tiles for what people come with.
+import { css, html, type TemplateResult } from 'lit';
+import { icon } from '../controls/icons.js';
+import { t } from '../i18n/text.js';
+import { groundFill, isPictureFill, patternFills } from '../model/fills.js';
+import type { LayerKind } from '../model/layers.js';
+import type { Studio } from '../studio/studio.js';
+import { addLayer, drawingFiles, pictureFiles } from './add-layer.js';
+import { chooseFill } from './fill-cards.js';
+import { tile } from './tiles.js';
+
+const begins = {
+  photo: 'picture',
+  logo: 'drawing',
+  text: 'text',
+  code: 'code',
+  pattern: 'pattern',
+} as const satisfies Record<string, LayerKind>;
+export type Begin = keyof typeof begins;
+
+export const startStyle = css`
+  .start {
+    display: grid;
+    grid-template-columns: repeat(3, 1fr);
+    gap: 8px;
+  }
+  .start button {
+    flex-direction: column;
+    gap: 8px;
+    min-height: 92px;
+    padding: 10px 4px 8px;
+    border-radius: var(--radius-large);
+  }
+  .start .icon {
+    height: 44px;
+  }
+`;
+
+/** @param more  unfolds all other ways @param unfolded  whether it did */
+export function startTiles(studio: Studio, more: () => void, unfolded: boolean): TemplateResult {
+  return html`<div class="start" role="group" aria-labelledby="layers-title">
+    ${Object.entries(begins).map(
+      ([name, kind]) =>
+        html`<button
+          type="button"
+          @click=${() => {
+            if (name === 'pattern' && !unfolded) more();
+            void begin(studio, name as Begin);
+          }}
+        >
+          ${tile(kind)}<span>${t(`start.${name as Begin}`)}</span>
+        </button>`,
+    )}
+    <button type="button" aria-expanded=${String(unfolded)} @click=${more}>
+      ${icon('more', 22)}<span>${t('start.more')}</span>
+    </button>
+  </div>`;
+}
+
+/** Fills the plate with what somebody has brought, or puts it on top. */
+export async function begin(studio: Studio, name: Begin): Promise<void> {
+  if (name === 'text' || name === 'code') {
+    await addLayer(studio, name);
+  } else if (name === 'pattern') {
+    const fill = groundFill(studio.store.state.plate);
+    if (fill === undefined || isPictureFill(fill)) await chooseFill(studio, patternFills[3]);
+  } else {
+    await studio.open(
+      await studio.pick(name === 'photo' ? pictureFiles : drawingFiles),
+      name === 'photo' ? 'lamp' : undefined,
+    );
+  }
+}
