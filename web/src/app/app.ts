@@ -135,7 +135,7 @@ export class App extends StudioElement {
           width: clamp(300px, 40vw, 18.75rem);
         }
       }
-      /* A low window keeps the sections at its side; where it is narrow, too, an open one lies over the bench. */
+      /* A low window keeps the sections at its side; where it is narrow, too, an open one leaves the bench what is left. */
       @media (max-height: 479px) {
         .work {
           grid-template-columns: 3.5rem auto minmax(0, 1fr);
@@ -152,11 +152,7 @@ export class App extends StudioElement {
       }
       @media (max-width: 720px) and (max-height: 479px) {
         .panel {
-          position: absolute;
-          inset: 0 auto 0 3.5rem;
-          width: min(20rem, 100% - 3.5rem);
-          z-index: 2;
-          box-shadow: var(--lift);
+          width: min(20rem, 100vw - 3.5rem);
         }
       }
       @media (max-width: 720px) and (min-height: 480px) {

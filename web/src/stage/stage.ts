@@ -35,6 +35,8 @@ export class StageElement extends StudioElement {
     'plate',
     'tool',
     'panel',
+    'notices',
+    'problem',
     'welcome',
   ] as const;
 
@@ -70,8 +72,12 @@ export class StageElement extends StudioElement {
       .bench > :not(.bottom, .captions, sillon-lamp) {
         pointer-events: auto;
       }
+      /* Between the bars: under one of them a hand could not take the lamp. */
       sillon-lamp {
         position: absolute;
+        inset: 56px 0;
+      }
+      .bench.bare sillon-lamp {
         inset: 0;
       }
       sillon-notices {
@@ -79,6 +85,12 @@ export class StageElement extends StudioElement {
       }
       sillon-status {
         grid-area: 3 / 1;
+      }
+      /* Figures stand in the corner of a low window. */
+      @media (max-height: 479px) {
+        sillon-notices.some {
+          margin-bottom: 48px;
+        }
       }
       .views,
       .bottom,
@@ -184,7 +196,7 @@ export class StageElement extends StudioElement {
       .captions span:last-child {
         left: 75%;
       }
-      @container (width > 640px) and (height >= 400px) {
+      @container (width > 640px) and (height >= 480px) {
         .bench,
         sillon-notices {
           grid-area: 1 / 1 / 3 / 2;
@@ -195,9 +207,9 @@ export class StageElement extends StudioElement {
           margin: 12px 0 0;
         }
       }
-      @container (width > 640px) and (width < 1000px) and (height >= 400px) {
+      @container (640px < width < 1000px) and (height >= 480px) {
         sillon-notices {
-          margin-top: 56px; /* below the views */
+          margin-top: 78px; /* below the views */
         }
       }
       @container (width < 420px) {
@@ -211,6 +223,9 @@ export class StageElement extends StudioElement {
         }
       }
       @container (width < 420px) and (height >= 440px) {
+        sillon-lamp {
+          inset: calc(2 * var(--control) + 44px) 0 64px;
+        }
         /* In a row: a column would lie over the plate. */
         sillon-tools {
           top: calc(var(--edge-top) + var(--control) + 18px);
@@ -246,8 +261,23 @@ export class StageElement extends StudioElement {
         .colour sillon-legend {
           display: none;
         }
+        .colour {
+          padding: 4px;
+        }
+        .colour select {
+          max-width: 122px;
+        }
+        .bottom {
+          right: 96px; /* below the views stands the button alone */
+        }
+        .options {
+          margin-right: -88px;
+        }
         .captions {
           display: none;
+        }
+        sillon-lamp {
+          inset: 0 92px 0 116px;
         }
         /* Above the figures. */
         sillon-looks,
@@ -261,16 +291,29 @@ export class StageElement extends StudioElement {
           display: none; /* the lamp turns by hand */
         }
       }
+      /* Words or an open section have taken the room, until they go. */
+      @container (height < 200px) or (width < 220px) {
+        sillon-tools,
+        sillon-lamp,
+        .bottom {
+          display: none;
+        }
+      }
+      @container (height < 150px) or (width < 220px) {
+        .views {
+          display: none;
+        }
+      }
     `,
   ];
 
   override render(): TemplateResult {
-    const { view, compare, mode, welcome, panel } = this.state;
+    const { view, compare, mode, welcome, panel, notices, problem } = this.state;
     const looks = view === 'appearance';
     const lamp = looks ? html`<sillon-lamp .studio=${this.studio}></sillon-lamp>` : nothing;
     if (mode === 'view') {
       return html`<sillon-canvas .studio=${this.studio}></sillon-canvas>
-        <div class="bench">${lamp}</div>
+        <div class="bench bare">${lamp}</div>
         <sillon-notices .studio=${this.studio}></sillon-notices>`;
     }
     return html`
@@ -324,7 +367,7 @@ export class StageElement extends StudioElement {
             : nothing
         }
       </div>
-      <sillon-notices .studio=${this.studio}></sillon-notices>
+      <sillon-notices class=${notices.length > 0 || problem ? 'some' : ''} .studio=${this.studio}></sillon-notices>
       <sillon-status .studio=${this.studio}></sillon-status>
     `;
   }

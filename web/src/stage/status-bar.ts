@@ -82,8 +82,8 @@ export class StatusBar extends StudioElement {
           padding-left: 10px;
         }
       }
-      /* A low bench needs the row: figures stand in its corner, beside the plate. */
-      @container (height < 440px) {
+      /* A low window needs the row: figures stand in the bench's corner, beside the plate. */
+      @media (max-height: 479px) {
         :host {
           position: absolute;
           left: 8px;
@@ -110,6 +110,11 @@ export class StatusBar extends StudioElement {
         .job button {
           min-height: 28px;
           padding: 0 6px;
+        }
+      }
+      @container (width < 220px) {
+        :host {
+          display: none;
         }
       }
       /* Words go before figures are cut off. The container is the stage, which is as wide: Chromium gives no boxes to what

@@ -33,6 +33,7 @@ export class ViewOptions extends StudioElement {
     css`
       :host {
         display: grid;
+        grid-template-columns: minmax(0, 1fr);
         gap: 12px;
       }
       .row {

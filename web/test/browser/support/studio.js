@@ -238,13 +238,13 @@ class Visit {
 
   /** Chooses from the page's menu. */
   async menu(name) {
-    await this.button('Menu').click();
+    await this.page.locator('[popovertarget=menu]').click();
     await this.page.locator('#menu').getByRole('button', { name }).click();
   }
 
   /** Opens what is rarely changed of the view. @returns its fields */
   async options() {
-    await this.button('View and light').click();
+    await this.page.locator('[popovertarget=options]').click();
     return this.page.locator('sillon-view-options');
   }
 

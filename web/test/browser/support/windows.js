@@ -15,7 +15,7 @@ const speak = (page, language) =>
 function cut() {
   const all = (root) =>
     [...root.querySelectorAll('*')].flatMap((one) => [one, ...(one.shadowRoot ? all(one.shadowRoot) : [])]);
-  const bars = ['SILLON-HEADER', 'SILLON-STAGE', 'SILLON-APP', 'SILLON-LIGHT', 'SILLON-LOOKS', 'SILLON-STATUS'];
+  const bars = ['SILLON-HEADER', 'SILLON-STAGE', 'SILLON-APP', 'SILLON-LOOKS', 'SILLON-STATUS'];
   /** Selects do not scroll: what is chosen must fit between their paddings. Those that cannot be seen show no words. */
   const pen = new OffscreenCanvas(1, 1).getContext('2d');
   const chosen = (select) => {
