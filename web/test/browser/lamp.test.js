@@ -111,8 +111,7 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
       return overlay.getContext('2d').getImageData(Math.round(width / 2), Math.round(height / 2), 1, 1).data[3];
     });
   await until(async () => (await covered()) === 0, 'a plate without anything over it');
-  await (await visit.options()).getByLabel('Compare with').selectOption('picture');
-  await visit.page.keyboard.press('Escape');
+  await visit.option('Compare with', 'picture');
   await visit.page.getByLabel('How much of the plate the original picture covers').focus();
   await visit.page.keyboard.press('End');
   await visit.page.waitForFunction(() => document.querySelector('sillon-app').studio.store.state.wipe === 1);
@@ -256,9 +255,10 @@ test(
       await until(async () => Math.abs((await stand()).scale - wanted) < 1e-3, `a scale of ${wanted}`);
     };
     const wipe = () => visit.state((state) => state.wipe);
-    const compare = visit.page.getByLabel('Compare with');
-    assert.deepEqual(await compare.locator('option').allInnerTexts(), ['Plate alone', 'A slicer’s straight lines']);
-    await compare.selectOption('zigzag');
+    const besides = (await visit.options()).getByLabel('Compare with').locator('option');
+    assert.deepEqual(await besides.allInnerTexts(), ['Plate alone', 'A slicer’s straight lines', 'Plain 45° zigzag']);
+    await visit.page.keyboard.press('Escape');
+    await visit.option('Compare with', 'zigzag');
     const grip = visit.page.locator('sillon-divider .grip');
     const isAt = (share) =>
       until(async () => {
@@ -282,14 +282,14 @@ test(
     await visit.page.keyboard.press('ArrowLeft');
     await until(async () => Math.abs((await wipe()) - before + 0.01) < 0.006, 'a line one step to the left');
     // Beside it instead: one or the other.
-    await visit.button('Plain 45° zigzag').click();
-    await visit.until(({ over }) => over === undefined);
-    await visit.button('Plain 45° zigzag').click();
+    await visit.option('Compare with', 'beside');
+    await visit.until(({ over, compare }) => over === undefined && compare);
+    await visit.option('Compare with', 'none');
 
-    const size = visit.page.getByLabel('Size', { exact: true });
-    await size.selectOption('life');
+    const size = (value) => visit.option('Size', value);
+    await size('life');
     await isScale(96 / 25.4);
-    await size.selectOption('arm');
+    await size('arm');
     await isScale(96 / 25.4); // a screen is looked at from there, too
     await visit.page.keyboard.press('Escape');
     await visit.page.mouse.move(500, 350);
@@ -297,7 +297,7 @@ test(
     await visit.until(({ sizing }) => sizing === 'free');
     // All of it, as large whether a notice lifts the bars or not.
     const whole = async () => {
-      await size.selectOption('whole');
+      await size('whole');
       return until(async () => {
         const { inside, share, scale } = await stand();
         return inside && share > 0.6 && scale > 96 / 25.4 && scale;
@@ -309,7 +309,7 @@ test(
       }, notices);
     await tell([]);
     const scale = await whole();
-    await size.selectOption('life');
+    await size('life');
     await tell([{ id: -1, text: 'A notice.' }]);
     await visit.page.getByText('A notice.').waitFor();
     assert.equal(await whole(), scale);

@@ -51,7 +51,7 @@ test('those who hear the page hear that the plate is ready, or that its work was
   assert.equal(await said.getAttribute('role'), 'status');
   assert.match(
     await page.locator('sillon-canvas .overlay').getAttribute('aria-label'),
-    /^Untitled plate, Appearance, 30 × 24 mm\. Arrow keys/,
+    /^Untitled plate, Look, 30 × 24 mm\. Arrow keys/,
   );
   await change(90);
   await visit.until(({ progress }) => progress !== undefined);

@@ -90,8 +90,7 @@ test('the views look as they should', { skip }, async () => {
     await compare(view.toLowerCase(), () => canvas.screenshot(picture));
   }
   await visit.view('Look');
-  await (await visit.options()).getByLabel('Compare with').selectOption('beside');
-  await visit.page.keyboard.press('Escape');
+  await visit.option('Compare with', 'beside');
   await compare('compared', () => canvas.screenshot(picture));
   await visit.view('Path');
   await visit.page.locator('sillon-stage select').selectOption('width');

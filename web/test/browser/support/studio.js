@@ -248,6 +248,12 @@ class Visit {
     return this.page.locator('sillon-view-options');
   }
 
+  /** Chooses in a list of those. */
+  async option(label, value) {
+    await (await this.options()).getByLabel(label, { exact: true }).selectOption(value);
+    await this.page.keyboard.press('Escape');
+  }
+
   async download(product) {
     const begins = new RegExp(`^${product.replace(/[()]/g, '\\$&')}`); // what other products are for may name it, too
     await this.page.locator('[popovertarget=export]').click();
