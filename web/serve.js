@@ -1,7 +1,7 @@
 // Serves web/dist, or another folder of static files, on this machine: node web/serve.js [--port N]
 // [--host NAME] [FOLDER]
-import { createReadStream, realpathSync, statSync } from 'node:fs';
-import { readFile } from 'node:fs/promises';
+import { createReadStream, existsSync, realpathSync, statSync } from 'node:fs';
+import { readFile, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, resolve, sep } from 'node:path';
 import { pipeline } from 'node:stream';
@@ -29,8 +29,8 @@ const compressible = new Set(['.css', '.html', '.js', '.json', '.svg', '.txt', '
 const largest = 8 * 2 ** 20; // [bytes] of a file that is compressed
 const mostKept = 64 * 2 ** 20; // [bytes] of compressed files
 
-/** @returns {{ file: string, size: number, tag: string } | undefined} the file that an address means, and the tag of what it
- * holds now; nothing outside of the folder. */
+/** @returns {{ file: string, size: number, tag: string } | 'folder' | undefined} the file that an address means, and the tag of
+ * what it holds now; nothing outside of the folder. folder: the address of one with a page lacks its slash. */
 function find(folder, url) {
   let path;
   try {
@@ -43,7 +43,9 @@ function find(folder, url) {
     const root = realpathSync(folder);
     const file = realpathSync(join(root, path.endsWith('/') ? `${path}index.html` : path));
     const status = statSync(file);
-    if (!file.startsWith(root + sep) || !status.isFile()) return undefined;
+    if (!file.startsWith(root + sep)) return undefined;
+    if (status.isDirectory() && existsSync(join(file, 'index.html'))) return 'folder';
+    if (!status.isFile()) return undefined;
     const tag = `W/"${status.size.toString(36)}-${Math.round(status.mtimeMs * 1000).toString(36)}"`;
     return { file, size: status.size, tag };
   } catch {
@@ -52,6 +54,12 @@ function find(folder, url) {
 }
 
 const squeeze = promisify(brotliCompress);
+
+/** The file as the build has compressed it; undefined: not, or not this one. */
+async function squeezedBefore(file) {
+  const [own, packed] = await Promise.all([stat(file), stat(`${file}.br`)]);
+  return packed.mtimeMs >= own.mtimeMs ? readFile(`${file}.br`) : undefined;
+}
 
 /** Compresses each file once, and keeps the last ones. */
 function compressor() {
@@ -63,7 +71,8 @@ function compressor() {
     if (known !== undefined) return known;
     // 5 of 11: nearly as small, and the first visitor does not wait for it.
     const params = { [constants.BROTLI_PARAM_QUALITY]: 5, [constants.BROTLI_PARAM_SIZE_HINT]: size };
-    const packed = await squeeze(await readFile(file), { params });
+    const packed =
+      (await squeezedBefore(file).catch(() => undefined)) ?? (await squeeze(await readFile(file), { params }));
     if (!kept.has(key)) bytes += packed.length;
     kept.set(key, packed);
     for (const [oldest, { length }] of kept) {
@@ -95,14 +104,22 @@ export function filesOf(folder, missing) {
       missing(request, response);
       return;
     }
+    if (found === 'folder') {
+      const [, name, rest] = /([^/?#]*)([?#].*)?$/.exec(request.url);
+      response.writeHead(301, { ...headers, Location: `./${name}/${rest ?? ''}` });
+      response.end();
+      return;
+    }
     const { file, size, tag } = found;
     const ending = extname(file).toLowerCase();
     const about = {
       ...headers,
       ETag: tag,
       Vary: 'Accept-Encoding',
-      // Names of assets hold their hash; all else is asked for anew.
-      'Cache-Control': /[\\/]assets[\\/][^\\/]*$/.test(file) ? 'max-age=31536000, immutable' : 'no-cache',
+      // Names of assets, and of the engine's folder, hold a hash; all else is asked for anew.
+      'Cache-Control': /[\\/](?:assets|engine[\\/][\da-f]{12})[\\/][^\\/]*$/.test(file)
+        ? 'max-age=31536000, immutable'
+        : 'no-cache',
     };
     if (request.headers['if-none-match']?.split(/, */).includes(tag)) {
       response.writeHead(304, about);
@@ -126,15 +143,20 @@ export function filesOf(folder, missing) {
   };
 }
 
-function notThere(request, response) {
+/** Answers what is not there: people with a page that leads on, if the folder has one. */
+const notThereIn = (folder) => async (request, response) => {
   const known = request.method === 'GET' || request.method === 'HEAD';
-  response.writeHead(known ? 404 : 405, { ...headers, 'Content-Type': 'text/plain; charset=utf-8' });
-  response.end(known ? 'Not found\n' : 'Only GET and HEAD\n');
-}
+  const read = known && /\btext\/html\b/.test(request.headers.accept ?? '');
+  const page = read ? await readFile(join(folder, '404.html')).catch(() => undefined) : undefined;
+  const type = types[page === undefined ? '.txt' : '.html'];
+  response.writeHead(known ? 404 : 405, { ...headers, 'Content-Type': type });
+  if (request.method === 'HEAD') response.end();
+  else response.end(page ?? (known ? 'Not found\n' : 'Only GET and HEAD\n'));
+};
 
 /** @returns {Promise<{ origin: string, close(): void }>} */
 export function serve(folder, port, host = 'localhost') {
-  const server = createServer(filesOf(folder, notThere));
+  const server = createServer(filesOf(folder, notThereIn(folder)));
   return new Promise((done, failed) => {
     server.on('error', failed);
     server.listen(port, host, () => {
@@ -169,7 +191,7 @@ async function main() {
   if (!/^\d+$/.test(values.port) || port > 65535) fail(`--port is ${values.port}; it must be 0 to 65535`);
   if (positionals.length > 1) fail('only one folder can be served');
   const folder = resolve(positionals[0] ?? fileURLToPath(new URL('dist', import.meta.url)));
-  if (find(folder, '/') === undefined) fail(`${folder} holds no index.html; ./dev build makes web/dist`);
+  if (typeof find(folder, '/') !== 'object') fail(`${folder} holds no index.html; ./dev build makes web/dist`);
   try {
     const { origin } = await serve(folder, port, values.host);
     console.log(`Sillon Studio: ${origin}  (Ctrl+C ends it)`);

@@ -11,6 +11,7 @@ import {
   rmSync,
   symlinkSync,
   truncateSync,
+  utimesSync,
   writeFileSync,
 } from 'node:fs';
 import { Agent, get, request } from 'node:http';
@@ -20,6 +21,7 @@ import { spawnSync } from 'node:child_process';
 import { after, before, test } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
+import { brotliCompressSync } from 'node:zlib';
 
 import { contentSecurityPolicy, headers, isolation } from '../headers.js';
 import { serve } from '../serve.js';
@@ -32,10 +34,13 @@ before(async () => {
   writeFileSync(join(folder, 'secret.txt'), 'secret');
   const dist = join(folder, 'dist');
   mkdirSync(join(dist, 'assets'), { recursive: true });
-  mkdirSync(join(dist, 'engine'));
+  mkdirSync(join(dist, 'engine/0123456789ab'), { recursive: true });
+  mkdirSync(join(dist, 'empty'));
   writeFileSync(join(dist, 'index.html'), '<!doctype html>page');
   writeFileSync(join(dist, 'assets/a-1.js'), 'export {}');
+  writeFileSync(join(dist, '404.html'), '<!doctype html>lost');
   writeFileSync(join(dist, 'engine/e.wasm'), '\0asm');
+  writeFileSync(join(dist, 'engine/0123456789ab/e.wasm'), '\0asm');
   writeFileSync(join(dist, 'Fichier é.svg'), '<svg/>');
   symlinkSync(join(folder, 'secret.txt'), join(dist, 'link.txt'));
   site = await serve(dist, 0);
@@ -89,8 +94,44 @@ test('every response, an error too, has the headers for threads and the policy',
 });
 
 test('only files with a hash in their names are kept without asking', async () => {
-  assert.match((await raw('/assets/a-1.js')).headers['cache-control'], /immutable/);
+  for (const path of ['/assets/a-1.js', '/engine/0123456789ab/e.wasm'])
+    assert.match((await raw(path)).headers['cache-control'], /immutable/);
   for (const path of ['/', '/engine/e.wasm']) assert.equal((await raw(path)).headers['cache-control'], 'no-cache');
+});
+
+test('a folder without its slash leads to the one with it, never to another site', async () => {
+  mkdirSync(join(folder, 'dist/inner'));
+  writeFileSync(join(folder, 'dist/inner/index.html'), 'inner');
+  for (const [path, to] of [
+    ['/inner', './inner/'],
+    ['/inner?lang=de', './inner/?lang=de'],
+    ['//inner', './inner/'],
+    ['/empty/../inner', './inner/'],
+  ]) {
+    const { status, headers } = await raw(path);
+    assert.deepEqual([status, headers.location], [301, to], path);
+  }
+  assert.equal((await raw('/empty')).status, 404);
+});
+
+test('who follows a wrong address gets a page that leads on, and programs a word', async () => {
+  const { status, headers, body } = await raw('/missing/page', 'GET', { Accept: 'text/html,*/*' });
+  assert.deepEqual([status, body], [404, '<!doctype html>lost']);
+  assert.equal(headers['content-type'], 'text/html; charset=utf-8');
+  assert.deepEqual([(await raw('/missing.js')).status, (await raw('/missing.js')).body], [404, 'Not found\n']);
+});
+
+test('a file that the build has compressed comes as that, unless it is older than the file', async () => {
+  const path = join(folder, 'dist/packed.js');
+  writeFileSync(path, 'old');
+  writeFileSync(`${path}.br`, brotliCompressSync('as the build has it'));
+  const plain = async () => (await fetch(`${site.origin}/packed.js`, { headers: { 'Accept-Encoding': 'br' } })).text();
+  assert.equal(await plain(), 'as the build has it');
+  assert.equal((await raw('/packed.js')).body, 'old');
+  const later = new Date(Date.now() + 10_000);
+  writeFileSync(path, 'newer');
+  utimesSync(path, later, later);
+  assert.equal(await plain(), 'newer');
 });
 
 test('a file that is known already is not sent again, until it changes', async () => {
