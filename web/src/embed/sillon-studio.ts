@@ -21,7 +21,17 @@ import {
 
 /** What the frame may do that its host may do. */
 const permissions =
-  'cross-origin-isolated; fullscreen; clipboard-write; gyroscope; accelerometer; web-share; local-network-access';
+  'cross-origin-isolated fullscreen clipboard-write gyroscope accelerometer web-share local-network-access'.split(' ');
+
+/** Chromium's, which tells in its console what a frame is allowed that it knows nothing of, as sharing on Linux. */
+interface FeaturePolicy {
+  features(): string[];
+}
+
+function knownPermissions(): string {
+  const known = (document as { featurePolicy?: FeaturePolicy }).featurePolicy?.features();
+  return permissions.filter((name) => known?.includes(name) ?? true).join('; ');
+}
 
 /** Attributes that are part of the frame's address. */
 const ofAddress = ['threads', 'autosave'] as const;
@@ -143,7 +153,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#poster.alt = '';
     this.#poster.part.add('poster');
     this.#frame.addEventListener('load', () => {
-      if (this.#frame.src !== '' && this.#port === undefined) this.#wait(patience);
+      if (this.#frame.src !== '' && this.#port === undefined && this.#fault === undefined) this.#wait(patience);
     });
     this.#poster.addEventListener('error', () => {
       this.#poster.hidden = true; // else it would hide why there is no plate
@@ -155,6 +165,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     takeOver(this);
     this.#fault = undefined; // put into a page again, it opens again
     addEventListener('message', this.#onMessage);
+    document.addEventListener('securitypolicyviolation', this.#onRefused);
     this.#showPoster();
     this.#near = new IntersectionObserver(
       (entries) => {
@@ -168,6 +179,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
 
   disconnectedCallback(): void {
     removeEventListener('message', this.#onMessage);
+    document.removeEventListener('securitypolicyviolation', this.#onRefused);
     this.#near?.disconnect();
     this.#near = undefined;
     this.#opened = false;
@@ -315,7 +327,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
       if (value !== null) address.searchParams.set(name, value);
     }
     if (this.#source !== undefined || this.#attributed().length > 0) address.searchParams.set('waits', '');
-    this.#frame.allow = permissions;
+    this.#frame.allow = knownPermissions();
     this.#frame.title = 'Sillon Studio';
     const sandbox = this.getAttribute('sandbox');
     if (sandbox === null) this.#frame.removeAttribute('sandbox');
@@ -325,6 +337,14 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#initial = true;
     this.#loadNamed();
   }
+
+  /** The page's own policy forbids the frame: no word of it is waited for. */
+  #onRefused = ({ effectiveDirective, blockedURI }: SecurityPolicyViolationEvent): void => {
+    if (effectiveDirective !== 'frame-src' || !blockedURI.startsWith(this.#base().origin)) return;
+    if (!this.#opened || this.#port !== undefined || this.#fault !== undefined) return;
+    clearTimeout(this.#late);
+    this.#blocked();
+  };
 
   /** A frame that says nothing for so long is blocked, or out of reach [ms]. */
   #wait(time: number): void {

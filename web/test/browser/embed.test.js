@@ -841,6 +841,33 @@ test('a plain frame opens the files of its address, without any script of the ho
   assert.equal(await frame.evaluate(() => document.documentElement.lang), 'fr');
 });
 
+test('a page whose own policy forbids the frame gets a link without a wait', { skip }, async () => {
+  const visit = await hosts.open();
+  const { page } = visit;
+  const logged = [];
+  page.on('console', (message) => logged.push(message.text()));
+  const heard = await page.evaluate(async (studio) => {
+    const { setTimeout } = globalThis;
+    globalThis.setTimeout = (run, wait, ...more) => (wait > 5000 ? 0 : setTimeout(run, wait, ...more)); // no patience ends
+    const policy = document.createElement('meta');
+    Object.assign(policy, { httpEquiv: 'Content-Security-Policy', content: "frame-src 'none'" });
+    document.head.append(policy);
+    await import(`${studio}embed/sillon-studio.js`);
+    const element = document.createElement('sillon-studio');
+    const codes = [];
+    element.addEventListener('error', ({ detail }) => codes.push(detail.code));
+    document.body.append(element);
+    const refused = await element.report().catch(({ code }) => code);
+    return { codes, refused, link: element.shadowRoot?.querySelector('a')?.href };
+  }, hosts.studio);
+  assert.deepEqual([heard.codes, heard.refused], [['Blocked'], 'Blocked']);
+  assert.deepEqual(
+    logged.filter((text) => /Unrecognized feature/.test(text)),
+    [],
+  );
+  await visit.context.close();
+});
+
 test(
   'without a host that takes files, downloads are the frame’s: not in a sandbox that forbids them',
   { skip: lacking('Chrome') }, // the headless shell does not say that it refuses
