@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { licences } from '../tools/licences.mjs';
 import { linksOf, readAddresses } from '../tools/addresses.mjs';
 import { contentSecurityPolicy, engineBase, headers, isolation } from './headers.js';
+import { chunkOf } from './chunks.js';
 import { filesOf } from './serve.js';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -188,6 +189,7 @@ export default {
     rolldownOptions: {
       input: { main: at('index.html'), embed: at('embed.html'), sw: at('src/service-worker/sw.ts') },
       output: {
+        codeSplitting: { groups: [{ name: chunkOf, debugName: 'rooms', includeDependenciesRecursively: false }] },
         entryFileNames: ({ name }) => (name === 'sw' ? 'sw.js' : 'assets/[name]-[hash].js'),
       },
     },

@@ -41,14 +41,14 @@ test(
   async () => {
     const visit = await bench.open({ small: true });
     await visit.idle();
-    await visit.page.route(/assets\/share-dialog-/, (route) => route.fulfill({ status: 404 }));
+    await visit.page.route(/assets\/plates-/, (route) => route.fulfill({ status: 404 }));
     await visit.menu('Share');
     const alert = visit.page.locator('sillon-notices .problem').first();
     await alert.getByText('A part of the page could not be loaded.').waitFor();
-    await visit.page.unroute(/assets\/share-dialog-/);
     await visit.page.evaluate(() => (globalThis.old = true));
     await alert.getByRole('button', { name: 'Reload' }).click();
     await until(() => visit.page.evaluate(() => globalThis.old === undefined).catch(() => false), 'the page anew');
+    await visit.page.unroute(/assets\/plates-/);
   },
 );
 
@@ -80,10 +80,10 @@ test('a section that cannot be fetched is asked for ever more rarely, and fills 
     });
   const waits = () => page.evaluate(() => globalThis.rests.map(({ wait }) => wait));
   const again = () => page.evaluate(() => globalThis.rests.at(-1).run());
-  const tries = () => asked.filter((name) => name.includes('/shape-panel-')).length;
+  const tries = () => asked.filter((name) => name.includes('/shape-')).length;
   await frames();
   const [first] = asked;
-  assert.match(first, /shape-panel/);
+  assert.match(first, /\/shape-/);
   assert.ok(asked.length < 5, `${asked.length} requests`); // with what the section itself imports
   for (const [k, list] of [[1000], [1000, 2000], [1000, 2000, 4000]].entries()) {
     await until(async () => (await waits()).length === list.length, `rest ${k}`);
@@ -100,11 +100,11 @@ test('a section that cannot be fetched is asked for ever more rarely, and fills 
 });
 
 test('why the engine refuses a plate is told without the words that cannot be fetched', { skip }, async () => {
-  const visit = await bench.open({ small: true, fresh: true });
+  const visit = await bench.open({ fresh: true, visited: true });
   const { page } = visit;
   await visit.idle();
   let asked = 0;
-  await page.route(/assets\/say-problem-/, (route) => {
+  await page.route(/assets\/problem-/, (route) => {
     ++asked;
     return route.fulfill({ status: 404 });
   });

@@ -91,7 +91,7 @@ test('no other plate is made while a link’s is on its way', { skip }, async ()
   await stretchWaits(visit.page, 1500, 0); // then a page without a link begins (`restoreWithin`): at once
   await stretchWaits(visit.page, 10_000, 170_000); // then a page begins without its link's plate (`linkWithin`)
   let begun;
-  await visit.page.route(/links-[^/]*\.js$/, async (route) => {
+  await visit.page.route(/files-[^/]*\.js$/, async (route) => {
     await visit.page.waitForTimeout(1000);
     begun = await visit.state(({ progress, result }) => progress !== undefined || result !== undefined);
     await route.continue();
