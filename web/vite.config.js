@@ -1,8 +1,10 @@
 // Builds the studio into dist: static files for any web server, in any folder of it.
 import { createHash } from 'node:crypto';
-import { cpSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+import { brotliCompress, constants } from 'node:zlib';
 
 import { licences } from '../tools/licences.mjs';
 import { linksOf, readAddresses } from '../tools/addresses.mjs';
@@ -12,12 +14,35 @@ import { filesOf } from './serve.js';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 const engine = at('../wasm/dist/engine');
+const isEngineFile = (path) => !path.endsWith('node-worker.js'); // which is for Node alone
 const inputs = at('../examples/inputs');
 const pictures = at('../docs/pictures');
 const photograph = 'coupon-photograph.jpg'; // as the coupon is to be photographed
 let dist = at('dist'); // or --outDir
 
-/** The engine's files lie as they are in /engine/, or elsewhere (headers.js): no bundler may touch them. */
+/** The folder of the engine's files, whose name tells their bytes: a page never gets those of another version. */
+function engineFolder() {
+  const hash = createHash('sha256');
+  for (const name of readdirSync(engine).filter(isEngineFile).sort())
+    hash.update(name).update(readFileSync(join(engine, name)));
+  return `engine/${hash.digest('hex').slice(0, 12)}/`;
+}
+
+/** Lays a file beside another that is as small as Brotli makes it, for servers that send such files: the engine is most of a
+ * first visit, and loses an eighth more than what a server does while somebody waits. That takes seconds, so it is done once. */
+async function squeeze(path) {
+  const bytes = readFileSync(path);
+  const done = join(at('../build/brotli'), createHash('sha256').update(bytes).digest('hex'));
+  if (!existsSync(done)) {
+    mkdirSync(at('../build/brotli'), { recursive: true });
+    const params = { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length };
+    writeFileSync(`${done}.new`, await promisify(brotliCompress)(bytes, { params }));
+    renameSync(`${done}.new`, done);
+  }
+  cpSync(done, `${path}.br`);
+}
+
+/** The engine's files lie as they are in such a folder, or elsewhere (headers.js): no bundler may touch them. */
 const engineFiles = {
   name: 'studio-engine-files',
   enforce: 'pre',
@@ -40,10 +65,12 @@ const engineFiles = {
       }),
     );
   },
-  writeBundle() {
+  async writeBundle() {
     if (engineBase !== undefined) return;
-    // node-worker.js is for Node alone.
-    cpSync(engine, join(dist, 'engine'), { recursive: true, filter: (path) => !path.endsWith('node-worker.js') });
+    const folder = join(dist, engineFolder());
+    cpSync(engine, folder, { recursive: true, filter: isEngineFile });
+    const modules = readdirSync(folder).filter((name) => name.endsWith('.wasm'));
+    await Promise.all(modules.map((name) => squeeze(join(folder, name))));
   },
 };
 
@@ -128,22 +155,29 @@ const licenceFile = {
 };
 
 /** Files that no visit without a network needs. */
-const notKept = new Set(['sw.js', 'embed.html', 'licences.txt', 'preview.jpg']);
+const notKept = new Set(['sw.js', '404.html', 'embed.html', 'preview.jpg']);
+/** Files that are kept as they come: a site with more than the studio in it has other licences. */
+const mayDiffer = new Set(['licences.txt']);
+/** Files that every visit needs; the engine is kept as the one that was used. */
+const everyVisit = /^(\.\/|assets\/(ahead|studio|first|engine|rolldown-runtime|tokens|marks\.worker)-.*)$/;
 
-/** For hosts that send no headers. Not while developing, where Vite puts styles into the page. */
-const policy = {
-  name: 'studio-policy',
+/** The policy, for hosts that send no headers; where the engine is, and what asks for it before all else. Not while developing,
+ * where Vite puts styles into the page. */
+const headBegins = {
+  name: 'studio-head-begins',
   apply: 'build',
-  transformIndexHtml: () => [
-    {
-      tag: 'meta',
-      attrs: { 'http-equiv': 'Content-Security-Policy', content: contentSecurityPolicy },
-      injectTo: 'head-prepend',
+  transformIndexHtml: {
+    order: 'post', // once the names of scripts are known
+    handler(html, { bundle }) {
+      const { fileName } = Object.values(bundle).find(({ name }) => name === 'ahead');
+      const tag = (tag, attrs) => ({ tag, attrs, injectTo: 'head-prepend' });
+      return [
+        tag('meta', { 'http-equiv': 'Content-Security-Policy', content: contentSecurityPolicy }),
+        tag('meta', { name: 'sillon-engine', content: engineBase ?? engineFolder() }),
+        tag('script', { type: 'module', async: true, src: `./${fileName}` }),
+      ];
     },
-    ...(engineBase === undefined
-      ? []
-      : [{ tag: 'meta', attrs: { name: 'sillon-engine', content: engineBase }, injectTo: 'head' }]),
-  ],
+  },
 };
 
 /** Tells the service worker which files make a version, once all of them are written. */
@@ -159,16 +193,19 @@ const offline = {
           .slice(dist.length + 1)
           .replaceAll('\\', '/'),
       )
-      .filter((name) => !notKept.has(name))
+      .filter((name) => !notKept.has(name) && !name.endsWith('.br'))
       .sort();
     const hash = (bytes) => createHash('sha256').update(bytes).digest('base64');
+    const hashOf = (name) => (mayDiffer.has(name) ? '' : hash(readFileSync(join(dist, name))));
     // The page goes by its folder's address: some hosts send index.html there.
-    const files = Object.fromEntries(
-      names.map((name) => [name === 'index.html' ? './' : name, hash(readFileSync(join(dist, name)))]),
-    );
+    const files = Object.fromEntries(names.map((name) => [name === 'index.html' ? './' : name, hashOf(name)]));
     const worker = readFileSync(join(dist, 'sw.js'), 'utf8');
     const version = hash(JSON.stringify(files) + worker).slice(0, 12);
-    writeFileSync(join(dist, 'sw.js'), `const build = ${JSON.stringify({ version, files, isolation })};\n${worker}`);
+    const first = Object.keys(files).filter((name) => everyVisit.test(name));
+    writeFileSync(
+      join(dist, 'sw.js'),
+      `const build = ${JSON.stringify({ version, files, first, isolation })};\n${worker}`,
+    );
   },
 };
 
@@ -176,7 +213,7 @@ export default {
   root: at('.'),
   base: './',
   define: { publicLinks: JSON.stringify(links), publicVersion: JSON.stringify(version) },
-  plugins: [head, engineFiles, exampleFiles, licenceFile, printerTable, strings, policy, offline],
+  plugins: [head, engineFiles, exampleFiles, licenceFile, printerTable, strings, headBegins, offline],
   server: { headers: isolation },
   preview: { headers },
   worker: { format: 'iife' }, // sandboxed frames start no modules
@@ -187,7 +224,12 @@ export default {
     assetsInlineLimit: 0, // data: addresses are not in the policy
     modulePreload: { polyfill: false },
     rolldownOptions: {
-      input: { main: at('index.html'), embed: at('embed.html'), sw: at('src/service-worker/sw.ts') },
+      input: {
+        main: at('index.html'),
+        embed: at('embed.html'),
+        ahead: at('src/app/ahead.ts'),
+        sw: at('src/service-worker/sw.ts'),
+      },
       output: {
         codeSplitting: { groups: [{ name: chunkOf, debugName: 'rooms', includeDependenciesRecursively: false }] },
         entryFileNames: ({ name }) => (name === 'sw' ? 'sw.js' : 'assets/[name]-[hash].js'),

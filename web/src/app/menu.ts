@@ -76,6 +76,13 @@ export class Menu extends StudioElement {
       ${this.#item('help', t('help.title'), () => {
         this.studio.show('help');
       })}
+      ${
+        host === '' && isSecureContext
+          ? this.#item('download', say(words, 'offline.keep'), () => {
+              void this.studio.attempt(async () => (await import('./offline.js')).keepAll(this.studio));
+            })
+          : nothing
+      }
       <hr />
       <div class="field">
         <label for="language">${t('language.title')}</label>

@@ -1,20 +1,59 @@
-// Starts the service worker, and tells when the page works without a network and when a new version is there.
+// Starts the service worker, chooses what it keeps, and tells when a new version is there.
 import { words } from '../i18n/en/about.js';
 import { say, t } from '../i18n/text.js';
+import { markUnfetched } from '../model/problem.js';
 import type { Studio } from '../studio/studio.js';
 
-const reloaded = 'sillon-reloaded-for-threads';
+const begun = 'sillon-begun-without-worker';
 const patience = 10_000; // [ms]
 
-/** Never twice in a tab, whatever comes of it; and not at all where that cannot be remembered. */
-function reloadOnce(): void {
+/** Remembers that this tab begins without a service worker. @returns whether it did before; undefined: nobody knows */
+function beginsWithout(now: boolean): boolean | undefined {
   try {
-    if (sessionStorage.getItem(reloaded) !== null) return;
-    sessionStorage.setItem(reloaded, 'yes');
+    const before = sessionStorage.getItem(begun) !== null;
+    if (now) sessionStorage.setItem(begun, 'yes');
+    return before;
   } catch {
-    return;
+    return undefined;
   }
-  location.reload();
+}
+
+interface Line {
+  saveData?: boolean;
+  /** Known on phones alone. */
+  type?: string;
+}
+
+/** Tells whether nobody pays for what is fetched, or waits for it. Where the browser does not say, a phone's line is taken for
+ * one that costs. */
+function isFree(): boolean {
+  const { saveData = false, type }: Line = (navigator as { connection?: Line }).connection ?? {};
+  if (saveData) return false;
+  if (type !== undefined) return type === 'wifi' || type === 'ethernet';
+  return matchMedia('(hover: hover) and (pointer: fine)').matches;
+}
+
+/** Hands the worker the addresses of files to keep. @returns whether they are */
+function keep(names: string[] | 'all', worker: ServiceWorker): Promise<boolean> {
+  const { port1, port2 } = new MessageChannel();
+  return new Promise((resolve) => {
+    port1.onmessage = ({ data }: MessageEvent<boolean>) => {
+      resolve(data);
+    };
+    worker.postMessage({ keep: names }, [port2]);
+  });
+}
+
+/** Keeps all parts of the page on this device, since somebody asks for that.
+ * @throws Error if some cannot be fetched, or this browser keeps none */
+export async function keepAll(studio: Studio): Promise<void> {
+  const active = (await navigator.serviceWorker.getRegistration())?.active;
+  if (active == null || !(await keep('all', active))) {
+    const error = new Error('not all of the page could be kept');
+    markUnfetched(error);
+    throw error;
+  }
+  studio.notify(say(words, 'offline.ready'));
 }
 
 function watchForUpdates(
@@ -59,16 +98,28 @@ function watchForUpdates(
 /** Quietly does nothing where there are no service workers: old browsers, sandboxes, frames of other sites, plain http.
  * @param broughtBy  the service worker that brought this page; null: none */
 export async function workOffline(studio: Studio, broughtBy: ServiceWorker | null): Promise<void> {
+  const begunWithout = beginsWithout(broughtBy === null);
+  let active: ServiceWorker | null;
   try {
     const { serviceWorker } = navigator;
     const registration = await serviceWorker.register(new URL('sw.js', document.baseURI), { updateViaCache: 'none' });
     watchForUpdates(registration, broughtBy, studio);
-    await serviceWorker.ready;
+    ({ active } = await serviceWorker.ready);
   } catch {
     return;
   }
-  if (broughtBy !== null) return;
-  studio.notify(say(words, 'offline.ready'));
-  // Hosts without headers need it once for threads; not where an edit would be lost.
-  if (!crossOriginIsolated && window.top === window && !studio.store.canUndo) reloadOnce();
+  // Hosts without headers need it once for threads; not where an edit would be lost, and never twice in a tab.
+  const helps = broughtBy === null && begunWithout === false && !crossOriginIsolated && window.top === window;
+  if (helps && !studio.store.canUndo) {
+    location.reload();
+    return;
+  }
+  if (active === null) return;
+  // A first visit keeps what it has fetched, which costs nothing; who comes again gets the whole page.
+  if (broughtBy === null || begunWithout !== false)
+    await keep(
+      performance.getEntriesByType('resource').map(({ name }) => name),
+      active,
+    );
+  else if (isFree()) await keep('all', active);
 }

@@ -854,7 +854,8 @@ export const de: Translation = {
   'hint.StorageFull': 'Das Projekt als Datei speichern.',
 
   // --- Ohne Netz ------------------------------------------------------------------------------------------------------
-  'offline.ready': 'Sillon geht jetzt auch ohne Netz.',
+  'offline.keep': 'Zur Nutzung ohne Netz behalten',
+  'offline.ready': 'Sillon liegt nun ganz auf diesem Gerät und geht auch ohne Netz.',
   'offline.update': 'Eine neue Fassung ist da.',
 
   // --- Hilfe ----------------------------------------------------------------------------------------------------------

@@ -862,7 +862,8 @@ export const fr: Translation = {
   'hint.StorageFull': 'Enregistrez le projet dans un fichier.',
 
   // --- Hors ligne -----------------------------------------------------------------------------------------------------
-  'offline.ready': 'Fonctionne désormais hors ligne.',
+  'offline.keep': 'Conserver pour l’usage hors ligne',
+  'offline.ready': 'Sillon est entièrement conservé sur cet appareil et fonctionne hors ligne.',
   'offline.update': 'Une nouvelle version est prête.',
 
   // --- Aide -----------------------------------------------------------------------------------------------------------

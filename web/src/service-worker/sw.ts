@@ -1,14 +1,17 @@
-// The service worker: the studio works without a network after the first visit, and with threads on hosts that send no
-// headers. A version is kept whole or not at all: files whose bytes are not those that were built fail the installation,
-// and the next visit tries again.
+// The service worker: the studio opens without a network after the first visit, with the parts that were used, and with threads
+// on hosts that send no headers. All parts are kept when a page asks for that (app/offline.ts). A version is taken whole or not
+// at all: it comes with a successor of every file that is kept of the one before, and files whose bytes are not those that
+// were built fail the installation; the next visit tries again.
 
 export {};
 
 /** Put in front of this file by the build (vite.config.js). */
 declare const build: {
   version: string;
-  /** SHA-256 in base64, by address relative to this file. */
+  /** SHA-256 in base64, by address relative to this file; '': whatever comes. */
   files: Record<string, string>;
+  /** Those that every visit needs. */
+  first: string[];
   isolation: Record<string, string>;
 };
 
@@ -16,7 +19,16 @@ const worker = self as unknown as ServiceWorkerGlobalScope;
 const { scope } = worker.registration;
 const ours = `sillon ${scope} `; // caches are shared by all that an origin hosts
 const cacheName = ours + build.version;
-const known = new Set(Object.keys(build.files).map((name) => new URL(name, scope).href));
+const known = new Map(Object.entries(build.files).map(([name, hash]) => [new URL(name, scope).href, hash]));
+const first = build.first.map((name) => new URL(name, scope).href);
+
+/** The name under which a file is kept. */
+function addressOf(asked: string | URL): string {
+  const url = new URL(asked, scope);
+  url.search = '';
+  url.hash = '';
+  return url.href.replace(/\/index\.html$/, '/');
+}
 
 // --- Headers -------------------------------------------------------------------------------------------------------------
 
@@ -52,23 +64,61 @@ function isolated(response: Response): Response {
 
 // --- A version's life ----------------------------------------------------------------------------------------------------
 
-async function keep(cache: Cache, name: string, hash: string): Promise<void> {
-  const url = new URL(name, scope).href;
-  const response = await fetch(url, { cache: 'no-cache', credentials: 'same-origin' });
-  if (!response.ok) throw new Error(`${url} came with status ${response.status}`);
-  const bytes = await response.clone().arrayBuffer();
-  const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
-  if (btoa(String.fromCharCode(...digest)) !== hash) throw new Error(`${url} is not of version ${build.version}`);
-  await cache.put(url, response);
+async function isOfThisVersion(response: Response, url: string): Promise<boolean> {
+  const hash = known.get(url);
+  if (hash === '') return true;
+  const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', await response.clone().arrayBuffer()));
+  return btoa(String.fromCharCode(...digest)) === hash;
 }
+
+const olderCaches = async (): Promise<Cache[]> => {
+  const names = await caches.keys();
+  return Promise.all(
+    names.filter((name) => name.startsWith(ours) && name !== cacheName).map((name) => caches.open(name)),
+  );
+};
+
+/** Keeps a file of this version: as an older version or the browser has it, and fetched only if it has changed.
+ * @throws Error if it cannot be had */
+async function keep(cache: Cache, url: string, older: readonly Cache[]): Promise<void> {
+  if ((await cache.match(url)) !== undefined) return;
+  const ask = (how: RequestCache) => () => fetch(url, { cache: how, credentials: 'same-origin' });
+  const sources = [...older.map((one) => () => one.match(url)), ask('force-cache'), ask('no-cache')];
+  for (const source of sources) {
+    const response = await source();
+    if (response?.ok !== true || !(await isOfThisVersion(response, url))) continue;
+    await cache.put(url, response);
+    return;
+  }
+  throw new Error(`${url} is not to be had as of version ${build.version}`);
+}
+
+/** The address without the hash of its content. */
+const lasting = (url: string): string => url.replace(/(?<=\/engine\/)[\da-f]{12}\/|-[\w-]{8}(?=\.\w+$)/, '');
 
 async function install(): Promise<void> {
   try {
     const cache = await caches.open(cacheName);
-    await Promise.all(Object.entries(build.files).map(([name, hash]) => keep(cache, name, hash)));
+    const older = await olderCaches();
+    const before = (await Promise.all(older.map((one) => one.keys()))).flat().map(({ url }) => lasting(url));
+    const wanted = [...known.keys()].filter((url) => first.includes(url) || before.includes(lasting(url)));
+    await Promise.all(wanted.map((url) => keep(cache, url, older)));
   } catch (error) {
     await caches.delete(cacheName);
     throw error;
+  }
+}
+
+/** Keeps files that a page names, or all, one after another: what a page fetches meanwhile goes first.
+ * @returns whether all of them are kept now */
+async function keepMore(names: string[] | 'all'): Promise<boolean> {
+  const cache = await caches.open(cacheName);
+  const wanted = names === 'all' ? [...known.keys()] : names.map(addressOf).filter((url) => known.has(url));
+  try {
+    for (const url of wanted) await keep(cache, url, []);
+    return true;
+  } catch {
+    return false; // no network, no room, or another version lies there
   }
 }
 
@@ -96,13 +146,28 @@ async function page(request: Request, url: string): Promise<Response> {
 /** The page for frames is never kept: who may frame it is the host's to say, every time. */
 const frames = (request: Request): Promise<Response> => fetch(request).then(isolated, () => Response.error());
 
-async function answer(request: Request, url: string): Promise<Response> {
+/** A file that is kept, or that is from now on. One with other bytes is passed on as it came: names of scripts, and of the
+ * engine's folder, hold hashes of what is in them, so that it is no other version's code.
+ * @param lasts  tells the browser to wait for something */
+async function answer(request: Request, url: string, lasts: (done: Promise<unknown>) => void): Promise<Response> {
   const cache = await caches.open(cacheName);
   const kept = await cache.match(url);
+  if (kept !== undefined) return isolated(kept);
+  let fresh: Response;
   try {
-    return isolated(kept ?? (await fetch(request)));
+    fresh = await fetch(request);
   } catch {
     return Response.error(); // no network
+  }
+  if (fresh.ok) lasts(keepFresh(cache, url, fresh.clone()));
+  return isolated(fresh);
+}
+
+async function keepFresh(cache: Cache, url: string, fresh: Response): Promise<void> {
+  try {
+    if (await isOfThisVersion(fresh, url)) await cache.put(url, fresh);
+  } catch {
+    // It broke off, or there is no room: it is asked for again.
   }
 }
 
@@ -126,8 +191,10 @@ worker.addEventListener('install', (event) => {
 });
 
 // Pages of an older version keep theirs: the new one waits until they are closed, or say so.
-worker.addEventListener('message', ({ data }) => {
-  if (data === 'activate') void worker.skipWaiting();
+worker.addEventListener('message', (event) => {
+  const asked = event.data as 'activate' | { keep: string[] | 'all' };
+  if (asked === 'activate') void worker.skipWaiting();
+  else event.waitUntil(keepMore(asked.keep).then((all) => event.ports[0]?.postMessage(all)));
 });
 
 worker.addEventListener('activate', (event) => {
@@ -142,13 +209,12 @@ worker.addEventListener('fetch', (event) => {
     return;
   }
   if (request.method !== 'GET' || url.origin !== worker.location.origin || request.headers.has('range')) return;
-  url.search = '';
-  url.hash = '';
-  const asked = url.href.replace(/\/index\.html$/, '/');
+  const asked = addressOf(url);
   if (asked === new URL('embed.html', scope).href) {
     event.respondWith(frames(request));
     return;
   }
   if (!known.has(asked)) return; // neither another site's nor another page's below this one
-  event.respondWith(asked === scope ? page(request, asked) : answer(request, asked));
+  const lasts = event.waitUntil.bind(event);
+  event.respondWith(asked === scope ? page(request, asked) : answer(request, asked, lasts));
 });

@@ -9,6 +9,7 @@ export const words = {
   'app.local': 'Everything happens on this device. Nothing is uploaded.',
   'app.host': 'Embedded in {host}, which can read this plate and the files you open here. Nothing else is uploaded.',
   'app.open': 'Open in a new tab',
-  'offline.ready': 'Sillon now works offline.',
+  'offline.keep': 'Keep for offline use',
+  'offline.ready': 'All of Sillon is kept on this device and works offline.',
   'offline.update': 'A new version is ready.',
 } as const;
