@@ -20,8 +20,14 @@ import type { Studio } from '../studio/studio.js';
 import { pictureFiles } from './add-layer.js';
 import { fillIcons } from './icons.js';
 
+export type FillGroup = 'pictures' | 'patterns';
+
 /** @param pictureOf  address of a picture of the plate with this fill */
-export function fillCards(studio: Studio, pictureOf: (fill: Fill) => string | undefined): TemplateResult {
+export function fillCards(
+  studio: Studio,
+  pictureOf: (fill: Fill) => string | undefined,
+  groups: readonly FillGroup[] = ['pictures', 'patterns'],
+): TemplateResult {
   const { plate } = studio.store.state;
   const option = (value: Fill): Option<Fill> => ({
     value,
@@ -29,18 +35,19 @@ export function fillCards(studio: Studio, pictureOf: (fill: Fill) => string | un
     icon: fillIcons[value],
     picture: pictureOf(value),
   });
-  const group = (id: 'pictures' | 'patterns', fills: readonly Fill[]): TemplateResult =>
+  const fillsOf = { pictures: pictureFills, patterns: patternFills };
+  const group = (id: FillGroup): TemplateResult =>
     html`<h3>${t(`source.${id}`)}</h3>
       ${cards<Fill>({
         id: `source-${id}`,
         label: t(`source.${id}`),
         value: groundFill(plate),
-        options: fills.map(option),
+        options: fillsOf[id].map(option),
         onChoose: (chosen) => {
           void chooseFill(studio, chosen);
         },
       })}`;
-  return html`${group('pictures', pictureFills)} ${group('patterns', patternFills)}`;
+  return html`${groups.map(group)}`;
 }
 
 /** Fills the plate with something else; where that needs a file and there is none, it is asked for. */

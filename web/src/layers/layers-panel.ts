@@ -9,7 +9,7 @@ import { DrawnChoices } from '../controls/drawn-choices.js';
 import { l, layerLabel, layerName } from '../i18n/layers.js';
 import { warningText } from '../i18n/say-core.js';
 import { t } from '../i18n/text.js';
-import { groundFill, groundOf, isBare, type Fill } from '../model/fills.js';
+import { groundFill, groundOf, isBare, isPictureFill, type Fill } from '../model/fills.js';
 import { changeLayer, layerOf, raised, withoutLayer } from '../model/layer-list.js';
 import { lackOf, type LayerKind } from '../model/layers.js';
 import type { Plate, PlateLayer } from '../model/plate.js';
@@ -17,13 +17,13 @@ import { addLayer, duplicate } from './add-layer.js';
 import { frameIn } from './arranging.js';
 import { followBoxes } from './boxes.js';
 import { brushFields } from './brush-fields.js';
-import { fillCards } from './fill-cards.js';
+import { fillCards, type FillGroup } from './fill-cards.js';
 import { kindIcon, layerIcon } from './icons.js';
 import { foldedFields, kindFields, modeFields } from './kind-fields.js';
 import { layersStyle } from './layers-style.js';
 import { middleFields, placeFields } from './place-fields.js';
 import { dragRow, rowTaken } from './row-drag.js';
-import { startStyle, startTiles } from './start.js';
+import { startKinds, startStyle, startTiles } from './start.js';
 import { tile } from './tiles.js';
 import { warnedLayers } from './warned.js';
 
@@ -115,23 +115,27 @@ export class LayersPanel extends StudioElement {
   }
 
   #start(): TemplateResult {
+    const { plate, welcome } = this.state;
+    const fill = groundFill(plate);
     const more = (): void => {
       this.allTiles = !this.allTiles;
     };
-    return html`${this.state.welcome ? html`<p class="note">${t('start.what')}</p>` : nothing}
+    return html`${welcome ? html`<p class="note">${t('start.what')}</p>` : nothing}
     ${startTiles(this.studio, more, this.allTiles)}
     ${
       this.allTiles
         ? html`${this.#cards()}
             <h3>${l('add')}</h3>
             ${this.#tiles()}`
-        : html`<p class="note drop">${t('start.drop')}</p>`
+        : fill === undefined || welcome
+          ? html`<p class="note">${t('start.drop')}</p>`
+          : this.#cards([isPictureFill(fill) ? 'pictures' : 'patterns'])
     }`;
   }
 
-  #cards(): TemplateResult {
+  #cards(groups?: readonly FillGroup[]): TemplateResult {
     const fill = groundFill(this.state.plate);
-    return html`${fillCards(this.studio, (one) => this.#pictures.url(one))}
+    return html`${fillCards(this.studio, (one) => this.#pictures.url(one), groups)}
     ${fill === undefined ? nothing : html`<p class="note">${t(`source.${fill}.help`)}</p>`}`;
   }
 
@@ -152,7 +156,8 @@ export class LayersPanel extends StudioElement {
   }
 
   #tiles(): TemplateResult {
-    const kinds = this.allTiles ? offered : offered.slice(0, first);
+    const added = isBare(this.state.plate) ? offered.filter((kind) => !startKinds.has(kind)) : offered;
+    const kinds = this.allTiles ? added : added.slice(0, first);
     return html`<div class="tiles" id="kinds" role="group" aria-label=${l('add')}>
       ${kinds.map(
         (kind) =>

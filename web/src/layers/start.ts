@@ -18,6 +18,9 @@ const begins = {
 } as const satisfies Record<string, LayerKind>;
 export type Begin = keyof typeof begins;
 
+/** Kinds that these tiles lay on top already. */
+export const startKinds: ReadonlySet<LayerKind> = new Set(['text', 'code']);
+
 export const startStyle = css`
   .start {
     display: grid;
@@ -44,7 +47,6 @@ export function startTiles(studio: Studio, more: () => void, unfolded: boolean):
         html`<button
           type="button"
           @click=${() => {
-            if (name === 'pattern' && !unfolded) more();
             void begin(studio, name as Begin);
           }}
         >

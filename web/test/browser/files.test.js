@@ -36,6 +36,7 @@ test('files are taken in however long their choice takes', { skip }, async () =>
   await browser.send('Page.enable');
   await browser.send('Page.setInterceptFileChooserDialog', { enabled: true });
   const asked = new Promise((resolve) => browser.once('Page.fileChooserOpened', resolve));
+  await visit.ways();
   await page.getByRole('radio', { name: 'Direction map', exact: true }).press('Enter');
   const { backendNodeId } = await asked;
   await browser.send('HeapProfiler.collectGarbage');
@@ -78,6 +79,7 @@ test('what was said of a file goes when something of another kind takes its plac
   await visit.drop([photo('second.png')]);
   await visit.button('Show both, turn the lamp').waitFor();
   await visit.section('Picture');
+  await visit.ways();
   await visit.page.getByRole('radio', { name: 'Waves' }).check();
   await visit.button('Show both, turn the lamp').waitFor({ state: 'detached' });
   await visit.page.keyboard.press('Control+z');
@@ -149,7 +151,10 @@ test('who tries other cards and comes back is asked for no file again', { skip }
       return [];
     };
   });
-  const card = async (name) => page.getByRole('radio', { name, exact: true }).check();
+  const card = async (name) => {
+    await visit.ways();
+    await page.getByRole('radio', { name, exact: true }).check();
+  };
   const pictures = ({ plate }) => plate.layers[0].pictures.map(({ file, lamp }) => [file.name, lamp]);
   const both = await visit.state(pictures);
   for (const way of [['Waves'], ['Picture by brightness'], ['Picture by brightness', 'Waves']]) {

@@ -40,9 +40,10 @@ const undos = (visit) => visit.page.evaluate(() => document.querySelector('sillo
 
 /** Presses the tile of a kind, which may be among those that are not there unasked. */
 async function choose(panel, name) {
-  await panel.locator('.tiles').waitFor();
-  const tile = panel.locator('.tiles').getByRole('button', { name, exact: true });
-  if ((await tile.count()) === 0) await panel.locator('#more-kinds').click();
+  await panel.locator('.start, .tiles').first().waitFor();
+  const places = ['Text', 'QR code'].includes(name) ? '.start, .tiles' : '.tiles';
+  const tile = panel.locator(places).getByRole('button', { name, exact: true });
+  if ((await tile.count()) === 0) await panel.locator('#more-kinds, .start [aria-expanded=false]').click();
   await tile.click();
 }
 

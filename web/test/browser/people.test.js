@@ -131,6 +131,7 @@ test(
     const { page } = visit;
     let asked = 0;
     page.on('filechooser', () => ++asked);
+    await visit.ways();
     const card = (name) => page.getByRole('radio', { name, exact: true });
     const pattern = ({ plate }) => plate.layers[0].pattern;
     const hasFocus = (name) => card(name).evaluate((one) => one.matches(':focus'));

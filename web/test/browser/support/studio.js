@@ -242,6 +242,12 @@ class Visit {
     await this.page.locator('#menu').getByRole('button', { name }).click();
   }
 
+  /** Unfolds all that a plate may be filled with. */
+  async ways() {
+    const more = this.button('More ways');
+    if ((await more.count()) > 0 && (await more.getAttribute('aria-expanded')) === 'false') await more.click();
+  }
+
   /** Opens what is rarely changed of the view. @returns its fields */
   async options() {
     await this.page.locator('[popovertarget=options]').click();
