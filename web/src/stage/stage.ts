@@ -33,6 +33,7 @@ export class StageElement extends StudioElement {
     'mode',
     'controls',
     'plate',
+    'marks',
     'tool',
     'panel',
     'notices',
@@ -372,11 +373,11 @@ export class StageElement extends StudioElement {
     `;
   }
 
-  #bars(view: ViewName): TemplateResult {
+  #bars(view: ViewName): TemplateResult | typeof nothing {
     if (view === 'appearance') return html`<sillon-looks .studio=${this.studio}></sillon-looks>`;
-    return view === 'toolpath'
-      ? html`<sillon-player .studio=${this.studio}></sillon-player>`
-      : html`<sillon-legend .studio=${this.studio}></sillon-legend>`;
+    if (view === 'toolpath') return html`<sillon-player .studio=${this.studio}></sillon-player>`;
+    if (view === 'quality' && this.state.marks.length === 0) return nothing;
+    return html`<sillon-legend .studio=${this.studio}></sillon-legend>`;
   }
 
   #onTabKey = (event: KeyboardEvent): void => {
