@@ -113,7 +113,8 @@ async function start(): Promise<void> {
   }
   // What the next visit needs would take the network from what this one waits for; without threads that visit is at once.
   if (crossOriginIsolated) await Promise.race([firstPlate(), elapsed(keepsAfter)]);
-  const { workOffline } = await import('./offline.js');
+  const [{ workOffline }, { followSheet }] = await Promise.all([import('./offline.js'), import('./sheet.js')]);
+  followSheet(studio);
   void workOffline(studio, broughtBy);
 }
 

@@ -1,8 +1,9 @@
-// A sheet above the page. It closes with Escape, with its cross, and with a click beside it. What is told while it is open is
+// A sheet above the page. It closes with Escape, with its cross, with a click beside it, and with Back. What is told while it is open is
 // told in it, by the element that the page has anyway: nothing behind it can be reached.
 import { css, html, type TemplateResult } from 'lit';
 import { query } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
+import { closesByBack } from './back.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import type { Shown } from '../studio/shown.js';
@@ -21,6 +22,7 @@ export abstract class DialogElement extends StudioElement {
 
   @query('dialog') private dialog!: HTMLDialogElement;
   #afterwards?: () => void;
+  #closed?: () => void;
   /** What was told before. */
   #known: Pick<Shown, 'notices' | 'problem'> | undefined;
 
@@ -30,6 +32,14 @@ export abstract class DialogElement extends StudioElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#known = this.state;
+    this.#closed = closesByBack(() => {
+      this.close();
+    });
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#closed?.();
   }
 
   override render(): TemplateResult {

@@ -11,6 +11,7 @@ import { lookOf } from '../model/filaments.js';
 import type { Stroke } from 'sillon';
 import type { HandBrush } from '../model/rebrush.js';
 import type { Light } from '../model/view.js';
+import { closesByBack } from '../controls/back.js';
 import { StudioElement } from '../controls/element.js';
 import { isTyping } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
@@ -38,6 +39,7 @@ export class RebrushView extends StudioElement {
   @state() private darkScheme = matchMedia('(prefers-color-scheme: dark)').matches;
 
   work!: PrintWork;
+  #closed?: () => void;
   readonly #end = new AbortController();
 
   // --- The page -----------------------------------------------------------------------------------------------------------
@@ -50,6 +52,7 @@ export class RebrushView extends StudioElement {
     this.work = new PrintWork(this.studio, this.light, () => {
       this.requestUpdate();
     });
+    this.#closed = closesByBack(this.#close);
     const { signal } = this.#end;
     // Before the page below hears of them.
     for (const name of ['dragover', 'drop', 'paste'] as const) {
@@ -67,6 +70,7 @@ export class RebrushView extends StudioElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.work.leave();
+    this.#closed?.();
     this.#end.abort();
   }
 
