@@ -238,7 +238,13 @@ export class App extends StudioElement {
               </button>`,
           )}
         </nav>
-        <aside class="panel" id="panel" aria-label=${t('app.settings')} ?hidden=${panel === ''} tabindex="-1">
+        <aside
+          class="panel"
+          id="panel"
+          aria-label=${panel === '' ? nothing : t(`section.${panel as Tab[0]}`)}
+          ?hidden=${panel === ''}
+          tabindex="-1"
+        >
           <button
             type="button"
             class="grip"

@@ -19,7 +19,7 @@ const shortened = (text: string): string => {
   return line.length > longest ? `${line.slice(0, longest)}…` : line;
 };
 
-/** The name of a layer in lists: by its letters, by its file, else by its kind. */
+/** The name of a layer: by its letters, by its file, else by its kind. */
 export function layerName(layer: PlateLayer): string {
   const { kind, text } = layer;
   if ((kind === 'text' || kind === 'code') && text.trim() !== '') return shortened(text);
@@ -27,6 +27,13 @@ export function layerName(layer: PlateLayer): string {
   if (file !== undefined) return file.name;
   const fill = fillOf(layer);
   return fill === undefined ? l(`kind.${kind}`) : t(`source.${fill}`);
+}
+
+/** The name of a layer among others, of which several may have the same letters or files. */
+export function layerNameIn(layers: readonly PlateLayer[], layer: PlateLayer): string {
+  const name = layerName(layer);
+  const k = layers.filter((one) => layerName(one) === name).indexOf(layer);
+  return k > 0 ? `${name} (${k + 1})` : name;
 }
 
 /** A font file's name without its ending. */

@@ -238,6 +238,7 @@ export class LampsPanel extends StudioElement {
         ></sillon-dial>
         <button
           type="button"
+          aria-label="${t('lamp.here')}: ${name}"
           @click=${() => {
             const { azimuth, elevation } = this.state.light;
             this.#stand(k, [Math.round(azimuth) % 360, Math.min(80, Math.max(15, Math.round(elevation)))]);
@@ -247,6 +248,7 @@ export class LampsPanel extends StudioElement {
         </button>
         <button
           type="button"
+          aria-label="${t('lamp.best')}: ${name}"
           aria-pressed=${String(picture.lamp === null)}
           @click=${() => {
             this.#stand(k, null);

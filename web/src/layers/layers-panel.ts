@@ -6,7 +6,7 @@ import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { DrawnChoices } from '../controls/drawn-choices.js';
-import { l, layerLabel, layerName } from '../i18n/layers.js';
+import { l, layerLabel, layerName, layerNameIn } from '../i18n/layers.js';
 import { warningText } from '../i18n/say-core.js';
 import { t } from '../i18n/text.js';
 import { groundFill, groundOf, isBare, isPictureFill, type Fill } from '../model/fills.js';
@@ -107,7 +107,10 @@ export class LayersPanel extends StudioElement {
         /* Below the list, whose rows would else change their places under a hand that drags one. */
         layers.flatMap((one) =>
           (warned.get(one) ?? []).map(
-            (words) => html`<p class="warning" role="status"><b>${layerName(one)}</b> ${warningText(words)}</p>`,
+            (words) =>
+              html`<p class="warning" role="status">
+                <b>${layerNameIn(this.state.plate.layers, one)}</b> ${warningText(words)}
+              </p>`,
           ),
         )
       }
@@ -190,7 +193,7 @@ export class LayersPanel extends StudioElement {
   }
 
   #row(layer: PlateLayer, chosen: boolean, warned: boolean): TemplateResult {
-    const name = layerName(layer);
+    const name = layerNameIn(this.state.plate.layers, layer);
     const lack = lackOf(layer);
     const look = `${chosen ? 'chosen' : ''} ${this.held === layer.id ? 'held' : ''} ${warned ? 'warned' : ''}`;
     return html`<li class=${look} data-layer=${layer.id}>
