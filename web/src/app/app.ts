@@ -329,7 +329,7 @@ export class App extends StudioElement {
     return types?.includes('Files') === true || (!typesText(event) && kinds.some((kind) => types?.includes(kind)));
   }
 
-  #texts = (): string[] => (composes(this.state) ? [plainText] : []);
+  #texts = (): string[] => (offers(this.state, 'layers') ? [plainText] : []);
 
   #onDragOver = (event: DragEvent): void => {
     if (!this.#brings(event, addresses, ...this.#texts())) return;

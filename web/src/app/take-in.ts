@@ -1,9 +1,10 @@
-// Takes in what is dropped or pasted: files and texts become layers while layers are in use, else a plate is made of them.
+// Takes in what is dropped or pasted: files and texts become layers while layers are in use, else a plate is made of files, and
+// texts are offered to be one.
 import { addFiles, addText } from '../layers/add-layer.js';
 import type { Point } from '../model/layer-frame.js';
 import { pageOf } from '../model/plate.js';
 import { openAddress } from '../studio/addresses.js';
-import { composes } from '../studio/shown.js';
+import { composes, offers } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 
 /** Place of a pointer [CSS pixels]. */
@@ -42,10 +43,12 @@ export async function takeIn(studio: Studio, { text, address, at, onShape, handl
   const [file] = files;
   if (file === undefined) {
     const linked = address === '' ? text : address;
-    if (!composing || /^\s*https?:\/\/\S+\s*$/i.test(linked)) openAddress(studio, linked);
-    else {
+    if (/^\s*https?:\/\/\S+\s*$/i.test(linked)) openAddress(studio, linked);
+    else if (composing) {
       studio.show(undefined);
       await addText(studio, text, place);
+    } else if (offers(studio.store.state, 'layers')) {
+      (await import('./offer-text.js')).offerText(studio, text);
     }
     return;
   }

@@ -1,4 +1,4 @@
-// What hands do without thinking, such as going back.
+// What hands do without thinking: going back, and pasting a sentence.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
@@ -152,4 +152,60 @@ test('a page that is loaded again under an open sheet has its Back', { skip }, a
   await page.goBack();
   await noDialog(visit);
   assert.equal(await page.locator('sillon-app').count(), 1);
+});
+
+const texts = ({ plate }) => plate.layers.filter(({ kind }) => kind === 'text').map(({ text }) => text);
+
+for (const way of ['paste', 'drop']) {
+  test(`a sentence on a plate that nobody has touched can become a name sign: ${way}`, { skip }, async () => {
+    const visit = await bench.open({ fresh: true, visited: true });
+    await visit.until(({ plate, result }) => result?.plate === plate);
+    const before = await visit.state(({ plate }) => plate.shape.kind);
+    await visit[way]([], 'For Amélie, with love from all of us');
+    await visit.button('Make a text of it').click();
+    await visit.until(({ plate, result }) => plate.layers.length === 3 && result?.plate === plate);
+    assert.deepEqual(await visit.state(texts), ['For Amélie, with\nlove from all of us']);
+    const [shape, width, name, warnings] = await visit.state(({ plate, result }) => [
+      plate.shape.kind,
+      plate.width,
+      plate.name,
+      result.report.warnings.map(({ code }) => code),
+    ]);
+    assert.deepEqual([shape, width, name, warnings], ['rounded', 120, 'For Amélie, with love from all of us', []]);
+    // It lies within the border.
+    const [wide, tall] = await visit.page.evaluate(async () => {
+      const { store, services } = document.querySelector('sillon-app').studio;
+      const { plate } = store.state;
+      const { id } = plate.layers.find(({ kind }) => kind === 'text');
+      return (await services.layerBoxes(plate)).get(id).size;
+    });
+    assert.ok(wide > 60 && wide <= 100 && tall > 12 && tall <= 27.1, `${wide} × ${tall}`);
+    await visit.page.locator('sillon-notices').getByRole('button', { name: 'Undo' }).click();
+    await visit.until(({ plate }) => plate.layers.length === 1);
+    assert.equal(await visit.state(({ plate }) => plate.shape.kind), before);
+  });
+}
+
+test('on one’s own plate a sentence becomes letters where there is room', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until(({ plate }) => plate.width === 24);
+  await visit.paste([], 'Anna');
+  await visit.button('Make a text of it').click();
+  await visit.until(({ plate }) => plate.layers.length === 2);
+  assert.deepEqual(await visit.state(texts), ['Anna']);
+  assert.deepEqual(await visit.state(({ plate }) => [plate.shape.kind, plate.width]), ['disc', 24]);
+  // The next is a layer at once, as plates with layers take it.
+  await visit.paste([], 'Tom');
+  await visit.until(({ plate }) => plate.layers.length === 3);
+  assert.deepEqual(await visit.state(texts), ['Anna', 'Tom']);
+});
+
+test('of a long text its limit is told, and of nothing nothing', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until(({ plate }) => plate.width === 24);
+  await visit.paste([], ' \n');
+  await visit.paste([], 'word '.repeat(100));
+  await visit.page.getByText('That text has 499 characters; at most 120 can be read on a plate.').waitFor();
+  assert.equal(await visit.button('Make a text of it').count(), 0);
+  assert.equal(await visit.state(({ notices }) => notices.length), 1);
 });

@@ -271,8 +271,8 @@ class Visit {
   }
 
   /** As if they had been dragged from another window. */
-  async drop(files) {
-    await this.#hand('drop', files);
+  async drop(files, text = '') {
+    await this.#hand('drop', files, text);
   }
 
   async paste(files, text = '') {
