@@ -1,7 +1,7 @@
 // What a file that was opened alone has become, and what else it can be.
 import { words } from '../i18n/en/files.js';
 import { say } from '../i18n/text.js';
-import { hasUnits } from '../files/open.js';
+import { hasUnits, isStrip } from '../files/open.js';
 import type { Opened, Role } from '../model/file-role.js';
 import { groundPictures } from '../model/fills.js';
 import { mostPictures } from '../model/lamp.js';
@@ -10,12 +10,19 @@ import type { Studio } from '../studio/studio.js';
 /** Pictures in one of these roles could be seen under a lamp as well. */
 const seen: readonly Role[] = ['lamp', 'levels'];
 
-export async function tellOpened(studio: Studio, { source, role }: Opened): Promise<void> {
+export async function tellOpened(studio: Studio, { source, role, notes }: Opened): Promise<void> {
   const { opened, plate } = studio.store.state;
   const { width, height } = plate;
   const drawn = role === 'shape' || (role === 'colours' && source.bytes.type === 'image/svg+xml');
   const unsaid = drawn && !(await hasUnits(source));
-  const told = say(words, 'files.opened', { name: source.name, role: say(words, `role.${role}`) });
+  const resized = opened !== undefined && (opened.before.width !== width || opened.before.height !== height);
+  const strip = resized && isStrip([width, height || width]);
+  const size = { width, height };
+  const told = [
+    say(words, 'files.opened', { name: source.name, role: say(words, `role.${role}`) }),
+    ...notes.map((note) => say(words, `files.${note}`)),
+    ...(strip ? [say(words, 'files.strip', size)] : unsaid ? [say(words, 'files.sized', size)] : []),
+  ];
   const change = {
     label: say(words, 'files.change'),
     run: () => {
@@ -35,7 +42,7 @@ export async function tellOpened(studio: Studio, { source, role }: Opened): Prom
   const pictures = replaced > 0 && seen.includes(role) ? replaced : mostPictures;
   const actions = pictures < mostPictures ? [both, change] : [change];
   studio.tell({
-    text: unsaid ? `${told} ${say(words, 'files.sized', { width, height })}` : told,
+    text: told.join(' '),
     actions,
     ofFiles: true,
   });

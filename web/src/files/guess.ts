@@ -19,6 +19,8 @@ export interface PictureFacts {
   twoTones: boolean;
   /** Nothing that could be seen: one tone all over. */
   oneTone: boolean;
+  /** Nothing that could be seen on white paper, as it is drawn in white on a transparent ground. */
+  whiteOnClear: boolean;
 }
 
 const enoughSamples = 1 << 16;
@@ -29,6 +31,8 @@ interface Sampled {
   rgb: Uint8Array;
   /** On white paper. */
   tones: Uint8Array;
+  /** Opacity of each. */
+  covers: Uint8Array;
   deep: boolean;
 }
 
@@ -39,6 +43,7 @@ function sampled({ width, height, channels, samples }: Picture): Sampled {
   const count = Math.ceil(width / step) * Math.ceil(height / step);
   const rgb = new Uint8Array(3 * count);
   const tones = new Uint8Array(count);
+  const covers = new Uint8Array(count).fill(255);
   let n = 0;
   let deep = false;
   for (let y = 0; y < height; y += step) {
@@ -49,11 +54,12 @@ function sampled({ width, height, channels, samples }: Picture): Sampled {
       const grey = channels < 3;
       const [r, g, b] = [byte(0), byte(grey ? 0 : 1), byte(grey ? 0 : 2)];
       rgb.set([r, g, b], 3 * n);
-      const cover = channels % 2 === 0 ? byte(channels - 1) / 255 : 1;
+      if (channels % 2 === 0) covers[n] = byte(channels - 1);
+      const cover = (covers[n] as number) / 255;
       tones[n] = Math.round((0.2126 * r + 0.7152 * g + 0.0722 * b) * cover + 255 * (1 - cover));
     }
   }
-  return { rgb, tones, deep };
+  return { rgb, tones, covers, deep };
 }
 
 function histogram(tones: Uint8Array): Float64Array {
@@ -120,7 +126,7 @@ function areUnitVectors(rgb: Uint8Array): boolean {
 
 export function factsOf(picture: Picture): PictureFacts {
   const { width, height } = picture;
-  const { rgb, tones, deep } = sampled(picture);
+  const { rgb, tones, covers, deep } = sampled(picture);
   let colourful = 0;
   for (let k = 0; k < rgb.length; k += 3) {
     const [r = 0, g = 0, b = 0] = rgb.subarray(k, k + 3);
@@ -128,6 +134,7 @@ export function factsOf(picture: Picture): PictureFacts {
   }
   const coloured = colourful > 0.01 * (rgb.length / 3);
   const counts = histogram(tones);
+  const oneTone = isOneTone(counts);
   return {
     width,
     height,
@@ -136,7 +143,8 @@ export function factsOf(picture: Picture): PictureFacts {
     modeGreys: !coloured && areModeGreys(counts),
     unitVectors: coloured && areUnitVectors(rgb),
     twoTones: areTwoTones(counts),
-    oneTone: isOneTone(counts),
+    oneTone,
+    whiteOnClear: oneTone && !isOneTone(histogram(covers)),
   };
 }
 
@@ -210,9 +218,11 @@ export function guessRoles(files: readonly Guessed[], plate: Plate): Role[] {
   // Pictures that come together get a lamp each, as long as there is room; one alone takes the place of those on the plate.
   let pictures = 0;
   const taken = new Set<string>();
-  return roles.map((role) => {
+  return roles.map((role, k) => {
     const part = partOf(role);
     const seen = role === 'lamp' || (role === 'levels' && pictures > 0);
+    // Nothing of it would be seen beside others.
+    if (files.length > 1 && files[k]?.facts?.oneTone && seen) return 'none';
     if (seen && pictures > 0 && pictures < mostPictures) {
       ++pictures;
       taken.add(part);

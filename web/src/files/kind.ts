@@ -13,7 +13,7 @@ export interface Known {
 
 const unknown: Known = { kind: 'unknown', mime: '' };
 
-const startsWith = (bytes: Uint8Array, ...magic: readonly number[]): boolean =>
+export const startsWith = (bytes: Uint8Array, ...magic: readonly number[]): boolean =>
   magic.every((byte, k) => bytes[k] === byte);
 
 /** TGA has no mark at its beginning: its header must make sense, and its name say so. */

@@ -7,9 +7,11 @@ import { isFontFile } from '../model/layer-list.js';
 import type { LayerValues } from '../model/layers.js';
 import { isRoundKind, type Plate, type SourceFile } from '../model/plate.js';
 import { StudioError, problemOf } from '../model/problem.js';
-import type { Opened, OpenedFiles, Role } from '../model/file-role.js';
+import type { FileNote, Opened, OpenedFiles, Role } from '../model/file-role.js';
 import type { Light } from '../model/view.js';
+import { isAnimated } from './animated.js';
 import { coloursIn, coloursOf, isSvg } from './drawn.js';
+import { checkDrawing } from './drawing-size.js';
 import { allowedRoles, factsOf, guessRoles, type PictureFacts } from './guess.js';
 import { enoughToKnow, kindOf, otherFormat, type Kind } from './kind.js';
 import { filesOf } from './plate-project.js';
@@ -32,6 +34,7 @@ type OpeningEngine = Pick<Engine, 'decodePicture' | 'paintDrawing' | 'readShape'
 interface Read {
   source: SourceFile;
   kind: Kind;
+  notes: readonly FileNote[];
 }
 
 const megabytes = (bytes: number): number => Math.ceil(bytes / 1e6);
@@ -73,7 +76,9 @@ export async function readFile(given: File): Promise<Read> {
       ...(format === '' ? {} : { format }),
     });
   }
-  return { source, kind };
+  if (kind === 'svg') checkDrawing(source.name, bytes);
+  const own = file === given ? bytes : new Uint8Array(await given.arrayBuffer());
+  return { source, kind, notes: kind === 'picture' && isAnimated(own) ? ['animated'] : [] };
 }
 
 // A picture is decoded once, however often its role changes.
@@ -95,6 +100,20 @@ async function pictureFacts(source: SourceFile, engine: Pick<Engine, 'decodePict
   const facts = factsOf(await naming(source.name, engine.decodePicture(source.bytes)));
   known.set(source, facts);
   return facts;
+}
+
+/** A picture as it can be seen, and its figures. */
+async function seenPicture(
+  source: SourceFile,
+  notes: readonly FileNote[],
+  engine: Pick<Engine, 'decodePicture'>,
+): Promise<{ source: SourceFile; notes: readonly FileNote[]; facts: PictureFacts }> {
+  const facts = await pictureFacts(source, engine);
+  if (!facts.whiteOnClear) return { source, notes, facts };
+  const { onBlack } = await import('./white-artwork.js');
+  const dark = await onBlack(source, await engine.decodePicture(source.bytes)).catch(() => undefined);
+  if (dark === undefined) return { source, notes, facts };
+  return { source: dark, notes: [...notes, 'white'], facts: await pictureFacts(dark, engine) };
 }
 
 export const isFont = ({ name }: File): boolean => isFontFile(name);
@@ -140,18 +159,19 @@ export async function identify(files: readonly File[], plate: Plate, engine: Ope
     return { project: await readProject(project.source, others, engine), opened: [], refused };
   }
 
-  const guessed = await each(all, async ({ source, kind }) => {
+  const guessed = await each(all, async ({ source, kind, notes }) => {
     const { name } = source;
     if (kind === 'font') throw new StudioError('UnknownFile', { name }); // only layers have letters of their own
     // One drawing alone is read when it is used; among others it must not take them with it.
     if (kind === 'svg' && all.length > 1) await naming(name, engine.readShape({ file: source.bytes, unitless: 'px' }));
     return kind === 'svg'
-      ? { source, kind, name, facts: undefined, colours: (await coloursIn(source, engine)).length }
-      : { source, kind, name, facts: await pictureFacts(source, engine) };
+      ? { source, kind, notes, name, facts: undefined, colours: (await coloursIn(source, engine)).length }
+      : { kind, name, ...(await seenPicture(source, notes, engine)) };
   });
   const roles = guessRoles(guessed, plate);
-  const opened = guessed.map(({ source, kind }, k) => ({
+  const opened = guessed.map(({ source, kind, notes }, k) => ({
     source,
+    notes,
     role: roles[k] ?? 'none',
     roles: allowedRoles(kind === 'picture'),
   }));
@@ -162,12 +182,25 @@ export async function identify(files: readonly File[], plate: Plate, engine: Ope
 
 type Size = readonly [number, number];
 
-const longest = ({ width, height }: Plate): number => Math.max(width, height);
 const tenths = (length: number): number => Math.max(0.1, Math.round(10 * length) / 10);
 
-/** These proportions, as long as the plate was. */
-function proportioned(plate: Plate, [wide, tall]: Size): Pick<Plate, 'width' | 'height'> {
-  const scale = longest(plate) / Math.max(wide, tall);
+/** Pages longer than this, by their proportions, are strips, which are as large as others by their area. */
+const strip = 3;
+const mostOfBed = 0.9; // what lies around a plate needs room, too
+
+export const isStrip = ([wide, tall]: Size): boolean => Math.max(wide / tall, tall / wide) > strip;
+
+/** The longer side of a page; a strip's is that of a page of its area which is none yet. */
+const extentOf = ([wide, tall]: Size): number => Math.min(Math.max(wide, tall), Math.sqrt(strip * wide * tall));
+
+/** These proportions, as large as the plate was: as long, and a strip of as much area as the stoutest page that is one. It
+ * grows no longer than the bed. */
+function proportioned(plate: Plate, page: Size): Pick<Plate, 'width' | 'height'> {
+  const [wide, tall] = page;
+  const { width: before, height, printer } = plate;
+  const { bedMin, bedMax } = printer;
+  const room = ([0, 1] as const).map((k) => Math.max(before, height, mostOfBed * (bedMax[k] - bedMin[k])) / page[k]);
+  const scale = Math.min(extentOf([before, height || before]) / extentOf(page), ...room);
   const width = tenths(wide * scale);
   return { width, height: (width * tall) / wide };
 }

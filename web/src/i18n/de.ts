@@ -241,6 +241,10 @@ export const de: Translation = {
   'legend.last': 'Ende',
   'files.opened': '{name}: {role}.',
   'files.sized': 'Eine Einheit fehlt; die Größe ist daher die der vorigen Platte: {width} × {height} mm.',
+  'files.strip':
+    'Das ist ein langer Streifen: {width} × {height} mm, mit der Fläche einer üblichen Platte. Für einen breiteren vorher zuschneiden.',
+  'files.animated': 'Von der Animation wird nur das erste Bild verwendet.',
+  'files.white': 'Es ist weiß auf durchsichtigem Grund; der Grund ist hier deshalb schwarz.',
   'files.text': '„{text}“',
   'files.makeText': 'Einen Text daraus machen',
   'files.textMade': 'Der Text steht auf der Platte.',
@@ -1336,6 +1340,10 @@ export const de: Translation = {
   'problem.emptyFile.hint': 'Es steht nichts darin. Erneut herunterladen oder kopieren.',
   'problem.otherFile': '{name} ist eine {format}-Datei.',
   'problem.otherFile.hint': 'Als SVG, PNG oder JPEG exportieren und das öffnen.',
+  'problem.manyElements': '{name} hat {elements} Elemente; gelesen werden höchstens {most}.',
+  'problem.longDrawing': '{name} hat {megabytes} MB an Umrissen; gelesen werden höchstens {most} MB.',
+  'problem.largeDrawing.hint':
+    'Keine Platte könnte so viele zeigen. Im Zeichenprogramm vereinfachen oder als PNG exportieren.',
   'reason.SettingOutOfRange': '{label} ist {value}; erlaubt ist {low} bis {high}.',
   'reason.SettingOutOfRange.hint': 'Den Wert ändern oder rückgängig machen.',
   'reason.OverBedEdge': 'Die Platte ragt über den Rand des Druckbetts: {sides}.',

@@ -239,6 +239,10 @@ export const fr: Translation = {
   'legend.last': 'fin',
   'files.opened': '{name} : {role}.',
   'files.sized': 'Il ne dit pas d’unité : il est aussi grand que l’était la plaque, {width} × {height} mm.',
+  'files.strip':
+    'C’est une longue bande : {width} × {height} mm, avec la surface d’une plaque habituelle. Recadrez-la d’abord pour une bande plus large.',
+  'files.animated': 'Seule la première image de l’animation est utilisée.',
+  'files.white': 'Elle est blanche sur fond transparent ; le fond est donc noir ici.',
   'files.text': '« {text} »',
   'files.makeText': 'En faire un texte',
   'files.textMade': 'Votre texte est sur la plaque.',
@@ -1351,6 +1355,10 @@ export const fr: Translation = {
   'problem.emptyFile.hint': 'Il n’y a rien dedans. Téléchargez-le ou copiez-le de nouveau.',
   'problem.otherFile': '{name} est un fichier {format}.',
   'problem.otherFile.hint': 'Exportez-le en SVG, PNG ou JPEG, et ouvrez le résultat.',
+  'problem.manyElements': '{name} compte {elements} éléments ; on peut en lire {most} au plus.',
+  'problem.longDrawing': '{name} contient {megabytes} Mo de contours ; on peut en lire {most} Mo au plus.',
+  'problem.largeDrawing.hint':
+    'Aucune plaque ne pourrait en montrer autant. Simplifiez-le dans un logiciel de dessin, ou exportez-le en PNG.',
   'reason.SettingOutOfRange': '{label} : {value} ; il faut de {low} à {high}.',
   'reason.SettingOutOfRange.hint': 'Changez cette valeur, ou défaites.',
   'reason.OverBedEdge': 'La plaque dépasse du plateau : {sides}.',

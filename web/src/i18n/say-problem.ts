@@ -76,8 +76,17 @@ function reasonWords(reason: ErrorReason, values: Values): ExactWords | undefine
 
 /** undefined: the code has all that is known. */
 export function exactWords({ code, values }: Problem): ExactWords | undefined {
-  const { name = '', format, reason } = values;
+  const { name = '', format, reason, elements, megabytes, most = '' } = values;
   if (reason !== undefined) return reasonWords(reason as ErrorReason, values);
+  if (elements !== undefined || megabytes !== undefined) {
+    return {
+      message:
+        elements === undefined
+          ? say(words, 'problem.longDrawing', { name, megabytes: megabytes ?? '', most })
+          : say(words, 'problem.manyElements', { name, elements, most }),
+      hint: say(words, 'problem.largeDrawing.hint'),
+    };
+  }
   if (code !== 'UnknownFile' || format === undefined) return undefined;
   return format === 'empty'
     ? { message: say(words, 'problem.emptyFile', { name }), hint: say(words, 'problem.emptyFile.hint') }

@@ -1,6 +1,7 @@
 // New layers: of a kind, or of a file whose bytes tell what it is.
+import { words } from '../i18n/en/files.js';
 import { l } from '../i18n/layers.js';
-import { t } from '../i18n/text.js';
+import { say, t } from '../i18n/text.js';
 import { StudioError } from '../model/problem.js';
 import type { Point } from '../model/layer-frame.js';
 import {
@@ -63,11 +64,12 @@ async function readAll(studio: Studio, files: readonly File[]): Promise<ReadLaye
   const found: ReadLayerFile[] = [];
   for (const given of files) {
     await studio.attempt(async () => {
-      const { source, kind } = await readFile(given);
+      const { source, kind, notes } = await readFile(given);
       if (kind === 'zip' || kind === 'json') {
         await studio.open([given]);
         return;
       }
+      for (const note of notes) studio.notify(say(words, `files.${note}`));
       found.push({ file: kind === 'font' ? namedFont(source) : source, isFont: kind === 'font' });
     });
   }

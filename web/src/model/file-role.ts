@@ -18,9 +18,14 @@ export type Role =
   | 'project'
   | 'none';
 
+/** A way in which a picture is not as it came: one of an animation's pictures, or white artwork on a ground that is black now. The
+ * dictionary has `files.NAME`. */
+export type FileNote = 'animated' | 'white';
+
 /** A file as it was opened, and what it is used as. */
 export interface Opened {
   source: SourceFile;
+  notes: readonly FileNote[];
   role: Role;
   /** What it may be used as. */
   roles: readonly Role[];

@@ -17,7 +17,6 @@ export type ProblemCode =
   | 'LeftOut'
   /** A drawing's text is set in fonts that stand in for its own. */
   | 'OtherFont'
-  /** A drawing with so much in it that the browser is not asked to draw its colours. */
   /** A project whose zip, or whose studio.json, cannot be read. */
   | 'BrokenProject'
   /** More than one project among files that were dropped together. */

@@ -81,7 +81,7 @@ export class Files extends DialogElement {
     `;
   }
 
-  #row({ source, role, roles }: Opened, k: number): TemplateResult {
+  #row({ source, role, roles, notes }: Opened, k: number): TemplateResult {
     const id = `role-${k}`;
     return html`<li>
       ${this.#picture(source)}
@@ -97,7 +97,9 @@ export class Files extends DialogElement {
       >
         ${roles.map((name) => html`<option value=${name} ?selected=${name === role}>${say(words, `role.${name}`)}</option>`)}
       </select>
-      <p class="note" id="${id}-help">${say(words, `role.${role}.help`)}</p>
+      <p class="note" id="${id}-help">
+        ${[`role.${role}.help` as const, ...notes.map((note) => `files.${note}` as const)].map((word) => `${say(words, word)} `)}
+      </p>
     </li>`;
   }
 

@@ -1,9 +1,9 @@
-// What hands do without thinking: going back, and pasting a sentence.
+// What hands do without thinking: going back, pasting a sentence, dropping pictures of unusual kinds.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { sharedBench } from './support/shared.js';
-import { skip, start } from './support/studio.js';
+import { fileOf, skip, start } from './support/studio.js';
 
 const bench = sharedBench(skip, start);
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -208,4 +208,81 @@ test('of a long text its limit is told, and of nothing nothing', { skip }, async
   await visit.page.getByText('That text has 499 characters; at most 120 can be read on a plate.').waitFor();
   assert.equal(await visit.button('Make a text of it').count(), 0);
   assert.equal(await visit.state(({ notices }) => notices.length), 1);
+});
+
+/** A picture that the page itself draws. @param draw  run in the page with its context and side */
+async function drawn({ page }, name, draw, [width, height], type = 'image/png') {
+  const data = await page.evaluate(
+    async ([draw, width, height, type]) => {
+      const canvas = Object.assign(document.createElement('canvas'), { width, height });
+      eval(draw)(canvas.getContext('2d'), width, height);
+      const blob = await new Promise((resolve) => canvas.toBlob(resolve, type));
+      return Array.from(new Uint8Array(await blob.arrayBuffer()));
+    },
+    [String(draw), width, height, type],
+  );
+  return fileOf(name, data, type);
+}
+
+const ramp = (context, width, height) => {
+  const fill = context.createLinearGradient(0, 0, width, height);
+  fill.addColorStop(0, 'black');
+  fill.addColorStop(1, 'white');
+  context.fillStyle = fill;
+  context.fillRect(0, 0, width, height);
+};
+const white = (context, width, height) => {
+  context.fillStyle = 'white';
+  context.fillRect(width / 4, height / 4, width / 2, height / 2);
+};
+
+test('a panorama stays a plate, and it is told', { skip }, async () => {
+  const visit = await bench.open({ fresh: true, visited: true });
+  await visit.until(({ plate }) => plate.width === 70);
+  await visit.drop([await drawn(visit, 'alps.png', ramp, [1600, 100])]);
+  await visit.page.getByText('It is a long strip: 161.7 × 10.11 mm').waitFor();
+  const box = await visit.state(({ plate }) => [plate.width, Math.round(10 * plate.height) / 10]);
+  assert.deepEqual(box, [161.7, 10.1]);
+});
+
+test('white artwork on a transparent ground is seen, by brightness too', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until(({ plate }) => plate.width === 24);
+  await visit.drop([await drawn(visit, 'logo.png', white, [64, 64])]);
+  await visit.page.getByText('It is white on nothing, so its ground is black here.').waitFor();
+  assert.deepEqual(
+    await visit.state(({ notices, plate }) => [notices.filter(({ problem }) => problem).length, plate.layers[0].by]),
+    [0, 'levels'],
+  );
+  /** Directions in the middle of the plate and near its edge. */
+  const lines = async () => {
+    await visit.until(({ plate, directions }) => directions?.plate === plate || plate.layers.length > 0);
+    await visit.idle();
+    return visit.page.evaluate(async () => {
+      const { store } = document.querySelector('sillon-app').studio;
+      const [{ file }] = store.state.plate.layers;
+      const bitmap = await createImageBitmap(file.bytes);
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+      const context = canvas.getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      return [32, 4].map((at) => Array.from(context.getImageData(at, at, 1, 1).data));
+    });
+  };
+  assert.deepEqual(await lines(), [
+    [255, 255, 255, 255],
+    [0, 0, 0, 255],
+  ]);
+  await visit.page.evaluate(() => document.querySelector('sillon-app').studio.services.setRole(0, 'tone'));
+  await visit.until(({ plate }) => plate.layers[0].by === 'brightness');
+  assert.deepEqual((await lines())[0], [255, 255, 255, 255]);
+});
+
+test('of an animation it is told that the first picture is used', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until(({ plate }) => plate.width === 24);
+  // Two pictures of 2 × 1 pixels, black and white and the other way round.
+  const picture = (bits) => [0x21, 0xf9, 4, 0, 10, 0, 0, 0, 0x2c, 0, 0, 0, 0, 2, 0, 1, 0, 0, 2, 2, bits, 0x0a, 0];
+  const head = [...Buffer.from('GIF89a'), 2, 0, 1, 0, 0x80, 0, 0, 0, 0, 0, 255, 255, 255];
+  await visit.drop([fileOf('blink.gif', [...head, ...picture(0x44), ...picture(0x0c), 0x3b], 'image/gif')]);
+  await visit.page.getByText('Only the first picture of the animation is used.').waitFor();
 });

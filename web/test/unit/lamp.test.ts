@@ -41,6 +41,7 @@ const facts = {
   unitVectors: false,
   twoTones: false,
   oneTone: false,
+  whiteOnClear: false,
 };
 
 test('a photograph is solved for the light on the screen, a second one for a lamp beside it', () => {

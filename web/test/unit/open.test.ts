@@ -3,9 +3,10 @@ import { readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
 import { createEngine, type Engine, type Picture } from 'sillon';
+import { isAnimated } from '../../src/files/animated.js';
 import { allowedRoles, factsOf, guessRoles } from '../../src/files/guess.js';
 import { kindOf } from '../../src/files/kind.js';
-import { identify, withFile, withFiles, withoutFiles } from '../../src/files/open.js';
+import { identify, readFile, withFile, withFiles, withoutFiles } from '../../src/files/open.js';
 import { cleanName, digest, plainDigest, stemOf } from '../../src/files/source-file.js';
 import { newFileShape, newShape } from '../../src/model/defaults.js';
 import { filledWith, groundFill, groundOf, groundPictures, patternFills, pictureFills } from '../../src/model/fills.js';
@@ -213,7 +214,83 @@ test('every guess is allowed', () => {
   assert.deepEqual(allowedRoles(false), ['shape', 'colours', 'none']);
 });
 
+test('white artwork on a transparent ground is told from pictures of one tone', () => {
+  const told = (tone: number, coverAt: (x: number) => number): boolean => {
+    const samples = Uint8Array.from({ length: 2 * 64 * 64 }, (_, k) => (k % 2 === 0 ? tone : coverAt((k >> 1) % 64)));
+    return factsOf({ width: 64, height: 64, channels: 2, samples }).whiteOnClear;
+  };
+  const half = (x: number): number => (x < 30 ? 0 : 255);
+  assert.ok(told(255, half));
+  assert.ok(told(250, (x) => 4 * x));
+  assert.ok(!told(0, half)); // on paper it is seen
+  assert.ok(!told(255, () => 255));
+  assert.ok(!told(255, () => 0));
+  assert.ok(!factsOf(pictures.flat).whiteOnClear);
+});
+
+test('what nothing can be seen of is not laid beside other pictures', () => {
+  const facts = factsOf(pictures.ramp);
+  const flat = factsOf(pictures.flat);
+  const files = [facts, flat, facts, flat].map((one) => ({ name: 'x', facts: one }));
+  assert.deepEqual(guessRoles(files, newPlate()), ['lamp', 'none', 'more', 'none']);
+  assert.deepEqual(guessRoles([{ name: 'x', facts: flat }], newPlate()), ['lamp']);
+});
+
+test('an animation is known by its bytes', () => {
+  const bytes = (...parts: (string | number[])[]): Uint8Array =>
+    Uint8Array.from(parts.flatMap((part) => (typeof part === 'string' ? [...Buffer.from(part, 'latin1')] : part)));
+  const control = [0x21, 0xf9, 4, 0, 0, 0, 0, 0];
+  const image = [0x2c, 0, 0, 0, 0, 1, 0, 1, 0, 0];
+  const gif: [string, number[]] = ['GIF89a', [1, 0, 1, 0, 0, 0, 0]];
+  assert.ok(isAnimated(bytes(...gif, control, image, control, image)));
+  assert.ok(!isAnimated(bytes(...gif, control, image)));
+  const png = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
+  const chunk = (name: string): number[] => [0, 0, 0, 1, ...Buffer.from(name), 7, 0, 0, 0, 0];
+  assert.ok(isAnimated(bytes(png, chunk('IHDR'), chunk('acTL'), chunk('IDAT'))));
+  assert.ok(!isAnimated(bytes(png, chunk('IHDR'), chunk('IDAT'), chunk('acTL'))));
+  assert.ok(!isAnimated(bytes(png, [0xff, 0xff, 0xff, 0xff], 'junk')));
+  assert.ok(isAnimated(bytes('RIFF....WEBPVP8X....', [2])));
+  assert.ok(!isAnimated(bytes('RIFF....WEBPVP8X....', [0x10])));
+  assert.ok(isAnimated(bytes([0, 0, 0, 0x20], 'ftypavis....mif1')));
+  assert.ok(!isAnimated(bytes([0, 0, 0, 0x20], 'ftypavif....mif1')));
+  assert.ok(!isAnimated(bytes()));
+});
+
+test('a drawing that takes minutes to read is refused before', async () => {
+  const drawing = (content: string): File => text('map.svg', `<svg viewBox="0 0 40 30">${content}</svg>`);
+  const values = (file: File): Promise<unknown> =>
+    readFile(file).then(
+      () => undefined,
+      (error: unknown) => (error as StudioError).values,
+    );
+  const name = 'map.svg';
+  assert.deepEqual(await values(drawing('<path/>'.repeat(60_000))), { name, elements: 60_001, most: 50_000 });
+  assert.equal(await values(drawing('<path/>'.repeat(40_000))), undefined);
+  const long = drawing(`<path d="M${'1 2 '.repeat(3_000_000)}"/>`);
+  assert.deepEqual(await values(long), { name, megabytes: 13, most: 10 });
+  const photo = `<image href="data:image/png;base64,${'AAAA'.repeat(3_000_000)}"/>`;
+  assert.equal(await values(drawing(photo)), undefined); // pictures are left out, and cost nothing
+});
+
 // --- Into a plate ------------------------------------------------------------------------------------------------------------
+
+test('a strip is as large as another page by its area, and no longer than the bed', () => {
+  const file = fileOf('a.png');
+  const sized = (plate: Plate, size: [number, number]): [number, number] => {
+    const { width, height, shape } = withFile(plate, file, 'lamp', size);
+    assert.equal(shape.kind, 'rectangle');
+    return [width, Math.round(10 * height) / 10];
+  };
+  const fresh = newPlate();
+  assert.deepEqual(sized(fresh, [3000, 1000]), [70, 23.3]); // not yet
+  assert.deepEqual(sized(fresh, [8000, 500]), [161.7, 10.1]);
+  assert.deepEqual(sized(fresh, [500, 8000]), [10.1, 161.6]);
+  assert.deepEqual(sized(fresh, [100, 9000]), [2.2, 198]); // of a bed of 220 mm
+  // The next picture is as large as it would have been at once.
+  const strip = withFile(fresh, file, 'lamp', [8000, 500]);
+  assert.deepEqual(sized(strip, [600, 300]), [70, 35]);
+  assert.deepEqual(sized(strip, [500, 8000]), [10.1, 161.6]);
+});
 
 test('a drawing is as large as it was drawn, where that can be printed', () => {
   const file = fileOf('a.svg');
@@ -224,7 +301,7 @@ test('a drawing is as large as it was drawn, where that can be printed', () => {
   assert.deepEqual(sized([120, 80]), [120, 80]);
   assert.deepEqual(sized([6, 3]), [70, 35]);
   assert.deepEqual(sized([2000, 1000]), [70, 35]);
-  assert.deepEqual(sized([100, 400]), [17.5, 70]);
+  assert.deepEqual(sized([200, 500]), [28, 70]);
   const again = withFile(plateWith({ shape: newFileShape(fileOf('b.svg'), 'mm') }), file, 'shape', [20, 10]);
   assert.deepEqual(again.shape, newFileShape(file, 'mm'));
 });

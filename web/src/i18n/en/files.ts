@@ -12,6 +12,10 @@ export const words = {
   'files.guess': 'This is a guess. Change it if it is wrong.',
   'files.opened': '{name}: {role}.',
   'files.sized': 'It says no unit, so it is as large as the plate was: {width} × {height} mm.',
+  'files.strip':
+    'It is a long strip: {width} × {height} mm, with the area of a usual plate. Cut it first for a wider one.',
+  'files.animated': 'Only the first picture of the animation is used.',
+  'files.white': 'It is white on nothing, so its ground is black here.',
   'files.text': '“{text}”',
   'files.makeText': 'Make a text of it',
   'files.textMade': 'Your text is on the plate.',
