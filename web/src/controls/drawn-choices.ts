@@ -26,16 +26,22 @@ export class DrawnChoices<Name extends string> implements ReactiveController {
 
   hostUpdated(): void {
     const { plate, live } = this.host.state;
-    if (this.#same(plate)) return;
+    if (!this.host.isConnected || this.#same(plate)) return;
     this.#plate = plate;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => void this.#draw(plate), live ? 2 * restsAfter : restsAfter);
   }
 
+  hostConnected(): void {
+    this.host.requestUpdate(); // it may have been here before
+  }
+
+  /** Nothing is asked of the host: an update would have all of it drawn anew. */
   hostDisconnected(): void {
     clearTimeout(this.#timer);
     this.#plate = undefined;
-    this.#show(new Map());
+    this.#forget(this.#urls);
+    this.#urls = new Map();
   }
 
   #same(plate: Plate): boolean {
@@ -62,12 +68,16 @@ export class DrawnChoices<Name extends string> implements ReactiveController {
   }
 
   #show(urls: Map<Name, string>): void {
-    const before = [...this.#urls.values()];
+    const before = this.#urls;
     this.#urls = urls;
     this.host.requestUpdate();
     // Not before the new ones are on the screen.
     void this.host.updateComplete.then(() => {
-      for (const url of before) URL.revokeObjectURL(url);
+      this.#forget(before);
     });
+  }
+
+  #forget(urls: ReadonlyMap<Name, string>): void {
+    for (const url of urls.values()) URL.revokeObjectURL(url);
   }
 }
