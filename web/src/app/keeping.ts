@@ -94,11 +94,11 @@ export class Keeper {
     setTimeout(() => {
       const { plate, result } = this.studio.store.state; // the plate may have been renamed since
       if (result?.toolpath.cycles !== toolpath.cycles) return; // another picture follows
-      void Promise.all([import('../views/miniature.js'), import('../model/filaments.js')])
-        .then(async ([{ miniature }, { viewLook }]) =>
+      void Promise.all([import('../views/miniature.js'), import('../views/plate-look.js')])
+        .then(async ([{ miniature }, { smallLook }]) =>
           this.#autosave?.picture(
             plate,
-            await miniature(toolpath, viewLook(plate).colour, homeLight(plate, toolpath.look), pictureSide),
+            await miniature(toolpath, smallLook(plate, homeLight(plate, toolpath.look)), pictureSide),
           ),
         )
         .catch(() => undefined); // the list has a sign in its place

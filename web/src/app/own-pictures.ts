@@ -12,12 +12,14 @@ import {
   pictureFills,
   type Fill,
 } from '../model/fills.js';
-import { viewLook } from '../model/filaments.js';
+import { lookOf } from '../model/filaments.js';
 import { homeLight } from '../model/lamp.js';
 import { filesFor, leftOf, type Left } from '../model/left.js';
 import { pageOf, type Plate, type ShapeSource, type SourceFile } from '../model/plate.js';
 import { sizeFor, type Size } from '../model/raster.js';
 import { builtinShapes, withShape } from '../model/shapes.js';
+import { lightBy, litColour } from '../views/lit.js';
+import { smallLook } from '../views/plate-look.js';
 import { brightnessOf, plateThumbnail, thumbnailSide } from '../views/plate-thumbnail.js';
 import { drawDirections } from './directions.js';
 
@@ -47,7 +49,7 @@ async function litPicture({ bytes }: SourceFile, page: readonly [number, number]
   const { data } = context.getImageData(0, 0, size.width, size.height);
   const bright = Float32Array.from({ length: size.width * size.height }, (_, k) => {
     const [r = 0, g = 0, b = 0] = data.subarray(4 * k, 4 * k + 3);
-    return 0.05 + (0.85 * (0.2126 * r + 0.7152 * g + 0.0722 * b)) / 255;
+    return ((0.2126 * r + 0.7152 * g + 0.0722 * b) / 255) ** 2.2; // of light rather than of its code
   });
   drawn = { bytes, bright: { ...size, bright } };
   return drawn.bright;
@@ -65,7 +67,8 @@ async function litGround(plate: Plate, engine: Engine): Promise<Bright> {
   const ground = groundOf(plate);
   const alone = { ...plate, layers: ground === undefined ? [] : [ground] };
   const raster = await drawDirections(alone, engine, thumbnailSide);
-  const bright = brightnessOf(raster, homeLight(alone, undefined));
+  const light = lightBy(smallLook(alone, homeLight(alone, undefined)));
+  const bright = brightnessOf(raster, (x, y) => light(x, y, 0, 0));
   const size = sizeFor(pageOf(plate), thumbnailSide);
   // One direction is a single texel, and a map has its own.
   return { ...size, bright: nearest(bright, raster, size) };
@@ -90,7 +93,7 @@ export async function fillPictures(
   wanted: () => boolean,
 ): Promise<Map<Fill, Blob>> {
   const made = new Map<Fill, Blob>();
-  const { colour } = viewLook(plate);
+  const colour = litColour(lookOf(plate).colour);
   const room = await shapeRoom(plate, engine);
   const { shape } = plate;
   const own = groundPictures(plate)[lamp]?.file ?? filesFor(plate, left)[0];
@@ -117,7 +120,7 @@ export async function shapePictures(
   wanted: () => boolean,
 ): Promise<Map<ShapeKind, Blob>> {
   const made = new Map<ShapeKind, Blob>();
-  const { colour } = viewLook(plate);
+  const colour = litColour(lookOf(plate).colour);
   const file = groundPictures(plate)[lamp]?.file;
   for (const kind of [...builtinShapes, 'file'] as const) {
     if (!wanted()) break;

@@ -6,7 +6,6 @@ import { homeLight } from '../model/lamp.js';
 import type { DirectionRaster } from '../model/raster.js';
 import type { PlateResult } from '../model/state.js';
 import type { Light } from '../model/view.js';
-import { shine } from '../views/miniature.js';
 import { brightnessOf } from '../views/plate-thumbnail.js';
 import { pageOf } from '../model/plate.js';
 import { resampled } from './resample.js';
@@ -24,17 +23,27 @@ interface Cells {
   side: readonly [number, number];
 }
 
+/** How bright a direction counts under the light, 0..1: brightest across it, whatever the filament. */
+const shinesUnder =
+  ({ azimuth }: Light) =>
+  (alongX: number, alongY: number): number => {
+    const turn = (azimuth * Math.PI) / 180;
+    const across = alongY * Math.cos(turn) - alongX * Math.sin(turn);
+    return 0.16 + 0.84 * across ** 4;
+  };
+
 /** Length of beads in each cell [mm], and their brightness times that. Row 0 on top. */
 function beadsIn(cycles: readonly Cycle[], { width, height, side }: Cells, light: Light) {
   const lengths = new Float32Array(width * height);
   const bright = new Float32Array(width * height);
   const step = Math.min(...side) / 2;
+  const shine = shinesUnder(light);
   for (const { points } of cycles) {
     for (let k = 2; k + 1 < points.length; k += 2) {
       const [x, y] = [points[k - 2] as number, points[k - 1] as number];
       const [dx, dy] = [(points[k] as number) - x, (points[k + 1] as number) - y];
       const length = Math.hypot(dx, dy);
-      const shines = shine(Math.atan2(dy, dx), light);
+      const shines = length > 0 ? shine(dx / length, dy / length) : 0;
       const parts = Math.max(1, Math.ceil(length / step));
       for (let part = 0; part < parts; ++part) {
         const share = (part + 0.5) / parts;
@@ -107,7 +116,7 @@ export function seenOf({ plate, toolpath }: Pick<PlateResult, 'plate' | 'toolpat
   const cells: Cells = { width, height, side: [page[0] / width, page[1] / height] };
   const light = homeLight(plate, toolpath.look);
   const { lengths, bright } = beadsIn(toolpath.cycles, cells, light);
-  const asked = brightnessOf(raster, light);
+  const asked = brightnessOf(raster, shinesUnder(light));
   const wanted = resampled(asked, raster, cells);
   const all = variance(asked);
   const told = inner(lengths, cells, spacing);

@@ -28,13 +28,19 @@ export function highlightOf(along: number, across: number, variances: readonly [
   return sum / 8;
 }
 
-export function setLook(gl: WebGL2RenderingContext, { at }: Program, look: Look): void {
-  const lamp = lampOf(look.light);
-  const variance = (degrees: number): number => Math.tan((degrees * Math.PI) / 180) ** 2 + look.lampSlope ** 2;
-  const variances = [variance(look.slopes[0]), variance(look.slopes[1])] as const;
+/** @returns vector to the lamp, variances along and across, light of the brightest direction */
+export function exposed({ light, lampSlope, slopes }: Pick<Look, 'light' | 'lampSlope' | 'slopes'>) {
+  const lamp = lampOf(light);
+  const variance = (degrees: number): number => Math.tan((degrees * Math.PI) / 180) ** 2 + lampSlope ** 2;
+  const variances = [variance(slopes[0]), variance(slopes[1])] as const;
   // Exposed for the brightest direction, which is across the light, or along it where beads are rougher that way.
   const middle = Math.hypot(lamp[0], lamp[1]) / (1 + lamp[2]);
   const brightest = Math.max(highlightOf(0, middle, variances), highlightOf(middle, 0, variances), 1e-6);
+  return { lamp, variances, brightest };
+}
+
+export function setLook(gl: WebGL2RenderingContext, { at }: Program, look: Look): void {
+  const { lamp, variances, brightest } = exposed(look);
   gl.uniform3f(at('lamp'), ...lamp);
   gl.uniform3f(at('body'), ...look.body);
   gl.uniform3f(at('surface'), ...variances, brightest);

@@ -1,7 +1,6 @@
 // A plate as a thumbnail from its directions alone, before there are beads: for choices, where each shows what it would give.
 import type { DirectionRaster } from '../model/raster.js';
-import { litColour, shine } from './miniature.js';
-import type { Light } from '../model/view.js';
+import type { Rgb } from './lit.js';
 
 /** What of the page is inside the shape: rows from the top, 1 inside. */
 interface Mask {
@@ -13,27 +12,31 @@ interface Mask {
 /** Of the longer side [pixels]. */
 export const thumbnailSide = 96;
 
-/** Brightness 0..1 of each texel of a raster under a light. */
-export function brightnessOf({ width, height, angle }: DirectionRaster, light: Light): Float32Array {
+/** Of each texel of a raster. @param lightOf  a direction, a unit vector */
+export function brightnessOf(
+  { width, height, angle }: DirectionRaster,
+  lightOf: (alongX: number, alongY: number) => number,
+): Float32Array {
   const known = new Map<number, number>();
   return Float32Array.from({ length: width * height }, (_, k) => {
     const stored = angle[k] as number;
     let bright = known.get(stored);
     if (bright === undefined) {
-      bright = shine(((stored / 65535) * 180 - 90) * (Math.PI / 180), light);
+      const turn = (stored / 65535 - 0.5) * Math.PI;
+      bright = lightOf(Math.cos(turn), Math.sin(turn));
       known.set(stored, bright);
     }
     return bright;
   });
 }
 
-/** @param bright  0..1, stretched over the page, row 0 on top
+/** @param bright  light of each texel, 1: that of the brightest direction; stretched over the page, row 0 on top
  * @param inside  of the page; left out: all
- * @param colour  sRGB 0..255 */
+ * @param colour  of so much light */
 export async function plateThumbnail(
   { width, height, bright }: { width: number; height: number; bright: Float32Array },
   inside: Mask | undefined,
-  colour: readonly [number, number, number],
+  colour: (light: number) => Rgb,
 ): Promise<Blob> {
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext('2d');
@@ -54,7 +57,7 @@ export async function plateThumbnail(
   };
   for (let y = 0, k = 0; y < height; ++y) {
     for (let x = 0; x < width; ++x, ++k) {
-      image.data.set([...litColour(colour, bright[k] as number), cover(x, y)], 4 * k);
+      image.data.set([...colour(bright[k] as number), cover(x, y)], 4 * k);
     }
   }
   context.putImageData(image, 0, 0);

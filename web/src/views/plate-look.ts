@@ -1,0 +1,19 @@
+// How a plate is looked at under a light.
+import { appearance } from '../model/appearance.js';
+import { lookOf } from '../model/filaments.js';
+import { groundPictures } from '../model/fills.js';
+import { pageOf, type Plate } from '../model/plate.js';
+import type { Light } from '../model/view.js';
+import type { Look } from './look.js';
+
+/** Where lamp and eye are, as far as the plate says. */
+export function seenBy(plate: Plate): Pick<Look, 'lampSlope' | 'fromAfar' | 'page'> {
+  const lit = groundPictures(plate).length > 0;
+  return { page: pageOf(plate), lampSlope: lit ? plate.pictures.lampSize : appearance.softbox, fromAfar: lit };
+}
+
+/** For small pictures, where one direction has one colour all over. */
+export function smallLook(plate: Plate, light: Light): Look {
+  const { colour, along, across } = lookOf(plate);
+  return { ...seenBy(plate), light, body: colour, slopes: [along, across], fromAfar: true };
+}
