@@ -136,7 +136,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       const checked = input.callOptions(options);
       const { sections, files } = input.plate({ shape, layers });
       if (needsTexts(sections, files)) await texts.addTo(files, sections);
-      return (await run({ name: 'readShape', project: input.projectText(sections), files }, checked)) as api.Shape;
+      return (await runAside({ name: 'readShape', project: input.projectText(sections), files }, checked)) as api.Shape;
     },
 
     async placeLayers(plateInput, params, options) {
