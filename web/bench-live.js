@@ -1,5 +1,5 @@
-// How soon the studio shows what a hand does: from a move of the comb, and from a step of a slider, to the first frame that
-// differs there, and to the plate made anew. Where there is no graphics card, frames of the appearance take most of the time.
+// How soon the studio shows what a hand does: from a move of the comb, from another size, shape or fill, and from a step of a
+// slider, to the first frame that differs there, and to the plate made anew. Where there is no graphics card, frames of the appearance take most of the time.
 // Prints; asserts nothing.   ./dev bench live
 
 import { start } from './test/browser/support/studio.js';
@@ -153,6 +153,31 @@ try {
   }
   await page.evaluate(() => document.querySelector('sillon-app').studio.setView('appearance'));
   const middle = [Math.round(box.width / 2) - 100, Math.round(box.height / 2) - 100, 200];
+  // Each is another than the one before, and is seen in the middle.
+  const edits = {
+    size: (plate, k) => ({ ...plate, width: 60 + k, height: 60 + k }),
+    shape: (plate, k) => ({ ...plate, shape: { ...plate.shape, kind: k % 2 === 0 ? 'heart' : 'disc' } }),
+    fill: ({ layers: [ground, ...others], ...plate }, k) => ({
+      ...plate,
+      layers: [{ ...ground, kind: 'pattern', pattern: k % 2 === 0 ? 'radial' : 'spiral' }, ...others],
+    }),
+  };
+  for (const [name, edit] of Object.entries(edits)) {
+    const found = [];
+    for (let k = 0; k < warmUps + rounds; ++k) {
+      found.push(
+        await page.evaluate(`(() => {
+          const { studio } = document.querySelector('sillon-app');
+          const watched = globalThis.watch(${JSON.stringify(middle)}, () => globalThis.began);
+          globalThis.began = performance.now();
+          studio.change((plate) => (${edit.toString()})(plate, ${k}));
+          return watched;
+        })()`),
+      );
+      await visit.idle();
+    }
+    tell(`${name}, appearance`, found);
+  }
   const lit = [];
   for (let k = 0; k < warmUps + rounds; ++k) {
     lit.push(await page.evaluate(([box, azimuth]) => globalThis.light(box, azimuth), [middle, 20 * k]));

@@ -9,6 +9,7 @@ import type { PlateResult, State } from '../model/state.js';
 import { Untried } from '../model/untried.js';
 import type { KeepingServices } from '../studio/services.js';
 import type { Studio } from '../studio/studio.js';
+import { smallLook } from '../views/plate-look.js';
 
 const pictureAfter = 800; // [ms] without another plate
 const pictureSide = 240; // [pixels]
@@ -94,8 +95,8 @@ export class Keeper {
     setTimeout(() => {
       const { plate, result } = this.studio.store.state; // the plate may have been renamed since
       if (result?.toolpath.cycles !== toolpath.cycles) return; // another picture follows
-      void Promise.all([import('../views/miniature.js'), import('../views/plate-look.js')])
-        .then(async ([{ miniature }, { smallLook }]) =>
+      void import('../views/miniature.js')
+        .then(async ({ miniature }) =>
           this.#autosave?.picture(
             plate,
             await miniature(toolpath, smallLook(plate, homeLight(plate, toolpath.look)), pictureSide),

@@ -48,9 +48,6 @@ export function createMaking(
     retry: () => {
       pipeline.retry();
     },
-    drew: (ms) => {
-      maker.drew(ms);
-    },
     gcode: () => pipeline.gcode(),
     body: () => pipeline.body(),
     zones: () => pipeline.zones(),

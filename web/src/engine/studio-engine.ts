@@ -8,7 +8,7 @@ import type { PlateResult, Progress } from '../model/state.js';
 import { Cost } from './coarse.js';
 import { engineInput } from '../model/input.js';
 import { platesFor } from '../model/lamp.js';
-import { sameToolpath } from '../model/result.js';
+import { sameSolved, sameToolpath } from '../model/result.js';
 import { TimeLeft } from '../model/time-left.js';
 
 const restAfter = 250; // [ms] without an update, after which a hand rests
@@ -94,11 +94,6 @@ export class StudioEngine {
     const running = this.#running;
     if (running !== undefined && !running.quick && !sameToolpath(running.plate, plate)) running.control.abort();
     this.#pump();
-  }
-
-  /** @param ms  from a preview's result to its picture */
-  drew(ms: number): void {
-    this.#cost.learnDrawing(ms);
   }
 
   /** Stops what runs and what waits; the next update, or `retry`, begins again. */
@@ -196,8 +191,10 @@ export class StudioEngine {
     const level = order.indexOf(done?.level ?? 'none');
     const corrected = platesFor(plate) > 1; // too long for a page that follows the hand
     if (wanted.live) {
-      if (level > 0) return undefined;
-      const factor = this.#cost.factorFor(plate);
+      // Other directions are seen without beads.
+      const made = this.#done?.result !== undefined && sameSolved(this.#done.plate, plate);
+      const factor = level > 0 || !made ? undefined : this.#cost.factorFor(plate);
+      if (factor === undefined) return undefined;
       return { kind: factor > 1 || corrected ? 'coarse' : 'full', factor, plate, quick: true };
     }
     if (corrected && level === 0) return { kind: 'coarse', factor: 1, plate, quick: false };

@@ -851,7 +851,7 @@ export const de: Translation = {
     'Vielleicht ist die Adresse falsch, oder die Website der Datei erlaubt es nicht, sie von hier zu lesen.',
   'problem.TextTooLong': 'Der Text ist zu lang: {length} Zeichen, höchstens {most}.',
   'hint.TextTooLong': 'Ihn kürzen.',
-  'problem.NoWebGl': 'Dieser Browser kann die Platte nicht zeichnen (WebGL 2 fehlt).',
+  'problem.NoWebGl': 'Dieser Browser zeichnet die Platte ohne WebGL 2: Ihr Licht folgt in Schritten.',
   'hint.NoWebGl':
     'Die Hardwarebeschleunigung in den Einstellungen des Browsers einschalten oder einen anderen verwenden. Herunterladen geht trotzdem.',
   'problem.NoVideo': 'Dieser Browser kann keine Videos aufnehmen.',

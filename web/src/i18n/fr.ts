@@ -859,7 +859,7 @@ export const fr: Translation = {
   'hint.GuestFile': 'L’adresse est peut-être fausse, ou le site du fichier n’en permet pas la lecture d’ici.',
   'problem.TextTooLong': 'Le texte est trop long : {length} caractères, au plus {most}.',
   'hint.TextTooLong': 'Raccourcissez-le.',
-  'problem.NoWebGl': 'Ce navigateur ne peut pas dessiner la plaque (WebGL 2 manque).',
+  'problem.NoWebGl': 'Ce navigateur dessine la plaque sans WebGL 2 : sa lumière suit par paliers.',
   'hint.NoWebGl':
     'Activez l’accélération matérielle dans les réglages du navigateur, ou prenez-en un autre. Les téléchargements fonctionnent tout de même.',
   'problem.NoVideo': 'Ce navigateur ne peut pas enregistrer de vidéo.',

@@ -1,7 +1,13 @@
 // Layers as the engine draws them for the canvas: a direction and a mode per texel.
-import type { DirectionRaster } from 'sillon';
+import type { DirectionRaster, Shape } from 'sillon';
 
 export type { DirectionRaster };
+
+/** Stretched over the page of a shape. */
+export interface Directions {
+  raster: DirectionRaster;
+  shape: Shape;
+}
 
 export interface Size {
   width: number;

@@ -8,9 +8,11 @@ import type { PlateResult } from './state.js';
 export const sameDirections = (a: Plate, b: Plate): boolean =>
   a.shape === b.shape && a.width === b.width && a.height === b.height && sameLayers(a, b);
 
+/** The same, also where directions are solved for pictures. */
+export const sameSolved = (a: Plate, b: Plate): boolean => sameDirections(a, b) && samePictures(a, b);
+
 /** Tells whether both make the same toolpath: printer, print, name and, without pictures under lamps, filament do not matter. */
-export const sameToolpath = (a: Plate, b: Plate): boolean =>
-  sameDirections(a, b) && a.toolpath === b.toolpath && samePictures(a, b);
+export const sameToolpath = (a: Plate, b: Plate): boolean => sameSolved(a, b) && a.toolpath === b.toolpath;
 
 /** Tells whether it is the plate's path. Asked for the file of another, the engine would begin it, also where it has just been
  * cancelled. */

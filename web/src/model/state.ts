@@ -1,6 +1,6 @@
 // All that the page shows, but for the cameras, which move too often.
 import type { Conflict, GcodeCheck, GcodeSummary, Report, Toolpath } from 'sillon';
-import type { DirectionRaster } from './raster.js';
+import type { Directions } from './raster.js';
 import type { ColourBy, Light, ViewName } from './view.js';
 import { newPlate } from './new-plate.js';
 import type { Plate } from './plate.js';
@@ -33,6 +33,11 @@ export interface PlateResult {
   measured: boolean;
 }
 
+/** The directions of a plate, before and beside its beads. */
+export interface PlateDirections extends Directions {
+  plate: Plate;
+}
+
 export interface State {
   plate: Plate;
   view: ViewName;
@@ -48,7 +53,7 @@ export interface State {
   tool: Tool;
 
   // What follows from the plate.
-  directions: DirectionRaster | undefined;
+  directions: PlateDirections | undefined;
   result: PlateResult | undefined;
   summary: GcodeSummary | undefined;
   /** Of the same file, read back as a printer would. */

@@ -8,6 +8,7 @@ import { pictureLayers } from '../model/layers.js';
 import { pageOf, type Plate } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
 import { thicknessOf } from '../model/thickness.js';
+import { sameSolved } from '../model/result.js';
 import { bench } from '../controls/bench.js';
 import { lampOf, lightOfTilt } from '../views/light.js';
 import { createRenderer } from '../views/renderer.js';
@@ -22,14 +23,19 @@ import { Brush } from './brush.js';
 import { FileBitmap } from './file-bitmap.js';
 import { MovingLight } from './moving-light.js';
 import { drawOverlay, type Overlay } from './overlay.js';
+import { Pace } from './pace.js';
 import { PlateCamera } from './plate-camera.js';
-import { isRuled, overOf, sceneOf } from './plate-scene.js';
+import { isRuled, overOf, sceneOf, shownPlate } from './plate-scene.js';
 
 const longestShadow = 18; // [CSS pixels]: of a low lamp; longer ones look like a second plate
 
 const loadDivider = (): Promise<unknown> => import('../controls/divider.js');
+const loadFlat = () => import('../views/flat-renderer.js');
 const loadAhead = () => import('../views/ahead.js');
 const loadConflict = () => import('../views/conflict.js');
+
+const restsAfter = 180; // [ms] without a move of light or camera
+const halved = 0.5; // pixels per pixel of the screen, one way, while something moves where that is hard to draw
 
 @customElement('sillon-canvas')
 export class PlateCanvas extends StudioElement implements Stage {
@@ -115,7 +121,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     this.#camera = new PlateCamera(this, this.#redraw, (button) => this.#observer?.observe(button));
     this.#brush = new Brush(this.studio);
     this.#picture = new FileBitmap(this.studio, this.#redraw);
-    this.#motion = new MovingLight(this.studio);
+    this.#motion = new MovingLight(this.studio, this.#isSlow);
   }
 
   override firstUpdated(): void {
@@ -178,6 +184,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     super.disconnectedCallback();
     cancelAnimationFrame(this.#frame);
     clearTimeout(this.#flipTimer);
+    clearTimeout(this.#restTimer);
     this.#observer?.disconnect();
     this.#gestures?.dispose();
     this.#renderer?.dispose();
@@ -188,12 +195,18 @@ export class PlateCanvas extends StudioElement implements Stage {
   }
 
   protected override updated(): void {
+    if (this.#renderer === undefined) this.#drawFlat();
     this.#told = ''; // what is drawn may ask anew for a part that could not be fetched
     this.#redraw();
   }
 
+  /** Without WebGL2, once what draws so is there. */
+  #drawFlat(): void {
+    this.#renderer = this.lazy(loadFlat)?.createFlatRenderer(this.drawing);
+    if (this.#renderer !== undefined) this.#resize();
+  }
+
   protected override onState(now: Readonly<Shown>, before: Readonly<Shown>): void {
-    if (now.result !== before.result && now.result?.coarse === true) this.#previewCame = performance.now();
     this.#brush.follow(now, before);
     this.#camera.follow(now, before);
     if (now.sizing !== before.sizing) this.#resize();
@@ -229,7 +242,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     if (this.state.panel === 'layers') this.lazy(this.#loadLayers);
     const wait = this.#motion.move(now);
     clearTimeout(this.#flipTimer);
-    this.#drawScene();
+    this.#drawScene(now);
     this.#castShadow();
     this.#placeDivider();
     const pixels = devicePixelRatio;
@@ -257,7 +270,8 @@ export class PlateCanvas extends StudioElement implements Stage {
     else if (wait !== undefined) this.#flipTimer = setTimeout(this.#redraw, wait);
   }
 
-  /** The plate lies on the bench: its shadow falls away from the lamp, as far as its thickness throws it. */
+  /** The plate lies on the bench: its shadow falls away from the lamp, as far as its thickness throws it. Where it is hard to draw
+   * there is none: browsers blur it anew for each frame. */
   #castShadow(): void {
     const { plate, light, view } = this.state;
     const [x, y, z] = lampOf(light);
@@ -265,7 +279,9 @@ export class PlateCanvas extends StudioElement implements Stage {
     const length = Math.min(1, longestShadow / (thrown * Math.hypot(x, y) || 1)) * thrown;
     const away = `${(-x * length).toFixed(1)}px ${(y * length).toFixed(1)}px`;
     const cast =
-      view === 'appearance' ? `drop-shadow(0 0 2px rgb(0 0 0 / 0.6)) drop-shadow(${away} 6px rgb(0 0 0 / 0.5))` : '';
+      view === 'appearance' && !this.#isSlow()
+        ? `drop-shadow(0 0 2px rgb(0 0 0 / 0.6)) drop-shadow(${away} 6px rgb(0 0 0 / 0.5))`
+        : '';
     if (cast === this.#cast) return;
     this.#cast = cast;
     this.drawing.style.filter = cast;
@@ -274,35 +290,54 @@ export class PlateCanvas extends StudioElement implements Stage {
   #cast = '';
 
   /** What is drawn already stays as it is: a brush that hovers must not wait for beads, which take long without a GPU. */
-  #drawScene(): void {
+  #drawScene(now: number): void {
+    const renderer = this.#renderer;
+    if (renderer === undefined) return;
     const scene = this.#scene();
-    const camera = { ...this.camera, scale: this.camera.scale * this.#camera.fineness() };
-    const shown = scene.view === 'directions' ? scene.directions : scene.toolpath;
-    const told = JSON.stringify([camera, { ...scene, toolpath: 0, directions: 0, marks: 0 }]);
-    const came = this.#previewCame;
-    this.#previewCame = undefined;
-    if (shown === this.#shown && told === this.#told) return;
+    const shown = scene.view === 'directions' ? scene.directions : (scene.toolpath ?? scene.directions);
+    const told = JSON.stringify([this.camera, { ...scene, toolpath: 0, directions: 0, marks: 0 }]);
+    const changes = shown !== this.#shown || told !== this.#told;
+    if (changes && shown === this.#shown && this.#told !== '') this.#movedAt = now;
+    const moves = now - this.#movedAt < restsAfter;
+    const fineness = moves && this.#isSlow() ? halved : this.#camera.fineness();
+    if ((!changes && fineness === this.#fineness) || this.#pace.holds()) return;
     this.#shown = shown;
     this.#told = told;
-    this.#renderer?.draw(scene, camera);
-    if (came === undefined) return;
-    void this.#renderer?.finished().then(() => {
-      this.studio.services.drew(performance.now() - came);
-    });
+    if (fineness !== this.#fineness) this.#resizeDrawing(fineness);
+    const began = performance.now();
+    const current = sameSolved(this.state.directions?.plate ?? this.state.plate, this.state.plate);
+    const quick = fineness === halved && current && (scene.view === 'appearance' || renderer.stepwise === true);
+    renderer.draw({ ...scene, fineness, quick }, { ...this.camera, scale: this.camera.scale * fineness });
+    if (!document.hidden) void this.#pace.follow(began, renderer.finished(), fineness, () => performance.now());
+    clearTimeout(this.#restTimer);
+    if (moves && this.#isSlow()) this.#restTimer = setTimeout(this.#redraw, restsAfter);
   }
 
-  /** [ms] Where it has not been drawn. */
-  #previewCame: number | undefined;
+  readonly #pace = new Pace(() => {
+    this.#redraw();
+  });
+  /** It is hard to draw, as without a graphics card. */
+  #isSlow = (): boolean => this.#pace.slow || this.#renderer?.stepwise === true;
 
+  /** Pixels drawn per pixel of the screen, one way. */
+  #fineness = 1;
+  #movedAt = -Infinity; // [ms]
+  #restTimer: ReturnType<typeof setTimeout> | undefined;
   #shown: Scene['toolpath'] | Scene['directions'];
   #told = '';
 
-  /** Of brushes, where beads do not follow them yet. */
+  #resizeDrawing(fineness: number): void {
+    this.#fineness = fineness;
+    this.#renderer?.resize(Math.round(this.overlay.width * fineness), Math.round(this.overlay.height * fineness));
+  }
+
+  /** Of brushes, where what is shown does not follow them yet. */
   #strokes(): Overlay['strokes'] {
-    const { plate, result, view } = this.state;
-    if (result === undefined || result.plate.layers === plate.layers) return undefined;
+    const { plate, view } = this.state;
+    const shown = shownPlate(this.state);
+    if (shown === undefined || shown.layers === plate.layers) return undefined;
     if (view === 'directions' && pictureLayers(plate).length === 0) return undefined; // they are seen there
-    return this.lazy(loadAhead)?.strokesAhead(plate, result.plate);
+    return this.lazy(loadAhead)?.strokesAhead(plate, shown);
   }
 
   /** Until there are beads. */
@@ -322,23 +357,27 @@ export class PlateCanvas extends StudioElement implements Stage {
     return bytes && this.#picture.of(bytes);
   }
 
-  /** That of the toolpath, while it still is the plate's. */
+  /** As it was read last, where it still is the plate's. */
   #shapeOf({ shape, width, height }: Plate): Shape | undefined {
-    const { result } = this.state;
-    const same = result?.plate.shape === shape && result.plate.width === width && result.plate.height === height;
-    return same ? result.toolpath.shape : undefined;
+    const { directions, result } = this.state;
+    const isSame = (of: Plate | undefined): boolean =>
+      of?.shape === shape && of.width === width && of.height === height;
+    if (isSame(directions?.plate)) return directions?.shape;
+    return isSame(result?.plate) ? result?.toolpath.shape : undefined;
   }
 
-  #scene = (): Scene => sceneOf(this.state, this.#darkScheme.matches);
+  #scene = (): Scene => ({
+    ...sceneOf(this.state, this.#darkScheme.matches),
+    fades: !this.studio.calm() && !this.#isSlow(),
+  });
 
   #resize(): void {
     const { width, height } = this.getBoundingClientRect();
     if (width === 0 || height === 0) return;
-    const [columns, rows] = [Math.round(width * devicePixelRatio), Math.round(height * devicePixelRatio)];
-    const fineness = this.#camera.fineness();
-    this.#renderer?.resize(columns * fineness, rows * fineness);
-    this.overlay.width = columns;
-    this.overlay.height = rows;
+    this.overlay.width = Math.round(width * devicePixelRatio);
+    this.overlay.height = Math.round(height * devicePixelRatio);
+    this.#resizeDrawing(this.#camera.fineness());
+    this.#told = '';
     this.#camera.keepFitted();
     this.#draw(performance.now());
   }

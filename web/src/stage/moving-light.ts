@@ -5,8 +5,6 @@ import { Aim, between, lightUnder, near, swayed, swayPeriod, turned } from '../v
 import type { Shown } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 
-const slowFrame = 120; // [ms]
-const mostSlowFrames = 8;
 const leap = 15; // [degrees] farther than that, the light springs to where it turns
 const flipEach = 2600; // [ms] for each picture while the lamp turns
 const crossing = 0.3; // share of that in which it moves: slower, two pictures are seen over each other for long
@@ -19,12 +17,14 @@ export class MovingLight {
   readonly #aim = new Aim();
   #lastTouch = performance.now();
   #lastFrame = 0;
-  /** In a row. Without a graphics card the light keeps still unless it is asked to move. */
-  #slowFrames = 0;
   #flipBegan = 0;
   readonly #calm = matchMedia('(prefers-reduced-motion: reduce)');
 
-  constructor(private readonly studio: Studio) {}
+  constructor(
+    private readonly studio: Studio,
+    /** It is hard to draw, as without a graphics card: then the light keeps still unless it is asked to move. */
+    private readonly isSlow: () => boolean,
+  ) {}
 
   /** Somebody is there. @returns whether the light had come to rest */
   touch(): boolean {
@@ -59,11 +59,9 @@ export class MovingLight {
     const orbits = lightMode === 'orbit' && !this.#calm.matches;
     const free = lightMode === 'pointer' && !this.#leads();
     if (!orbits && !free) return undefined;
-    const slow = this.#isSlow();
+    const slow = this.isSlow();
     const sways = free && !resting && !slow && !this.studio.keepsStill() && aimed === undefined;
     const elapsed = now - (this.#lastFrame || now);
-    if (elapsed > slowFrame && elapsed < 1000) ++this.#slowFrames;
-    else if (elapsed <= slowFrame) this.#slowFrames = 0;
     this.#lastFrame = now;
     const wait = this.#steps() ? flipEach : 0;
     const step = Math.min(longestStep, Math.max(0, elapsed)); // a frame's time may lie before that of a drawing between frames
@@ -96,10 +94,8 @@ export class MovingLight {
 
   #rests = (now: number): boolean => now - this.#lastTouch > swayFor;
 
-  #isSlow = (): boolean => this.#slowFrames >= mostSlowFrames;
-
   /** Whether the lamp turns from picture to picture without a way between. */
-  #steps = (): boolean => this.#state.flipping && this.#isSlow();
+  #steps = (): boolean => this.#state.flipping && this.isSlow();
 
   /** Of the picture that is shown; while the lamp turns, between two. */
   #home(now: number): Light {

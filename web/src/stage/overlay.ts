@@ -1,5 +1,6 @@
 // What lies above the plate: what is outside of the shape, places to look at, the brush, rulers in millimetres.
 import type { Shape } from 'sillon';
+import { fillShape } from '../views/outline.js';
 import { markColours } from '../views/palette.js';
 import type { Camera } from '../views/scene.js';
 import type { Mark } from '../model/view.js';
@@ -120,27 +121,6 @@ export function drawBrush(context: CanvasRenderingContext2D, { x, y }: Cursor, r
   context.fillRect(x - 0.75, y - 0.75, 1.5, 1.5);
 }
 
-const outlines = new WeakMap<Shape, { path: Path2D; fillRule: CanvasFillRule }[]>();
-
-/** The rings of a shape as paths, in millimetres. */
-function outlineOf(shape: Shape): { path: Path2D; fillRule: CanvasFillRule }[] {
-  const known = outlines.get(shape);
-  if (known !== undefined) return known;
-  const made = shape.paths.map(({ rings, fillRule }) => {
-    const path = new Path2D();
-    for (const ring of rings) {
-      for (let k = 0; k + 1 < ring.length; k += 2) {
-        if (k === 0) path.moveTo(ring[0] ?? 0, ring[1] ?? 0);
-        else path.lineTo(ring[k] ?? 0, ring[k + 1] ?? 0);
-      }
-      path.closePath();
-    }
-    return { path, fillRule };
-  });
-  outlines.set(shape, made);
-  return made;
-}
-
 function drawVeil(context: CanvasRenderingContext2D, shape: Shape, { page, styles }: Overlay): void {
   context.save();
   context.globalAlpha = 0.82;
@@ -148,7 +128,7 @@ function drawVeil(context: CanvasRenderingContext2D, shape: Shape, { page, style
   context.fillRect(-0.5, -0.5, page[0] + 1, page[1] + 1);
   context.globalAlpha = 1;
   context.globalCompositeOperation = 'destination-out';
-  for (const { path, fillRule } of outlineOf(shape)) context.fill(path, fillRule);
+  fillShape(context, shape);
   context.restore();
 }
 

@@ -14,8 +14,6 @@ export interface MakingServices {
   engine(): Promise<Engine>;
   cancel(): void;
   retry(): void;
-  /** @param ms  from a preview to its picture */
-  drew(ms: number): void;
   gcode(): Promise<Gcode>;
   /** The base layers as a solid, 3MF. */
   body(): Promise<Blob>;

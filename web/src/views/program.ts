@@ -31,3 +31,19 @@ export function compile(gl: WebGL2RenderingContext, vertex: string, fragment: st
   };
   return { program, at };
 }
+
+/** Values that shaders read one by one. @param kind  internal format, format and type @param texels  null: they come later */
+export function dataTexture(
+  gl: WebGL2RenderingContext,
+  [width, height]: readonly [number, number],
+  [internalFormat, format, type]: readonly [GLenum, GLenum, GLenum],
+  texels: Uint8Array | Uint16Array | Float32Array | null,
+): WebGLTexture {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+  gl.texImage2D(gl.TEXTURE_2D, 0, internalFormat, width, height, 0, format, type, texels);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  return texture;
+}

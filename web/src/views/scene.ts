@@ -1,6 +1,6 @@
 // What the views draw. Arrays are read, never changed.
 import type { PrinterValues, Toolpath } from 'sillon';
-import type { DirectionRaster } from '../model/raster.js';
+import type { Directions } from '../model/raster.js';
 import type { ColourBy, FilamentLook, Mark, ViewName } from '../model/view.js';
 import type { Look } from './look.js';
 
@@ -12,8 +12,17 @@ export interface Feed {
 }
 
 export interface Scene extends Pick<Look, 'light' | 'lampSlope' | 'fromAfar' | 'page'> {
+  /** undefined: there are no beads yet, and the directions stand in for them. */
   toolpath: Toolpath | undefined;
-  directions: DirectionRaster | undefined;
+  directions?: Directions | undefined;
+  /** Of beads that are still to come [mm]. */
+  spacing?: number;
+  /** Pixels drawn per pixel of the screen, one way; the camera's scale has it in it. */
+  fineness?: number;
+  /** Something moves where it is hard to draw: the directions do, which take far less. */
+  quick?: boolean;
+  /** Beads that have come show little by little. */
+  fades?: boolean;
   view: ViewName;
   colourBy: ColourBy;
   feed: Feed;
@@ -39,11 +48,14 @@ export interface Camera {
 
 /** Draws scenes into a canvas; one WebGL2 context, uploads only what changed. */
 export interface Renderer {
-  /** Draws now. Cheap when only camera, light, progress or colours changed. */
+  /** It is always hard to draw. */
+  readonly stepwise?: boolean;
+  /** Draws now. Cheap when only camera, light, progress or colours changed. Beads of a long path come a little later, when
+   * they are prepared in slices; what stood in their place stays until then. */
   draw(scene: Scene, camera: Camera): void;
   /** When what was drawn last is there to be seen. */
   finished(): Promise<void>;
-  /** Size of the canvas in device pixels. */
+  /** Size of the canvas in device pixels; it is to be drawn anew. */
   resize(width: number, height: number): void;
   /** A picture of the scene, `width` pixels wide, whatever the canvas shows. */
   capture(scene: Scene, width: number): Promise<Blob>;

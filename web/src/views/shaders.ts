@@ -1,7 +1,7 @@
 // GLSL of the views. Lengths are mm, y up; `camera` is the screen's middle and device pixels per mm.
 import { appearance } from '../model/appearance.js';
 
-const toScreen = `
+export const toScreen = `
 uniform vec4 camera;
 uniform vec2 screen;
 vec4 toScreen(vec2 p) { return vec4((p - camera.xy) * camera.z * 2.0 / screen, 0.0, 1.0); }
@@ -109,6 +109,38 @@ vec3 look(vec2 p, vec2 along, float side, float relief) {
 }
 `;
 
+/** A bead's colour in each of the views; `setColours` of the renderer tells it what it needs. */
+export const colourOfBead = `
+uniform float spacing;
+uniform int view;
+uniform int colourBy;
+uniform vec3 feed;  // speed, largest flow, layer height
+uniform sampler2D palette;
+
+${lookOfBead}
+vec3 ramp(float x) {  // dark blue over green to amber, even in lightness
+  x = clamp(x, 0.0, 1.0);
+  return x < 0.5 ? mix(vec3(0.16, 0.24, 0.55), vec3(0.16, 0.62, 0.55), 2.0 * x) : mix(vec3(0.16, 0.62, 0.55), vec3(0.98, 0.75, 0.25), 2.0 * x - 1.0);
+}
+
+// An order and a delay below 0 are not known.
+vec3 colourOf(vec2 p, vec2 along, float side, float relief, float radius, float order, float delay) {
+  if (view == 0) return toned(look(p, along, side, relief));
+  vec3 base = vec3(0.60, 0.60, 0.59);
+  float known = colourBy == 3 ? order : colourBy == 4 ? delay : 0.0;
+  if (view == 2) {
+    float ratio = 2.0 * radius / spacing;
+    base = mix(base, vec3(0.25, 0.50, 0.84), smoothstep(0.8, 0.55, ratio));
+    base = mix(base, vec3(0.78, 0.27, 0.23), smoothstep(1.25, 1.6, ratio));
+  }
+  else if (colourBy == 0) base = texture(palette, vec2(atan(along.y, along.x) / 3.14159265 + 0.5 / 256.0, 0.5)).rgb;
+  else if (colourBy == 1) base = ramp((2.0 * radius / spacing - 0.5) / 1.0);
+  else if (colourBy == 2) base = ramp(2.0 * min(1.0, feed.y / (2.0 * radius * feed.z * feed.x)) - 1.0);
+  else if (known >= 0.0) base = ramp(known);
+  return base * (1.0 - 0.35 * relief * side * side);
+}
+`;
+
 export const beadFragment = `#version 300 es
 precision highp float;
 in vec2 p;
@@ -118,20 +150,10 @@ flat in vec2 radii;
 flat in float order;
 flat in float delay;
 uniform vec4 camera;
-uniform float spacing;
-uniform int view;
-uniform int colourBy;
 uniform float blended;  // 1: seen from too far away to tell beads apart
-uniform vec3 feed;  // speed, largest flow, layer height
-uniform sampler2D palette;
 out vec4 colour;
 
-${lookOfBead}
-vec3 ramp(float x) {  // dark blue over green to amber, even in lightness
-  x = clamp(x, 0.0, 1.0);
-  return x < 0.5 ? mix(vec3(0.16, 0.24, 0.55), vec3(0.16, 0.62, 0.55), 2.0 * x) : mix(vec3(0.16, 0.62, 0.55), vec3(0.98, 0.75, 0.25), 2.0 * x - 1.0);
-}
-
+${colourOfBead}
 void main() {
   vec2 ab = ends.zw - ends.xy;
   float t = clamp(dot(p - ends.xy, ab) / max(dot(ab, ab), 1e-12), 0.0, 1.0);
@@ -145,79 +167,6 @@ void main() {
   vec2 along = normalize(mix(tangents.xy, tangents.zw, t));
   float side = clamp((along.x * off.y - along.y * off.x) / max(radius, 1e-6), -1.0, 1.0);
   float relief = (1.0 - blended) * clamp((pixels - 0.75) / 1.5, 0.0, 1.0);
-  if (view == 0) {
-    colour = vec4(toned(look(p, along, side, relief)), alpha);
-    return;
-  }
-  float shade = 1.0 - 0.35 * relief * side * side;
-  vec3 base;
-  if (view == 2) {
-    float ratio = 2.0 * radius / spacing;
-    base = mix(vec3(0.60, 0.60, 0.59), vec3(0.25, 0.50, 0.84), smoothstep(0.8, 0.55, ratio));
-    base = mix(base, vec3(0.78, 0.27, 0.23), smoothstep(1.25, 1.6, ratio));
-  }
-  else if (colourBy == 0) base = texture(palette, vec2(atan(along.y, along.x) / 3.14159265 + 0.5 / 256.0, 0.5)).rgb;
-  else if (colourBy == 1) base = ramp((2.0 * radius / spacing - 0.5) / 1.0);
-  else if (colourBy == 2) base = ramp(2.0 * min(1.0, feed.y / (2.0 * radius * feed.z * feed.x)) - 1.0);
-  else if (colourBy == 3) base = ramp(order);
-  else base = ramp(delay);
-  colour = vec4(base * shade, alpha);
-}
-`;
-
-export const fieldVertex = `#version 300 es
-precision highp float;
-uniform vec2 page;
-${toScreen}
-out vec2 p;
-void main() {
-  p = page * vec2(gl_VertexID & 1, gl_VertexID >> 1);
-  gl_Position = toScreen(p);
-}
-`;
-
-/** The direction of each texel as a colour, with short strokes along it. */
-export const fieldFragment = `#version 300 es
-precision highp float;
-precision highp usampler2D;
-in vec2 p;
-uniform vec4 camera;
-uniform vec2 page;
-uniform usampler2D angles;
-uniform usampler2D modes;
-uniform sampler2D palette;
-out vec4 colour;
-
-ivec2 texelAt(vec2 at) {
-  ivec2 size = textureSize(angles, 0);
-  return clamp(ivec2(vec2(at.x, page.y - at.y) / page * vec2(size)), ivec2(0), size - 1);
-}
-float angleAt(vec2 at) { return (float(texelFetch(angles, texelAt(at), 0).r) / 65535.0 - 0.5) * 3.14159265; }
-
-// Places that follow no map: one grey per mode, with rings (parallel), spokes (orthogonal) or nothing (smoothest).
-vec3 modeColour(uint mode, vec2 d, float cell) {
-  vec3 base = mode == 0u ? vec3(0.80, 0.79, 0.76) : mode == 1u ? vec3(0.62, 0.62, 0.61) : vec3(0.71, 0.72, 0.73);
-  float sign = mode == 0u ? abs(length(d) - 0.26 * cell) : min(abs(d.x), abs(d.y)) + max(0.0, length(d) - 0.3 * cell);
-  float ink = mode == 2u ? 0.0 : clamp(1.4 - sign * camera.z, 0.0, 1.0);
-  return mix(base, vec3(0.25), 0.5 * ink);
-}
-
-void main() {
-  float angle = angleAt(p);
-  vec3 base = texture(palette, vec2(angle / 3.14159265 + 0.5 / 256.0, 0.5)).rgb;
-  float cell = 22.0 / camera.z;  // one stroke every so many mm
-  vec2 middle = (floor(p / cell) + 0.5) * cell;
-  float turn = angleAt(middle);
-  vec2 t = vec2(cos(turn), sin(turn));
-  vec2 d = p - middle;
-  uint mode = texelFetch(modes, texelAt(p), 0).r;
-  if (mode != 3u) {
-    colour = vec4(modeColour(mode, d, cell), 1.0);
-    return;
-  }
-  float along = clamp(dot(d, t), -0.36 * cell, 0.36 * cell);
-  float distance = length(d - t * along) * camera.z;
-  float ink = clamp(1.6 - distance, 0.0, 1.0);
-  colour = vec4(mix(base, vec3(0.09, 0.09, 0.10), 0.75 * ink), 1.0);
+  colour = vec4(colourOf(p, along, side, relief, radius, order, delay), alpha);
 }
 `;

@@ -7,16 +7,23 @@ const turns = Math.tan(Math.PI / 12);
 /**
  * @param points  x and y of each, of a closed cycle [mm]
  * @param tolerance  how far a bead's middle and its edges may lie from where they are [mm]; 0: all points are drawn
- * @returns which points to draw, rising from 0
+ * @param begin, end  of the part that is looked at: long cycles are thinned part by part
+ * @returns which points to draw, rising from `begin`
  */
-export function pointsToDraw(points: Float32Array, widths: Float32Array, tolerance: number): Uint32Array {
+export function pointsToDraw(
+  points: Float32Array,
+  widths: Float32Array,
+  tolerance: number,
+  begin = 0,
+  end = widths.length,
+): Uint32Array {
   const count = widths.length;
-  if (tolerance === 0) return Uint32Array.from({ length: count }, (_, k) => k);
-  const kept = new Uint32Array(count);
+  if (tolerance === 0) return Uint32Array.from({ length: end - begin }, (_, k) => begin + k);
+  const kept = new Uint32Array(end - begin);
   let found = 0;
   const x = (k: number): number => points[2 * (k % count)] ?? 0;
   const y = (k: number): number => points[2 * (k % count) + 1] ?? 0;
-  for (let from = 0; from < count;) {
+  for (let from = begin; from < end;) {
     kept[found++] = from;
     let to = from + 1;
     const [x0, y0, width] = [x(from), y(from), widths[from] ?? 0];
@@ -24,7 +31,7 @@ export function pointsToDraw(points: Float32Array, widths: Float32Array, toleran
     const [alongX, alongY] = [(x(to) - x0) / step, (y(to) - y0) / step];
     // Slopes, to the first step, of lines from the first point that pass all others so near: of middles, and of edges.
     let [least, most, leastWiden, mostWiden] = [-turns, turns, -Infinity, Infinity];
-    for (let k = to, before = 0; k <= count; ++k) {
+    for (let k = to, before = 0; k <= end; ++k) {
       const [dx, dy] = [x(k) - x0, y(k) - y0];
       const ahead = dx * alongX + dy * alongY;
       const aside = dy * alongX - dx * alongY;

@@ -92,15 +92,25 @@ test(
     await visit.page.evaluate(() => {
       const { store } = document.querySelector('sillon-app').studio;
       const set = store.set.bind(store);
-      store.set = (patch) => 'result' in patch || set(patch); // beads that never come
+      store.set = (patch) => 'result' in patch || 'directions' in patch || set(patch); // neither ever comes
       store.set({ tool: 'comb' });
       globalThis.drawn = 0;
-      const draw = WebGL2RenderingContext.prototype.drawArraysInstanced;
-      WebGL2RenderingContext.prototype.drawArraysInstanced = function (...words) {
-        ++globalThis.drawn;
-        draw.apply(this, words);
-      };
+      for (const name of ['drawElements', 'drawArrays']) {
+        const draw = WebGL2RenderingContext.prototype[name];
+        WebGL2RenderingContext.prototype[name] = function (...words) {
+          ++globalThis.drawn;
+          draw.apply(this, words);
+        };
+      }
     });
+    await settled(visit.page);
+    const count = () => visit.page.evaluate(() => globalThis.drawn);
+    await until(async () => {
+      const before = await count();
+      for (let k = 0; k < 5; ++k) await settled(visit.page);
+      return (await count()) === before;
+    }, 'rest: with another tool the canvas is drawn anew');
+    await visit.page.evaluate(() => (globalThis.drawn = 0));
     const box = await visit.canvas();
     const at = (x, y) => [box.x + box.width * x, box.y + box.height * y];
     /** Of a place that the brush's ring is far from. */

@@ -256,7 +256,7 @@ test('without graphics the page says so, and files can be had all the same', { s
   const visit = await bench.open({ small: true, keep: context });
   const alert = visit.page.locator('sillon-notices .problem').first();
   await alert.waitFor();
-  assert.match(await alert.innerText(), /WebGL 2 is missing/);
+  assert.match(await alert.innerText(), /without WebGL 2: its light follows in steps/);
   await visit.idle();
   assert.ok((await visit.download('G-code')).bytes.length > 10_000);
 });

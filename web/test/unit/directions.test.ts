@@ -1,11 +1,12 @@
-// The directions that a view shows: drawn by the engine, of plates only the newest.
+// The directions that stand in for beads: drawn by the engine, of plates only the newest.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { DirectionRaster, Engine, PlateInput, ToolpathParams } from 'sillon';
+import type { DirectionRaster, Engine, PlateInput, Shape, ShapeInput, ToolpathParams } from 'sillon';
 import { drawDirections, followDirections } from '../../src/app/directions.js';
 import { filledWith } from '../../src/model/fills.js';
 import { newPlate } from '../../src/model/new-plate.js';
 import type { Plate } from '../../src/model/plate.js';
+import type { PlateResult } from '../../src/model/state.js';
 import { Store } from '../../src/model/store.js';
 import { newShown, type Shown } from '../../src/studio/shown.js';
 import { fileOf } from './support/pictures.js';
@@ -25,7 +26,12 @@ interface Call {
 class Bench {
   readonly calls: Call[] = [];
   readonly store: Store<Shown>;
+  readonly read: ShapeInput[] = [];
   readonly #engine = {
+    readShape: (shape: ShapeInput): Promise<Shape> => {
+      this.read.push(shape);
+      return Promise.resolve({ page: [1, this.read.length], paths: [] });
+    },
     drawLayers: (input: PlateInput, { spacing }: ToolpathParams): Promise<DirectionRaster> =>
       new Promise((resolve, reject) => {
         const raster = { width: this.calls.length + 1, height: 1, angle: new Uint16Array(1), mode: new Uint8Array(1) };
@@ -56,17 +62,21 @@ class Bench {
     return this.calls.at(-1) ?? assert.fail('nothing was drawn');
   }
   get shown(): DirectionRaster | undefined {
-    return this.store.state.directions;
+    return this.store.state.directions?.raster;
   }
 }
 
-test('directions are drawn where they are shown, and for nothing else', async () => {
+test('directions are drawn of every plate, coarse in every view and fine where they are shown', async () => {
   const bench = new Bench({ view: 'appearance' });
-  await bench.change(plateOf(50));
-  assert.equal(bench.calls.length, 0);
+  await bench.change(plateOf(200));
+  assert.equal(bench.last.spacing, (4 * 200) / 256);
+  await bench.last.finish();
+  assert.equal(bench.shown, bench.last.raster);
+  assert.equal(bench.store.state.directions?.plate.width, 200);
   bench.store.set({ view: 'directions' });
   await turn();
-  assert.equal(bench.calls.length, 1);
+  assert.equal(bench.calls.length, 2);
+  assert.equal(bench.last.spacing, (4 * 200) / 1024);
   await bench.last.finish();
   assert.equal(bench.shown, bench.last.raster);
   // There and back, another name or printer: they are there already.
@@ -75,11 +85,34 @@ test('directions are drawn where they are shown, and for nothing else', async ()
   bench.store.set({ view: 'directions' });
   const { plate } = bench.store.state;
   await bench.change({ ...plate, name: 'other', printer: { ...plate.printer, speed: 20 } });
+  assert.equal(bench.calls.length, 2);
+});
+
+test('a first visit has none drawn before its plate has beads', async () => {
+  const bench = new Bench({ view: 'appearance', welcome: true });
+  await bench.change(plateOf(50));
+  assert.equal(bench.calls.length, 0);
+  bench.store.set({ result: { toolpath: {} } as PlateResult });
+  await turn();
   assert.equal(bench.calls.length, 1);
 });
 
+test('a shape is read once, whatever changes within it', async () => {
+  const bench = new Bench({ view: 'appearance' });
+  const plate = plateOf(50);
+  for (const fill of ['waves', 'spiral'] as const) {
+    await bench.change(filledWith(plate, fill));
+    await bench.last.finish();
+  }
+  assert.equal(bench.read.length, 1);
+  await bench.change(plateOf(60));
+  await bench.last.finish();
+  assert.equal(bench.read.length, 2);
+  assert.deepEqual(bench.store.state.directions?.shape.page, [1, 2]);
+});
+
 test('of plates that change while one is drawn only the newest is drawn', async () => {
-  const bench = new Bench();
+  const bench = new Bench({ view: 'appearance' });
   for (const width of [50, 51, 52]) await bench.change(plateOf(width));
   assert.equal(bench.calls.length, 1);
   await bench.last.finish();
@@ -98,6 +131,7 @@ test('under a hand they are coarse, and fine once it rests', async () => {
   const { spacing } = bench.last;
   assert.equal(spacing, (4 * 200) / 256);
   await bench.last.finish();
+  assert.equal(bench.calls.length, 1);
   await bench.change(bench.store.state.plate, false);
   assert.equal(bench.last.spacing, (4 * 200) / 1024);
   await bench.last.finish();
@@ -121,22 +155,35 @@ test('beads as wide as texels are drawn as they are', async () => {
   assert.deepEqual(calls, [2, 16, 4]);
 });
 
-test('pictures under lamps have none before they are solved for', async () => {
-  const bench = new Bench();
-  await bench.change(plateOf(50));
+test('one picture is solved for its lamp, else the last plate’s, else the usual one: the engine chooses none', async () => {
+  const bench = new Bench({ view: 'appearance' });
+  const cat = fileOf('cat.png');
+  const lampAsked = (): unknown => {
+    const [layer] = bench.last.input.layers ?? [];
+    return layer?.kind === 'picture' && layer.pictures?.map(({ lamp }) => lamp);
+  };
+  const plateWith = (...lamps: ([number, number] | null)[]): Plate =>
+    filledWith(plateOf(50), 'picture', { pictures: lamps.map((lamp) => ({ file: cat, lamp })) });
+  await bench.change(plateWith(null));
+  assert.deepEqual(lampAsked(), [[60, 35]]);
   await bench.last.finish();
-  assert.notEqual(bench.shown, undefined);
-  const pictures = [{ file: fileOf('cat.png'), lamp: null }];
-  await bench.change(filledWith(plateOf(50), 'picture', { pictures }));
-  assert.equal(bench.shown, undefined);
-  assert.equal(bench.calls.length, 1);
-  await bench.change(plateOf(50));
+  await bench.change(plateWith([10, 20]));
+  assert.deepEqual(lampAsked(), [[10, 20]]);
   await bench.last.finish();
-  assert.equal(bench.shown, bench.last.raster);
+  const look = { lamps: [[200, 30]] };
+  await bench.change(plateWith(null));
+  assert.deepEqual(lampAsked(), [[60, 35]]);
+  await bench.last.finish();
+  bench.store.set({ result: { toolpath: { look } } as unknown as PlateResult }); // the lamp that was chosen
+  await turn();
+  assert.deepEqual(lampAsked(), [[200, 30]]);
+  await bench.last.finish();
+  await bench.change(plateWith(null, null));
+  assert.deepEqual(lampAsked(), [null, null]);
 });
 
 test('what cannot be drawn stops nothing', async () => {
-  const bench = new Bench();
+  const bench = new Bench({ view: 'appearance' });
   await bench.change(plateOf(50));
   await bench.last.fail();
   assert.equal(bench.shown, undefined);

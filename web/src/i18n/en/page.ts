@@ -391,7 +391,7 @@ export const words = {
   'hint.GuestFile': 'The address may be wrong, or the file’s site does not allow it to be read from here.',
   'problem.TextTooLong': 'The text is too long: {length} characters, at most {most}.',
   'hint.TextTooLong': 'Shorten it.',
-  'problem.NoWebGl': 'This browser cannot draw the plate (WebGL 2 is missing).',
+  'problem.NoWebGl': 'This browser draws the plate without WebGL 2: its light follows in steps.',
   'hint.NoWebGl':
     'Turn on hardware acceleration in the browser’s settings, or use another browser. Downloads still work.',
   'problem.NoVideo': 'This browser cannot record videos.',
