@@ -239,7 +239,8 @@ Error severalPlates(const std::string& path, int plates) {
                                       " plates; export them one by one, so that none is forgotten"};
 }
 
-std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs,
+                                  const std::vector<std::string>& moving) {
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const std::string name = "the output \"" + outputs[k] + "\"";
     if (namesStream(outputs[k])) return invalid(name + " is not a file; files cannot be written to stdout");
@@ -266,8 +267,10 @@ std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const
     for (const std::string& input : inputs) {
       if (target(input) == path) return invalid(name + " is also an input; it must be another file");
     }
-    if (namesOtherPicture(outputs[k])) {
-      return invalid(name + " is named like a picture that is not written; pictures are written as .png");
+    const bool moves = std::find(moving.begin(), moving.end(), outputs[k]) != moving.end();
+    if (namesOtherPicture(outputs[k]) && !(moves && endsWith(outputs[k], ".webp"))) {
+      return invalid(name + " is named like a picture that is not written; pictures are written as .png, and " +
+                     "--preview also as .webp, which moves");
     }
   }
   return std::nullopt;

@@ -47,8 +47,10 @@ struct Outcome {
 };
 
 /// What can be known before the work begins: folders exist, names are files, no name is used twice or read from.
+/// \param moving  of the outputs those that may be moving pictures
 std::optional<sillon::Error> checkOutputs(const std::vector<std::string>& outputs,
-                                          const std::vector<std::string>& inputs);
+                                          const std::vector<std::string>& inputs,
+                                          const std::vector<std::string>& moving = {});
 
 /// Writes every file beside its target first and renames only when all are complete. A file that was there before
 /// stays as it was if anything fails on the way.

@@ -233,7 +233,8 @@ void Options::threads(int& out) {
 }
 
 void Options::previewWidth(int& out) {
-  whole("--preview-width", "PX", "width of each panel of the preview [1600]", 16, 16384, out);
+  whole("--preview-width", "PX", "width of each panel of the preview [1600]; of a WebP, its longer side [560]", 16,
+        16384, out);
 }
 
 void Options::require(const std::string& name) { app_.get_option(name)->required(); }

@@ -8,16 +8,17 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
 #include "assemble.hpp"
 #include "findings.hpp"
+#include "previews.hpp"
 #include "sillon/export/base_solid.hpp"
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/export/svg_drawing.hpp"
 #include "sillon/look/conflict.hpp"
-#include "sillon/look/preview.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/look/view_file.hpp"
 #include "sillon/report/report.hpp"
@@ -93,13 +94,14 @@ Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
   return text;
 }
 
-Result<std::string> previewPng(const Job& job, int width, std::size_t shown, const sillon::RunContext& run) {
-  sillon::PreviewParams params;
-  params.width = width;
-  params.look = previewLook(job.pictureOptions, job.plate.project, job.plate.pictures(), shown);
-  const auto picture = sillon::renderPreview(job.plate.toolpath(), job.plate.input.shape.page, params, run);
-  if (!picture) return picture.error();
-  return pngFile(picture.value());
+/// Each picture under its lamp, or a plate without any under one.
+Result<std::vector<OutputFile>> previews(const Job& job, const OutputPaths& paths, const sillon::RunContext& run) {
+  const sillon::Plate& plate = job.plate;
+  std::vector<sillon::LookParams> looks;
+  for (std::size_t k = 0; k < std::max<std::size_t>(1, plate.pictures().shown.size()); ++k) {
+    looks.push_back(previewLook(job.pictureOptions, plate.project, plate.pictures(), k));
+  }
+  return previewFiles(paths.preview, plate.toolpath(), plate.input.shape.page, looks, paths.previewWidth, run);
 }
 
 std::optional<Error> addConflicts(const sillon::Plate& plate, const std::string& path, std::vector<OutputFile>& files) {
@@ -157,12 +159,13 @@ Result<std::string> runDate() {
 
 std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictures) {
   std::vector<std::string> names;
-  for (const std::string* path : {&paths.gcode, &paths.svg, &paths.report, &paths.preview, &paths.conflict, &paths.view,
-                                  &paths.body, &paths.project}) {
+  for (const std::string* path :
+       {&paths.gcode, &paths.svg, &paths.report, &paths.conflict, &paths.view, &paths.body, &paths.project}) {
     if (!path->empty()) names.push_back(*path);
   }
-  for (const std::string* path : {&paths.preview, &paths.conflict}) {
-    for (std::size_t k = 1; k < pictures && !path->empty(); ++k) names.push_back(previewName(*path, k));
+  for (std::size_t k = 1; k < pictures && !paths.conflict.empty(); ++k) names.push_back(previewName(paths.conflict, k));
+  for (std::string& name : previewNames(paths.preview, std::max<std::size_t>(1, pictures))) {
+    names.push_back(std::move(name));
   }
   return names;
 }
@@ -233,11 +236,9 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
     files.push_back({paths.svg, std::move(svg).value()});
   }
   if (!paths.preview.empty()) {
-    for (std::size_t k = 0; k < std::max<std::size_t>(1, plate.pictures().shown.size()); ++k) {
-      Result<std::string> png = previewPng(job, paths.previewWidth, k, run);
-      if (!png) return png.error();
-      files.push_back({previewName(paths.preview, k), std::move(png).value()});
-    }
+    Result<std::vector<OutputFile>> made = previews(job, paths, run);
+    if (!made) return made.error();
+    std::move(made.value().begin(), made.value().end(), std::back_inserter(files));
   }
   if (!paths.conflict.empty()) {
     if (const auto error = addConflicts(plate, paths.conflict, files)) return *error;

@@ -20,7 +20,7 @@ struct OutputPaths {
   std::string svg;
   std::string report;
   std::string preview;
-  int previewWidth = 1600;  ///< of each panel [pixels]
+  int previewWidth = 0;  ///< as that of previewFiles
   std::string conflict;
   std::string project;
   std::string view;

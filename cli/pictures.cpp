@@ -184,20 +184,6 @@ sillon::LookParams previewLook(const PictureOptions& options, const sillon::Proj
   return look;
 }
 
-sillon::Result<std::string> pngFile(const sillon::RgbImage& image) {
-  const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
-  if (png.empty()) return sillon::Error{sillon::ErrorCode::TooLarge, "a picture needs more memory than there is"};
-  return std::string(png.begin(), png.end());
-}
-
-std::string previewName(const std::string& path, std::size_t picture) {
-  if (picture == 0) return path;
-  const std::size_t slash = path.find_last_of('/'), dot = path.find_last_of('.');
-  const bool ends = dot != std::string::npos && (slash == std::string::npos || dot > slash);
-  const std::size_t at = ends ? dot : path.size();
-  return path.substr(0, at) + "-" + std::to_string(picture + 1) + path.substr(at);
-}
-
 std::string cutOffNote(double leftOut) {
   constexpr double kTold = 0.03;
   if (leftOut < kTold) return {};

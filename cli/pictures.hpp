@@ -61,12 +61,6 @@ bool looksLikePicture(const std::string& path);
 sillon::LookParams previewLook(const PictureOptions& options, const sillon::Project& project,
                                const sillon::PlatePictures& pictures, std::size_t picture);
 
-/// The bytes of a PNG file. \return TooLarge if memory runs out.
-sillon::Result<std::string> pngFile(const sillon::RgbImage& image);
-
-/// "plate.png" for the first picture, "plate-2.png" for the second.
-std::string previewName(const std::string& path, std::size_t picture);
-
 /// A note on a picture of which this share is cut off; empty where that is little.
 std::string cutOffNote(double leftOut);
 

@@ -57,29 +57,29 @@ function settingsOf(name) {
 function make(folder, name) {
   const made = join(folder, 'gallery', name);
   const args = ['generate', join(root, `examples/${name}.json`), '--preview-width', '420'];
-  execFileSync(program, [...args, '--preview', `${made}.png`, '--report', `${made}.json`, '--project', `${made}.tmp`], {
-    stdio: ['ignore', 'ignore', 'inherit'],
-  });
+  const run = (...more) => execFileSync(program, [...args, ...more], { stdio: ['ignore', 'ignore', 'inherit'] });
+  run('--preview', `${made}.png`, '--report', `${made}.json`, '--project', `${made}.tmp`);
   const report = JSON.parse(readFileSync(`${made}.json`, 'utf8'));
   const png = readFileSync(`${made}.png`);
   rmSync(`${made}.json`);
   rmSync(`${made}.tmp`);
   const zip = projectZip(name);
   writeFileSync(`${made}.zip`, zip);
-  const views = existsSync(`${made}-2.png`) ? [name, `${name}-2`] : [name]; // of two pictures, under both lamps
-  return { report, zip, views, width: png.readUInt32BE(16), height: png.readUInt32BE(20) };
+  const moves = existsSync(`${made}-2.png`); // two pictures: what they become under each other's lamps
+  if (moves) {
+    rmSync(`${made}-2.png`);
+    run('--preview', `${made}.webp`);
+  }
+  return { report, zip, moves, width: png.readUInt32BE(16), height: png.readUInt32BE(20) };
 }
 
-function figure(name, { report, zip, views, width, height }) {
+function figure(name, { report, zip, moves, width, height }) {
   const { lengthMm, coverage, spacing, toolpaths, grid } = report;
   const [wide, tall] = grid.map((cells) => (cells - 6) * (spacing / 2)); // without the margin of one and a half spacings
   const size = `${decimal(wide, 0)} × ${decimal(tall, 0)} mm`;
-  const images = views
-    .map(
-      (view) =>
-        `<img src="${view}.png" width="${width}" height="${height}" loading="lazy" alt="${escaped(name)}: directions in colour, and the look under a lamp" />`,
-    )
-    .join('\n');
+  const still = `<img src="${name}.png" width="${width}" height="${height}" loading="lazy" alt="${escaped(name)}: directions in colour, and the look under a lamp" />`;
+  const moving = `<img src="${name}.webp" loading="lazy" alt="${escaped(name)}: the look as the lamp moves from one picture's place to the other's" />`;
+  const images = moves ? `${still}\n${moving}` : still;
   const path = toolpaths === 1 ? 'one path' : `${toolpaths} paths`;
   return `<article>
 <h2 id="${name}">${name}</h2>

@@ -72,15 +72,15 @@ function harfbuzz() {
   return part('harfbuzz', licenceOf('harfbuzz'), read(`${folder}/COPYING`), { version, purl });
 }
 
-/** What shapes texts and makes codes natively; JavaScript packages of their own do it elsewhere. */
-const textLibraries = ['harfbuzz', 'icu', 'nayuki-qr-code-generator'];
+/** What shapes texts and makes codes and moving pictures natively; JavaScript packages of their own do it elsewhere. */
+const nativeLibraries = ['harfbuzz', 'icu', 'libwebp', 'nayuki-qr-code-generator'];
 
-function libraries({ program, text = false }) {
+function libraries({ program, native = false }) {
   const { dependencies, features } = JSON.parse(read(at('vcpkg.json')));
   const debian = debianPackages();
   const ports = [...(program ? features.cli.dependencies : []), ...dependencies]
     .map((asked) => asked.name ?? asked)
-    .filter((port) => text || !textLibraries.includes(port));
+    .filter((port) => native || !nativeLibraries.includes(port));
   return ports.map((port) => {
     const built = port === 'harfbuzz' ? harfbuzz() : undefined;
     if (built) return built;
@@ -126,6 +126,11 @@ const elsewhere = {
   '@lit-labs/ssr-dom-shim': () => read(at('node_modules/lit/LICENSE')),
 };
 
+/** Files with the licences of libraries inside a package, which its own does not hold. */
+const within = {
+  '@jsquash/webp': ['codec/LICENSE.codec.md'],
+};
+
 function npmPackages(more = []) {
   const { packages } = JSON.parse(read(at('package-lock.json')));
   return Object.entries(packages)
@@ -134,7 +139,9 @@ function npmPackages(more = []) {
       const name = path.slice('node_modules/'.length);
       const file = readdirSync(at(path)).find((entry) => /^licen[cs]e/i.test(entry));
       const purl = `pkg:npm/${name.replace('@', '%40')}@${version}`;
-      return part(name, license, file ? read(at(join(path, file))) : elsewhere[name]?.(), { version, purl });
+      const own = file ? read(at(join(path, file))) : elsewhere[name]?.();
+      const inside = (within[name] ?? []).map((one) => read(at(join(path, one))));
+      return part(name, license, [own, ...inside].filter(Boolean).join('\n\n'), { version, purl });
     });
 }
 
@@ -157,7 +164,7 @@ const onlyNamed = (names) => npmPackages(names).filter(({ name }) => names.inclu
 
 const studio = () => [...libraries({ program: false }), ...emscripten(), ...npmPackages(textPackages), ...fonts()];
 const products = {
-  native: () => [...libraries({ program: true, text: true }), ...fonts()],
+  native: () => [...libraries({ program: true, native: true }), ...fonts()],
   npm: () => [...libraries({ program: true }), ...emscripten(), ...onlyNamed(textPackages), ...fonts()],
   studio,
   site: () => [...studio(), ...onlyNamed(['minisearch'])],

@@ -14,6 +14,7 @@
 #include "files.hpp"
 #include "findings.hpp"
 #include "outputs.hpp"
+#include "previews.hpp"
 #include "project_arguments.hpp"
 #include "run.hpp"
 #include "sillon/calibrate/calibrate.hpp"
@@ -21,7 +22,6 @@
 #include "sillon/export/gcode_archive.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/input/image_io.hpp"
-#include "sillon/look/preview.hpp"
 #include "sillon/look/spools.hpp"
 #include "words.hpp"
 
@@ -43,9 +43,9 @@ struct Arguments {
   ProjectArguments project;
   std::optional<double> from;
   std::optional<double> to;
-  std::string out;          ///< G-code; packed by its ending as --gcode of generate; of a photograph, a file of spools
-  std::string preview;      ///< PNG
-  int previewWidth = 1600;  ///< [pixels], as that of generate
+  std::string out;       ///< G-code; packed by its ending as --gcode of generate; of a photograph, a file of spools
+  std::string preview;   ///< PNG, or WebP
+  int previewWidth = 0;  ///< as that of previewFiles
   bool json = false;
   std::string name = "mySpool";         ///< of the spool in a photograph
   std::optional<double> lampElevation;  ///< [degrees]
@@ -204,7 +204,8 @@ Result<Outcome> makePrint(const Arguments& arguments, const sillon::Project& pro
   for (const std::string* name : {&arguments.project.scene, &options.spoolsFile}) {
     if (!name->empty()) inputs.push_back(*name);
   }
-  if (const auto problem = checkOutputs(outputs, inputs)) return *problem;
+  if (const auto problem = checkOutputs(outputs, inputs, {arguments.preview})) return *problem;
+  if (const auto problem = previewProblem(arguments.preview, arguments.previewWidth)) return *problem;
   if (auto problem = packageProblem(arguments.out, project.printer.flavor, "calibrate " + arguments.kind)) {
     return *std::move(problem);
   }
@@ -234,14 +235,9 @@ Result<Outcome> makePrint(const Arguments& arguments, const sillon::Project& pro
   if (!packed) return packed.error();
   files.push_back({arguments.out, std::move(packed).value()});
   if (!arguments.preview.empty()) {
-    sillon::PreviewParams params;
-    params.width = arguments.previewWidth;
-    params.look = look;
-    const auto picture = sillon::renderPreview(shown, page, params, run);
-    if (!picture) return picture.error();
-    Result<std::string> png = pngFile(picture.value());
-    if (!png) return png.error();
-    files.push_back({arguments.preview, std::move(png).value()});
+    auto preview = previewFiles(arguments.preview, shown, page, {look}, arguments.previewWidth, run);
+    if (!preview) return preview.error();
+    files.push_back(std::move(preview).value().front());
   }
   if (arguments.json) {
     return Outcome{std::move(files), tableJson(arguments.kind, plate, summary.value(), findings), true};
@@ -361,7 +357,8 @@ Action add(Options& options) {
                arguments->out);
   options.number("--from", "VALUE", "first value to try [the kind's own]", arguments->from);
   options.number("--to", "VALUE", "last value to try [the kind's own]", arguments->to);
-  options.text("--preview", "F", "picture of directions and look, PNG", arguments->preview);
+  options.text("--preview", "F", "picture of directions and look, PNG; a loop of moving light if F ends in .webp",
+               arguments->preview);
   options.previewWidth(arguments->previewWidth);
   options.flag("--json", "print the values as JSON", arguments->json);
   options.group("After read");

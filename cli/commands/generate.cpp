@@ -10,6 +10,7 @@
 #include "assemble.hpp"
 #include "commands/commands.hpp"
 #include "outputs.hpp"
+#include "previews.hpp"
 #include "progress.hpp"
 #include "project_arguments.hpp"
 #include "run.hpp"
@@ -97,7 +98,8 @@ std::optional<Error> checkPaths(const Arguments& arguments, const sillon::Projec
   const std::vector<std::string> names = outputNames(outputs, pictures);
   std::vector<std::string> inputs = filesBesideScene(arguments, project);
   if (!arguments.project.scene.empty()) inputs.push_back(arguments.project.scene);
-  if (auto problem = checkOutputs(names, inputs)) return problem;
+  if (auto problem = checkOutputs(names, inputs, {outputs.preview})) return problem;
+  if (auto problem = previewProblem(outputs.preview, outputs.previewWidth)) return problem;
   if (arguments.listFiles && !names.empty()) {
     return Error{ErrorCode::InvalidArgument,
                  "--list-files makes no plate for \"" + names[0] + "\"; it must be given without files to write"};
@@ -177,7 +179,8 @@ void addOutputs(Options& options, Arguments& arguments) {
                outputs.container);
   options.text("--svg", "F", "drawing of the toolpath", outputs.svg);
   options.text("--report", "F", "measures, as JSON", outputs.report);
-  options.text("--preview", "F", "picture of directions and look, PNG", outputs.preview);
+  options.text("--preview", "F", "picture of directions and look, PNG; a loop of moving light if F ends in .webp",
+               outputs.preview);
   options.previewWidth(outputs.previewWidth);
   options.text("--conflict", "F", "where several pictures take tones from each other, a PNG for each",
                outputs.conflict);

@@ -17,6 +17,7 @@
 #include "commands/commands.hpp"
 #include "files.hpp"
 #include "pictures.hpp"
+#include "previews.hpp"
 #include "project_arguments.hpp"
 #include "run.hpp"
 #include "sillon/export/gcode_archive.hpp"
@@ -42,8 +43,8 @@ struct Arguments {
   std::string file;
   std::string out;  ///< empty: in place
   std::string report;
-  std::string preview;      ///< PNG of each replaced surface
-  int previewWidth = 1600;  ///< of each panel [pixels]
+  std::string preview;   ///< PNG or WebP of each replaced surface
+  int previewWidth = 0;  ///< as that of previewFiles
   bool list = false;
   bool json = false;
   ProjectArguments project;  ///< whose layers are laid
@@ -204,22 +205,18 @@ Result<std::string> packed(const sillon::GcodeContainer& container, std::string 
           "\" would be another kind of file than the slicer wrote; give it the same ending, or .gcode for its text"};
 }
 
-Result<std::string> previewPng(const Arguments& arguments, const sillon::Spool& spool, const sillon::Rebrushed& done,
-                               const RebrushedSurface& made, const sillon::RunContext& run) {
-  sillon::PreviewParams params;
-  params.width = arguments.previewWidth;
+sillon::LookParams lookOf(const sillon::Spool& spool, const sillon::Rebrushed& done, const RebrushedSurface& made) {
+  sillon::LookParams look;
   const SlicedSurface& surface = done.file.surfaces[made.surface];
-  params.look.colour = spool.colour;
-  params.look.roughness = sillon::roughnessOf(spool, done.file.nozzle, surface.side == SurfaceSide::Bottom);
+  look.colour = spool.colour;
+  look.roughness = sillon::roughnessOf(spool, done.file.nozzle, surface.side == SurfaceSide::Bottom);
   if (!made.pictures.empty()) {
-    params.look.lamp = made.pictures.front().lamp;
+    look.lamp = made.pictures.front().lamp;
     // Bottoms are drawn as they lie, seen through the plate.
-    if (surface.side == SurfaceSide::Bottom) params.look.lamp.azimuth = 180 - params.look.lamp.azimuth;
-    params.look.eyeDistance = 0;  // as the directions were solved for
+    if (surface.side == SurfaceSide::Bottom) look.lamp.azimuth = 180 - look.lamp.azimuth;
+    look.eyeDistance = 0;  // as the directions were solved for
   }
-  const auto picture = sillon::renderPreview(made.toolpath, surface.region.page, params, run);
-  if (!picture) return picture.error();
-  return pngFile(picture.value());
+  return look;
 }
 
 Result<Outcome> brush(Arguments& arguments, const sillon::RunContext& run) {
@@ -255,7 +252,9 @@ Result<Outcome> brush(Arguments& arguments, const sillon::RunContext& run) {
   for (const std::string* name : {&arguments.project.scene, &arguments.project.pictures.spoolsFile}) {
     if (!name->empty()) inputs.push_back(*name);
   }
-  if (const auto problem = checkOutputs(outputs, inputs)) return *problem;
+  std::vector<std::string> previews{arguments.preview};
+  if (const auto problem = checkOutputs(outputs, inputs, previews)) return *problem;
+  if (const auto problem = previewProblem(arguments.preview, arguments.previewWidth)) return *problem;
   Result<sillon::Rebrushed> done = sillon::rebrush(gcode, options, run);
   if (!done) return named(done.error());
   std::vector<OutputFile> files;
@@ -270,12 +269,14 @@ Result<Outcome> brush(Arguments& arguments, const sillon::RunContext& run) {
       options.ownSpool != nullptr ? *options.ownSpool : sillon::spoolOf(options.project.pictures.spool);
   for (const RebrushedSurface& made : done.value().surfaces) {
     if (arguments.preview.empty() || !made.replaced) continue;
-    Result<std::string> png = previewPng(arguments, shown, done.value(), made, run);
-    if (!png) return png.error();
-    files.push_back({previewName(arguments.preview, drawn++), std::move(png).value()});
+    const sillon::Vec2 page = done.value().file.surfaces[made.surface].region.page;
+    auto preview = previewFiles(previewName(arguments.preview, drawn++), made.toolpath, page,
+                                {lookOf(shown, done.value(), made)}, arguments.previewWidth, run);
+    if (!preview) return preview.error();
+    files.push_back(std::move(preview).value().front());
     if (drawn == 1) continue;
-    outputs.push_back(files.back().path);
-    if (const auto problem = checkOutputs(outputs, inputs)) return *problem;
+    for (std::vector<std::string>* names : {&outputs, &previews}) names->push_back(files.back().path);
+    if (const auto problem = checkOutputs(outputs, inputs, previews)) return *problem;
   }
   if (!arguments.report.empty()) files.push_back({arguments.report, reportJson(done.value())});
   return Outcome{std::move(files), summaryText(done.value())};
@@ -330,7 +331,9 @@ Action add(Options& options) {
   options.group("Output");
   options.text("-o,--output", "F", "new file [the file itself]", arguments->out);
   options.text("--report", "F", "what became of each surface, JSON", arguments->report);
-  options.text("--preview", "F", "picture of each new surface: its directions, and its look", arguments->preview);
+  options.text("--preview", "F",
+               "picture of each new surface, PNG: its directions, and its look; or .webp, a loop of moving light",
+               arguments->preview);
   options.previewWidth(arguments->previewWidth);
   options.group("Run");
   options.threads(arguments->threads);

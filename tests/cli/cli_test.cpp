@@ -6,6 +6,9 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#ifdef SILLON_WEBP
+#include <webp/demux.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +16,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -1095,6 +1099,109 @@ TEST_CASE("two runs give equal bytes, with any number of threads, quiet or not")
   CHECK(readAll(folder.at("a.png")) == readAll(folder.at("b.png")));
   CHECK(has(readAll(folder.at("a.gcode")), "1970-01-01 at 00:00:00 UTC"));
 }
+
+#ifdef SILLON_WEBP
+namespace {
+
+struct MovingPicture {
+  int width = 0;
+  int height = 0;
+  std::uint32_t loops = 0;          // 0: without end
+  std::vector<std::string> frames;  // RGBA
+  std::vector<int> ends;            // of each frame [ms]
+};
+
+MovingPicture readWebp(const std::string& bytes) {
+  const WebPData data{reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+  const std::unique_ptr<WebPAnimDecoder, void (*)(WebPAnimDecoder*)> decoder(WebPAnimDecoderNew(&data, nullptr),
+                                                                             &WebPAnimDecoderDelete);
+  MovingPicture read;
+  WebPAnimInfo info;
+  if (decoder == nullptr || WebPAnimDecoderGetInfo(decoder.get(), &info) == 0) return read;
+  read.width = static_cast<int>(info.canvas_width);
+  read.height = static_cast<int>(info.canvas_height);
+  read.loops = info.loop_count;
+  while (WebPAnimDecoderHasMoreFrames(decoder.get()) != 0) {
+    std::uint8_t* rgba = nullptr;
+    int end = 0;
+    if (WebPAnimDecoderGetNext(decoder.get(), &rgba, &end) == 0) return {};
+    const std::size_t size = std::size_t{4} * info.canvas_width * info.canvas_height;
+    read.frames.emplace_back(reinterpret_cast<const char*>(rgba), size);
+    read.ends.push_back(end);
+  }
+  return read;
+}
+
+/// Mean difference of the bytes of two frames.
+double between(const std::string& a, const std::string& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    sum += std::abs(static_cast<int>(static_cast<std::uint8_t>(a[k])) - static_cast<std::uint8_t>(b[k]));
+  }
+  return sum / static_cast<double>(a.size());
+}
+
+}  // namespace
+
+TEST_CASE("a preview that ends in .webp is a loop of moving light") {
+  const Folder folder;
+  const std::string disc = std::string(kDisc) + "--preview-width 160 ";
+  REQUIRE(folder.run(disc + "--threads 1 --preview a.webp").code == 0);
+  REQUIRE(folder.run(disc + "--threads 3 --preview b.webp").code == 0);
+  CHECK(readAll(folder.at("a.webp")) == readAll(folder.at("b.webp")));
+  const MovingPicture read = readWebp(readAll(folder.at("a.webp")));
+  CHECK(read.width == 160);
+  CHECK(read.height == 160);
+  CHECK(read.loops == 0);
+  REQUIRE(read.frames.size() == 36);
+  CHECK(read.ends.back() == 3600);
+  double farthest = 0;
+  for (std::size_t k = 1; k < read.frames.size(); ++k) {
+    farthest = std::max(farthest, between(read.frames[k - 1], read.frames[k]));
+  }
+  CHECK(farthest > 1);
+  CHECK(between(read.frames.back(), read.frames.front()) <= farthest);  // no jump where it begins anew
+  CHECK(between(read.frames[0], read.frames[9]) > farthest);            // a quarter of a turn changes more than a step
+  REQUIRE(folder.run(std::string(kDisc) + "--preview usual.webp").code == 0);
+  CHECK(readWebp(readAll(folder.at("usual.webp"))).width == 560);
+}
+
+TEST_CASE("of several pictures one loop holds each lamp in turn") {
+  const Folder folder;
+  folder.picture("ramp.png", 40, 30, [](int column, int row) { return 4 * column + 2 * row; });
+  folder.picture("fall.png", 40, 30, [](int column, int row) { return 220 - 4 * column - row; });
+  const std::string both = "generate ramp.png fall.png --size 20 --lamp 20 --lamp 110,60 --preview-width 120 ";
+  REQUIRE(folder.run(both + "--preview look.webp").code == 0);
+  CHECK(!fs::exists(folder.at("look-2.webp")));
+  const MovingPicture read = readWebp(readAll(folder.at("look.webp")));
+  REQUIRE(read.frames.size() == 14);
+  CHECK(read.width == 120);
+  CHECK(read.height == 90);
+  CHECK(read.ends[0] == 1200);
+  CHECK(read.ends[1] == 1260);
+  CHECK(read.ends[7] == 1560 + 1200);
+  CHECK(between(read.frames[0], read.frames[7]) > 5);
+}
+
+TEST_CASE("calibrations and surfaces of sliced files move, too") {
+  const Folder folder;
+  REQUIRE(folder.run("calibrate fan -o a.gcode --preview fan.webp --preview-width 64").code == 0);
+  CHECK(readWebp(readAll(folder.at("fan.webp"))).frames.size() == 36);
+  folder.write("part.gcode", slicedBlock());
+  REQUIRE(folder.run("rebrush part.gcode --angle 30 -o b.gcode --preview top.webp --preview-width 64").code == 0);
+  CHECK(readWebp(readAll(folder.at("top.webp"))).frames.size() == 36);
+}
+
+TEST_CASE("a moving picture is refused where none can be made") {
+  const Folder folder;
+  const std::string disc(kDisc);
+  checkRefused(folder, disc + "--preview a.webp --preview-width 1600",
+               "--preview-width is 1600; for a moving picture it must be 16 to 1024");
+  checkRefused(folder, disc + "--svg a.webp", "pictures are written as .png, and --preview also as .webp, which moves");
+  checkRefused(folder, disc + "--preview a.gif", "is named like a picture that is not written");
+  checkRefused(folder, disc + "--preview none/a.webp", "none\" is not a folder");
+}
+#endif
 
 TEST_CASE("a project written elsewhere repeats the plate") {
   const Folder folder;

@@ -23,6 +23,7 @@ commands='
 90 60 | plate.gcode plate.json plate.svg | generate --shape disc --size 6 --threads THREADS --gcode out/plate.gcode --report out/plate.json --svg out/plate.svg
 30 60 | a.gcode.3mf a.png a-2.png c.png c-2.png v.png b.3mf p.json | generate bambu.json --shape disc --size 5 --spacing 0.8 --layer-height 0.2 --threads THREADS --picture moon.png --picture sun.png --gcode out/a.gcode.3mf --preview out/a.png --preview-width 32 --conflict out/c.png --view out/v.png --body out/b.3mf --project out/p.json
 30 0 | | generate --shape disc --size 6 --threads THREADS --quiet
+20 20 | disc.webp | generate --shape disc --size 5 --spacing 0.8 --threads THREADS --preview out/disc.webp --preview-width 32
 20 60 | flow.gcode flow.png | calibrate flow --printer prusa-mini -o out/flow.gcode --preview out/flow.png --preview-width 32
 10 40 | layer.bgcode | calibrate width --printer prusa-mini --json -o out/layer.bgcode
 3 8 | read.json | calibrate read coupon-photograph.jpg --name mine -o out/read.json

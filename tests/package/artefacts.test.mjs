@@ -52,7 +52,7 @@ test('the archive of the program holds a program that runs, an example, links th
   const shaper = components.find(({ name }) => name === 'harfbuzz');
   assert.equal(shaper.version, versionInside(join(root, 'node_modules/harfbuzzjs/dist/harfbuzz.wasm')));
   const licences = readFileSync(join(folder, inside, 'THIRD-PARTY-LICENCES'), 'utf8');
-  for (const name of ['cli11', 'eigen3', 'fast-float', 'nlohmann-json', 'rapidxml', 'stb']) {
+  for (const name of ['cli11', 'eigen3', 'fast-float', 'libwebp', 'nlohmann-json', 'rapidxml', 'stb']) {
     assert.ok(licences.includes(`==== ${name} `), name);
   }
 });
@@ -60,7 +60,7 @@ test('the archive of the program holds a program that runs, an example, links th
 /** A program for Linux may ask for these, which every distribution has, and for nothing else. */
 const everywhere = /^(?:linux-vdso|ld-linux[\w-]*|lib(?:c|m|gcc_s|stdc\+\+))\.so[.\d]*$/;
 const onLinux = process.platform === 'linux' ? false : 'libraries are looked up by ldd, on Linux';
-test('the program makes letters and codes in a root that holds the C++ runtime alone', { skip: onLinux }, (context) => {
+test('the program makes letters, codes and moving pictures in a root that holds the C++ runtime alone', { skip: onLinux }, (context) => {
   const archive = named(/^sillon-[\d.]+-linux-\w+\.tar\.gz$/);
   const inside = join(folder, 'empty');
   mkdirSync(inside);
@@ -87,7 +87,7 @@ test('the program makes letters and codes in a root that holds the C++ runtime a
     join(inside, 'plate.json'),
     JSON.stringify({ sillon: 1, shape: { builtin: 'rectangle', size: [40, 16] }, layers: [text, code] }),
   );
-  run('chroot', inside, '/sillon', 'generate', '/plate.json', '--gcode', '/plate.gcode', '--preview', '/plate.png', '--quiet');
+  run('chroot', inside, '/sillon', 'generate', '/plate.json', '--gcode', '/plate.gcode', '--preview', '/plate.webp', '--quiet');
   assert.match(run('chroot', inside, '/sillon', 'check', '/plate.gcode'), /no fault|0 errors|no errors/i);
 });
 

@@ -54,6 +54,7 @@
 #include "sillon/look/appearance.hpp"
 #include "sillon/look/conflict.hpp"
 #include "sillon/look/inversion.hpp"
+#include "sillon/look/loop.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/look/spools.hpp"
 #include "sillon/look/view_file.hpp"

@@ -1,0 +1,26 @@
+// Moving pictures by libwebp, where the build has it: webp_here.cpp, or webp_elsewhere.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
+#include "sillon/base/types.hpp"
+
+namespace cli {
+
+struct WebpFrame {
+  sillon::RgbImage picture;  ///< all of one size
+  int milliseconds = 0;
+};
+
+bool writesWebp();
+
+/// An endless loop of whole frames, lossy. The bytes depend on the frames alone, and on libwebp's version.
+/// \param quality  0..100.
+/// \return TooLarge if memory runs out, Cancelled.
+sillon::Result<std::string> encodeWebp(const std::vector<WebpFrame>& frames, int quality,
+                                       const sillon::RunContext& run);
+
+}  // namespace cli

@@ -1,0 +1,26 @@
+# The target sillon_webp: libwebp and its container of moving pictures; and sillon_webp_reader, with which the tests read them. vcpkg's
+# package brings CMake files; Debian's archives do not.
+add_library(sillon_webp INTERFACE)
+add_library(sillon_webp_reader INTERFACE)
+find_package(WebP CONFIG QUIET)
+if(TARGET WebP::libwebpmux)
+  target_link_libraries(sillon_webp INTERFACE WebP::libwebpmux WebP::webp)
+  target_link_libraries(sillon_webp_reader INTERFACE WebP::webpdemux WebP::webp)
+else()
+  find_path(webp_include NAMES webp/mux.h REQUIRED)
+  # A program of ours starts where these libraries are not installed.
+  foreach(name webpmux webpdemux webp)
+    find_library(${name}_library NAMES ${CMAKE_STATIC_LIBRARY_PREFIX}${name}${CMAKE_STATIC_LIBRARY_SUFFIX} ${name} REQUIRED)
+  endforeach()
+  # Versions from 1.3 on keep a part of the archive apart.
+  find_library(sharpyuv_library NAMES ${CMAKE_STATIC_LIBRARY_PREFIX}sharpyuv${CMAKE_STATIC_LIBRARY_SUFFIX} sharpyuv)
+  set(webp ${webp_library})
+  if(sharpyuv_library)
+    list(APPEND webp ${sharpyuv_library})
+  endif()
+  target_link_libraries(sillon_webp INTERFACE ${webpmux_library} ${webp} Threads::Threads)
+  target_link_libraries(sillon_webp_reader INTERFACE ${webpdemux_library} ${webp} Threads::Threads)
+  foreach(target sillon_webp sillon_webp_reader)
+    target_include_directories(${target} SYSTEM INTERFACE ${webp_include})
+  endforeach()
+endif()
