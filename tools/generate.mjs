@@ -1,7 +1,7 @@
 // Writes what is made from the table of settings (the tables of docs/reference/project.md, the types of wasm/sillon.d.ts,
 // the studio's defaults and ranges), from the core's sentences (the studio's English of settings, warnings, notes, findings
 // and refusals, and the hints of errors in wasm/src/hints.ts), from the appearance model (its constants and spools for the studio's views, and light
-// to test these by), from the profiles of filaments, from facts that programs share (web/src/model/facts.ts, wasm/src/facts.ts) and from the
+// to test these by), from the profiles of filaments, from the constants of loops, from facts that programs share (web/src/model/facts.ts, wasm/src/facts.ts) and from the
 // includes of core (which room includes which, in docs/internals/rooms.md).
 //   node tools/generate.mjs SILLON           writes them
 //   node tools/generate.mjs SILLON --check   names what is out of date, and ends with 1 if anything is
@@ -335,6 +335,17 @@ function rooms(text) {
 
 // --- Fonts ---------------------------------------------------------------------------------------------------------------
 
+const loop = () => `// Made by ./dev generate from core/data/loop.json.
+
+/** Longer side [pixels] and most bytes of a loop of moving light; its frames and how long each is shown [ms]; the quality that is tried
+ * first, 0..100, and by how much the next one is lower. */
+export const loop = {
+${Object.entries(JSON.parse(readFileSync(join(root, 'core/data/loop.json'), 'utf8')))
+  .map(([key, value]) => `  ${key}: ${value},`)
+  .join('\n')}
+} as const;
+`;
+
 const fonts = JSON.parse(readFileSync(join(root, 'core/data/fonts/fonts.json'), 'utf8'));
 const fontsOfPackage = () => `// Made by ./dev generate from core/data/fonts/fonts.json.
 /** Files of the fonts that come with the engine, in dist/engine, by name. */
@@ -408,6 +419,7 @@ const made = {
   'wasm/src/fonts.ts': fontsOfPackage,
   'web/src/model/fonts.ts': fontsOfStudio,
   'web/src/model/appearance.ts': appearance,
+  'web/src/model/loop.ts': loop,
   'web/src/model/facts.ts': factsOfStudio,
   'wasm/src/facts.ts': factsOfPackage,
   'web/test/light.json': light,

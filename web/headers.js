@@ -25,14 +25,13 @@ function checkedBase(text) {
 
 const elsewhere = engineBase === undefined ? '' : ` ${engineBase}`;
 
-/** Nothing comes from elsewhere but the engine that the builder named, nothing goes elsewhere. Blobs are pictures, videos and files of the visitor's own. */
+/** Nothing comes from elsewhere but the engine that the builder named, nothing goes elsewhere. Blobs are pictures and files of the visitor's own. */
 export const contentSecurityPolicy = [
   "default-src 'self'",
   `script-src 'self' 'wasm-unsafe-eval'${elsewhere}`,
   "worker-src 'self' blob:",
   "style-src 'self'",
   "img-src 'self' blob: data:",
-  "media-src 'self' blob:",
   `connect-src 'self' blob:${elsewhere}`,
   "object-src 'none'",
   "base-uri 'none'",

@@ -74,13 +74,8 @@ export interface StudioMethods {
   exportSvg(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   exportProject(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   exportView(options?: { signal?: AbortSignal }): Promise<StudioFile>;
-  /** @param options  `width` in pixels, `seconds` of a video */
-  capture(options?: {
-    type?: 'image' | 'video';
-    width?: number;
-    seconds?: number;
-    signal?: AbortSignal;
-  }): Promise<StudioFile>;
+  /** @param options  `width` of an image, in pixels; in a loop the light moves */
+  capture(options?: { type?: 'image' | 'loop'; width?: number; signal?: AbortSignal }): Promise<StudioFile>;
 }
 
 /** By name of the event. */

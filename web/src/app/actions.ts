@@ -54,6 +54,7 @@ const products: readonly (readonly [Product, IconName, string?])[] = [
   ['zones', 'body'],
   ['svg', 'toolpath'],
   ['png', 'camera'],
+  ['loop', 'video'],
   ['view', 'sun'],
   ['project', 'file', 'Ctrl S'],
 ];
@@ -155,16 +156,12 @@ function usual(studio: Studio): Action[] {
       icon: name,
       keys,
       also:
-        product === 'gcode' || product === 'zones' || product === 'svg' || product === 'project' ? also(product) : '',
+        product === 'gcode' || product === 'zones' || product === 'svg' || product === 'loop' || product === 'project'
+          ? also(product)
+          : '',
       disabled: product === 'body' && plate.print.base === 0,
       run: () => void studio.save(product),
     })),
-    {
-      group: t('verb.download'),
-      label: t('capture.video'),
-      icon: 'video',
-      run: () => void studio.saveVideo(),
-    },
     ...views.map((view, k) => ({
       group: t('view.title'),
       label: t(`view.${view}`),

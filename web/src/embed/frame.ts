@@ -10,7 +10,7 @@ import type { PlateResult } from '../model/state.js';
 import type { Notice, Shown } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 import { brandFrom, wear } from './brand.js';
-import { checkedPicture, checkedVideo, openingsFrom, Refused } from './requests.js';
+import { checkedCapture, checkedPicture, openingsFrom, Refused } from './requests.js';
 import {
   connectFrom,
   field,
@@ -177,8 +177,8 @@ class Host {
       'capture',
       async (params, signal) =>
         sent(
-          field(params, 'type') === 'video'
-            ? await this.studio.video(checkedVideo(params), signal)
+          checkedCapture(params) === 'loop'
+            ? await this.studio.make('loop', signal)
             : await this.studio.picture(checkedPicture(params)),
         ),
     ],

@@ -147,8 +147,7 @@ const types = [
   'image/svg+xml',
   'image/png',
   'application/zip',
-  'video/mp4',
-  'video/webm',
+  'image/webp',
   'application/octet-stream',
 ];
 

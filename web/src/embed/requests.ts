@@ -63,8 +63,11 @@ function numberIn(params: Fields, name: string, usual: number, min: number, max:
   return value;
 }
 
+export function checkedCapture(params: Fields): 'image' | 'loop' {
+  const type = field(params, 'type') ?? 'image';
+  if (type === 'image' || type === 'loop') return type;
+  throw new Refused('BadRequest', 'type must be image or loop');
+}
+
 /** Width [pixels]. */
 export const checkedPicture = (params: Fields): number => Math.round(numberIn(params, 'width', 1600, 16, 4096));
-
-/** [s] */
-export const checkedVideo = (params: Fields): number => numberIn(params, 'seconds', 6, 1, 20);

@@ -280,11 +280,11 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     return this.#file('exportView', {}, signal);
   }
 
-  /** Its look: a PNG `width` pixels wide, or a video of one turn of the light. */
+  /** Its look: a PNG `width` pixels wide, or a small WebP in which the light moves. */
   async capture({
     signal,
     ...options
-  }: { type?: 'image' | 'video'; width?: number; seconds?: number; signal?: AbortSignal } = {}): Promise<StudioFile> {
+  }: { type?: 'image' | 'loop'; width?: number; signal?: AbortSignal } = {}): Promise<StudioFile> {
     return this.#file('capture', options, signal);
   }
 

@@ -276,8 +276,8 @@ export const de: Translation = {
   'light.fixed': 'Fest',
   'light.tiltDenied': 'Das Telefon meldet seine Neigung nicht. Bewegungssensoren für diese Seite erlauben.',
   'capture.picture': 'Bild speichern',
-  'capture.video': 'Video speichern',
-  'capture.recording': 'Aufnahme läuft …',
+  'capture.loop': 'Bewegtes Bild speichern',
+  'capture.making': 'Das bewegte Bild entsteht …',
 
   // --- Einstellungen: Druckweg ---------------------------------------------------------------------------------------
   'setting.toolpath.spacing': 'Bahnabstand',
@@ -739,6 +739,7 @@ export const de: Translation = {
   'export.zones': 'Zonen für den Slicer (3MF)',
   'export.svg': 'Zeichnung (SVG)',
   'export.png': 'Bild (PNG)',
+  'export.loop': 'Bewegtes Bild (WebP)',
   'export.view': 'Schimmer für Webseiten',
   'export.project': 'Projekt mit Dateien',
   'export.link': 'Link kopieren',
@@ -751,6 +752,7 @@ export const de: Translation = {
   'export.body.none': 'Diese Platte hat keine Grundschichten.',
   'export.svg.help': 'Die Bahnen als Vektorlinien.',
   'export.png.help': 'Das Aussehen im jetzigen Licht.',
+  'export.loop.help': 'Das Licht wandert; klein genug für Messenger.',
   'export.view.help': 'Eine kleine Datei, die <sillon-view> in wanderndem Licht zeigt.',
   'export.project.help': 'Öffnet sich hier und mit der Befehlszeile.',
   'export.link.help': 'Öffnet diese Seite mit denselben Einstellungen.',
@@ -854,10 +856,6 @@ export const de: Translation = {
   'problem.NoWebGl': 'Dieser Browser zeichnet die Platte ohne WebGL 2: Ihr Licht folgt in Schritten.',
   'hint.NoWebGl':
     'Die Hardwarebeschleunigung in den Einstellungen des Browsers einschalten oder einen anderen verwenden. Herunterladen geht trotzdem.',
-  'problem.NoVideo': 'Dieser Browser kann keine Videos aufnehmen.',
-  'hint.NoVideo': 'Ein Bild speichern oder Chrome, Edge oder Firefox verwenden.',
-  'problem.OutOfSight': 'Die Platte ist nicht zu sehen, und Browser zeichnen dort nichts, was sich aufnehmen ließe.',
-  'hint.OutOfSight': 'Lassen Sie sie im Blick, solange das Video entsteht.',
   'problem.StorageFull': 'Dieser Browser hat keinen Platz mehr, um die Arbeit zu behalten.',
   'hint.StorageFull': 'Das Projekt als Datei speichern.',
 
@@ -1110,6 +1108,7 @@ export const de: Translation = {
   'also.gcode': 'G-Code drucken Drucker Datei speichern exportieren SD-Karte Ender',
   'also.zones': 'Slicer Bambu PrusaSlicer OrcaSlicer AMS 3MF STL Modifikator Füllung Richtung',
   'also.svg': 'Vektor Laser Plotter DXF',
+  'also.loop': 'Video Film GIF Animation senden teilen Messenger',
   'also.project': 'speichern Datei Sicherung Zip',
   'also.layers': 'Bild Foto Muster Ebenen Ebene Text Code',
   'also.shape':

@@ -274,8 +274,8 @@ export const fr: Translation = {
   'light.fixed': 'Fixe',
   'light.tiltDenied': 'Le téléphone ne donne pas son inclinaison. Autorisez les capteurs de mouvement pour cette page.',
   'capture.picture': 'Enregistrer l’image',
-  'capture.video': 'Enregistrer une vidéo',
-  'capture.recording': 'Enregistrement…',
+  'capture.loop': 'Enregistrer l’image animée',
+  'capture.making': 'L’image animée se prépare…',
 
   // --- Réglages : trajet ----------------------------------------------------------------------------------------------
   'setting.toolpath.spacing': 'Espacement des cordons',
@@ -745,6 +745,7 @@ export const fr: Translation = {
   'export.zones': 'Zones pour votre slicer (3MF)',
   'export.svg': 'Dessin (SVG)',
   'export.png': 'Image (PNG)',
+  'export.loop': 'Image animée (WebP)',
   'export.view': 'Reflets pour pages web',
   'export.project': 'Projet avec ses fichiers',
   'export.link': 'Copier le lien',
@@ -757,6 +758,7 @@ export const fr: Translation = {
   'export.body.none': 'Cette plaque n’a pas de couches de base.',
   'export.svg.help': 'Les cordons en traits vectoriels.',
   'export.png.help': 'L’apparence sous la lumière actuelle.',
+  'export.loop.help': 'La lumière bouge ; assez petit pour les messageries.',
   'export.view.help': 'Un petit fichier que <sillon-view> montre sous une lumière qui bouge.',
   'export.project.help': 'Se rouvre ici, et avec la ligne de commande.',
   'export.link.help': 'Ouvre cette page avec les mêmes réglages.',
@@ -862,10 +864,6 @@ export const fr: Translation = {
   'problem.NoWebGl': 'Ce navigateur dessine la plaque sans WebGL 2 : sa lumière suit par paliers.',
   'hint.NoWebGl':
     'Activez l’accélération matérielle dans les réglages du navigateur, ou prenez-en un autre. Les téléchargements fonctionnent tout de même.',
-  'problem.NoVideo': 'Ce navigateur ne peut pas enregistrer de vidéo.',
-  'hint.NoVideo': 'Enregistrez une image, ou prenez Chrome, Edge ou Firefox.',
-  'problem.OutOfSight': 'La plaque est hors de vue, et les navigateurs n’y dessinent rien à enregistrer.',
-  'hint.OutOfSight': 'Gardez-la à l’écran pendant que la vidéo se fait.',
   'problem.StorageFull': 'Il n’y a plus de place dans ce navigateur pour garder votre travail.',
   'hint.StorageFull': 'Enregistrez le projet dans un fichier.',
 
@@ -1125,6 +1123,7 @@ export const fr: Translation = {
   'also.gcode': 'G-code imprimer imprimante fichier enregistrer exporter carte SD Ender',
   'also.zones': 'slicer Bambu PrusaSlicer OrcaSlicer AMS 3MF STL modificateur remplissage direction',
   'also.svg': 'vecteur laser traceur DXF',
+  'also.loop': 'vidéo film GIF animation envoyer partager messagerie',
   'also.project': 'enregistrer fichier sauvegarde zip',
   'also.layers': 'image photo motif calques calque texte code',
   'also.shape':

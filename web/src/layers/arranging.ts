@@ -9,7 +9,6 @@ import { offers, type Shown } from '../studio/shown.js';
 export const arranges = (state: Readonly<Shown>): boolean =>
   offers(state, 'layers') &&
   state.tool === 'pan' &&
-  !state.recording &&
   (state.panel === 'layers' || (state.panel === '' && state.layer !== undefined));
 
 export const chosenLayer = ({ plate, layer }: Readonly<Shown>): PlateLayer | undefined => layerOf(plate, layer);

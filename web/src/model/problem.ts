@@ -34,9 +34,6 @@ export type ProblemCode =
   | 'GuestFile'
   | 'TextTooLong'
   | 'NoWebGl'
-  | 'NoVideo'
-  /** No frame is drawn where nobody looks: none can be recorded. */
-  | 'OutOfSight'
   | 'StorageFull'
   /** A part of the page that could not be fetched: a newer version has taken its place, or there is no network. */
   | 'PartMissing';

@@ -1,5 +1,5 @@
-// A link that carries the settings, and what it cannot carry.
-import { css, html, type TemplateResult } from 'lit';
+// A link that carries the settings, and what it cannot carry; and a moving picture for messengers.
+import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { words } from '../i18n/en/export.js';
 import { words as linksWords } from '../i18n/en/links.js';
@@ -30,18 +30,31 @@ export class Share extends DialogElement {
         flex-wrap: wrap;
         gap: 8px;
       }
+      img {
+        justify-self: center;
+        max-width: 100%;
+        max-height: 40vh;
+        border-radius: var(--radius);
+      }
     `,
   ];
 
   @state() private url = '';
   @state() private told = '';
   @state() private copied = false;
+  @state() private making = false;
+  @state() private loop: { file: File; url: string } | undefined;
 
   protected override heading = (): string => t('verb.share');
 
   override connectedCallback(): void {
     super.connectedCallback();
     this.#make();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#dropLoop();
   }
 
   protected override onState({ plate }: Readonly<Shown>, { plate: before }: Readonly<Shown>): void {
@@ -52,6 +65,7 @@ export class Share extends DialogElement {
     const { plate } = this.state;
     this.url = '';
     this.copied = false;
+    this.#dropLoop();
     void this.studio.attempt(async () => {
       const { url, told } = await this.studio.services.link(plate);
       if (plate !== this.state.plate) return; // another is on its way
@@ -91,9 +105,64 @@ export class Share extends DialogElement {
         >
           ${icon('file')} ${t('export.project')}
         </button>
+        <button type="button" ?disabled=${this.making || this.loop !== undefined} @click=${this.#makeLoop}>
+          ${icon('video')} ${t('export.loop')}
+        </button>
       </div>
-      <p class="note" role="status">${this.copied ? say(linksWords, 'link.copied') : ''}</p>
+      ${this.loop === undefined ? nothing : this.#moving(this.loop)}
+      <p class="note" role="status">
+        ${this.making ? t('capture.making') : this.copied ? say(linksWords, 'link.copied') : ''}
+      </p>
     `;
+  }
+
+  /** Browsers share a file only right after a press, which the making of it would outlast: it is shown first. */
+  #moving({ file, url }: { file: File; url: string }): TemplateResult {
+    const shares = 'canShare' in navigator && navigator.canShare({ files: [file] });
+    return html`<img src=${url} alt=${t('export.loop')} />
+      <div class="buttons">
+        ${
+          shares
+            ? html`<button
+                type="button"
+                class="main"
+                @click=${() => {
+                  navigator.share({ files: [file] }).catch(() => undefined);
+                }}
+              >
+                ${icon('share')} ${t('verb.share')}
+              </button>`
+            : nothing
+        }
+        <button
+          type="button"
+          @click=${() => {
+            this.studio.deliver(file, file.name);
+          }}
+        >
+          ${icon('download')} ${t('verb.download')}
+        </button>
+      </div>`;
+  }
+
+  #makeLoop = (): void => {
+    const { plate } = this.state;
+    this.making = true;
+    void this.studio
+      .attempt(async () => {
+        const { blob, name } = await this.studio.make('loop');
+        if (plate !== this.state.plate || !this.isConnected) return;
+        const file = new File([blob], name, { type: blob.type });
+        this.loop = { file, url: URL.createObjectURL(file) };
+      })
+      .finally(() => {
+        this.making = false;
+      });
+  };
+
+  #dropLoop(): void {
+    if (this.loop !== undefined) URL.revokeObjectURL(this.loop.url);
+    this.loop = undefined;
   }
 
   #select = (event: Event): void => {

@@ -17,6 +17,7 @@ const products: readonly (readonly [Product, IconName])[] = [
   ['zones', 'body'],
   ['svg', 'toolpath'],
   ['png', 'camera'],
+  ['loop', 'video'],
   ['view', 'sun'],
   ['project', 'file'],
 ];

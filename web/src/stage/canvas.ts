@@ -371,6 +371,8 @@ export class PlateCanvas extends StudioElement implements Stage {
     fades: !this.studio.calm() && !this.#isSlow(),
   });
 
+  #appearance = (): Scene => ({ ...this.#scene(), view: 'appearance', progress: 1 });
+
   #resize(): void {
     const { width, height } = this.getBoundingClientRect();
     if (width === 0 || height === 0) return;
@@ -428,11 +430,14 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   async capture(width: number): Promise<Blob> {
     if (this.#renderer === undefined) throw new StudioError('NoWebGl');
-    return this.#renderer.capture({ ...this.#scene(), view: 'appearance', progress: 1 }, width);
+    return this.#renderer.capture(this.#appearance(), width);
   }
 
-  async record(seconds: number, signal?: AbortSignal): Promise<Blob> {
-    return (await import('./video.js')).recordTurn(this.studio, this.drawing, seconds, signal);
+  async loop(signal?: AbortSignal): Promise<Blob> {
+    if (this.#renderer === undefined) throw new StudioError('NoWebGl');
+    const lamps = this.studio.lamps();
+    const { makeLoop } = await import('./loop.js');
+    return makeLoop(this.#appearance(), lamps.length > 0 ? lamps : [this.state.light], signal);
   }
 
   // --- Keys ---------------------------------------------------------------------------------------------------------------

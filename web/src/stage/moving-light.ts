@@ -36,11 +36,11 @@ export class MovingLight {
   /** A pointer floats there, ±1 at the edges and y up; undefined: it has gone, or draws. */
   hover(place: readonly [number, number] | undefined): void {
     const now = performance.now();
-    const { lightMode, view, recording, tool, flipping, plate } = this.#state;
+    const { lightMode, view, tool, flipping, plate } = this.#state;
     const left = this.#hovered && place === undefined;
     const aimed = left ? this.#aim.leave(now) : undefined;
     this.#hovered = place !== undefined;
-    if (lightMode !== 'pointer' || view !== 'appearance' || recording || tool !== 'pan') return;
+    if (lightMode !== 'pointer' || view !== 'appearance' || tool !== 'pan') return;
     if (place !== undefined && this.#leads()) {
       const light = lightUnder(...place);
       this.#aim.move(light, now);
@@ -52,9 +52,9 @@ export class MovingLight {
 
   /** Moves the light to where it is now. @returns [ms] until it moves again: 0 with the next frame, undefined not by itself */
   move(now: number): number | undefined {
-    const { lightMode, view, light, aimed, recording, tool, flipping, lampHeld } = this.#state;
+    const { lightMode, view, light, aimed, tool, flipping, lampHeld } = this.#state;
     // It keeps still under a brush, else nobody could tell what a stroke changes, and under a hand, which could not take it.
-    if (view !== 'appearance' || recording || document.hidden || tool !== 'pan' || lampHeld) return undefined;
+    if (view !== 'appearance' || document.hidden || tool !== 'pan' || lampHeld) return undefined;
     const resting = this.#rests(now) || this.#calm.matches;
     const orbits = lightMode === 'orbit' && !this.#calm.matches;
     const free = lightMode === 'pointer' && !this.#leads();

@@ -126,10 +126,10 @@ export class ViewOptions extends StudioElement {
         type="button"
         class="square"
         aria-pressed=${String(recording)}
-        aria-label=${t(recording ? 'capture.recording' : 'capture.video')}
-        title=${t(recording ? 'capture.recording' : 'capture.video')}
+        aria-label=${t(recording ? 'capture.making' : 'capture.loop')}
+        title=${t(recording ? 'capture.making' : 'capture.loop')}
         ?disabled=${recording}
-        @click=${() => void this.studio.saveVideo()}
+        @click=${() => void this.studio.save('loop')}
       >
         ${icon('video')}
       </button>`;

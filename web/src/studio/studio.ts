@@ -19,7 +19,7 @@ import type { OpenedFiles, Role } from '../model/file-role.js';
 import type { Services } from './services.js';
 import { offers, type Dialog, type LightMode, type Notice, type NoticeAction, type Shown } from './shown.js';
 
-export type Product = 'gcode' | 'body' | 'zones' | 'svg' | 'png' | 'view' | 'project';
+export type Product = 'gcode' | 'body' | 'zones' | 'svg' | 'png' | 'loop' | 'view' | 'project';
 
 /** What the canvas lends to others. */
 export interface Stage {
@@ -33,10 +33,9 @@ export interface Stage {
   plateBox(): { left: number; top: number; width: number; height: number };
   getBoundingClientRect(): DOMRect;
   capture(width: number): Promise<Blob>;
-  record(seconds: number, signal?: AbortSignal): Promise<Blob>;
+  loop(signal?: AbortSignal): Promise<Blob>;
 }
 
-const videoSeconds = 6;
 const noticeFor = 7000; // [ms]
 const offerFor = 30_000; // [ms] of a notice with a button: time to read, decide, and reach it by keys
 
@@ -48,6 +47,7 @@ const endings: Record<Product, string> = {
   zones: '.zones.3mf',
   svg: '.svg',
   png: '.png',
+  loop: '.webp',
   view: '.view.png',
   project: '.sillon.zip',
 };
@@ -421,9 +421,9 @@ export class Studio {
   }
 
   /** A file of the plate as it is now. */
-  async make(product: Product): Promise<{ blob: Blob; name: string }> {
+  async make(product: Product, signal?: AbortSignal): Promise<{ blob: Blob; name: string }> {
     const { plate } = this.store.state;
-    const blob = await this.#make(product, plate);
+    const blob = await this.#make(product, plate, signal);
     const { summary } = this.store.state;
     const mark = product === 'gcode' && summary !== undefined ? gcodeMark(plate, summary.seconds) : '';
     return { blob, name: fileName(plate, mark + (isPacked(product, plate) ? '.gcode.3mf' : endings[product])) };
@@ -434,7 +434,7 @@ export class Studio {
     return isPacked('gcode', plate) ? (await this.services.engine()).packGcode(blob) : blob;
   }
 
-  async #make(product: Product, plate: Plate): Promise<Blob> {
+  async #make(product: Product, plate: Plate, signal?: AbortSignal): Promise<Blob> {
     switch (product) {
       case 'gcode':
         return this.#gcode(plate);
@@ -442,6 +442,8 @@ export class Studio {
         return this.#project(plate);
       case 'png':
         return this.#canvas().capture(2400);
+      case 'loop':
+        return this.#loop(signal);
       default:
         return this.services[product]();
     }
@@ -457,19 +459,13 @@ export class Studio {
     return { blob: await this.#canvas().capture(width), name: fileName(plate, endings.png) };
   }
 
-  /** One turn of the light. */
-  async video(seconds: number, signal?: AbortSignal): Promise<{ blob: Blob; name: string }> {
-    const { plate } = this.store.state;
-    const blob = await this.#canvas().record(seconds, signal);
-    return { blob, name: fileName(plate, blob.type.startsWith('video/mp4') ? '.mp4' : '.webm') };
-  }
-
-  async saveVideo(): Promise<void> {
-    await this.attempt(async () => {
-      const { blob, name } = await this.video(videoSeconds);
-      this.deliver(blob, name);
-      this.notify(t('export.done', { name }));
-    });
+  async #loop(signal?: AbortSignal): Promise<Blob> {
+    this.store.set({ recording: true });
+    try {
+      return await this.#canvas().loop(signal);
+    } finally {
+      this.store.set({ recording: false });
+    }
   }
 
   #canvas(): Stage {

@@ -7,7 +7,7 @@ import type { Fields } from './fields.js';
 import { setLook } from './look.js';
 import { directionPalette } from './palette.js';
 import { compile, dataTexture, type Program } from './program.js';
-import type { Camera, Renderer, Scene } from './scene.js';
+import { captureCamera, captureHeight, type Camera, type Renderer, type Scene } from './scene.js';
 import { beadFragment, beadVertex } from './shaders.js';
 import { inSlices, type Sliced } from './slices.js';
 
@@ -305,15 +305,14 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     },
     async capture(scene, width) {
       if (comparing(scene)) await loadZigzag();
-      const shown = scene.compare ? 2.08 : 1;
-      const scale = width / (scene.page[0] * (shown + 0.1));
       const kept = { width: canvas.width, height: canvas.height, last };
       canvas.width = width;
-      canvas.height = Math.round(scale * scene.page[1] * 1.1);
-      const above = { x: (scene.page[0] * shown) / 2, y: scene.page[1] / 2, scale };
-      draw(scene, above);
+      canvas.height = captureHeight(scene, width);
+      const above = captureCamera(scene, width);
+      const whole = { ...scene, quick: false, fades: false };
+      draw(whole, above);
       for (const { work } of preparing.values()) work.finish();
-      draw({ ...scene, fades: false }, above);
+      draw(whole, above);
       const blob = await new Promise<Blob | null>((resolve) => {
         canvas.toBlob(resolve, 'image/png');
       });

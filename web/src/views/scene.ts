@@ -46,6 +46,21 @@ export interface Camera {
   scale: number;
 }
 
+const shownOf = ({ compare }: Scene): number => (compare ? 2.08 : 1);
+
+/** Pixels per mm of a picture of the scene, around which some ground is seen. @param width  [pixels] */
+export const captureScale = (scene: Scene, width: number): number => width / (scene.page[0] * (shownOf(scene) + 0.1));
+
+/** [pixels] */
+export const captureHeight = (scene: Scene, width: number): number =>
+  Math.round(captureScale(scene, width) * scene.page[1] * 1.1);
+
+export const captureCamera = (scene: Scene, width: number): Camera => ({
+  x: (scene.page[0] * shownOf(scene)) / 2,
+  y: scene.page[1] / 2,
+  scale: captureScale(scene, width),
+});
+
 /** Draws scenes into a canvas; one WebGL2 context, uploads only what changed. */
 export interface Renderer {
   /** It is always hard to draw. */

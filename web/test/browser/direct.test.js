@@ -37,7 +37,7 @@ test('an alarm is told once', { skip }, async () => {
   await visit.idle();
   await visit.page.evaluate(() => {
     const { studio } = document.querySelector('sillon-app');
-    const problem = { code: 'NoVideo', values: {}, detail: '' };
+    const problem = { code: 'NoWebGl', values: {}, detail: '' };
     studio.fail(problem);
     studio.store.set({ problem });
   });

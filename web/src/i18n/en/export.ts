@@ -7,6 +7,7 @@ export const words = {
   'export.body.none': 'This plate has no base layers.',
   'export.svg.help': 'The beads as vector strokes.',
   'export.png.help': 'The appearance under the current light.',
+  'export.loop.help': 'The light moves; small enough for messengers.',
   'export.view.help': 'A small file that <sillon-view> shows under moving light.',
   'export.project.help': 'Opens here and with the command line.',
   'export.link.help': 'Opens this page with the same settings.',

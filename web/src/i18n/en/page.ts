@@ -216,8 +216,8 @@ export const words = {
   'light.fixed': 'Fixed',
   'light.tiltDenied': 'The phone does not report its tilt. Allow motion sensors for this page.',
   'capture.picture': 'Save picture',
-  'capture.video': 'Save video',
-  'capture.recording': 'Recording…',
+  'capture.loop': 'Save moving picture',
+  'capture.making': 'The moving picture is being made…',
 
   // --- Settings: toolpath ---------------------------------------------------------------------------------------------
   'choice.toolpath.perimeterMode.none': 'Beads end there',
@@ -315,6 +315,7 @@ export const words = {
   'export.zones': 'Zones for your slicer (3MF)',
   'export.svg': 'Drawing (SVG)',
   'export.png': 'Picture (PNG)',
+  'export.loop': 'Moving picture (WebP)',
   'export.view': 'Shimmer for web pages',
   'export.project': 'Project with its files',
   'export.link': 'Copy link',
@@ -394,10 +395,6 @@ export const words = {
   'problem.NoWebGl': 'This browser draws the plate without WebGL 2: its light follows in steps.',
   'hint.NoWebGl':
     'Turn on hardware acceleration in the browser’s settings, or use another browser. Downloads still work.',
-  'problem.NoVideo': 'This browser cannot record videos.',
-  'hint.NoVideo': 'Save a picture, or use Chrome, Edge or Firefox.',
-  'problem.OutOfSight': 'The plate is out of sight, where browsers draw nothing to record.',
-  'hint.OutOfSight': 'Keep it in view while the video is made.',
   'problem.StorageFull': 'This browser has no space left to keep your work.',
   'hint.StorageFull': 'Save the project as a file.',
 

@@ -11,6 +11,7 @@ export const words = {
   'also.gcode': 'g-code print printer file save export sd card ender',
   'also.zones': 'slicer bambu prusaslicer orcaslicer ams 3mf stl modifier infill direction',
   'also.svg': 'vector laser plotter dxf',
+  'also.loop': 'video film gif animation send share messenger',
   'also.project': 'save file backup zip',
   'also.layers': 'picture photo pattern layers layer text code',
   'also.shape':
