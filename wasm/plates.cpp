@@ -167,6 +167,9 @@ val makeZones(const std::string& projectJson, const val& files, bool body, const
     request.params.most = params[1].as<int>();
     request.params.least = params[2].as<double>();
     request.layerHeight = params[3].as<double>();
+    if (!params[4].isUndefined()) {
+      request.face = {{params[4].as<double>(), params[5].as<double>()}, params[6].as<double>()};
+    }
     const auto made = sillon::makeZones(project.value(), request, convert::reader(files), run);
     if (!made) return failure(made.error());
     val zones = val::array();

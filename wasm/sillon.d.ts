@@ -351,7 +351,11 @@ export type LeftReason =
   | 'Modes'
   | 'Flow'
   | 'Travel'
-  | 'Cut';
+  | 'Cut'
+  | 'Path'
+  | 'Coverage'
+  | 'Spill'
+  | 'After';
 
 /** A surface of a sliced file. */
 export interface SlicedSurface {
@@ -374,7 +378,7 @@ export interface SlicedSurface {
   speed: number;
   /** Why it cannot be, or was not, replaced; else empty. */
   left: string;
-  /** The same as one word, where reading the file tells it; else empty. */
+  /** The same as one word; else empty. */
   reason: LeftReason | '';
 }
 
@@ -445,6 +449,9 @@ export interface DirectionRaster {
 export interface ZoneOptions {
   /** An STL, on whose top the layers lie. Default: a prism of the plate's shape. */
   body: Bytes;
+  /** Corner and height [mm] of a level top face of the body: the plate's shape is its outline then, and it alone gets zones.
+   * Default: all tops. */
+  face: readonly [x: number, y: number, z: number];
   /** Height of that prism, 0.05..5000 mm. Default 2. */
   height: number;
   /** The most directions, 2..12. Default 6. */
@@ -1346,6 +1353,13 @@ export type ErrorReason =
   /** More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at which it would do,
    * each where there is one. */
   | 'PlateTooLarge'
+  /** A sliced file: its lines are numbered, it marks no surfaces, it does not tell the thickness of its filament, or pushes none. */
+  | 'LinesNumbered'
+  | 'NoMarks'
+  | 'FilamentOpen'
+  | 'NoFilament'
+  /** Of a sliced file no surface can be replaced: the reason of the largest. */
+  | LeftReason
   /** The warning of that name, where it is no mere warning: a line of a block that must not run. */
   | GcodeWarning['code'];
 

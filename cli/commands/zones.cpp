@@ -1,6 +1,7 @@
 // sillon zones: a body with zones of straight lines, for any slicer.
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,6 +93,15 @@ Action add(Options& options) {
   options.text("-o,--output", "F.3mf", "file to write", arguments->out);
   options.require("--output");
   options.text("--body", "F.stl", "body whose top surfaces get the zones [a prism of the shape]", arguments->body);
+  options.take("--face", "X,Y,Z", "corner and height of the top face whose outline the project's shape is [all tops]",
+               [arguments](const std::string& text) {
+                 const std::size_t last = text.rfind(',');
+                 const std::optional<sillon::Vec2> corner = parsePair(text.substr(0, last), ',');
+                 const std::optional<double> z = parseNumber(last == std::string::npos ? "" : text.substr(last + 1));
+                 if (!corner || !z) refuse("--face", text, "three numbers in mm, as in 10,20,5");
+                 arguments->request.face = {*corner, *z};
+               });
+  options.needs("--face", "--body");
   options.number("--height", "MM", "height of that prism [2]", arguments->request.height);
   for (const char* other : {"--height", "--shape", "--size"}) options.excludes("--body", other);
   options.number("--zones", "N", "most directions, 2 to 12 [6]", arguments->request.params.most);

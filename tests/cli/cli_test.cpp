@@ -706,8 +706,18 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
   CHECK(has(letters.out, "zone     30.0 degrees"));
   CHECK(has(letters.out, "zone    120.0 degrees"));
 
+  // On one face of it the project's shape lies, and nothing else gets zones.
+  folder.write("face.json", R"({"sillon": 1, "shape": {"builtin": "rectangle", "size": [8, 4]}})");
+  const Run face = folder.run("zones face.json --angle 20 --body body.stl --face 4,6,1 -o face.3mf");
+  CAPTURE(face.err);
+  REQUIRE(face.code == 0);
+  CHECK(has(face.out, "zone     20.0 degrees"));
+
   const auto files = folder.files();
   const std::pair<const char*, const char*> refused[] = {
+      {"--shape disc --angle 3 --face 1,2,3 -o a.3mf", "--face"},
+      {"--body body.stl --angle 3 --face 1,2 -o a.3mf", "three numbers in mm, as in 10,20,5"},
+      {"--body body.stl --angle 3 --face 1 -o a.3mf", "three numbers in mm, as in 10,20,5"},
       {R"(--body body.stl --layer '{"kind": "text", "text": "I", "mode": "smoothest"}' -o a.3mf)",
        "the mode must be constrained"},
       {"--shape disc --angle 3 --zones 1 -o a.3mf", "zones is 1; it must be 2 to 12"},

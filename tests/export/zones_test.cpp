@@ -355,6 +355,10 @@ TEST_CASE("zones reach as deep as solid layers below each level top, and no deep
   CHECK(two[1].bottom == Approx(9.8));
   CHECK(slabsOf(steps, 0.2, 1).size() == 1);
   CHECK(slabsOf(steps, 0.2, 1)[0].bottom < 0);
+  // For the lower step alone nothing is set at the height of the upper one.
+  CHECK(slabUnder(4.1, 0.2).bottom == Approx(4.1 - 2.2));
+  CHECK(slabUnder(4.1, 0.2).top == Approx(4.3));
+  CHECK(slabUnder(12, 0.4).bottom == Approx(12 - 9 * 0.4));
   // A body whose triangles face inwards is printed all the same.
   for (auto& triangle : steps.triangles) std::swap(triangle[1], triangle[2]);
   CHECK(slabsOf(steps, 0.2, 100).size() == 2);

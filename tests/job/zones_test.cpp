@@ -99,6 +99,32 @@ TEST_CASE("letters above the lowest layer are a zone of their own, on a prism an
   CHECK_FALSE(made(shaped).ok());
 }
 
+TEST_CASE("a face of a body carries the project's own shape, at its place and for itself alone") {
+  ZonesRequest request = requested();
+  request.body = body();
+  const std::string onAll = made(lettered(), request).value().package;
+  request.face = BodyFace{{80, 60}, 3};
+  Project small = lettered();
+  small.builtinSize = {20, 10};
+  small.layers.pop_back();
+  const Result<ZonesMade> zones = made(small, request);
+  REQUIRE_MESSAGE(zones.ok(), (zones.ok() ? "" : zones.error().message));
+  CHECK(areaAt(zones.value(), 30) == Approx(20 * 10).epsilon(0.02));
+  CHECK(zones.value().package != onAll);
+  // What is told of the shape's drawing counts here.
+  Project drawn = small;
+  drawn.builtin = BuiltinShape::None;
+  drawn.shapeFile = "spaced.svg";
+  CHECK_FALSE(made(drawn, request).value().warnings.empty());
+  // Without a body there is no face.
+  ZonesRequest alone = requested();
+  const std::string prism = made(small, alone).value().package;
+  alone.face = request.face;
+  CHECK(made(small, alone).value().package == prism);
+  request.face->z = HUGE_VAL;
+  CHECK(made(small, request).error().message == "the face is not within 10000 mm of the bed");
+}
+
 TEST_CASE("a lowest map is stretched over the top of a body") {
   Project project;
   MapLayer map;

@@ -313,9 +313,14 @@ export function zoneOptions(value: unknown): {
   most: number;
   least: number;
   layerHeight: number;
+  face: readonly number[];
 } {
   const given = optionalFields(value, 'how');
-  refuseUnknown(given, 'how', ['body', 'height', 'most', 'least', 'layerHeight']);
+  const body = given['body'] === undefined ? undefined : bytesFile(given['body'], undefined, 'how.body');
+  const face = given['face'] === undefined ? [] : listOf(given['face'], 'how.face', finite);
+  // A face is one of a body.
+  refuseUnknown(given, 'how', [...(body ? ['face'] : []), 'body', 'height', 'most', 'least', 'layerHeight']);
+  if (face.length % 3 !== 0) throw mustBe('how.face', face, 'three numbers');
   const number = (key: string, usual: number): number =>
     given[key] === undefined ? usual : finite(given[key], `how.${key}`);
   const most = number('most', 6);
@@ -324,11 +329,12 @@ export function zoneOptions(value: unknown): {
     throw mustBe('how.most', most, 'a whole number from 2 to 12');
   }
   return {
-    file: given['body'] === undefined ? undefined : bytesFile(given['body'], undefined, 'how.body'),
+    file: body,
     height: number('height', 2),
     most,
     least: number('least', 3),
     layerHeight: number('layerHeight', 0.2),
+    face,
   };
 }
 

@@ -51,6 +51,8 @@ export type Call =
       most: number;
       least: number;
       layerHeight: number;
+      /** Corner and height of a face of the body; empty: all tops. */
+      face: readonly number[];
     }
   | { name: 'linesOfDrawing'; file: KnownFile }
   | { name: 'decodePicture'; file: KnownFile }

@@ -102,6 +102,20 @@ test('text over waves becomes the zones of the native program', async () => {
   assert.ok(without.zones.every(({ degrees }) => Math.abs(degrees - 90) > 30));
 });
 
+test('a face of a body carries the plate, as natively', async () => {
+  const body = boxStl([100, 50, 0], [130, 60, 3]);
+  const path = join(folder, 'box.stl');
+  writeFileSync(path, body);
+  const layers = [{ kind: 'direction', angle: 20 }];
+  const { zones, file } = await engine.makeZones({ shape, layers }, { body, face: [95, 45, 3] });
+  assert.deepEqual(roughly(zones), [[20, 80]]);
+  assert.ok((await bytesOf(file)).equals(native(layers, '--body', path, '--face', '95,45,3')));
+  const refused = (how, message) => assert.rejects(engine.makeZones({ shape, layers }, how), { message });
+  await refused({ face: [0, 0, 3] }, /^unknown key "how\.face"/);
+  await refused({ body, face: [0, 0] }, /^how\.face is .*; it must be three numbers$/);
+  await refused({ body, face: [0, 0, NaN] }, /^how\.face\[2\]/);
+});
+
 test('a body takes the place of the shape, as bytes or as a Blob', async () => {
   const stl = boxStl([100, 50, 0], [130, 60, 3]);
   const path = join(folder, 'body.stl');

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -45,7 +46,8 @@ FlatBody flatZone(const DirectionZone& zone) {
 
 }  // namespace
 
-Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, double layerHeight) {
+Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, double layerHeight,
+                             std::optional<double> face) {
   if (!(layerHeight >= 0.01 && layerHeight <= 2)) {
     return Error{ErrorCode::InvalidArgument, outOfRange("layer height", layerHeight, " mm", "0.01 to 2 mm")};
   }
@@ -55,6 +57,9 @@ Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2
   }
   if (!(std::abs(corner.x) <= kFurthest && std::abs(corner.y) <= kFurthest)) {
     return Error{ErrorCode::InvalidArgument, "the corner of the page is not within 10000 mm of the origin"};
+  }
+  if (face && !(std::abs(*face) <= kFurthest)) {
+    return Error{ErrorCode::InvalidArgument, "the face is not within 10000 mm of the bed"};
   }
   Mesh mesh = body;
   std::vector<Volume> volumes{{"body", 0, body.triangles.size() - 1, {}, false}};
@@ -69,7 +74,8 @@ Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2
     triangles += 2 * (flat.triangulation.triangles.size() + flat.points.size());
   }
   const std::vector<Slab> slabs =
-      slabsOf(body, layerHeight, std::max<std::size_t>(1, kMostTriangles / std::max<std::size_t>(1, triangles)));
+      face ? std::vector{slabUnder(*face, layerHeight)}
+           : slabsOf(body, layerHeight, std::max<std::size_t>(1, kMostTriangles / std::max<std::size_t>(1, triangles)));
   for (std::size_t k = 0; k < flats.size(); ++k) {
     const std::string degrees = decimal(zones.zones[k].degrees, 1);
     Volume volume{"zone " + degrees, mesh.triangles.size(), 0, {}, true};

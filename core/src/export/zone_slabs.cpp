@@ -30,7 +30,11 @@ double volumeOf(const Mesh& body) {
   return six;
 }
 
+double depthOf(double layerHeight) { return std::max(kSolidDepth, kSolidLayers * layerHeight) + layerHeight; }
+
 }  // namespace
+
+Slab slabUnder(double top, double layerHeight) { return {top - depthOf(layerHeight), top + layerHeight}; }
 
 std::vector<Slab> slabsOf(const Mesh& body, double layerHeight, std::size_t most) {
   double low = body.points.front()[2];
@@ -64,7 +68,7 @@ std::vector<Slab> slabsOf(const Mesh& body, double layerHeight, std::size_t most
     change[stepOf(lowest)] += share;
     change[stepOf(highest) + 1] -= share;
   }
-  const double depth = std::max(kSolidDepth, kSolidLayers * layerHeight) + layerHeight;
+  const double depth = depthOf(layerHeight);
   std::vector<Slab> slabs;
   double slope = 0;
   for (std::size_t k = 0; k < count; ++k) {

@@ -26,20 +26,24 @@ struct Topped {
 Result<Topped> bodyOf(const Project& project, const ZonesRequest& request, const ReadInput& read,
                       const RunContext& run) {
   Topped out;
+  std::optional<Shape> outline;
   if (request.body) {
     Result<Mesh> mesh = readStl(*request.body);
     if (!mesh) return ofBody(mesh.error());
     out.body = std::move(mesh).value();
-    Result<Shape> outline = silhouetteOf(out.body, out.corner);
-    if (!outline) return ofBody(outline.error());
-    Result<PlateInput> ground = readPlateInput(project, std::move(outline).value(), read);
-    if (!ground) return ground.error();
-    out.ground = std::move(ground).value();
-    return out;
+    if (request.face) {
+      out.corner = request.face->corner;
+    } else {
+      Result<Shape> seen = silhouetteOf(out.body, out.corner);
+      if (!seen) return ofBody(seen.error());
+      outline = std::move(seen).value();
+    }
   }
-  Result<PlateInput> ground = readPlateInput(project, read, run);
+  Result<PlateInput> ground =
+      outline ? readPlateInput(project, *std::move(outline), read) : readPlateInput(project, read, run);
   if (!ground) return ground.error();
   out.ground = std::move(ground).value();
+  if (request.body) return out;
   Result<Mesh> prism = prismOf(out.ground.shape, request.height);
   if (!prism) return prism.error();
   out.body = std::move(prism).value();
@@ -69,15 +73,15 @@ Result<ZonesMade> makeZones(const Project& project, const ZonesRequest& request,
   }
   Result<DirectionZones> zones = directionZones(laid.shape, laid.directions, request.params, run);
   if (!zones) return zones.error();
-  Result<std::string> package =
-      zones3mf(topped.value().body, zones.value(), topped.value().corner, request.layerHeight);
+  Result<std::string> package = zones3mf(topped.value().body, zones.value(), topped.value().corner, request.layerHeight,
+                                         request.body && request.face ? std::optional(request.face->z) : std::nullopt);
   if (!package) return package.error();
 
   ZonesMade made;
   made.package = std::move(package).value();
   made.zones = std::move(zones).value();
   made.openEdges = openEdges(topped.value().body);
-  if (!request.body) {
+  if (!request.body || request.face) {
     made.notes = inputNotes(project, laid.shape.drawing);
     made.warnings = drawingWarnings(laid.shape.drawing);
   }

@@ -56,7 +56,7 @@ interface SillonModule {
     project: string,
     files: Inputs,
     body: boolean,
-    params: [number, number, number, number],
+    params: readonly number[],
     onProgress: OnProgress,
   ): Outcome<Omit<api.Zones, 'file'> & { file: CopiedBytes }>;
   linesOfDrawing(file: Uint8Array): Outcome<string[]>;
@@ -519,9 +519,10 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
     case 'makeZones': {
       const files = await inputsOf(call.files, module);
       if (call.file !== undefined) await bringIn(call.file, module);
-      const { height, most, least, layerHeight } = call;
+      const { height, most, least, layerHeight, face } = call;
       const body = call.file !== undefined;
-      const made = valueOf(module.makeZones(call.project, files, body, [height, most, least, layerHeight], onProgress));
+      const params = [height, most, least, layerHeight, ...face];
+      const made = valueOf(module.makeZones(call.project, files, body, params, onProgress));
       return { ...made, file: new Blob([made.file], { type: 'model/3mf' }) } satisfies api.Zones;
     }
     case 'linesOfDrawing': {

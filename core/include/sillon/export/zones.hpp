@@ -2,6 +2,7 @@
 // lines only.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,10 +48,11 @@ Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& di
 /// lines all three slicers lay in that direction on every layer. In PrusaSlicer's form, which all
 /// three open. Zones reach 2 mm or 8 layers below each level top and each gentle slope; where that
 /// takes more than 400,000 triangles, through the whole body. \param corner  of the zones' page on
-/// the bed [mm]. \param layerHeight  that the slicer is told [mm], 0.01..2. \return InvalidArgument
-/// or TooLarge.
+/// the bed [mm]. \param layerHeight  that the slicer is told [mm], 0.01..2. \param face  height of
+/// the top that they are for alone [mm]; unset: they are for all. \return InvalidArgument or
+/// TooLarge.
 Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner,
-                             double layerHeight);
+                             double layerHeight, std::optional<double> face = {});
 
 /// The shape less its holes in height: a prism from the bed up.
 /// \param height  [mm], 0.05..5000.

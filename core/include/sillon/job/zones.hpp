@@ -15,9 +15,17 @@
 
 namespace sillon {
 
+/// The place of a level top face of a body.
+struct BodyFace {
+  Vec2 corner;   ///< of the box around it [mm]
+  double z = 0;  ///< [mm]
+};
+
 struct ZonesRequest {
   /// An STL, whose top faces get the zones; unset: a prism of the project's shape
   std::optional<std::string> body;
+  /// Of the body: the project's shape is this face, which alone gets the zones
+  std::optional<BodyFace> face;
   double height = 2;  ///< of that prism [mm]
   ZoneParams params;
   double layerHeight = 0.2;  ///< that the slicer is told [mm]
