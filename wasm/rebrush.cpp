@@ -160,6 +160,7 @@ val rebrush(const std::string& projectJson, const val& files, const std::string&
       val out = surfaceOf(done.value().file.surfaces[made.surface]);
       out.set("index", static_cast<double>(made.surface));
       out.set("left", val(made.why));
+      out.set("reason", val(surfaceReasonName(made.because)));
       out.set("replaced", made.replaced);
       out.set("newVolumeMm3", made.volumeMm3);
       out.set("alignment", made.alignment);

@@ -136,6 +136,7 @@ std::string reportJson(const sillon::Rebrushed& done) {
   for (const RebrushedSurface& made : done.surfaces) {
     nlohmann::ordered_json entry = surfaceJson(done.file.surfaces[made.surface]);
     entry["left"] = made.replaced ? nlohmann::ordered_json() : nlohmann::ordered_json(made.why);
+    entry["reason"] = surfaceReasonName(made.because);
     entry["replaced"] = made.replaced;
     if (made.replaced) {
       entry["newVolumeMm3"] = made.volumeMm3;

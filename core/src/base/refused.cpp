@@ -27,6 +27,14 @@ constexpr Sentence kReasons[] = {
      "the font {font} has {letter} only as a picture; take a font that has its outline, or leave it out"},
     {reason::kRimBelow,
      "print.rim is {rim}, but oriented layers lie on the bed; print.showSide must be up for a rim, or print.rim 0"},
+    {reason::kLinesNumbered, "its lines are numbered, as hosts send them; take the file that the slicer wrote"},
+    {reason::kNoMarks,
+     "it does not mark its surfaces; files of PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio and Cura do"},
+    {reason::kFilamentOpen,
+     "the file gives no filament diameter, and its beads may be {thinWidth} mm wide from filament of {thin} mm or "
+     "{wideWidth} mm wide from filament of {wide} mm; add a line \"; filament_diameter = {thin}\" or "
+     "\"; filament_diameter = {wide}\" at its end"},
+    {reason::kNoFilament, "no bead in it pushes filament by E; export it for a firmware that counts filament so"},
 };
 
 constexpr Sentence kHints[] = {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "gcode_reader/layers.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/parser.hpp"
@@ -283,13 +284,13 @@ WeighedFilament weighFilament(std::string_view gcode, GcodeFlavor flavor, std::o
   return decided(sure ? kWideFilament : kThinFilament, sure ? FilamentEvidence::Fits : FilamentEvidence::Open);
 }
 
-std::string askForFilament(const WeighedFilament& weighed) {
+Error askForFilament(const WeighedFilament& weighed) {
   const auto told = [](double diameter) { return decimal(diameter, 2); };
-  return "the file gives no filament diameter, and its beads may be " + told(weighed.widthWith(kThinFilament)) +
-         " mm wide from filament of " + told(kThinFilament) + " mm or " + told(weighed.widthWith(kWideFilament)) +
-         " mm wide from filament of " + told(kWideFilament) +
-         " mm; add a line \"; filament_diameter = " + told(kThinFilament) +
-         "\" or \"; filament_diameter = " + told(kWideFilament) + "\" at its end";
+  return refused(ErrorCode::InvalidFile, reason::kFilamentOpen,
+                 {{"thinWidth", told(weighed.widthWith(kThinFilament))},
+                  {"thin", told(kThinFilament)},
+                  {"wideWidth", told(weighed.widthWith(kWideFilament))},
+                  {"wide", told(kWideFilament)}});
 }
 
 }  // namespace sillon

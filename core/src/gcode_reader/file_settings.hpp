@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/settings/project.hpp"
 
@@ -39,8 +40,8 @@ struct WeighedFilament {
 /// \param nozzle  [mm], if the file or its printer tells one.
 WeighedFilament weighFilament(std::string_view gcode, GcodeFlavor flavor, std::optional<double> nozzle);
 
-/// The sentence that asks for the diameter where the evidence is Open.
-std::string askForFilament(const WeighedFilament& weighed);
+/// Asks for the diameter where the evidence is Open: InvalidFile.
+Error askForFilament(const WeighedFilament& weighed);
 
 // Facts in any slicer's comments about the machine that a file is for.
 

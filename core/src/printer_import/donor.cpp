@@ -485,7 +485,7 @@ std::optional<Error> Donor::weighFilament(std::string_view text) {
   const bool known = nozzle || !out_.profile.empty();
   const WeighedFilament weighed =
       sillon::weighFilament(text, p.flavor, known ? std::optional<double>(p.nozzle) : std::nullopt);
-  if (weighed.evidence == FilamentEvidence::Open && out_.profile.empty()) return invalidFile(askForFilament(weighed));
+  if (weighed.evidence == FilamentEvidence::Open && out_.profile.empty()) return askForFilament(weighed);
   p.filamentDiameter = weighed.diameter;
   if (weighed.evidence == FilamentEvidence::Odd || weighed.evidence == FilamentEvidence::Open) {
     note("FilamentUnclear", {{"diameter", decimal(weighed.diameter, 2)},

@@ -44,14 +44,22 @@ Result<double> reachOver(const Cycle& cycle, const Shape& region, double spacing
   return most;
 }
 
-std::string problemOf(const Measures& measures) {
-  if (measures.crossings > 0) return "the new path would cross itself";
-  if (measures.coverage < kLeastCoverage)
-    return "the new beads would cover " + fixed(measures.coverage, 2) + " % of it; " + decimal(kLeastCoverage, 1) +
-           " is the least";
-  if (measures.spill > kMostSpill)
-    return "the new beads would spill over " + fixed(measures.spill, 1) + " % of it; " + decimal(kMostSpill, 1) +
-           " is the most";
+// Why a face is left.
+struct Why {
+  LeftBecause because = LeftBecause::None;
+  std::string text;
+};
+
+Why problemOf(const Measures& measures) {
+  if (measures.crossings > 0) return {LeftBecause::Path, "the new path would cross itself"};
+  if (measures.coverage < kLeastCoverage) {
+    return {LeftBecause::Coverage, "the new beads would cover " + fixed(measures.coverage, 2) + " % of it; " +
+                                       decimal(kLeastCoverage, 1) + " is the least"};
+  }
+  if (measures.spill > kMostSpill) {
+    return {LeftBecause::Spill, "the new beads would spill over " + fixed(measures.spill, 1) + " % of it; " +
+                                    decimal(kMostSpill, 1) + " is the most"};
+  }
   return {};
 }
 
@@ -60,7 +68,7 @@ struct LaidBeads {
   Toolpath toolpath;  // as wide as its plastic makes it, where the slicer's beads just touch
   Replacement replacement;
   Measures measures;
-  std::string left;  // why it cannot be; empty: it can
+  Why left;
 };
 
 Result<LaidBeads> layBeads(std::string_view gcode, const SurfaceBlock& block, const PlateInput& input,
@@ -70,18 +78,18 @@ Result<LaidBeads> layBeads(std::string_view gcode, const SurfaceBlock& block, co
   Result<ToolpathResult> path = generateToolpath(input, params, run);
   if (!path) {
     if (path.error().code == ErrorCode::Cancelled) return path.error();
-    laid.left = path.error().message;
+    laid.left = {LeftBecause::Path, path.error().message};
     return laid;
   }
   laid.toolpath = std::move(path.value().toolpath);
   std::vector<Cycle>& cycles = laid.toolpath.cycles;
   if (cycles.size() != 1) {
-    laid.left = "it falls into " + std::to_string(cycles.size()) + " cycles; one is needed";
+    laid.left = {LeftBecause::Path, "it falls into " + std::to_string(cycles.size()) + " cycles; one is needed"};
     return laid;
   }
   laid.replacement = replaceBeads(gcode, block, cycles.front(), surface.corner, file.filamentArea, block.mostFlow);
   if (laid.replacement.left != LeftBecause::None) {
-    laid.left = surfaceReason(laid.replacement.left);
+    laid.left = {laid.replacement.left, surfaceReason(laid.replacement.left)};
     return laid;
   }
   for (float& width : cycles.front().widths) width *= static_cast<float>(laid.replacement.flow / surface.flow);
@@ -98,10 +106,12 @@ std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const
                            std::vector<Edit>& edits, TimeChange& change) {
   const SurfaceBlock& block = file.blocks->blocks[made.surface];
   const SlicedSurface& surface = block.surface;
-  if (surface.left != LeftBecause::None) {
-    made.why = surfaceReason(surface.left);
+  const auto leave = [&](Why why) {
+    made.because = why.because;
+    made.why = std::move(why.text);
     return std::nullopt;
-  }
+  };
+  if (surface.left != LeftBecause::None) return leave({surface.left, surfaceReason(surface.left)});
   Result<WantedDirections> wanted = source.of(made.surface, run);
   if (!wanted) return wanted.error();
   PlateInput input{surface.region, std::move(wanted.value().directions), std::move(wanted.value().modes)};
@@ -109,20 +119,14 @@ std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const
   params.spacing = surface.spacing;
   Result<LaidBeads> laid = layBeads(gcode, block, input, params, *file.blocks, run);
   if (!laid) return laid.error();
-  if (!laid.value().left.empty()) {
-    made.why = std::move(laid.value().left);
-    return std::nullopt;
-  }
+  if (laid.value().left.because != LeftBecause::None) return leave(std::move(laid.value().left));
   Toolpath& toolpath = laid.value().toolpath;
   Replacement& replacement = laid.value().replacement;
   const Measures& measures = laid.value().measures;
   made.alignment = measures.alignment;
   made.coverage = measures.coverage;
   made.spill = measures.spill;
-  if (std::string problem = problemOf(measures); !problem.empty()) {
-    made.why = std::move(problem);
-    return std::nullopt;
-  }
+  if (Why problem = problemOf(measures); problem.because != LeftBecause::None) return leave(std::move(problem));
   // What surrounds the block is the slicer's: it must find the machine as the slicer left it.
   constexpr std::size_t kBehind = 200'000;  // bytes, where no travel tells how far to look
   std::vector<Edit> local = replacement.edits;
@@ -135,16 +139,14 @@ std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const
   const std::string_view old = gcode.substr(surface.begin, until);
   const std::string fresh = withEdits(old, local);
   if (const std::string differs = stateDifference(old, fresh, block); !differs.empty()) {
-    made.why = "replacing it would change " + differs + " of the moves that follow";
-    return std::nullopt;
+    return leave({LeftBecause::After, "replacing it would change " + differs + " of the moves that follow"});
   }
   const Result<double> beyond = reachOver(toolpath.cycles.front(), input.shape, params.spacing, run);
   if (!beyond) return beyond.error();
   made.beyond = beyond.value();
   if (made.beyond > kMostBeyond) {
-    made.why =
-        "a new bead would reach " + fixed(made.beyond, 3) + " mm over it; " + fixed(kMostBeyond, 2) + " is the most";
-    return std::nullopt;
+    return leave({LeftBecause::Spill, "a new bead would reach " + fixed(made.beyond, 3) + " mm over it; " +
+                                          fixed(kMostBeyond, 2) + " is the most"});
   }
   auto pictures = source.judge(made.surface, toolpath, run);
   if (!pictures) return pictures.error();
@@ -185,6 +187,7 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
   std::vector<Edit> edits;
   std::vector<TimeChange> changes;
   std::string reason;  // why the largest was left
+  LeftBecause because = LeftBecause::None;
   double largest = 0;  // [mm²]
   for (const std::size_t k : chosen) {
     if (options.onSurface) options.onSurface(out.surfaces.size(), chosen.size());
@@ -199,13 +202,15 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
       edits.insert(edits.end(), relaid.begin(), relaid.end());
     } else if (const SlicedSurface& surface = file.surfaces[k]; reason.empty() || surface.areaMm2 > largest) {
       reason = "layer " + std::to_string(surface.layer) + ": " + made.why;
+      because = made.because;
       largest = surface.areaMm2;
     }
   }
   if (edits.empty()) {
-    return Error{ErrorCode::InvalidArgument, out.surfaces.empty()
-                                                 ? "the file has no surface of the kind that was asked for"
-                                                 : "no surface can be replaced; " + reason};
+    return Error{ErrorCode::InvalidArgument,
+                 out.surfaces.empty() ? "the file has no surface of the kind that was asked for"
+                                      : "no surface can be replaced; " + reason,
+                 surfaceReasonName(because)};
   }
   std::sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
   for (std::size_t k = 1; k < edits.size(); ++k) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {
@@ -190,16 +191,10 @@ void EventReader::endStretch() {
 Result<SlicedFacts> EventReader::finish() {
   facts_.cut = isSurface(role_) && !lines_.empty() && lines_.back().bead();
   endStretch();
-  const auto refuse = [](const char* why) { return Error{ErrorCode::InvalidFile, why}; };
-  if (numbered_) return refuse("its lines are numbered, as hosts send them; take the file that the slicer wrote");
-  if (!program_ || !marked_ || facts_.file.layers == 0) {
-    return refuse(
-        "it does not mark its surfaces; files of PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio and Cura do");
-  }
-  if (settings_.weighed.evidence == FilamentEvidence::Open) {
-    return Error{ErrorCode::InvalidFile, askForFilament(settings_.weighed)};
-  }
-  if (!pushed_) return refuse("no bead in it pushes filament by E; export it for a firmware that counts filament so");
+  if (numbered_) return refused(ErrorCode::InvalidFile, reason::kLinesNumbered);
+  if (!program_ || !marked_ || facts_.file.layers == 0) return refused(ErrorCode::InvalidFile, reason::kNoMarks);
+  if (settings_.weighed.evidence == FilamentEvidence::Open) return askForFilament(settings_.weighed);
+  if (!pushed_) return refused(ErrorCode::InvalidFile, reason::kNoFilament);
   facts_.file.slicer = program_->slicer;
   facts_.file.program = program_->name;
   if (settings_.nozzle > 0) facts_.file.nozzle = settings_.nozzle;

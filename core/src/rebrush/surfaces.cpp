@@ -25,8 +25,12 @@ constexpr Sentence kSentences[] = {
     {"Flow", "its plastic is not that of one full layer"},
     {"Travel", "the next move needs the nozzle where its last bead ended"},
     {"Cut", "the file ends inside it"},
+    {"Path", "no single path can be laid in it"},
+    {"Coverage", "the new beads would leave too much of it free"},
+    {"Spill", "the new beads would reach over it"},
+    {"After", "the moves that follow would find the machine in another state"},
 };
-static_assert(std::size(kSentences) == static_cast<std::size_t>(LeftBecause::Cut) + 1);
+static_assert(std::size(kSentences) == static_cast<std::size_t>(LeftBecause::After) + 1);
 
 const Sentence& sentence(LeftBecause reason) { return kSentences[static_cast<std::size_t>(reason)]; }
 

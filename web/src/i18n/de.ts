@@ -1014,6 +1014,10 @@ export const de: Translation = {
   'rebrush.left.Flow': 'Ihr Kunststoff ist nicht der einer vollen Schicht',
   'rebrush.left.Travel': 'Die nächste Bewegung braucht die Düse dort, wo ihre letzte Bahn endete',
   'rebrush.left.Cut': 'Die Datei endet darin',
+  'rebrush.left.Path': 'Darin lässt sich kein einzelner Weg legen',
+  'rebrush.left.Coverage': 'Die neuen Bahnen ließen zu viel davon frei',
+  'rebrush.left.Spill': 'Die neuen Bahnen reichten darüber hinaus',
+  'rebrush.left.After': 'Die folgenden Bewegungen fänden die Maschine in einem anderen Zustand vor',
 
   'plates.title': 'Eigene Platten',
   'plates.what':
@@ -1368,6 +1372,14 @@ export const de: Translation = {
     'Die Schrift {font} hat {letter} nur als Bild; eine Schrift wählen, die den Umriss hat, oder es weglassen.',
   'reason.RimBelow':
     'Die Platte hat einen Rand von {rim} Schichten, aber Schimmerschichten liegen auf dem Druckbett; für einen Rand müssen sie oben sein.',
+  'reason.LinesNumbered':
+    'Ihre Zeilen sind nummeriert, wie Host-Programme sie senden; nötig ist die Datei, die der Slicer geschrieben hat.',
+  'reason.NoMarks':
+    'Sie kennzeichnet ihre Flächen nicht; Dateien von PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio und Cura tun das.',
+  'reason.FilamentOpen':
+    'Die Datei nennt keinen Filamentdurchmesser; ihre Bahnen wären mit {thin} mm {thinWidth} mm breit, mit {wide} mm {wideWidth} mm. Am Ende eine Zeile „; filament_diameter = {thin}“ oder „; filament_diameter = {wide}“ anfügen.',
+  'reason.NoFilament':
+    'Keine ihrer Bahnen schiebt mit E Filament; für eine Firmware exportieren, die Filament so zählt.',
   'reason.PlateTooLarge': 'Die Platte ist zu groß für einen Abstand von {mm} mm.',
   'reason.leastSpacing': 'Einen Abstand von mindestens {mm} mm wählen.',
   'reason.percent': 'Mit {percent} % ihrer Größe würde sie passen.',

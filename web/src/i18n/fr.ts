@@ -1029,6 +1029,10 @@ export const fr: Translation = {
   'rebrush.left.Flow': 'Son plastique n’est pas celui d’une couche pleine',
   'rebrush.left.Travel': 'Le mouvement suivant a besoin de la buse là où finissait son dernier cordon',
   'rebrush.left.Cut': 'Le fichier finit à l’intérieur',
+  'rebrush.left.Path': 'Aucun chemin d’un seul tenant n’y trouve place',
+  'rebrush.left.Coverage': 'Les nouveaux cordons en laisseraient trop à nu',
+  'rebrush.left.Spill': 'Les nouveaux cordons la dépasseraient',
+  'rebrush.left.After': 'Les mouvements suivants trouveraient la machine dans un autre état',
 
   'plates.title': 'Vos plaques',
   'plates.what':
@@ -1383,6 +1387,14 @@ export const fr: Translation = {
     'La police {font} n’a {letter} que comme image ; prenez une police qui en a le contour, ou omettez-la.',
   'reason.RimBelow':
     'La plaque a un rebord de {rim} couches, mais des couches chatoyantes sont sur le plateau ; pour un rebord, il les faut au-dessus.',
+  'reason.LinesNumbered':
+    'Ses lignes sont numérotées, comme un hôte les envoie ; il faut le fichier que le slicer a écrit.',
+  'reason.NoMarks':
+    'Il ne marque pas ses surfaces ; les fichiers de PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio et Cura le font.',
+  'reason.FilamentOpen':
+    'Le fichier n’indique pas le diamètre du filament ; ses cordons auraient {thinWidth} mm de large avec {thin} mm, {wideWidth} mm avec {wide} mm. Ajoutez à la fin une ligne « ; filament_diameter = {thin} » ou « ; filament_diameter = {wide} ».',
+  'reason.NoFilament':
+    'Aucun de ses cordons ne pousse de filament par E ; exportez-le pour un firmware qui compte le filament ainsi.',
   'reason.PlateTooLarge': 'La plaque est trop grande pour un espacement de {mm} mm.',
   'reason.leastSpacing': 'Prenez un espacement d’au moins {mm} mm.',
   'reason.percent': 'À {percent} % de sa taille, elle passerait.',

@@ -48,6 +48,11 @@ enum class LeftBecause {
   Flow,         ///< its flow is not that of one layer
   Travel,       ///< what follows needs the nozzle where the slicer's last bead ended
   Cut,          ///< the file ends inside it
+  // Known once beads are laid:
+  Path,      ///< no single path can be laid in it
+  Coverage,  ///< the new beads would leave too much of it free
+  Spill,     ///< they would reach over it
+  After,     ///< the moves that follow would find another state of the machine
 };
 
 /// The sentence for people, without a full stop.
@@ -152,7 +157,8 @@ struct RebrushOptions {
 struct RebrushedSurface {
   std::size_t surface = 0;  ///< of SlicedFile::surfaces
   bool replaced = false;
-  std::string why;       ///< it was left: a sentence without a full stop
+  std::string why;  ///< it was left: a sentence without a full stop
+  LeftBecause because = LeftBecause::None;
   double volumeMm3 = 0;  ///< of the new beads
   double alignment = 0;  ///< -1 is perfect
   double coverage = 0;   ///< of the region [%]

@@ -13,4 +13,8 @@ export const words = {
   'rebrush.left.Flow': "Its plastic is not that of one full layer",
   'rebrush.left.Travel': "The next move needs the nozzle where its last bead ended",
   'rebrush.left.Cut': "The file ends inside it",
+  'rebrush.left.Path': "No single path can be laid in it",
+  'rebrush.left.Coverage': "The new beads would leave too much of it free",
+  'rebrush.left.Spill': "The new beads would reach over it",
+  'rebrush.left.After': "The moves that follow would find the machine in another state",
 } as const;

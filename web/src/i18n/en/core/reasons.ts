@@ -10,4 +10,8 @@ export const words = {
   'reason.MissingLetter': "No font has a letter for {letter}; take a font that has it, or leave it out.",
   'reason.PictureLetter': "The font {font} has {letter} only as a picture; take a font that has its outline, or leave it out.",
   'reason.RimBelow': "“Rim” is {rim}, but oriented layers lie on the bed; “Side to show” must be up for a rim, or “Rim” 0.",
+  'reason.LinesNumbered': "Its lines are numbered, as hosts send them; take the file that the slicer wrote.",
+  'reason.NoMarks': "It does not mark its surfaces; files of PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio and Cura do.",
+  'reason.FilamentOpen': "The file gives no filament diameter, and its beads may be {thinWidth} mm wide from filament of {thin} mm or {wideWidth} mm wide from filament of {wide} mm; add a line “; filament_diameter = {thin}” or “; filament_diameter = {wide}” at its end.",
+  'reason.NoFilament': "No bead in it pushes filament by E; export it for a firmware that counts filament so.",
 } as const;
