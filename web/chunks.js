@@ -18,7 +18,7 @@ const rooms = [
   ['shape', /\/src\/shape\//],
   ['print', /\/src\/print\//],
   ['quality', /\/src\/(quality|views)\//],
-  ['rebrush', /\/src\/rebrush\//],
+  ['rebrush', /\/src\/(rebrush|zones)\//],
   ['frame', /\/src\/embed\/|\/app\/framing\.ts$/],
   ['plates', /\/src\/plates\//],
   ['more', /./],

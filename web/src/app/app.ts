@@ -34,6 +34,7 @@ const dialogs: Record<Dialog, Part> = {
   brought: ['sillon-blocks', () => import('../print/blocks-dialog.js')],
   blocks: ['sillon-blocks', () => import('../print/blocks-dialog.js')],
   rebrush: ['sillon-rebrush', () => import('../rebrush/view.js')],
+  zones: ['sillon-zones', () => import('../zones/zones-dialog.js')],
   calibrate: ['sillon-calibrate', () => import('../calibrate/dialog.js')],
   spools: ['sillon-calibrate', () => import('../calibrate/dialog.js')],
   first: ['sillon-first', () => import('./first-print.js')],

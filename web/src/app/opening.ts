@@ -75,18 +75,14 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
       studio.store.set({ reading: { name, fraction, cancel } });
       return Promise.race([work, stopped]);
     };
-    const { identify, isFont, isSliced } = await step(0.05, import('../files/open.js'));
+    const { identify, isFont, onePrint } = await step(0.05, import('../files/open.js'));
     const { mode, host } = studio.store.state;
     const [sliced] = files;
     // What somebody dropped for their printer is not for a page that shows this one.
-    if (
-      sliced !== undefined &&
-      role === undefined &&
-      mode === 'edit' &&
-      host === '' &&
-      (await step(0.1, isSliced(files)))
-    ) {
-      studio.store.set({ sliced, dialog: 'rebrush' });
+    const theirs = role === undefined && mode === 'edit' && host === '';
+    const print = theirs ? await step(0.1, onePrint(files)) : '';
+    if (sliced !== undefined && print !== '') {
+      studio.store.set({ sliced, dialog: print === 'sliced' ? 'rebrush' : 'zones' });
       return;
     }
     const fonts = role === undefined && offers(studio.store.state, 'layers') ? files.filter(isFont) : [];
@@ -157,6 +153,10 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
 
     async openExample(example) {
       show(await plateOf(example, own), true);
+    },
+
+    openMade(make) {
+      show(make(newPlateOn(own())));
     },
 
     async first() {

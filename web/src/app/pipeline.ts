@@ -3,6 +3,7 @@ import type { Gcode, GcodeCheck } from 'sillon';
 import type { Mark } from '../model/view.js';
 import type { StudioEngine } from '../engine/studio-engine.js';
 import { viewLook } from '../model/filaments.js';
+import { bodyInput } from '../model/body.js';
 import { engineInput } from '../model/input.js';
 import { isOf } from '../model/result.js';
 import type { Plate } from '../model/plate.js';
@@ -84,13 +85,15 @@ export class Pipeline {
     return this.engine.body(this.store.state.plate);
   }
 
-  /** A body with zones of straight lines, as high as the print: other slicers make its G-code. */
+  /** A body with zones of straight lines, the one that the plate lies on or as high as the print: other slicers make its
+   * G-code. @throws as bodyInput; errors of the engine */
   async zones(): Promise<Blob> {
     const { plate } = this.store.state;
     const { input } = engineInput(plate);
     const { base, layers, layerHeight, firstLayerHeight } = plate.print;
     const height = (base + layers - 1) * layerHeight + (firstLayerHeight || layerHeight);
-    return (await (await this.engine.engine()).makeZones(input, { height, layerHeight })).file;
+    const engine = await this.engine.engine();
+    return (await engine.makeZones(input, { ...(bodyInput(plate) ?? { height }), layerHeight })).file;
   }
 
   async svg(): Promise<Blob> {

@@ -55,8 +55,8 @@ export async function takeIn(studio: Studio, { text, address, at, onShape, handl
   const found = await handle;
   if (found?.kind === 'file') studio.handles.set(file, found);
   studio.show(undefined); // no plate changes behind a sheet
-  const { isSliced } = await import('../files/open.js');
+  const { onePrint } = await import('../files/open.js');
   if (onShape) await studio.open(files, 'shape');
-  else if (!composing || (await isSliced(files))) await studio.open(files);
+  else if (!composing || (await onePrint(files)) !== '') await studio.open(files);
   else await addFiles(studio, files, place);
 }

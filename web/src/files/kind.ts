@@ -63,8 +63,22 @@ export function browserPicture(bytes: Uint8Array): string {
   return '';
 }
 
-/** Files that people take for pictures, by their first bytes; empty: none. */
-export function otherFormat(bytes: Uint8Array): string {
+/** Drawings of other programs, by the endings of their names: their bytes tell less, or what they are built upon. */
+const drawings: Readonly<Record<string, string>> = {
+  ai: 'Illustrator',
+  cdr: 'CorelDRAW',
+  dwg: 'DWG',
+  dxf: 'DXF',
+  emf: 'EMF',
+  eps: 'PostScript',
+  wmf: 'WMF',
+  xcf: 'GIMP',
+};
+
+/** Files that people take for pictures or drawings; empty: none. */
+export function otherFormat(bytes: Uint8Array, name: string): string {
+  const drawing = drawings[/\.(\w+)$/.exec(name)?.[1]?.toLowerCase() ?? ''];
+  if (drawing !== undefined) return drawing;
   const text = String.fromCharCode(...bytes.subarray(0, 8));
   const formats = { PDF: /^%PDF/, PostScript: /^%!PS/, Photoshop: /^8BPS/, TIFF: /^(?:II\*\0|MM\0\*)/ };
   return Object.entries(formats).find(([, magic]) => magic.test(text))?.[0] ?? '';

@@ -9,6 +9,7 @@ import type { Plate, PlateLayer, SourceFile } from '../model/plate.js';
 import { profileOf } from '../model/printers.js';
 import { problemOf, StudioError } from '../model/problem.js';
 import { untoldParts, type Untold } from '../model/untold.js';
+import { without } from '../model/without.js';
 import { shapeTable, table } from '../model/setting-table.js';
 import { filesOf, plateOf, projectData, type ProjectEngine } from './plate-project.js';
 
@@ -208,7 +209,8 @@ const packedOf = (told: object): Promise<Uint8Array> => deflated(new TextEncoder
 
 /** @param shrink  left out: pictures do not travel */
 export async function writeLink(given: Plate, shrink?: Shrink): Promise<Link> {
-  const carried: Carried = { plate: given, files: new Map(), untold: new Set() };
+  // A body is too large for any link.
+  const carried: Carried = { plate: without(given, 'body'), files: new Map(), untold: new Set() };
   carried.plate = await withShapeOf(carried, shrink);
   carried.plate = await withLayersOf(carried, shrink);
   const { plate, untold } = carried;

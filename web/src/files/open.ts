@@ -16,7 +16,7 @@ import { allowedRoles, factsOf, guessRoles, type PictureFacts } from './guess.js
 import { enoughToKnow, kindOf, otherFormat, type Kind } from './kind.js';
 import { filesOf } from './plate-project.js';
 import { readable } from './readable.js';
-import { seemsSliced } from './sliced.js';
+import { printOf } from './sliced.js';
 import { sourceFile, stemOf } from './source-file.js';
 
 const mostBytes = { one: 64e6, project: 256e6, together: 256e6 };
@@ -70,7 +70,7 @@ export async function readFile(given: File): Promise<Read> {
   if (kind === 'unknown') {
     if (/\.(stl|step|stp|obj|ply|amf)$/i.test(source.name)) throw new StudioError('BodyHere', { name: source.name });
     const ofPrinter = /\.(gcode|gco|g|bgcode|3mf|ini)$/i.test(source.name);
-    const format = bytes.length === 0 ? 'empty' : otherFormat(bytes);
+    const format = bytes.length === 0 ? 'empty' : otherFormat(bytes, source.name);
     throw new StudioError(ofPrinter ? 'PrinterFileHere' : 'UnknownFile', {
       name: source.name,
       ...(format === '' ? {} : { format }),
@@ -118,16 +118,9 @@ async function seenPicture(
 
 export const isFont = ({ name }: File): boolean => isFontFile(name);
 
-/** Whether this is one print of a slicer, to be re-brushed. */
-export async function isSliced(files: readonly File[]): Promise<boolean> {
-  const [file] = files;
-  if (file === undefined || files.length > 1) return false;
-  const head = await file
-    .slice(0, 64)
-    .arrayBuffer()
-    .catch(() => undefined); // a folder, or gone: told when it is read
-  return head !== undefined && seemsSliced(file.name, new Uint8Array(head));
-}
+/** Whether this is one file for printers, and which: @returns as printOf */
+export const onePrint = (files: readonly File[]): ReturnType<typeof printOf> =>
+  files[0] === undefined || files.length > 1 ? Promise.resolve('') : printOf(files[0]);
 
 /** @param plate  that they will be put into
  * @throws StudioError where none of them can be used, TooManyFiles, BrokenProject; errors of the engine */

@@ -1,6 +1,7 @@
 // A plate as a project's JSON, and back: in project files, in links and in the browser's storage alike. The core reads and checks
 // it; a section `studio` has what no toolpath needs: names of files as they came, a spool of one's own.
 import type { Engine, LampPicture as ToldPicture, Project } from 'sillon';
+import { bodyFrom, toldBody } from '../model/body.js';
 import { numberIn, textIn, type Fields } from '../model/check.js';
 import { newFileShape, newShape } from '../model/defaults.js';
 import { givenSlopes, slopesOf } from '../model/filaments.js';
@@ -19,8 +20,12 @@ const version = 2;
 export type PathOf = (file: SourceFile) => string;
 
 /** Each once. */
-export function filesOf({ shape, layers }: Pick<Plate, 'shape' | 'layers'>): SourceFile[] {
-  const files = [...(shape.kind === 'file' ? [shape.file] : []), ...layers.flatMap(filesOfLayer)];
+export function filesOf({ shape, layers, body }: Pick<Plate, 'shape' | 'layers' | 'body'>): SourceFile[] {
+  const files = [
+    ...(shape.kind === 'file' ? [shape.file] : []),
+    ...layers.flatMap(filesOfLayer),
+    ...(body === undefined ? [] : [body.file]),
+  ];
   return [...new Map(files.map((file) => [file.id, file])).values()];
 }
 
@@ -65,6 +70,7 @@ export function projectData(plate: Plate, pathOf: PathOf, lacking = false): obje
       files: Object.fromEntries(filesOf(plate).map((file) => [pathOf(file), file.name])),
       ...(lacking && textless.length > 0 && { textless }),
       ...(spool !== undefined && { spool }),
+      ...toldBody(plate, pathOf),
     },
   };
 }
@@ -172,6 +178,7 @@ export async function plateOf(text: string, name: string, fileAt: FileAt, engine
     print: project.print,
     printer: { ...printer, ...(profile !== '' && { profile }), ...(filament !== '' && { filament }) },
     ...plateSpoolFrom(studio['spool']),
+    ...(await bodyFrom(studio['body'], (path) => fileAt(path, textIn(names[path] ?? path, 'studio.files', 1000)))),
   };
   if (plate.spool === undefined) return plate;
   // Slopes of one's own spool are the plate's as long as the project has them.

@@ -13,6 +13,23 @@ export function seemsSliced(name: string, head: Uint8Array): boolean {
   return !startsWith(head, 0x89, 0x50, 0x4e, 0x47) && !startsWith(head, 0xff, 0xd8, 0xff);
 }
 
+const directoryLength = 1 << 17; // bytes: of a thousand files
+
+/** What a file for printers is: a print that a slicer made, or a body that none has sliced yet; empty: neither, a folder, or
+ * gone. */
+export async function printOf(file: File): Promise<'sliced' | 'body' | ''> {
+  if (/\.stl$/i.test(file.name)) return 'body';
+  try {
+    if (!seemsSliced(file.name, new Uint8Array(await file.slice(0, 64).arrayBuffer()))) return '';
+    if (!/\.3mf$/i.test(file.name)) return 'sliced';
+    // The directory stands at the end, and names all that is in the package.
+    const end = new TextDecoder('latin1').decode(await file.slice(-directoryLength).arrayBuffer());
+    return end.includes('.gcode') ? 'sliced' : 'body';
+  } catch {
+    return '';
+  }
+}
+
 /** "part.gcode.3mf" is "part_brushed.gcode.3mf". */
 export function brushedName(name: string): string {
   const plain = name.replace(/[\p{Cc}\p{Cs}/\\]/gu, '');

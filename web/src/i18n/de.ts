@@ -86,7 +86,7 @@ export const de: Translation = {
   'section.basics': 'Grundlegendes',
 
   // --- Dateien --------------------------------------------------------------------------------------------------------
-  'drop.help': 'SVG, PNG, JPEG, eine Schrift, ein gespeichertes Projekt oder ein gesliceter Druck',
+  'drop.help': 'SVG, PNG, JPEG, eine Schrift, ein gespeichertes Projekt, ein gesliceter Druck oder ein Körper',
   'drop.layer': 'Neue Ebene',
   'drop.layerHelp': 'Wo Sie loslassen: ein Bild, eine Zeichnung, Buchstaben in einer Schrift',
   'drop.shape': 'Form der Platte',
@@ -820,7 +820,7 @@ export const de: Translation = {
   'problem.NotSliced': '{name} ist kein gesliceter Druck.',
   'hint.NotSliced': 'Den G-Code, die .3mf- oder .bgcode-Datei wählen, die der Slicer geschrieben hat.',
   'problem.BodyHere': '{name} ist ein Körper, der noch nicht geslict ist.',
-  'hint.BodyHere': 'Im Slicer slicen, dann die geslicte Datei hier öffnen: Ihre Oberseiten bekommen neue Bahnen.',
+  'hint.BodyHere': 'Als STL oder 3MF exportieren und das öffnen, oder slicen und die geslicte Datei öffnen.',
   'hint.PrinterFileHere':
     'Um ihre Druckereinstellungen zu übernehmen, unter Druck mit „Aus einer Datei des Slicers …“ öffnen. Ein gesliceter Druck, der neu gebürstet werden soll, kommt allein.',
   'problem.LeftOut': '{name} enthält Text oder Bilder, die weggelassen wurden.',
@@ -1372,6 +1372,8 @@ export const de: Translation = {
     'Die Schrift {font} hat {letter} nur als Bild; eine Schrift wählen, die den Umriss hat, oder es weglassen.',
   'reason.RimBelow':
     'Die Platte hat einen Rand von {rim} Schichten, aber Schimmerschichten liegen auf dem Druckbett; für einen Rand müssen sie oben sein.',
+  'reason.OffBody': '{name} trägt eine andere Form, als die Platte jetzt hat.',
+  'reason.OffBody.hint': 'Die Änderung an Umriss oder Größe zurücknehmen, oder den Körper noch einmal öffnen.',
   'reason.LinesNumbered':
     'Ihre Zeilen sind nummeriert, wie Host-Programme sie senden; nötig ist die Datei, die der Slicer geschrieben hat.',
   'reason.NoMarks':
@@ -1653,4 +1655,20 @@ export const de: Translation = {
   'layers.by.colours': 'Farben',
   'layers.null.ground': 'wie darunter',
   'layers.null.modules': 'quer zu den dunklen Modulen',
+
+  // --- Körper ------------------------------------------------------------------------------------------------------------
+
+  'zones.title': 'Welche Fläche von {name}?',
+  'zones.help':
+    'Die Fläche wird zur Platte: Sie trägt ein Bild, Text oder ein Muster. Der Slicer bekommt den ganzen Körper, mit Zonen gerader Linien auf dieser Fläche. Aufgeführt sind ebene Flächen, die in der Datei nach oben zeigen.',
+  'zones.reading': '{name} wird gelesen',
+  'zones.face': '{width} × {height} mm, {z} mm hoch',
+  'zones.area': '{area} mm²',
+  'zones.none': '{name} hat keine ebene Fläche, die nach oben zeigt.',
+  'zones.none.help':
+    'Sie muss mindestens 25 mm² groß sein. Den Körper im Slicer oder CAD-Programm so legen, dass die Fläche oben ist, und neu exportieren.',
+  'zones.tooLarge': '{name} hat mehr als 64 MB.',
+  'zones.opened':
+    'Die Platte ist jetzt eine Fläche von {name}. Wenn sie fertig ist, den Körper mit ihren Zonen herunterladen.',
+  'zones.download': 'Körper herunterladen',
 };

@@ -86,7 +86,7 @@ export const fr: Translation = {
   'section.basics': 'Essentiel',
 
   // --- Fichiers -------------------------------------------------------------------------------------------------------
-  'drop.help': 'SVG, PNG, JPEG, une police, un projet enregistré ou une impression tranchée',
+  'drop.help': 'SVG, PNG, JPEG, une police, un projet enregistré, une impression tranchée ou un volume',
   'drop.layer': 'Nouveau calque',
   'drop.layerHelp': 'Là où vous lâchez : une image, un dessin, des lettres dans une police',
   'drop.shape': 'Forme de la plaque',
@@ -828,8 +828,7 @@ export const fr: Translation = {
   'problem.NotSliced': '{name} n’est pas une impression tranchée.',
   'hint.NotSliced': 'Choisissez le G-code, le .3mf ou le .bgcode que votre slicer a écrit.',
   'problem.BodyHere': '{name} est un volume, pas encore tranché.',
-  'hint.BodyHere':
-    'Tranchez-le dans votre slicer, puis ouvrez ici le fichier tranché : ses faces supérieures reçoivent de nouveaux cordons.',
+  'hint.BodyHere': 'Exportez-le en STL ou 3MF et ouvrez le résultat, ou tranchez-le et ouvrez le fichier tranché.',
   'hint.PrinterFileHere':
     'Pour en prendre les réglages de l’imprimante, ouvrez-le sous Impression, « Depuis un fichier de votre slicer… ». Une impression tranchée, à rebrosser, vient seule.',
   'problem.LeftOut': '{name} contient du texte ou des images, qui sont laissés de côté.',
@@ -1387,6 +1386,8 @@ export const fr: Translation = {
     'La police {font} n’a {letter} que comme image ; prenez une police qui en a le contour, ou omettez-la.',
   'reason.RimBelow':
     'La plaque a un rebord de {rim} couches, mais des couches chatoyantes sont sur le plateau ; pour un rebord, il les faut au-dessus.',
+  'reason.OffBody': '{name} porte une autre forme que celle de la plaque.',
+  'reason.OffBody.hint': 'Annulez ce qui a changé le contour ou la taille, ou rouvrez le volume.',
   'reason.LinesNumbered':
     'Ses lignes sont numérotées, comme un hôte les envoie ; il faut le fichier que le slicer a écrit.',
   'reason.NoMarks':
@@ -1668,4 +1669,20 @@ export const fr: Translation = {
   'layers.by.colours': 'Couleurs',
   'layers.null.ground': 'ce qui est dessous',
   'layers.null.modules': 'en travers des modules sombres',
+
+  // --- Volumes -----------------------------------------------------------------------------------------------------------
+
+  'zones.title': 'Quelle face de {name} ?',
+  'zones.help':
+    'La face devient la plaque : donnez-lui une image, un texte ou un motif. Votre slicer reçoit le volume entier, avec des zones de lignes droites sur cette face. Les faces planes tournées vers le haut dans le fichier sont listées.',
+  'zones.reading': 'Lecture de {name}',
+  'zones.face': '{width} × {height} mm, à {z} mm de haut',
+  'zones.area': '{area} mm²',
+  'zones.none': '{name} n’a aucune face plane tournée vers le haut.',
+  'zones.none.help':
+    'Il en faut une de 25 mm² ou plus. Posez le volume dans votre slicer ou votre CAO de sorte que la face soit en haut, et exportez-le de nouveau.',
+  'zones.tooLarge': '{name} fait plus de 64 Mo.',
+  'zones.opened':
+    'La plaque est maintenant une face de {name}. Quand elle vous plaît, téléchargez le volume avec ses zones.',
+  'zones.download': 'Télécharger le volume',
 };

@@ -61,7 +61,7 @@ function otherReason(reason: string, values: Values): ExactWords | undefined {
   return { message, ...(reason === 'CopiesTooHigh' ? { hint: say(words, 'reason.CopiesTooHigh.hint') } : {}) };
 }
 
-function reasonWords(reason: ErrorReason, values: Values): ExactWords | undefined {
+function reasonWords(reason: ErrorReason | 'OffBody', values: Values): ExactWords | undefined {
   switch (reason) {
     case 'SettingOutOfRange':
       return outOfRange(values);
@@ -69,6 +69,11 @@ function reasonWords(reason: ErrorReason, values: Values): ExactWords | undefine
       return overBedEdge(values);
     case 'PlateTooLarge':
       return plateTooLarge(values);
+    case 'OffBody':
+      return {
+        message: say(words, 'reason.OffBody', { name: String(values['name']) }),
+        hint: say(words, 'reason.OffBody.hint'),
+      };
     default:
       return otherReason(reason, values);
   }

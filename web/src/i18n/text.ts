@@ -28,6 +28,7 @@ import type { words as quality } from './en/quality.js';
 import type { words as rebrush } from './en/rebrush.js';
 import type { words as shaping } from './en/shaping.js';
 import type { words as synonyms } from './en/synonyms.js';
+import type { words as zones } from './en/zones.js';
 import { languages, spoken } from './languages.js';
 
 /** A sentence, or its forms by the number `n` it speaks of. `{name}` stands for a value. */
@@ -63,7 +64,8 @@ type Late =
   | typeof shaping
   | typeof synonyms
   | typeof verdicts
-  | typeof warnings;
+  | typeof warnings
+  | typeof zones;
 type IdOf<Words> = Words extends unknown ? keyof Words : never;
 /** A language but English has all its words in one file. */
 export type Translation = Dictionary & Readonly<Record<IdOf<Late>, Text>>;

@@ -66,6 +66,18 @@ export interface OwnSpool extends Readonly<Spool> {
   key: string;
 }
 
+/** The body that a plate is a level top face of. */
+export interface Body {
+  /** STL. */
+  file: SourceFile;
+  /** Lower left of the face's box, and its height [mm]. */
+  face: readonly [x: number, y: number, z: number];
+  /** Size of that box. */
+  size: readonly [number, number];
+  /** `id` of the file with the face's outline. */
+  outline: string;
+}
+
 /** The profiles that a printer began with, where a project names them: their values are all there, too. */
 export type Machine = PrinterValues & { profile?: string; filament?: string };
 
@@ -88,6 +100,8 @@ export interface Plate {
   name: string;
   /** Printer that came with a design from elsewhere and is not used before the visitor says so; kept with the work alone. */
   brought?: Machine | undefined;
+  /** That slicers get with the plate's directions on it. */
+  body?: Body | undefined;
   /** Instead of the spool's colour and gloss, those of one's own. */
   spool?: OwnSpool | undefined;
 }

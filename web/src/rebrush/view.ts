@@ -3,7 +3,7 @@
 import { html, type PropertyValues, type TemplateResult } from 'lit';
 import type { SlicedFile } from 'sillon';
 import { customElement, query, state } from 'lit/decorators.js';
-import { isSliced } from '../files/open.js';
+import { printOf } from '../files/sliced.js';
 import { r } from '../i18n/rebrush.js';
 import { formatBytes } from '../i18n/text.js';
 import { loadSpools } from '../print/own-spools.js';
@@ -95,7 +95,7 @@ export class RebrushView extends StudioElement {
   async #take(files: readonly File[]): Promise<void> {
     const [file] = files;
     if (file === undefined) return;
-    if (await isSliced([file])) this.studio.store.set({ sliced: file });
+    if ((await printOf(file)) === 'sliced') this.studio.store.set({ sliced: file });
     else if (this.work.known.print !== undefined)
       await this.work.attempt(() => this.work.wantPicture(file, this.light));
   }

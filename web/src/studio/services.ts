@@ -38,6 +38,8 @@ export interface OpeningServices {
   /** Uses one of the files that were opened last as something else. */
   setRole(index: number, role: Role): Promise<void>;
   openExample(example: Example): Promise<void>;
+  /** Shows another plate, on the visitor's own printer. */
+  openMade(make: (plate: Plate) => Plate): void;
 }
 
 /** Keeps plates here and in their files: app/keeping.ts. */

@@ -14,7 +14,7 @@ export type Over = 'picture' | 'zigzag' | 'conflict';
 export type Sizing = 'whole' | 'life' | 'arm' | 'free';
 export type LightMode = 'pointer' | 'tilt' | 'orbit' | 'fixed';
 /** 'brought': what a design brings for the printer; 'blocks': the same of what is about to be downloaded; 'rebrush': a sliced
- * print, all over the page; 'spools': that of 'calibrate', at the visitor's own spools. */
+ * print, all over the page; 'zones': a body, whose faces are listed; 'spools': that of 'calibrate', at the visitor's own spools. */
 export type Dialog =
   | 'gallery'
   | 'palette'
@@ -25,6 +25,7 @@ export type Dialog =
   | 'brought'
   | 'blocks'
   | 'rebrush'
+  | 'zones'
   | 'calibrate'
   | 'spools'
   | 'first';
@@ -102,7 +103,7 @@ export interface Shown extends State {
   dialog: Dialog | undefined;
   /** The files that were opened last, for as long as what they are for can be changed. */
   opened: OpenedFiles | undefined;
-  /** The print that dialog 'rebrush' is about. */
+  /** The print that dialog 'rebrush' is about, or the body of dialog 'zones'. */
   sliced: File | undefined;
   /** The visitor's own; undefined: not looked for yet. */
   spools: readonly OwnSpool[] | undefined;

@@ -531,6 +531,9 @@ test('what can be opened is, and why the rest cannot is said of each', async () 
     text('empty.png', ''),
     text('leaf.svg', svg),
     text('page.png', '%PDF-1.7'),
+    text('plan.DXF', '  0\nSECTION'),
+    text('logo.ai', '%PDF-1.7'),
+    text('part.step', 'ISO-10303-21;'),
     new File([png.subarray(0, 500)], 'cut.png'),
     text('cut.svg', svg.slice(0, -20)),
   ];
@@ -544,6 +547,9 @@ test('what can be opened is, and why the rest cannot is said of each', async () 
     [
       ['UnknownFile', { name: 'empty.png', format: 'empty' }],
       ['UnknownFile', { name: 'page.png', format: 'PDF' }],
+      ['UnknownFile', { name: 'plan.DXF', format: 'DXF' }],
+      ['UnknownFile', { name: 'logo.ai', format: 'Illustrator' }],
+      ['BodyHere', { name: 'part.step' }],
       ['InvalidFile', { name: 'cut.png' }],
       ['InvalidFile', { name: 'cut.svg' }],
     ],

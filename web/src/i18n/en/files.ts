@@ -2,7 +2,7 @@
 
 export const words = {
   'drop.now': 'Drop to open',
-  'drop.help': 'SVG, PNG, JPEG, a font, a saved project or a sliced print',
+  'drop.help': 'SVG, PNG, JPEG, a font, a saved project, a sliced print or a body',
   'drop.layer': 'New layer',
   'drop.layerHelp': 'Where you let go: a picture, a drawing, letters in a font',
   'drop.shape': 'Shape of the plate',

@@ -361,7 +361,7 @@ export const words = {
   'problem.NotSliced': '{name} is no sliced print.',
   'hint.NotSliced': 'Choose the G-code, .3mf or .bgcode that your slicer has written.',
   'problem.BodyHere': '{name} is a body, not yet sliced.',
-  'hint.BodyHere': 'Slice it in your slicer, then open the sliced file here: its top surfaces get new beads.',
+  'hint.BodyHere': 'Export it as STL or 3MF and open that, or slice it and open the sliced file.',
   'hint.PrinterFileHere':
     'To import its printer settings, open it under Print, “From your slicer’s file…”. A sliced print, to be re-brushed, comes alone.',
   'problem.LeftOut': '{name} contains text or pictures, which were left out.',

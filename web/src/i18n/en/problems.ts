@@ -22,6 +22,8 @@ export const words = {
   'reason.PlateTooLarge': 'The plate is too large for a spacing of {mm} mm.',
   'reason.leastSpacing': 'Choose a spacing of at least {mm} mm.',
   'reason.percent': 'At {percent} % of its size it would fit.',
+  'reason.OffBody': '{name} carries another shape than the plate has now.',
+  'reason.OffBody.hint': 'Undo what changed the outline or the size, or open the body again.',
   'check.good': 'Read back as a printer would: no problems found.',
   'check.errors': 'Problems in the file',
   'check.warnings': 'Notes on this file',
