@@ -1,5 +1,5 @@
 // Keeps plates: in the browser's storage while they change, and in the files that they were opened from.
-import type { Autosave, Kept } from '../files/autosave.js';
+import type { Autosave, Kept, KeptPrint } from '../files/autosave.js';
 import { say } from '../i18n/text.js';
 import { newPlateOn } from '../model/brought.js';
 import { homeLight } from '../model/lamp.js';
@@ -82,6 +82,12 @@ export class Keeper {
     this.#held = !may;
   }
 
+  /** A sliced print over the plate, which is kept with it, changed or not. */
+  #keepPrint = (print: KeptPrint | undefined): void => {
+    if (print !== undefined && !this.#held) this.#autosave?.save(this.studio.store.steps);
+    this.#autosave?.savePrint(print);
+  };
+
   keepWhenLeft(): void {
     addEventListener('pagehide', () => void this.#autosave?.flush());
     document.addEventListener('visibilitychange', () => {
@@ -118,6 +124,7 @@ export class Keeper {
         this.show(newPlateOn(studio.store.state.plate.printer), true);
       },
       plates: () => this.#kept(),
+      keepPrint: this.#keepPrint,
       openPlate: async (id, take) => {
         const [opened, words, { showKept }] = await Promise.all([
           this.#kept().open(id, take),

@@ -47,11 +47,15 @@ function markUntilShown(id: string, { store }: Studio): void {
 
 /** With the steps that led to it: undone, a plate must not become the one that was shown before.
  * @param begin  goes on in its record */
-export function showKept(studio: Studio, { id, steps }: Opened, begin: (plate: Plate) => void): void {
+export function showKept(studio: Studio, { id, steps, print }: Opened, begin: (plate: Plate) => void): void {
   begin(steps.plate);
   markUntilShown(id, studio);
   studio.store.restore(steps);
   studio.look();
+  if (print !== undefined)
+    void studio.attempt(async () => {
+      (await import('../rebrush/kept.js')).takeUp(studio, print);
+    });
 }
 
 const listPlates = (studio: Studio): NoticeAction => ({

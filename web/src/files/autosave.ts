@@ -1,7 +1,7 @@
-// Keeps plates over reloads, in the browser's own storage: each in a record of its own, which only one tab writes. Storage may
-// be denied, full, of another version, or shared with other tabs: whatever it does, the page goes on and nothing is
+// Keeps plates over reloads, in the browser's own storage: each in a record of its own, which only one tab writes, with the sliced
+// print that is re-brushed over it. Storage may be denied, full, of another version, or shared with other tabs: whatever it does, the page goes on and nothing is
 // overwritten.
-import { createStore, delMany, getMany, keys, promisifyRequest } from 'idb-keyval';
+import { createStore, getMany, keys, promisifyRequest } from 'idb-keyval';
 import { fieldsOf, numberIn, textIn, Unfit, type Fields } from '../model/check.js';
 import { isFontFile } from '../model/layer-list.js';
 import { pageOf, type Plate, type SourceFile } from '../model/plate.js';
@@ -20,6 +20,9 @@ const most = { steps: 60, points: 200_000, bytes: 32e6 };
 const recordKey = (id: string): string => `plate/${id}`;
 const aboutKey = (id: string): string => `about/${id}`;
 const filesKey = (id: string): string => `file/${id}/`;
+/** Of the sliced print over a plate: its file is large, and stays as it is while what is wanted of it changes. */
+const slicedKey = (id: string): string => `sliced/${id}`;
+const printKey = (id: string): string => `sliced/${id}/file`;
 const idOfKey = (key: string): string | undefined => /^(?:about|plate)\/(.+)$/.exec(key)?.[1];
 
 /** What a browser's storage can do. */
@@ -55,12 +58,22 @@ export interface Listed {
   foreign: boolean;
 }
 
+/** A sliced print that is re-brushed over a plate. */
+export interface KeptPrint {
+  file: File;
+  /** As it was kept, by whatever version. */
+  wish: unknown;
+  /** Its view was open, and not left. */
+  open: boolean;
+}
+
 /** A kept plate to go on with; 'copy': it is open in another tab, as it is here. */
 export interface Opened {
   state: 'own' | 'copy';
   /** Of the record that it goes on in. */
   id: string;
   steps: Steps;
+  print?: KeptPrint | undefined;
 }
 
 /** Of the plate that was left here last: 'elsewhere': it is open in another tab; 'foreign': it is of another version. */
@@ -85,6 +98,8 @@ export interface Autosave {
   current(): string;
   /** Soon, when no other has come. */
   save(steps: Steps): void;
+  /** The same of a sliced print over the plate that is shown; undefined: there is none any more. */
+  savePrint(print: KeptPrint | undefined): void;
   /** What waits is saved now. */
   flush(): Promise<void>;
   /** The latest first. */
@@ -115,7 +130,12 @@ function browserStorage(database: string): Storage {
         kept.transaction.commit(); // unasked, it would wait for answers, which a page that is being closed gets none of
         return promisifyRequest(kept.transaction);
       }),
-    delMany: async (names) => delMany(names, store()),
+    delMany: async (names) =>
+      store()('readwrite', (kept) => {
+        for (const name of names) kept.delete(name);
+        kept.transaction.commit();
+        return promisifyRequest(kept.transaction);
+      }),
     keys: async () => keys<string>(store()),
   };
 }
@@ -319,6 +339,13 @@ function isFit(record: unknown, has: (id: string) => boolean): boolean {
   }
 }
 
+/** @returns undefined for what is no print */
+function printFrom(record: unknown, bytes: unknown): KeptPrint | undefined {
+  const { name, wish, open } = (record ?? {}) as Partial<KeptPrint> & { name?: unknown };
+  if (!(bytes instanceof Blob) || typeof name !== 'string') return undefined;
+  return { file: new File([bytes], name), wish, open: open === true };
+}
+
 /** @param onProblem  is told when work cannot be kept, and again when that comes back
  * @param onTaken  another tab goes on with the plate; this one goes on with a copy
  * @param host  a page that shows the studio, and the name that it gave the work: none sees another's; empty: the studio's own */
@@ -353,6 +380,11 @@ export function createAutosave(
   let current = newId();
   const before = session.get();
   let waiting: { id: string; steps: Steps } | undefined;
+  let waitingPrint: { id: string; print: KeptPrint | undefined } | undefined;
+  /** By id: the files of prints that are there. */
+  const prints = new Map<string, File>();
+  /** Files for which there was no room: told once. */
+  const tooLarge = new WeakSet<File>();
   let timer: ReturnType<typeof setTimeout> | undefined;
   let failing = false;
   let turn = 0; // of the last that was written or forgotten
@@ -377,6 +409,7 @@ export function createAutosave(
   const lost = (id: string): void => {
     written.delete(id);
     saved.delete(id);
+    prints.delete(id);
     moved.set(id, newId());
     if (current !== id) return;
     current = moved.get(id) as string;
@@ -458,10 +491,35 @@ export function createAutosave(
   /** By id: for the list. */
   const pictures = new Map<string, Blob>();
 
+  async function writePrint(id: string, print: KeptPrint | undefined): Promise<void> {
+    if (print === undefined) {
+      prints.delete(id);
+      await storage.delMany([slicedKey(id), printKey(id)]);
+      return;
+    }
+    const { file, wish, open } = print;
+    try {
+      await storage.setMany([
+        ...(prints.get(id) === file ? [] : [[printKey(id), new Blob([file])] as [string, unknown]]),
+        [slicedKey(id), { name: file.name, wish, open }],
+      ]);
+      prints.set(id, file);
+    } catch (error) {
+      tooLarge.add(file);
+      throw error;
+    }
+  }
+
+  const later = (): void => {
+    clearTimeout(timer);
+    timer = setTimeout(() => void flush(), settleAfter);
+  };
+
   const flush = (): Promise<void> => {
     clearTimeout(timer);
-    const work = waiting;
-    waiting = undefined;
+    const [work, sliced] = [waiting, waitingPrint];
+    waiting = waitingPrint = undefined;
+    if (sliced !== undefined) void attempt(writePrint(live(sliced.id), sliced.print));
     if (work === undefined || areSame(work.steps, saved.get(work.id))) return last;
     // At once, also while an earlier plate is being written: the storage does one after the other, and a page that is being
     // closed hears no answers any more.
@@ -471,7 +529,7 @@ export function createAutosave(
 
   const namesOf = async (id: string): Promise<string[]> =>
     (await storage.keys()).filter(
-      (key) => key === recordKey(id) || key === aboutKey(id) || key.startsWith(filesKey(id)),
+      (key) => [recordKey(id), aboutKey(id), slicedKey(id), printKey(id)].includes(key) || key.startsWith(filesKey(id)),
     );
 
   async function abouts(): Promise<{ id: string; about: About }[]> {
@@ -529,9 +587,14 @@ export function createAutosave(
     if (steps === undefined) return undefined;
     const record = own ? id : newId();
     claim(record, steps);
-    if (own) wrote(id, steps, steps);
-    else if (pictures.has(id)) pictures.set(record, pictures.get(id) as Blob);
-    return { state: own ? 'own' : 'copy', id: record, steps };
+    if (!own) {
+      if (pictures.has(id)) pictures.set(record, pictures.get(id) as Blob);
+      return { state: 'copy', id: record, steps };
+    }
+    wrote(id, steps, steps);
+    const print = printFrom(...((await storage.getMany([slicedKey(id), printKey(id)])) as [unknown, unknown]));
+    if (print !== undefined) prints.set(id, print.file);
+    return { state: 'own', id, steps, print };
   }
 
   async function read(): Promise<Kept | undefined> {
@@ -573,15 +636,22 @@ export function createAutosave(
       }
       if (waiting !== undefined && waiting.id !== id) void flush();
       waiting = { id, steps };
-      clearTimeout(timer);
-      timer = setTimeout(() => void flush(), settleAfter);
+      later();
+    },
+    savePrint(print) {
+      if (print !== undefined && tooLarge.has(print.file)) return;
+      waitingPrint = { id: current, print };
+      if (print === undefined) void flush();
+      else later();
     },
     flush,
     async list() {
       await flush();
       const [all, held] = await Promise.all([abouts(), locks.held()]);
-      const foreign = await foreignOf(all.map(({ id }) => id));
-      const shown = all.filter(({ id, about }) => !about.fresh || id === current || held.has(id) || foreign.has(id));
+      const [foreign, names] = await Promise.all([foreignOf(all.map(({ id }) => id)), storage.keys()]);
+      const isKept = (id: string): boolean =>
+        id === current || held.has(id) || foreign.has(id) || names.includes(slicedKey(id));
+      const shown = all.filter(({ id, about }) => !about.fresh || isKept(id));
       // What nobody ever changed goes with its tab.
       const left = all.filter((one) => !shown.includes(one));
       for (const { id } of left) await storage.delMany(await namesOf(id));
@@ -613,7 +683,7 @@ export function createAutosave(
     },
     async duplicate(id, name) {
       await flush();
-      const names = await namesOf(id);
+      const names = (await namesOf(id)).filter((key) => key !== slicedKey(id) && key !== printKey(id));
       const values = await storage.getMany(names);
       if (!names.includes(recordKey(id))) return undefined;
       const copy = newId();
@@ -634,6 +704,7 @@ export function createAutosave(
       await storage.delMany(names);
       saved.delete(id);
       written.delete(id);
+      prints.delete(id);
       return () => storage.setMany(names.map((key, k) => [key, values[k]]));
     },
     async stored(id) {

@@ -943,7 +943,12 @@ export const de: Translation = {
   'rebrush.side.both.help':
     'Von oben erscheinen die Deckflächen. Die erste Schicht erscheint von der Seite mit „Von unten ansehen“.',
   'rebrush.bottomFace': 'Unterseite, {z} mm hoch',
-  'rebrush.chosen': '{n} von {all} gewählt, {area} mm²',
+  'rebrush.chosen': '{n} von {all} gewählt, {area} mm².',
+  'rebrush.staying': {
+    one: '{n} gewählte Fläche bleibt, wie sie war.',
+    other: '{n} gewählte Flächen bleiben, wie sie waren.',
+  },
+  'rebrush.object': 'Objekt {n}',
   'rebrush.all': 'Alle',
   'rebrush.none': 'Keine',
   'rebrush.face': 'Schicht {layer}, {z} mm hoch',
@@ -991,7 +996,8 @@ export const de: Translation = {
   'rebrush.untried': 'Noch auf keinem Drucker erprobt. Bei den ersten Schichten davon zusehen.',
   'rebrush.download': '{name} herunterladen',
   'rebrush.saved': '{name} liegt bei den Downloads.',
-  'rebrush.kept': 'Die Striche auf {name} bleiben erhalten, solange diese Seite offen ist.',
+  'rebrush.kept': 'Die Striche auf {name} bleiben erhalten.',
+  'rebrush.resumed': '{name} ist wieder offen, mit allem, was gewählt war.',
   'rebrush.goOn': 'Weitermachen',
   'rebrush.unreadable': '{name} kann nicht neu gebürstet werden.',
   'rebrush.unreadableHelp':

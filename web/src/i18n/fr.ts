@@ -953,7 +953,12 @@ export const fr: Translation = {
   'rebrush.side.both.help':
     'De dessus, la vue montre les dessus. De côté, « Voir de dessous » montre la première couche.',
   'rebrush.bottomFace': 'Dessous, à {z} mm',
-  'rebrush.chosen': '{n} sur {all} choisies, {area} mm²',
+  'rebrush.chosen': '{n} sur {all} choisies, {area} mm².',
+  'rebrush.staying': {
+    one: '{n} face choisie reste telle quelle.',
+    other: '{n} faces choisies restent telles quelles.',
+  },
+  'rebrush.object': 'Objet {n}',
   'rebrush.all': 'Toutes',
   'rebrush.none': 'Aucune',
   'rebrush.face': 'Couche {layer}, à {z} mm',
@@ -1003,7 +1008,8 @@ export const fr: Translation = {
   'rebrush.untried': 'Pas encore essayé sur une imprimante. Surveillez-en les premières couches.',
   'rebrush.download': 'Télécharger {name}',
   'rebrush.saved': '{name} est dans vos téléchargements.',
-  'rebrush.kept': 'Vos traits sur {name} sont gardés tant que cette page est ouverte.',
+  'rebrush.kept': 'Vos traits sur {name} sont gardés.',
+  'rebrush.resumed': '{name} est de nouveau ouvert, avec tous vos choix.',
   'rebrush.goOn': 'Continuer',
 
   'rebrush.unreadable': '{name} ne peut pas être rebrossé.',

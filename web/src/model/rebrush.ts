@@ -1,10 +1,13 @@
 // What a visitor wants of a sliced print, as plain data, and how the engine is asked for it.
 import type { DirectionMode, RebrushOptions, SlicedSurface, Stroke } from 'sillon';
+import { fieldsOf, numberIn, oneOf, textIn, Unfit } from './check.js';
 import { engineInput } from './input.js';
-import { spoolSlopes, type FilamentKey } from './filaments.js';
+import { filaments, spoolSlopes, type FilamentKey } from './filaments.js';
+import { plateSpoolFrom } from './own-spool.js';
 import type { OwnSpool, Plate, SourceFile } from './plate.js';
 
-export type Way = 'angle' | 'hand' | 'plate' | 'picture';
+const ways = ['angle', 'hand', 'plate', 'picture'] as const;
+export type Way = (typeof ways)[number];
 export type Fit = RebrushOptions['fit'];
 export const fits: readonly Fit[] = ['face', 'object', 'bed', 'all'];
 
@@ -31,6 +34,60 @@ export interface Wish {
   strokes: readonly Stroke[];
 }
 
+const keys: readonly (keyof Wish)[] = [
+  'side',
+  'chosen',
+  'way',
+  'angle',
+  'picture',
+  'lamp',
+  'spool',
+  'own',
+  'fit',
+  'strokes',
+];
+
+function pictureFrom(value: unknown): SourceFile | undefined {
+  if (value === undefined) return undefined;
+  const { id, name, bytes } = fieldsOf(value, 'picture', ['id', 'name', 'bytes']);
+  if (!(bytes instanceof Blob)) throw new Unfit('picture.bytes', bytes);
+  return { id: textIn(id, 'picture.id', 1000), name: textIn(name, 'picture.name', 1000), bytes };
+}
+
+const isStroke = (value: unknown): value is Stroke => {
+  const { points } = (value ?? {}) as { points?: unknown };
+  return Array.isArray(points) && points.length % 2 === 0 && points.every(Number.isFinite);
+};
+
+/** What was wanted at another visit; undefined: this version cannot read it. The engine checks the strokes' own values. */
+export function wishFrom(value: unknown): Wish | undefined {
+  try {
+    const { side, chosen, way, angle, picture, lamp, spool, own, fit, strokes } = fieldsOf(value, 'wish', keys);
+    if (!(chosen instanceof Set) || ![...chosen].every(Number.isInteger)) throw new Unfit('chosen', chosen);
+    if (!Array.isArray(lamp)) throw new Unfit('lamp', lamp);
+    if (!Array.isArray(strokes) || !strokes.every(isStroke)) throw new Unfit('strokes', strokes);
+    return {
+      side: oneOf(side, 'side', sides),
+      chosen: chosen as Set<number>,
+      way: oneOf(way, 'way', ways),
+      angle: numberIn(angle, 'angle', -360, 360),
+      picture: pictureFrom(picture),
+      lamp: [numberIn(lamp[0], 'lamp', 0, 360), numberIn(lamp[1], 'lamp', 0, 90)],
+      spool: oneOf(
+        spool,
+        'spool',
+        filaments.map(({ key }) => key),
+      ),
+      own: plateSpoolFrom(own).spool,
+      fit: oneOf(fit, 'fit', fits),
+      strokes,
+    };
+  } catch (error) {
+    if (error instanceof Unfit) return undefined;
+    throw error;
+  }
+}
+
 /** What a hand draws with on a print. */
 export interface HandBrush {
   tool: 'pan' | NonNullable<Stroke['tool']>;
@@ -47,6 +104,32 @@ export interface Face extends SlicedSurface {
   index: number;
 }
 
+const models = /\.(?:stl|3mf|obj|step|stp|amf|ply)$/i;
+
+/** Places of the ones in a mask of 64 bits or more, as M624 has it. */
+function placesIn(mask: string): number[] {
+  const bytes = Array.from(atob(mask), (one) => one.charCodeAt(0));
+  return bytes.flatMap((byte, k) =>
+    [0, 1, 2, 3, 4, 5, 6, 7].filter((bit) => byte & (1 << bit)).map((bit) => 8 * k + bit),
+  );
+}
+
+/** An object as people know it, by the label that the G-code has for it; a number, from 1, where nothing tells its name.
+ * @param names  that the package tells, in the order of their codes */
+export function objectOf(label: string, names: readonly string[]): string | number {
+  const text = label.replace(/^(['"])(.*)\1$/, '$2');
+  if (text === '') return '';
+  if (/^(?:[A-Za-z0-9+/]{4}){2,}(?:[A-Za-z0-9+/]{3}=|[A-Za-z0-9+/]{2}==)$/.test(text)) {
+    const [place = 0] = placesIn(text);
+    return objectOf(names[place] ?? '', []) || place + 1;
+  }
+  if (/^\d+$/.test(text)) return Number(text) + 1;
+  // "part.stl id:0 copy 1", and as Klipper has it
+  const [, name = text, copy = '0'] = /^(.*?)[ _]id[:_]\d+[ _]copy[ _](\d+)$/.exec(text) ?? [];
+  const plain = (name.split(/[\\/]/).at(-1) ?? '').replace(models, '') || name;
+  return copy === '0' ? plain : `${plain} (${Number(copy) + 1})`;
+}
+
 /** Largest first. */
 export const facesOf = (surfaces: readonly SlicedSurface[], wanted: Side): Face[] =>
   surfaces
@@ -55,7 +138,7 @@ export const facesOf = (surfaces: readonly SlicedSurface[], wanted: Side): Face[
     .sort((a, b) => b.areaMm2 - a.areaMm2 || a.index - b.index);
 
 /** [mm²] */
-export const areaOf = (faces: readonly Face[]): number => faces.reduce((sum, { areaMm2 }) => sum + areaMm2, 0);
+export const areaOf = (faces: readonly SlicedSurface[]): number => faces.reduce((sum, { areaMm2 }) => sum + areaMm2, 0);
 
 /** On the bed [mm]. */
 export interface Box {

@@ -1,9 +1,11 @@
 // The faces of a sliced print as a list, and why others are left.
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
+import { words as faceWords } from '../i18n/en/core/faces.js';
 import { r, type RebrushTextId } from '../i18n/rebrush.js';
 import { formatNumber } from '../i18n/text.js';
-import { areaOf, type Face } from '../model/rebrush.js';
+import type { SlicedSurface } from 'sillon';
+import { areaOf, objectOf, type Face } from '../model/rebrush.js';
 import { segments } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import type { PrintWork } from './work.js';
@@ -13,6 +15,7 @@ export function faceList(work: PrintWork, onMark: (index: number | undefined) =>
   const { side } = work.wish;
   const free = work.free();
   const rest = work.known.faces.filter(({ left }) => left !== '');
+  const staying = work.staying();
   const chosen = free.filter(({ index }) => work.wish.chosen.has(index));
   const choose = (label: string, faces: readonly Face[]): TemplateResult =>
     html`<button
@@ -48,7 +51,9 @@ export function faceList(work: PrintWork, onMark: (index: number | undefined) =>
     </ul>
     <p class="note" role="status">
       ${r('chosen', { n: chosen.length, all: free.length, area: formatNumber(areaOf(chosen), 0) })}
+      ${staying.length === 0 ? nothing : r('staying', { n: staying.length })}
     </p>
+    ${leftReasons(staying)}
     ${
       rest.length === 0
         ? nothing
@@ -82,11 +87,11 @@ function faceRow(
       />
       <span class="what"
         ><span>${r(side === 'top' ? 'face' : 'bottomFace', { layer, z: formatNumber(z) })}</span>${
-          object === '' ? nothing : html`<span class="note">${object}</span>`
+          object === '' ? nothing : html`<span class="note">${objectText(object, work)}</span>`
         }${
           made === undefined
             ? nothing
-            : html`<span class="note">${made.replaced ? r('done') : r('keeps', { why: made.left })}</span>`
+            : html`<span class="note">${made.replaced ? r('done') : r('keeps', { why: whyText(made) })}</span>`
         }</span
       >
       <span class="figures">${r('area', { area: formatNumber(areaMm2, areaMm2 < 10 ? 1 : 0) })}</span>
@@ -94,14 +99,24 @@ function faceRow(
   </li>`;
 }
 
+function objectText(label: string, { known }: PrintWork): string {
+  const object = objectOf(label, known.names);
+  return typeof object === 'string' ? object : r('object', { n: object });
+}
+
+/** By its code; the engine's own words are English. */
+export const reasonText = (reason: string): string | undefined =>
+  Object.hasOwn(faceWords, `rebrush.left.${reason}`) ? r(`left.${reason}` as RebrushTextId) : undefined;
+const whyText = ({ reason, left }: SlicedSurface): string => reasonText(reason) ?? left;
+
 /** One line for each reason. */
-export function leftReasons(faces: readonly Face[]): TemplateResult | typeof nothing {
+export function leftReasons(faces: readonly SlicedSurface[]): TemplateResult | typeof nothing {
   if (faces.length === 0) return nothing;
-  const groups = new Map<Face['reason'], Face[]>();
+  const groups = new Map<SlicedSurface['reason'], SlicedSurface[]>();
   for (const face of faces) groups.set(face.reason, [...(groups.get(face.reason) ?? []), face]);
   return html`<ul>
-    ${[...groups].map(([reason, list]) => {
-      const why = reason === '' ? (list[0]?.left ?? '') : r(`left.${reason}` as RebrushTextId);
+    ${[...groups.values()].map((list) => {
+      const why = whyText(list[0] as SlicedSurface);
       return html`<li class="note">${r('why', { why, n: list.length, area: formatNumber(areaOf(list), 1) })}</li>`;
     })}
   </ul>`;

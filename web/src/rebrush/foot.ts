@@ -9,7 +9,7 @@ import type { Problem } from '../model/problem.js';
 import { lackOf, type Wish } from '../model/rebrush.js';
 import { icon } from '../controls/icons.js';
 import { brushedName } from '../files/sliced.js';
-import { leftReasons } from './faces.js';
+import { leftReasons, reasonText } from './faces.js';
 import type { PrintWork, Progress } from './work.js';
 
 /** @param fraction  undefined: nobody knows */
@@ -39,8 +39,10 @@ export function progressBar(
 
 /** The page's, or else the engine's own, which are English: in another language they are for those who ask. */
 function engineWords(problem: Problem): TemplateResult | typeof nothing {
-  const told = exactWords(problem);
-  if (told !== undefined) return html`<p>${told.message}</p>`;
+  const { values } = problem;
+  if ('mb' in values) return html`<p>${r('tooLarge', values)}</p>`;
+  const told = reasonText(String(values['reason'])) ?? exactWords(problem)?.message;
+  if (told !== undefined) return html`<p>${told}${/[.!?…]$/.test(told) ? '' : '.'}</p>`;
   const { detail } = problem;
   if (detail === '') return nothing;
   if (language() === 'en') return html`<p>${detail}</p>`;
@@ -72,14 +74,14 @@ export function foot(work: PrintWork, print: SlicedFile, name: string): Template
     ${problem === undefined ? nothing : failed(problem)}
     ${lack === '' ? nothing : html`<p class="note" role="status">${r(lack)}</p>`}
     ${
-      cancelled || (problem !== undefined && lack === '')
+      cancelled || (problem !== undefined && done === undefined && lack === '')
         ? html`<div class="buttons">
             ${cancelled ? html`<span role="status">${r('cancelled')}</span>` : nothing}
             <button type="button" @click=${() => void work.lay()}>${r('again')}</button>
           </div>`
         : nothing
     }
-    ${done === undefined ? nothing : ready(done, print)}
+    ${done === undefined ? nothing : ready(done, work.staying().length, print)}
     <button type="button" class="main" ?disabled=${done === undefined} @click=${work.save}>
       ${icon('download')} <span>${r('download', { name: brushedName(name) })}</span>
     </button>
@@ -93,19 +95,24 @@ function making({ chosen }: Wish, { fraction, secondsLeft }: Progress, onCancel:
 }
 
 function failed(problem: Problem): TemplateResult {
-  const engine = problem.code === 'InvalidArgument' || problem.code === 'InvalidFile';
-  const { message, hint } = problemWords(problem);
+  const ofPicture = 'name' in problem.values;
+  const engine = !ofPicture && (problem.code === 'InvalidArgument' || problem.code === 'InvalidFile');
+  const { message, hint } = { ...problemWords(problem), ...(ofPicture && exactWords(problem)) };
   return html`<div class="problem" role="alert">
     ${icon('warn')}
     <div>
       <p><b>${engine ? r('failed') : message}</b></p>
-      ${engineWords(problem)} ${engine || hint === '' ? nothing : html`<p class="note">${hint}</p>`}
+      ${ofPicture ? nothing : engineWords(problem)}
+      ${engine || hint === '' ? nothing : html`<p class="note">${hint}</p>`}
     </div>
   </div>`;
 }
 
-function ready({ seconds, surfaces }: Rebrushed, { slicer }: SlicedFile): TemplateResult {
-  const n = surfaces.filter(({ replaced }) => replaced).length;
+function ready({ seconds, surfaces }: Rebrushed, staying: number, { slicer }: SlicedFile): TemplateResult {
   const time = formatDuration(Math.abs(seconds));
-  return html`<p role="status">${r('ready', { n, time, more: r(seconds < 0 ? 'shorter' : 'longer'), slicer })}</p>`;
+  const more = r(seconds < 0 ? 'shorter' : 'longer');
+  return html`<p role="status">
+    ${r('ready', { n: surfaces.filter(({ replaced }) => replaced).length, time, more, slicer })}
+    ${staying === 0 ? nothing : r('staying', { n: staying })}
+  </p>`;
 }

@@ -12,7 +12,14 @@ export const rebrushStyle = css`
   }
   dialog[open] {
     display: grid;
-    grid-template: auto minmax(0, 1fr) / minmax(0, 1fr) 360px;
+    grid-template: auto auto minmax(0, 1fr) / minmax(0, 1fr) 360px;
+  }
+  /* What is told behind the sheet could be neither read nor pressed. */
+  dialog > .told {
+    grid-column: 1 / -1;
+    justify-self: stretch;
+    width: auto;
+    max-height: 30dvh;
   }
   dialog > .head {
     grid-column: 1 / -1;
@@ -231,7 +238,7 @@ export const rebrushStyle = css`
   }
   @media (max-width: 720px) {
     dialog[open] {
-      grid-template: auto minmax(0, 2fr) minmax(0, 3fr) / minmax(0, 1fr);
+      grid-template: auto auto minmax(0, 2fr) minmax(0, 3fr) / minmax(0, 1fr);
     }
     .side {
       border-left: 0;
@@ -248,7 +255,7 @@ export const rebrushStyle = css`
   /* A low page scrolls as a whole: the bench is not worth its room there. */
   @media (max-height: 480px) {
     dialog[open] {
-      grid-template: auto minmax(0, 1fr) / minmax(0, 1fr) minmax(0, 1fr);
+      grid-template: auto auto minmax(0, 1fr) / minmax(0, 1fr) minmax(0, 1fr);
     }
     .side {
       display: block;

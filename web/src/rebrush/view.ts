@@ -15,6 +15,8 @@ import { closesByBack } from '../controls/back.js';
 import { StudioElement } from '../controls/element.js';
 import { isTyping } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
+import '../controls/notices.js';
+import type { Shown } from '../studio/shown.js';
 import './bench.js';
 import { directionFields } from './directions.js';
 import { faceList } from './faces.js';
@@ -40,12 +42,15 @@ export class RebrushView extends StudioElement {
 
   work!: PrintWork;
   #closed?: () => void;
+  /** The plate's own problem is told beside the plate. */
+  #known: Partial<Pick<Shown, 'problem'>> = {};
   readonly #end = new AbortController();
 
   // --- The page -----------------------------------------------------------------------------------------------------------
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.#known = { problem: this.state.problem };
     loadSpools(this.studio);
     const { azimuth, elevation } = this.studio.homeLight();
     this.light = { azimuth: Math.round(azimuth), elevation: Math.round(elevation) };
@@ -143,6 +148,7 @@ export class RebrushView extends StudioElement {
         </button>
         <h2 id="title" title=${name} tabindex="-1" autofocus>${r('title', { name })}</h2>
       </div>
+      <sillon-notices class="told" .studio=${this.studio} .known=${this.#known}></sillon-notices>
       ${print === undefined || this.work.free().length === 0 ? this.#alone(name) : this.#both(print)}
     </dialog>`;
   }

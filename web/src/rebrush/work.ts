@@ -1,24 +1,26 @@
 // The work on a sliced print: it is read, beads are laid as is wished, and the file with them is saved.
-import type { Cycle, PrintRelief, Rebrushed, SlicedFile } from 'sillon';
+import type { Cycle, PrintRelief, Rebrushed, SlicedFile, SlicedSurface } from 'sillon';
 import { download } from '../files/download.js';
-import { readable } from '../files/readable.js';
+import { smallPng, type DrawingEngine } from '../files/drawn.js';
+import { readFile } from '../files/open.js';
+import { objectNames } from '../files/print-names.js';
 import { brushedName } from '../files/sliced.js';
 import { sourceFile } from '../files/source-file.js';
 import { r } from '../i18n/rebrush.js';
 import { groundOf } from '../model/fills.js';
 import { lampFor } from '../model/lamp.js';
+import type { SourceFile } from '../model/plate.js';
 import { isAbort, problemOf, StudioError, type Problem } from '../model/problem.js';
 import { facesOf, howOf, lackOf, sides, type Face, type Side, type Wish } from '../model/rebrush.js';
 import { TimeLeft } from '../model/time-left.js';
 import type { Light } from '../model/view.js';
 import type { Studio } from '../studio/studio.js';
+import { left, offer } from './kept.js';
 
 const mostBytes = 256e6; // as the engine reads of text
 const reliefSide = 1600; // cells: a few per bead of a print of 200 mm
 const restAfter = 350; // [ms] without a change, after which beads are laid
-
-/** Wishes for prints that were left with strokes of a hand on them. */
-const left = new WeakMap<File, Wish>();
+const drawingSide = 1024; // [pixels] of a drawing that becomes a picture
 
 export interface Progress {
   fraction: number;
@@ -27,6 +29,8 @@ export interface Progress {
 
 interface Known {
   print?: SlicedFile | undefined;
+  /** Of its objects, as objectOf takes them. */
+  names: readonly string[];
   relief?: PrintRelief | undefined;
   faces: readonly Face[];
   /** The faces that are shown from above: bottoms where no top is meant. */
@@ -43,6 +47,7 @@ interface Known {
 }
 
 const nothing: Known = {
+  names: [],
   faces: [],
   shown: [],
   laid: new Map(),
@@ -50,6 +55,12 @@ const nothing: Known = {
   saved: '',
 };
 const begun: Progress = { fraction: 0, secondsLeft: undefined };
+
+/** A drawing as the picture that lamps show. */
+async function paintedPicture({ name, bytes }: SourceFile, engine: DrawingEngine): Promise<SourceFile> {
+  const png = await smallPng(bytes, engine, drawingSide);
+  return sourceFile(name, new Uint8Array(await png.arrayBuffer()));
+}
 
 export class PrintWork {
   known = nothing;
@@ -105,15 +116,17 @@ export class PrintWork {
   leave(): void {
     this.#begin();
     const file = this.#file;
-    if (file === undefined || this.wish.strokes.length === 0) return;
+    const keeps = file !== undefined && this.wish.strokes.length > 0;
+    this.#keep(keeps, false);
+    if (!keeps) return;
     left.set(file, this.wish);
-    const goOn = {
-      label: r('goOn'),
-      run: () => {
-        this.studio.store.set({ sliced: file, dialog: 'rebrush' });
-      },
-    };
-    this.studio.tell({ text: r('kept', { name: file.name }), actions: [goOn], stays: true });
+    offer(this.studio, file);
+  }
+
+  /** As the plate is: a reload must not take it away. */
+  #keep(keeps: boolean, open: boolean): void {
+    const file = this.#file;
+    this.studio.services.keepPrint(keeps && file !== undefined ? { file, wish: this.wish, open } : undefined);
   }
 
   async #read(file: File): Promise<void> {
@@ -123,8 +136,7 @@ export class PrintWork {
     this.#know({ progress: begun });
     try {
       if (file.size > mostBytes) {
-        const values = { name: file.name, mb: Math.ceil(file.size / 1e6), most: mostBytes / 1e6 };
-        throw new StudioError('TooLarge', {}, r('tooLarge', values));
+        throw new StudioError('TooLarge', { name: file.name, mb: Math.ceil(file.size / 1e6), most: mostBytes / 1e6 });
       }
       const engine = await this.studio.services.engine();
       // One after the other in one worker, which reads the file once. Each takes about half of the time.
@@ -139,14 +151,18 @@ export class PrintWork {
       // A print whose picture fails is not refused.
       const relief = await engine.printRelief(file, reliefSide, told(0.5)).catch(() => undefined);
       if (signal.aborted as boolean) return;
+      const names = await objectNames(file);
+      if (signal.aborted as boolean) return;
       const free = (side: Side): boolean => facesOf(print.surfaces, side).some((face) => face.left === '');
       const kept = left.get(file);
-      this.#know({ print, relief, progress: undefined });
+      this.#know({ print, names, relief, progress: undefined });
       this.wish = {
         ...this.wish,
         ...this.#all(kept?.side ?? (!free('top') && free('bottom') ? 'bottom' : 'top')),
         ...kept,
       };
+      left.delete(file);
+      this.#keep(true, true);
       if (this.wish.chosen.size > 0) void this.lay();
     } catch (error) {
       if (!signal.aborted)
@@ -157,6 +173,12 @@ export class PrintWork {
   // --- What is wanted -----------------------------------------------------------------------------------------------------
 
   free = (): Face[] => this.known.faces.filter((face) => face.left === '');
+
+  /** Chosen faces that stay as they were, once beads are laid. */
+  staying(): SlicedSurface[] {
+    const made = this.known.done?.surfaces ?? []; // with those that nobody could choose, where all are asked for
+    return made.filter(({ replaced, index }) => !replaced && this.wish.chosen.has(index));
+  }
 
   /** The sides that the file has. */
   sides(): readonly Side[] {
@@ -184,10 +206,15 @@ export class PrintWork {
 
   /** For the way 'picture'. @throws what the engine cannot read */
   async wantPicture(file: File, light: Light): Promise<void> {
-    const given = await readable(file);
-    const bytes = new Uint8Array(await given.arrayBuffer());
-    await (await this.studio.services.engine()).decodePicture(bytes);
-    const picture = await sourceFile(given.name, bytes);
+    const [{ source, kind }, engine] = await Promise.all([readFile(file), this.studio.services.engine()]);
+    const { name } = source;
+    if (kind !== 'picture' && kind !== 'svg') throw new StudioError('UnknownFile', { name });
+    try {
+      await (kind === 'svg' ? engine.paintDrawing(source.bytes) : engine.decodePicture(source.bytes));
+    } catch (error) {
+      throw new StudioError('InvalidFile', { name }, problemOf(error).detail);
+    }
+    const picture = kind === 'picture' ? source : await paintedPicture(source, engine);
     this.want({ picture, way: 'picture', lamp: lampFor([], light) });
   }
 
@@ -202,6 +229,7 @@ export class PrintWork {
     const lacks = lackOf(this.wish) !== '';
     const progress = lacks ? undefined : begun;
     this.#know({ done: undefined, progress, cancelled: false, problem: undefined, saved: '' });
+    this.#keep(true, true);
     if (!lacks) this.#rest = setTimeout(() => void this.lay(), restAfter);
   }
 

@@ -1,6 +1,6 @@
 // Services that the elements ask of parts above them, by feature, with the file that does it. Each may reject.
 import type { Engine, Gcode, PlacedLayer } from 'sillon';
-import type { Autosave } from '../files/autosave.js';
+import type { Autosave, KeptPrint } from '../files/autosave.js';
 import type { Example } from '../model/example.js';
 import type { Role } from '../model/file-role.js';
 import type { Fill } from '../model/fills.js';
@@ -47,6 +47,8 @@ export interface KeepingServices {
   newPlate(): void;
   /** Those that are kept here. @throws where none is kept: in frames whose page does not ask for it */
   plates(): Autosave;
+  /** A sliced print is re-brushed over the plate; undefined: none is any more. */
+  keepPrint(print: KeptPrint | undefined): void;
   /** Shows one of them. @param take  also from another tab, which goes on with a copy */
   openPlate(id: string, take: boolean): Promise<void>;
   /** The plate that is shown now is that of a project file. */

@@ -373,15 +373,19 @@ test('faces are combed from aside; with Shift the print moves and nothing is dra
   assert.deepEqual(visit.problems, []);
 });
 
+/** Beside what the page tells of other things. */
+const refusal = (visit) => view(visit).locator('.alone').getByRole('alert');
+
 test('on a page in German the engine’s English words are for those who ask', { skip }, async () => {
   const visit = await bench.open({ small: true, language: 'de' });
   await visit.idle();
-  await visit.drop([fileOf('own.gcode', 'G28\nG1 X10 E1\n')]);
-  const alert = view(visit).getByRole('alert');
+  await visit.drop([fileOf('broken.bgcode', 'GCDE nothing')]);
+  const alert = refusal(visit);
   await alert.waitFor();
-  assert.doesNotMatch(await alert.innerText(), /does not mark/);
+  const english = alert.locator('[lang=en]');
+  assert.equal(await english.isVisible(), false);
   await alert.locator('summary').click();
-  assert.match(await alert.innerText(), /does not mark its surfaces/);
+  assert.equal(await english.isVisible(), true);
 });
 
 test('what cannot be re-brushed is told in a sentence, and another file can be taken', { skip }, async () => {
@@ -389,7 +393,7 @@ test('what cannot be re-brushed is told in a sentence, and another file can be t
   await visit.idle();
   const before = await plateOf(visit);
   await visit.drop([fileOf('own.gcode', 'G28\nG1 X10 E1\n')]);
-  const alert = view(visit).getByRole('alert');
+  const alert = refusal(visit);
   await alert.waitFor();
   assert.match(await alert.innerText(), /own\.gcode cannot be re-brushed\.[^]*does not mark its surfaces/);
   // Tops that are all too narrow.
@@ -510,6 +514,128 @@ test('faces are combed by hand: beads follow the stroke, and lie at the angle el
   assert.deepEqual(visit.problems, []);
 });
 
+test('a reload takes up the work again: the file, what was chosen, and the strokes', { skip }, async () => {
+  const visit = await bench.open({ small: true, fresh: true });
+  const { page } = visit;
+  await visit.until((state) => state.result !== undefined);
+  const text = sliced();
+  await visit.drop([fileOf('part.gcode', text)]);
+  await until(() => saves(visit).isEnabled(), 'beads are laid');
+  await view(visit).getByRole('checkbox').nth(1).uncheck();
+  await view(visit).getByRole('radio', { name: 'By hand' }).check();
+  const overlay = view(visit).locator('sillon-rebrush-bench .overlay');
+  await overlay.focus();
+  for (const key of ['Space', 'ArrowRight', 'Space']) await page.keyboard.press(key);
+  const wished = () =>
+    view(visit).evaluate(({ work: { wish } }) => [
+      wish.way,
+      [...wish.chosen],
+      wish.strokes.map(({ points }) => points),
+    ]);
+  const before = await wished();
+  assert.equal(before[2].length, 1);
+  // What waits is written when the page is left.
+  await page.reload();
+  await view(visit).getByText('part.gcode is open again').waitFor();
+  await until(() => saves(visit).isEnabled(), 'beads are laid again');
+  assert.deepEqual(await wished(), before);
+  const made = await downloaded(visit);
+  assert.equal(made.name, 'part_brushed.gcode');
+  assert.equal(made.bytes.subarray(0, 40).compare(text.subarray(0, 40)), 0);
+
+  // Left with strokes on it, it is offered at the next visit, too; left without, it is not.
+  await view(visit).getByRole('button', { name: 'Back to the plate' }).click();
+  await view(visit).waitFor({ state: 'detached' });
+  await page.reload();
+  await page.getByText('Your strokes on part.gcode are kept').waitFor();
+  assert.equal(await view(visit).count(), 0);
+  await visit.button('Continue').click();
+  await until(() => saves(visit).isEnabled(), 'beads are laid once more');
+  assert.deepEqual(await wished(), before);
+  await view(visit).getByRole('button', { name: 'Remove all strokes' }).click();
+  await view(visit).getByRole('button', { name: 'Back to the plate' }).click();
+  await view(visit).waitFor({ state: 'detached' });
+  await page.reload();
+  await page.getByText('has been restored').waitFor();
+  assert.equal(await page.getByText('part.gcode').count(), 0);
+  assert.deepEqual(visit.problems, []);
+});
+
+test('chosen faces that stay as they were are counted, with the reason, in the page’s language', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const { page } = visit;
+  await visit.drop([fileOf('part.gcode', sliced({ sides: [12, 3] }))]);
+  await until(() => saves(visit).isEnabled(), 'beads are laid');
+  const side = () => view(visit).locator('.side').innerText();
+  assert.match(await side(), /2 of 2 chosen[^]*1 chosen face stays as it was/);
+  assert.match(await side(), /The new beads would leave too much of it free: 1 face/);
+  assert.match(await side(), /1 face has new beads/);
+  await page.evaluate(() => document.querySelector('sillon-app').studio.setLanguage('de'));
+  await until(async () => /1 gewählte Fläche bleibt, wie sie war/.test(await side()), 'German');
+  assert.match(await side(), /ließen zu viel davon frei/);
+  assert.doesNotMatch(await side(), /would|cover/);
+  assert.deepEqual(visit.problems, []);
+});
+
+test('a print without marks is refused in the page’s language', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.page.evaluate(() => document.querySelector('sillon-app').studio.setLanguage('de'));
+  await visit.drop([fileOf('hand.gcode', 'G28\nG1 X1 Y1 E1\n')]);
+  const told = view(visit).getByRole('alert').filter({ hasText: 'hand.gcode' });
+  await told.waitFor();
+  assert.match(await told.innerText(), /kennzeichnet ihre Flächen nicht/);
+  assert.doesNotMatch(await told.innerText(), /it does not/);
+});
+
+test('what is told while a print is open can be read and pressed', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const { page } = visit;
+  await visit.drop([fileOf('part.gcode', sliced())]);
+  await until(() => saves(visit).isEnabled(), 'beads are laid');
+  await page.evaluate(() => {
+    const { studio } = document.querySelector('sillon-app');
+    const run = () => (globalThis.pressed = true);
+    studio.tell({ text: 'A new version is ready.', actions: [{ label: 'Reload', run }], stays: true });
+  });
+  await view(visit).getByRole('button', { name: 'Reload' }).click();
+  assert.equal(await page.evaluate(() => globalThis.pressed), true);
+  assert.deepEqual(await view(visit).evaluate(overlaps), []);
+});
+
+test('a drawing is a picture, too; what is none is named, and the beads stay', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.drop([fileOf('part.gcode', sliced())]);
+  await until(() => saves(visit).isEnabled(), 'beads are laid');
+  await visit.drop([fileOf('notes.txt', 'hello')]);
+  const told = view(visit).getByRole('alert').filter({ hasText: 'notes.txt' });
+  await told.waitFor();
+  assert.match(await told.innerText(), /cannot open files like notes\.txt/);
+  assert.equal(await saves(visit).isEnabled(), true);
+  await visit.drop([fileOf('plan.dxf', '0')]);
+  await view(visit).getByText('plan.dxf is a DXF file').waitFor();
+  const drawing =
+    '<svg xmlns="http://www.w3.org/2000/svg" width="20mm" height="20mm"><circle cx="40" cy="40" r="30"/></svg>';
+  await visit.drop([fileOf('logo.svg', drawing)]);
+  await until(async () => (await view(visit).locator('.picture').count()) === 1, 'the drawing is taken');
+  await until(() => saves(visit).isEnabled(), 'beads are laid for it');
+  assert.match(await view(visit).locator('.picture').innerText(), /logo\.svg/);
+  assert.deepEqual(visit.problems, []);
+});
+
+test('faces have the names of their objects, as the package tells them', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  const text = sliced().toString().replaceAll(';TYPE:Top', 'M624 AgAAAAAAAAA=\n;TYPE:Top');
+  const { strToU8, zipSync } = fflate;
+  const info =
+    '<config><plate><metadata key="index" value="1"/><object identify_id="7" name="base.stl"/>' +
+    '<object identify_id="9" name="lid.stl"/></plate></config>';
+  const packed = zipSync({ 'Metadata/plate_1.gcode': strToU8(text), 'Metadata/slice_info.config': strToU8(info) });
+  await visit.drop([fileOf('part.gcode.3mf', Buffer.from(packed))]);
+  await until(async () => (await view(visit).getByRole('checkbox').count()) > 0, 'faces are listed');
+  assert.match(await view(visit).locator('.faces').innerText(), /\blid\b/);
+  assert.doesNotMatch(await view(visit).locator('.faces').innerText(), /AAAA/);
+});
+
 test('strokes are undone by keys, and Escape loses none: one goes on with them', { skip }, async () => {
   const visit = await bench.open({ small: true });
   const { page } = visit;
@@ -585,7 +711,7 @@ test('no control of it is covered or cut, whatever the width and the language', 
   await visit.drop([fileOf('a_print_with_a_rather_long_name_for_a_button.gcode', sliced())]);
   const save = view(visit).locator('.foot button.main');
   await until(() => save.isEnabled());
-  // Words about the page, which may come at any time, lie below this view.
+  // Words about the page may come at any time.
   await page.evaluate(() => {
     const { studio } = document.querySelector('sillon-app');
     studio.notify = () => undefined;

@@ -548,3 +548,101 @@ test('what another version says of its plates in the list may be anything', asyn
     assert.deepEqual([foreign, width, others.length], [true, 0, 0]);
   }
 });
+
+const sliced = (name = 'part.gcode', text = 'G28'): File => new File([text], name);
+const wanted = { way: 'hand', chosen: new Set([1, 2]) };
+const printOf = (kept: Kept | undefined) => (kept !== undefined && 'steps' in kept ? kept.print : undefined);
+
+test('a sliced print over a plate comes back with it, with what was wanted of it', async () => {
+  const first = start();
+  await keep(first, named('plate'));
+  first.savePrint({ file: sliced(), wish: wanted, open: true });
+  mock.timers.tick(500);
+  await first.flush();
+  const print = printOf(await later().load());
+  assert.ok(print !== undefined);
+  assert.deepEqual(
+    [print.file.name, await print.file.text(), print.wish, print.open],
+    ['part.gcode', 'G28', wanted, true],
+  );
+});
+
+test('the file of a print is written once, and what is wanted of it half a second after the last change', async () => {
+  const autosave = start();
+  await keep(autosave, named('plate'));
+  const file = sliced();
+  box.puts = [];
+  for (const angle of [1, 2, 3]) {
+    autosave.savePrint({ file, wish: { angle }, open: true });
+    mock.timers.tick(499);
+  }
+  assert.equal(box.puts.length, 0);
+  await autosave.flush();
+  autosave.savePrint({ file, wish: { angle: 4 }, open: false });
+  await autosave.flush();
+  assert.equal(box.puts.filter((key) => key.endsWith('/file')).length, 1);
+  assert.equal(box.puts.length, 3);
+  const print = printOf(await later().load());
+  assert.deepEqual([print?.wish, print?.open], [{ angle: 4 }, false]);
+});
+
+test('a print that is left is kept no more, and goes with its plate', async () => {
+  const prints = (): string[] => [...box.kept.keys()].filter((key) => key.startsWith('sliced/'));
+  const autosave = start();
+  await keep(autosave, named('plate'));
+  autosave.savePrint({ file: sliced(), wish: wanted, open: true });
+  await autosave.flush();
+  assert.equal(prints().length, 2);
+  autosave.savePrint(undefined);
+  await autosave.flush();
+  assert.deepEqual(prints(), []);
+  autosave.savePrint({ file: sliced(), wish: wanted, open: true });
+  const copy = await autosave.duplicate(autosave.current(), 'copy');
+  assert.ok(copy !== undefined);
+  assert.equal(prints().length, 2);
+  const back = await autosave.remove(autosave.current());
+  assert.deepEqual(prints(), []);
+  await back();
+  assert.equal(prints().length, 2);
+});
+
+test('a plate that nobody changed stays in the list while a print lies over it', async () => {
+  const first = start();
+  const plate = named('fresh');
+  first.begin(plate, true);
+  await keep(first, plate);
+  first.savePrint({ file: sliced(), wish: wanted, open: true });
+  await first.flush();
+  const second = later();
+  await second.list();
+  assert.equal(printOf(await second.load())?.file.name, 'part.gcode');
+});
+
+test('no room for a print is told once, and its plate is kept all the same', async () => {
+  const autosave = start();
+  await keep(autosave, named('plate'));
+  const file = sliced();
+  box.failure = new Error('full');
+  autosave.savePrint({ file, wish: wanted, open: true });
+  await autosave.flush();
+  box.failure = undefined;
+  await keep(autosave, named('plate'));
+  box.puts = [];
+  autosave.savePrint({ file, wish: {}, open: true });
+  await autosave.flush();
+  assert.deepEqual(
+    problems.map(({ code }) => code),
+    ['StorageFull'],
+  );
+  assert.deepEqual(box.puts, []);
+});
+
+test('another tab goes on with its own print, and a copy has none', async () => {
+  const first = start();
+  await keep(first, named('plate'));
+  first.savePrint({ file: sliced(), wish: wanted, open: true });
+  await first.flush();
+  const opened = await start().open(first.current());
+  assert.equal(opened?.state, 'copy');
+  assert.equal(opened.print, undefined);
+});

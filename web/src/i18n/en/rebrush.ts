@@ -24,7 +24,12 @@ export const words = {
   'rebrush.side.both.help':
     'The view from above shows the tops. From the side, press “See it from below” for the first layer.',
   'rebrush.bottomFace': 'Bottom, {z} mm high',
-  'rebrush.chosen': '{n} of {all} chosen, {area} mm²',
+  'rebrush.chosen': '{n} of {all} chosen, {area} mm².',
+  'rebrush.staying': {
+    one: '{n} chosen face stays as it was.',
+    other: '{n} chosen faces stay as they were.',
+  },
+  'rebrush.object': 'Object {n}',
   'rebrush.all': 'All',
   'rebrush.none': 'None',
   'rebrush.face': 'Layer {layer}, {z} mm high',
@@ -72,7 +77,8 @@ export const words = {
   'rebrush.untried': 'Not tried on a printer yet. Watch the new beads as they are printed.',
   'rebrush.download': 'Download {name}',
   'rebrush.saved': '{name} is in your downloads.',
-  'rebrush.kept': 'Your strokes on {name} are kept until you close this page.',
+  'rebrush.kept': 'Your strokes on {name} are kept.',
+  'rebrush.resumed': '{name} is open again, with all that you had chosen.',
   'rebrush.goOn': 'Continue',
 
   'rebrush.unreadable': '{name} cannot be re-brushed.',

@@ -1,0 +1,30 @@
+// Work on a sliced print that is left, and taken up again: at once, or at another visit.
+import type { KeptPrint } from '../files/autosave.js';
+import { r } from '../i18n/rebrush.js';
+import { wishFrom, type Wish } from '../model/rebrush.js';
+import type { Studio } from '../studio/studio.js';
+
+/** What is wanted of prints that were left. */
+export const left = new WeakMap<File, Wish>();
+
+export function offer(studio: Studio, file: File): void {
+  const goOn = {
+    label: r('goOn'),
+    run: () => {
+      studio.store.set({ sliced: file, dialog: 'rebrush' });
+    },
+  };
+  studio.tell({ text: r('kept', { name: file.name }), actions: [goOn], stays: true });
+}
+
+/** Of an earlier visit. */
+export function takeUp(studio: Studio, { file, wish, open }: KeptPrint): void {
+  const wanted = wishFrom(wish);
+  if (wanted !== undefined) left.set(file, wanted);
+  if (!open) {
+    offer(studio, file);
+    return;
+  }
+  studio.store.set({ sliced: file, dialog: 'rebrush' });
+  studio.notify(r('resumed', { name: file.name }));
+}
