@@ -692,11 +692,11 @@ export interface PictureParams {
 
 /** Section `toolpath` of docs/reference/project.md: defaults, units and ranges. */
 export interface ToolpathParams {
-  /** Distance between the centre lines of neighbouring beads; start with the nozzle diameter. 0.05..20 mm, default 0.4. */
+  /** Width of the lines: the distance between the middles of neighbouring beads; start with the nozzle diameter. 0.05..20 mm, default 0.4. */
   spacing: number;
-  /** Whether beads end at the border, follow it where the directions allow, or are enclosed by a number of perimeters. Default "count". */
+  /** Whether beads end at the outline, follow it where the directions allow, or are enclosed by a number of walls. Default "count". */
   perimeterMode: 'none' | 'soft' | 'count';
-  /** Number of beads along the border, where the border mode encloses the others. 0..100, default 1. */
+  /** Number of beads along the outline, where they enclose the others. 0..100, default 1. */
   perimeters: number;
   /** Joins solids closer than this into one path; null uses one spacing. 0..100 mm, default null. */
   bridge: number | null;
@@ -710,13 +710,13 @@ export interface ToolpathParams {
   phaseTransport: 'midpoint' | 'neighbour';
   /** Smoothing sweeps on each level of the hierarchy; more sweeps take longer. 1..1000, default 8. */
   sweepsPerLevel: number;
-  /** How much closer or wider than the spacing beads may lie to save U-turns, by a factor of up to e^this; 0 keeps them evenly spaced. 0..0.5, default 0.3. */
+  /** How much closer or wider than the line width beads may lie to save U-turns, by a factor of up to e^this; 0 keeps them evenly spaced. 0..0.5, default 0.3. */
   spacingVariation: number;
   /** Beads may deviate from the directions by up to this angle to save U-turns; takes about twice as long. 0..30 °, default 0. */
   directionTolerance: number;
   /** Radius over which the cells’ waves are averaged: three standard deviations of a Gaussian; 0.5 in 2023. 0.45..1.5 τ, default 1. */
   kernelRadius: number;
-  /** How strongly beads follow the border where the border mode leaves the choice to them, relative to a neighbour. 0..100, default 1. */
+  /** How strongly beads follow the outline where the choice is theirs, relative to a neighbour. 0..100, default 1. */
   borderWeight: number;
   /** Cost of misaligned length where two curves are joined. 0..10, default 1.1. */
   stitchAlignment: number;
@@ -793,9 +793,9 @@ export interface PrinterValues {
   speed: number;
   /** Printing speed of the first layer; slower adheres better. 5..1000 mm/s, default 20. */
   firstLayerSpeed: number;
-  /** Printing speed of base layers above the first; 0 uses the printing speed. 0..1000 mm/s, default 0. */
+  /** Printing speed of bottom layers above the first; 0 uses the printing speed. 0..1000 mm/s, default 0. */
   baseSpeed: number;
-  /** Printing speed of the oriented layers; 0 uses the printing speed, but at most 20 mm/s where pressure advance is not set. 0..1000 mm/s, default 0. */
+  /** Printing speed of the top layers; 0 uses the printing speed, but at most 20 mm/s where pressure advance is not set. 0..1000 mm/s, default 0. */
   showSpeed: number;
   /** Speed of moves that do not extrude. 5..1000 mm/s, default 120. */
   travelSpeed: number;
@@ -815,9 +815,9 @@ export interface PrinterValues {
   curveAcceleration: number;
   /** Fan speed on the first layer. 0..100 %, default 0. */
   firstLayerFan: number;
-  /** Fan speed on base layers above the first; negative values choose what the filament usually gets, such as 100 for PLA, 50 for PETG and 10 for ABS. -1..100 %, default -1. */
+  /** Fan speed on bottom layers above the first; negative values choose what the filament usually gets, such as 100 for PLA, 50 for PETG and 10 for ABS. -1..100 %, default -1. */
   baseFan: number;
-  /** Fan speed on oriented layers above the first; negative values choose what the filament usually gets, such as 100 for PLA, 50 for PETG and 10 for ABS. -1..100 %, default -1. */
+  /** Fan speed on top layers above the first; negative values choose what the filament usually gets, such as 100 for PLA, 50 for PETG and 10 for ABS. -1..100 %, default -1. */
   showFan: number;
   /** Layers that would take less time are slowed down, but not below 5 mm/s; 0 means no minimum. 0..300 s, default 8. */
   minLayerTime: number;
@@ -847,33 +847,33 @@ export interface PrinterValues {
 
 /** Section `print` of docs/reference/project.md, and the date in the file's first line. */
 export interface PrintParams {
-  /** Number of oriented layers on each side that shows them. 1..1000, default 1. */
+  /** Number of layers of directed beads, which show, on each side that shows them. 1..1000, default 1. */
   layers: number;
-  /** Number of plain layers under the oriented ones. 0..1000, default 2. */
+  /** Number of plain layers under the top layers. 0..1000, default 2. */
   base: number;
-  /** Hatching at alternately 45 and 135°, loops that follow the border, the oriented path itself, or hatching with the layer next to the oriented ones across their beads, which takes a second path. Default "hatched". */
+  /** Hatching at alternately 45 and 135°, loops that follow the outline, the path of the top layers itself, or hatching with the layer next to the top layers across their beads, which takes a second path. Default "hatched". */
   basePattern: 'hatched' | 'concentric' | 'same' | 'across';
-  /** Loops around the border of hatched base layers. 0..10, default 1. */
+  /** Loops along the outline of hatched bottom layers. 0..10, default 1. */
   basePerimeters: number;
-  /** Top: oriented layers on top. Bed: mirrored on the bed, base above. Both: both sides, for shapes that are their own mirror image. Default "up". */
+  /** Top: what shows is on top. Bed: it is mirrored on the bed, the bottom layers above it. Both: both sides, for shapes that are their own mirror image. Default "up". */
   showSide: 'up' | 'bed' | 'both';
   /** Loops around the plates that prime the nozzle. 0..20, default 1. */
   skirt: number;
   /** Filament extruded beside the plate before printing, in addition to what the last print retracted. 0..100 mm, default 10. */
   purgeLength: number;
-  /** Number of layers of a raised border on top of the oriented layers, along the outline and its holes. 0..50, default 0. */
+  /** Number of layers of a raised border on top of the top layers, along the outline and its holes. 0..50, default 0. */
   rim: number;
   /** Width of the raised border, in whole lines as wide as the nozzle and at least one. 0.1..100 mm, default 2. */
   rimWidth: number;
   /** Loops attached to the plate’s first layer, for adhesion. 0..50, default 0. */
   brim: number;
-  /** Inset of the first base layer, to compensate for its being squeezed wider. 0..0.5 mm, default 0.1. */
+  /** Inset of the first bottom layer, to compensate for its being squeezed wider. 0..0.5 mm, default 0.1. */
   elephantFoot: number;
-  /** Prints wide oriented beads slower and narrow ones faster (speed × spacing / width, at most 1.5 times the speed), so that the plastic flows evenly; not on the first layer. Default false. */
+  /** Prints wide beads of top layers slower and narrow ones faster (speed × spacing / width, at most 1.5 times the speed), so that the plastic flows evenly; not on the first layer. Default false. */
   constantFlow: boolean;
   /** Length before the end of a path that is travelled without extruding. 0..1 mm, default 0. */
   coast: number;
-  /** Length over which the two ends of an oriented cycle overlap, one ramping down while the other ramps up; requires coasting of 0. 0..20 mm, default 0. */
+  /** Length over which the two ends of a top layer’s cycle overlap, one ramping down while the other ramps up; requires coasting of 0. 0..20 mm, default 0. */
   scarf: number;
   /** Columns and rows of copies, printed one after another; copied plates may be at most 3 mm high. 1..20, default [1,1]. */
   copies: [number, number];
@@ -885,11 +885,11 @@ export interface PrintParams {
   startHeight: number;
   /** First layer height, at least 0.05 mm and at most 0.8 of the nozzle diameter; 0 uses the layer height. 0..1.6 mm, default 0. */
   firstLayerHeight: number;
-  /** Extrusion multiplier of the oriented layers; slightly below 1 keeps the grooves between beads crisp. 0.01..2, default 0.95. */
+  /** Extrusion multiplier of the top layers; slightly below 1 keeps the grooves between beads crisp. 0.01..2, default 0.95. */
   flow: number;
-  /** Extrusion multiplier of the base layers; 1 fills them. 0.01..2, default 1. */
+  /** Extrusion multiplier of the bottom layers; 1 fills them. 0.01..2, default 1. */
   baseFlow: number;
-  /** Extrusion multiplier of an oriented layer printed on the bed; less than 1 leaves fine gaps there. 0.01..2, default 1. */
+  /** Extrusion multiplier of a top layer that is printed on the bed; less than 1 leaves fine gaps there. 0.01..2, default 1. */
   bedFlow: number;
   /** Rotation of the plate on the bed, counter-clockwise. -360..360 °, default 0. */
   rotate: number;

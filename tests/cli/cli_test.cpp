@@ -2025,5 +2025,5 @@ TEST_CASE("shapes for things: built-in ones, corners, offsets, holes and a rim")
   refused("--offset -15", "an offset of -15 mm leaves nothing of the shape");
   refused("--shape ring --size 20 --inner 25", "inner diameter of the ring is 25 mm");
   refused("--shape ring --size 20x10", "for a ring; it must be one number there");
-  refused("--rim 2 --show bed --gcode b.gcode", "print.rim is 2, but oriented layers lie on the bed");
+  refused("--rim 2 --show bed --gcode b.gcode", "print.rim is 2, but what shows lies on the bed");
 }

@@ -251,7 +251,7 @@ TEST_CASE("parts too thin for the base layers are reported") {
   job.shape.paths.push_back({{{{0, 20}, {0.35, 20}, {0.35, 190}, {0, 190}}}, FillRule::NonZero});
   const Written written = job.write();
   REQUIRE(written.result.ok());
-  CHECK(contains(written.result.value().warnings, "a base layer covers only 8"));
+  CHECK(contains(written.result.value().warnings, "a bottom layer covers only 8"));
 }
 
 namespace {

@@ -128,7 +128,7 @@ TEST_CASE("rims are refused where they cannot stand, with the values") {
   Job job = frame();
   job.params.showSide = ShowSide::Bed;
   CHECK(problem(job) ==
-        "print.rim is 3, but oriented layers lie on the bed; print.showSide must be up for a rim, or print.rim 0");
+        "print.rim is 3, but what shows lies on the bed; print.showSide must be up for a rim, or print.rim 0");
   job.params.showSide = ShowSide::Both;
   CHECK(problem(job).find("print.rim is 3, ") == 0);
   job = frame();

@@ -15,7 +15,7 @@ constexpr Sentence kReasons[] = {
      "these plates are {height} mm high; several on one bed, printed one after the other, may be at most {most} mm, or "
      "the print head would touch them"},
     {reason::kNoBeadFits,
-     "no bead fits into this shape at a spacing of {spacing} mm; use a smaller spacing or a larger shape"},
+     "no bead fits into this shape at a toolpath.spacing of {spacing} mm; use a smaller one or a larger shape"},
     {reason::kHoleOutside,
      "hole {n} at {x}, {y} mm, {diameter} mm wide, lies outside the shape, which reaches from {left}, {bottom} to "
      "{right}, {top} mm; move it onto the shape, or leave it out"},
@@ -26,7 +26,7 @@ constexpr Sentence kReasons[] = {
     {reason::kPictureLetter,
      "the font {font} has {letter} only as a picture; take a font that has its outline, or leave it out"},
     {reason::kRimBelow,
-     "print.rim is {rim}, but oriented layers lie on the bed; print.showSide must be up for a rim, or print.rim 0"},
+     "print.rim is {rim}, but what shows lies on the bed; print.showSide must be up for a rim, or print.rim 0"},
     {reason::kLinesNumbered, "its lines are numbered, as hosts send them; take the file that the slicer wrote"},
     {reason::kNoMarks,
      "it does not mark its surfaces; files of PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio and Cura do"},
@@ -38,12 +38,12 @@ constexpr Sentence kReasons[] = {
 };
 
 constexpr Sentence kHints[] = {
-    {"TooLarge", "use a larger spacing, a smaller size or smaller pictures"},
+    {"TooLarge", "use a larger toolpath.spacing, a smaller size or smaller pictures"},
     {"EmptyShape",
      "the shape needs filled areas wider than a bead; convert text and lines to paths, or make small shapes larger"},
     {"DoesNotFit",
      "make the print smaller, rotate or centre it, print fewer copies or layers, or choose another printer"},
-    {"OutOfMemory", "use a larger spacing or a smaller size, or close what else needs memory"},
+    {"OutOfMemory", "use a larger toolpath.spacing or a smaller size, or close what else needs memory"},
 };
 
 }  // namespace

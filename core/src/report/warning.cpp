@@ -19,7 +19,7 @@ namespace {
 constexpr Sentence kSentences[] = {
     {"AccelerationHeld", "printer.acceleration is {asked} mm/s2; it is held at printer.machineAcceleration, {held}"},
     {"BaseTooThin",
-     "a base layer covers only {percent} % of the shape; places too narrow for its lines have nothing below them"},
+     "a bottom layer covers only {percent} % of the shape; places too narrow for its lines have nothing below them"},
     {"BlockMovesLow", "{block} goes down to Z {z}; what stands there is {height} mm high"},
     {"DetailLost",
      "{area} mm2 are narrower than a bead and stay empty (places: {n}); {share} % of that would print at a page width "
@@ -58,16 +58,17 @@ constexpr Sentence kSentences[] = {
     {"MaxFlowSlows", "printer.maxFlow slows {percent} % of the path"},
     {"MirroredUp", "the plate is mirrored but shown from above; writing on it reads backwards"},
     {"NoPressureAdvance",
-     "nothing sets pressure advance on this printer, so oriented layers run evenly at {speed} mm/s, {minutes} min "
+     "nothing sets pressure advance on this printer, so top layers run evenly at {speed} mm/s, {minutes} min "
      "longer than at {asked}; printer.setPressureAdvance sets it, printer.showSpeed the speed"},
     {"NotPrimed",
      "the plate leaves no room for a purge line, so the nozzle is not primed and the first beads may be thin"},
     {"NotPrimedAbovePrint",
-     "nothing is printed beside a print that stands on the bed, so the nozzle is not primed; a base layer hides that"},
+     "nothing is printed beside a print that stands on the bed, so the nozzle is not primed; a bottom layer hides "
+     "that"},
     {"OutsideShape", "points of the path that lie more than 0.1 mm outside the shape: {n}"},
     {"PictureLost",
-     "picture {picture} is hard to recognise in the beads (r {r}; 0.7 is enough); a larger size or a smaller spacing "
-     "shows more of it"},
+     "picture {picture} is hard to recognise in the beads (r {r}; 0.7 is enough); a larger size or a smaller "
+     "toolpath.spacing shows more of it"},
     {"PictureOneTone",
      "picture {picture} has one tone on this plate, so nothing can be seen in it; use a picture with bright and dark "
      "parts wider than a bead"},
@@ -81,7 +82,7 @@ constexpr Sentence kSentences[] = {
      "down on it"},
     {"PrintedApart",
      "toolpaths that lie apart from the rest of their part: {n}, around X {x}, Y {y} mm; what joins them is too thin "
-     "for a bead, which a larger size, a smaller spacing or shape.keepThin may mend"},
+     "for a bead, which a larger size, a smaller toolpath.spacing or shape.keepThin may mend"},
     {"SegmentsSlow", "printer.maxSegmentsPerSecond slows {percent} % of the path"},
     {"SkirtLeftOut", "the skirt does not fit the bed and was left out"},
     {"SpeedHeld", "{field} is {asked} mm/s; it is held at printer.machineSpeed, {held}"},
@@ -95,11 +96,10 @@ constexpr Sentence kSentences[] = {
     {"ThinLayers", "print.layerHeight is {value} mm; layers thinner than 0.2 nozzle diameters tear"},
     {"ThinLetters",
      "{percent} % of what layer {layer} draws is narrower than two beads and hard to read; a larger size, a bolder "
-     "font or "
-     "a smaller spacing helps"},
+     "font or a smaller toolpath.spacing helps"},
     {"ThinModules",
      "the modules of layer {layer} are {size} mm wide, less than two beads, and hard to read; a larger size, a shorter "
-     "text or a smaller spacing helps"},
+     "text or a smaller toolpath.spacing helps"},
     {"UnusualFilament", "printer.filamentDiameter is {value} mm; filament is sold with 1.75 and 2.85"},
     {"UnusualFlow", "{field} is {value}; 0.8 to 1.1 is usual"},
     {"WidthHeld",

@@ -572,8 +572,9 @@ constexpr Row kRows[] = {
       .low = 0.05,
       .high = 20,
       .level = Basic},
-     {.label = "Bead spacing",
-      .help = "Distance between the centre lines of neighbouring beads; start with the nozzle diameter",
+     {.label = "Line width",
+      .help =
+          "Width of the lines: the distance between the middles of neighbouring beads; start with the nozzle diameter",
       .option = "--spacing"}},
     {{.section = Toolpath,
       .key = "perimeterMode",
@@ -581,9 +582,9 @@ constexpr Row kRows[] = {
       .field = at<&ToolpathParams::perimeterMode>,
       .level = Basic,
       .choices = "none soft count"},
-     {.label = "Border mode",
-      .help = "Whether beads end at the border, follow it where the directions allow, or are enclosed by a number of "
-              "perimeters",
+     {.label = "Outline",
+      .help = "Whether beads end at the outline, follow it where the directions allow, or are enclosed by a number of "
+              "walls",
       .option = "--perimeters"}},
     {{.section = Toolpath,
       .key = "perimeters",
@@ -592,7 +593,7 @@ constexpr Row kRows[] = {
       .low = 0,
       .high = 100,
       .level = Basic},
-     {.label = "Perimeters", .help = "Number of beads along the border, where the border mode encloses the others"}},
+     {.label = "Walls", .help = "Number of beads along the outline, where they enclose the others"}},
     {{.section = Toolpath,
       .key = "bridge",
       .type = Number,
@@ -657,9 +658,10 @@ constexpr Row kRows[] = {
       .field = at<&ToolpathParams::spacingVariation>,
       .low = 0,
       .high = 0.5},
-     {.label = "Spacing variation",
-      .help = "How much closer or wider than the spacing beads may lie to save U-turns, by a factor of up to e^this; 0 "
-              "keeps them evenly spaced",
+     {.label = "Line width variation",
+      .help =
+          "How much closer or wider than the line width beads may lie to save U-turns, by a factor of up to e^this; 0 "
+          "keeps them evenly spaced",
       .option = "--spacing-variation"}},
     {{.section = Toolpath,
       .key = "directionTolerance",
@@ -690,8 +692,7 @@ constexpr Row kRows[] = {
       .high = 100,
       .level = Expert},
      {.label = "Border weight",
-      .help = "How strongly beads follow the border where the border mode leaves the choice to them, relative to a "
-              "neighbour",
+      .help = "How strongly beads follow the outline where the choice is theirs, relative to a neighbour",
       .option = "--border-weight"}},
     {{.section = Toolpath,
       .key = "stitchAlignment",
@@ -802,8 +803,8 @@ constexpr Row kRows[] = {
       .low = 1,
       .high = 1000,
       .level = Basic},
-     {.label = "Oriented layers",
-      .help = "Number of oriented layers on each side that shows them",
+     {.label = "Top layers",
+      .help = "Number of layers of directed beads, which show, on each side that shows them",
       .option = "--layers"}},
     {{.section = Print,
       .key = "base",
@@ -812,15 +813,16 @@ constexpr Row kRows[] = {
       .low = 0,
       .high = 1000,
       .level = Basic},
-     {.label = "Base layers", .help = "Number of plain layers under the oriented ones", .option = "--base"}},
+     {.label = "Bottom layers", .help = "Number of plain layers under the top layers", .option = "--base"}},
     {{.section = Print,
       .key = "basePattern",
       .type = Choice,
       .field = at<&PrintParams::basePattern>,
       .choices = "hatched concentric same across"},
-     {.label = "Base pattern",
-      .help = "Hatching at alternately 45 and 135 degrees, loops that follow the border, the oriented path itself, or "
-              "hatching with the layer next to the oriented ones across their beads, which takes a second path",
+     {.label = "Bottom pattern",
+      .help = "Hatching at alternately 45 and 135 degrees, loops that follow the outline, the path of the top layers "
+              "itself, "
+              "or hatching with the layer next to the top layers across their beads, which takes a second path",
       .option = "--base-pattern"}},
     {{.section = Print,
       .key = "basePerimeters",
@@ -828,7 +830,7 @@ constexpr Row kRows[] = {
       .field = at<&PrintParams::basePerimeters>,
       .low = 0,
       .high = 10},
-     {.label = "Base perimeters", .help = "Loops around the border of hatched base layers"}},
+     {.label = "Bottom walls", .help = "Loops along the outline of hatched bottom layers"}},
     {{.section = Print,
       .key = "showSide",
       .type = Choice,
@@ -836,8 +838,9 @@ constexpr Row kRows[] = {
       .level = Basic,
       .choices = "up bed both"},
      {.label = "Side to show",
-      .help = "Top: oriented layers on top. Bed: mirrored on the bed, base above. Both: both sides, for shapes "
-              "that are their own mirror image",
+      .help =
+          "Top: what shows is on top. Bed: it is mirrored on the bed, the bottom layers above it. Both: both sides, "
+          "for shapes that are their own mirror image",
       .option = "--show"}},
     {{.section = Print, .key = "skirt", .type = Integer, .field = at<&PrintParams::skirt>, .low = 0, .high = 20},
      {.label = "Skirt loops", .help = "Loops around the plates that prime the nozzle", .option = "--skirt"}},
@@ -858,7 +861,7 @@ constexpr Row kRows[] = {
       .high = 50,
       .level = Basic},
      {.label = "Rim",
-      .help = "Number of layers of a raised border on top of the oriented layers, along the outline and its holes",
+      .help = "Number of layers of a raised border on top of the top layers, along the outline and its holes",
       .option = "--rim"}},
     {{.section = Print,
       .key = "rimWidth",
@@ -886,11 +889,13 @@ constexpr Row kRows[] = {
       .unit = "mm",
       .low = 0,
       .high = 0.5},
-     {.label = "Elephant's foot", .help = "Inset of the first base layer, to compensate for its being squeezed wider"}},
+     {.label = "Elephant's foot",
+      .help = "Inset of the first bottom layer, to compensate for its being squeezed wider"}},
     {{.section = Print, .key = "constantFlow", .type = Flag, .field = at<&PrintParams::constantFlow>},
      {.label = "Constant flow",
-      .help = "Prints wide oriented beads slower and narrow ones faster (speed x spacing / width, at most 1.5 times "
-              "the speed), so that the plastic flows evenly; not on the first layer"}},
+      .help =
+          "Prints wide beads of top layers slower and narrow ones faster (speed x spacing / width, at most 1.5 times "
+          "the speed), so that the plastic flows evenly; not on the first layer"}},
     {{.section = Print,
       .key = "coast",
       .type = Number,
@@ -907,8 +912,9 @@ constexpr Row kRows[] = {
       .low = 0,
       .high = 20},
      {.label = "Scarf seam",
-      .help = "Length over which the two ends of an oriented cycle overlap, one ramping down while the other ramps up; "
-              "requires coasting of 0"}},
+      .help =
+          "Length over which the two ends of a top layer's cycle overlap, one ramping down while the other ramps up; "
+          "requires coasting of 0"}},
     {{.section = Print,
       .key = "copies",
       .type = IntegerPair,
@@ -957,14 +963,14 @@ constexpr Row kRows[] = {
      {.label = "First layer height",
       .help = "First layer height, at least 0.05 mm and at most 0.8 of the nozzle diameter; 0 uses the layer height"}},
     {{.section = Print, .key = "flow", .type = Number, .field = at<&PrintParams::flow>, .low = 0.01, .high = 2},
-     {.label = "Flow, oriented layers",
-      .help = "Extrusion multiplier of the oriented layers; slightly below 1 keeps the grooves between beads crisp",
+     {.label = "Flow, top layers",
+      .help = "Extrusion multiplier of the top layers; slightly below 1 keeps the grooves between beads crisp",
       .option = "--flow"}},
     {{.section = Print, .key = "baseFlow", .type = Number, .field = at<&PrintParams::baseFlow>, .low = 0.01, .high = 2},
-     {.label = "Flow, base layers", .help = "Extrusion multiplier of the base layers; 1 fills them"}},
+     {.label = "Flow, bottom layers", .help = "Extrusion multiplier of the bottom layers; 1 fills them"}},
     {{.section = Print, .key = "bedFlow", .type = Number, .field = at<&PrintParams::bedFlow>, .low = 0.01, .high = 2},
      {.label = "Flow on the bed",
-      .help = "Extrusion multiplier of an oriented layer printed on the bed; less than 1 leaves fine gaps there"}},
+      .help = "Extrusion multiplier of a top layer that is printed on the bed; less than 1 leaves fine gaps there"}},
     {{.section = Print,
       .key = "rotate",
       .type = Number,
@@ -1201,8 +1207,8 @@ constexpr Row kRows[] = {
       .unit = "mm/s",
       .low = 0,
       .high = 1000},
-     {.label = "Speed, base layers",
-      .help = "Printing speed of base layers above the first; 0 uses the printing speed"}},
+     {.label = "Speed, bottom layers",
+      .help = "Printing speed of bottom layers above the first; 0 uses the printing speed"}},
     {{.section = Section::Printer,
       .key = "showSpeed",
       .type = Number,
@@ -1210,8 +1216,8 @@ constexpr Row kRows[] = {
       .unit = "mm/s",
       .low = 0,
       .high = 1000},
-     {.label = "Speed, oriented layers",
-      .help = "Printing speed of the oriented layers; 0 uses the printing speed, but at most 20 mm/s where pressure "
+     {.label = "Speed, top layers",
+      .help = "Printing speed of the top layers; 0 uses the printing speed, but at most 20 mm/s where pressure "
               "advance is not set"}},
     {{.section = Section::Printer,
       .key = "travelSpeed",
@@ -1300,8 +1306,8 @@ constexpr Row kRows[] = {
       .unit = "%",
       .low = -1,
       .high = 100},
-     {.label = "Fan, base layers",
-      .help = "Fan speed on base layers above the first; negative values choose what the filament usually gets, "
+     {.label = "Fan, bottom layers",
+      .help = "Fan speed on bottom layers above the first; negative values choose what the filament usually gets, "
               "such as 100 for PLA, 50 for PETG and 10 for ABS"}},
     {{.section = Section::Printer,
       .key = "showFan",
@@ -1310,8 +1316,8 @@ constexpr Row kRows[] = {
       .unit = "%",
       .low = -1,
       .high = 100},
-     {.label = "Fan, oriented layers",
-      .help = "Fan speed on oriented layers above the first; negative values choose what the filament usually "
+     {.label = "Fan, top layers",
+      .help = "Fan speed on top layers above the first; negative values choose what the filament usually "
               "gets, such as 100 for PLA, 50 for PETG and 10 for ABS"}},
     {{.section = Section::Printer,
       .key = "minLayerTime",

@@ -12,11 +12,11 @@ import { addLayer } from '../layers/add-layer.js';
 import { chooseFill } from '../layers/fill-cards.js';
 import { fillIcons } from '../layers/icons.js';
 import { filaments, withFilament } from '../model/filaments.js';
-import { patternFills, pictureFills } from '../model/fills.js';
+import { patternFills, pictureFills, type Fill } from '../model/fills.js';
 import { sections } from '../model/guest.js';
 import { layerKinds } from '../model/layer-list.js';
 import { printers, printersByFile, withPrinter } from '../model/printers.js';
-import { expertSettings, settings } from '../model/settings.js';
+import { expertSettings, settings, type SettingId } from '../model/settings.js';
 import { builtinShapes, withShape } from '../model/shapes.js';
 import { filamentLabel } from '../print/filament-name.js';
 import { pickPrinter } from '../print/machine-fields.js';
@@ -26,6 +26,11 @@ import { showSetting } from './show-setting.js';
 
 type Known = keyof typeof synonyms extends `also.${infer Name}` ? Name : never;
 const also = (id: Known): string => say(synonyms, `also.${id}`);
+
+const alsoFill = (fill: Fill): string =>
+  fill === 'picture' || fill === 'brightness' || fill === 'edges' || fill === 'levels' || fill === 'colours'
+    ? also(fill)
+    : '';
 
 export interface Action {
   /** Heading that it stands under; empty: none. */
@@ -41,7 +46,20 @@ export interface Action {
   run: () => void;
 }
 
-const views = ['appearance', 'toolpath', 'quality', 'directions'] as const;
+const views = [
+  ['appearance', 'look'],
+  ['toolpath', 'beads'],
+  ['quality', 'quality'],
+  ['directions', 'flow'],
+] as const;
+/** Settings whose names people know from elsewhere, or from before. */
+const otherNames: Partial<Record<SettingId, Known>> = {
+  'toolpath.spacing': 'spacing',
+  'toolpath.perimeterMode': 'outline',
+  'toolpath.perimeters': 'walls',
+  'print.layers': 'top',
+  'print.base': 'bottom',
+};
 const tools = [
   ['pan', 'hand', 'V'],
   ['comb', 'comb', 'B'],
@@ -162,10 +180,11 @@ function usual(studio: Studio): Action[] {
       disabled: product === 'body' && plate.print.base === 0,
       run: () => void studio.save(product),
     })),
-    ...views.map((view, k) => ({
+    ...views.map(([view, name], k) => ({
       group: t('view.title'),
       label: t(`view.${view}`),
       icon: 'light' as const,
+      also: also(name),
       keys: String(k + 1),
       run: () => {
         studio.setView(view);
@@ -254,7 +273,7 @@ function rare(studio: Studio): Action[] {
       group: t('section.layers'),
       label: t(`source.${fill}`),
       icon: fillIcons[fill],
-      also: fill === 'picture' ? also('picture') : '',
+      also: alsoFill(fill),
       run: () => void chooseFill(studio, fill),
     })),
     ...builtinShapes.map((shape) => ({
@@ -283,13 +302,16 @@ function rare(studio: Studio): Action[] {
     })),
     ...settings
       .filter(({ id }) => !expertSettings.has(id))
-      .map(({ id, section }) => ({
-        group: section === 'pictures' ? t('section.layers') : t(`section.${section}`),
-        label: settingLabel({ id }),
-        icon: 'tune' as const,
-        also: id,
-        run: () => void showSetting(studio, id),
-      })),
+      .map(({ id, section }) => {
+        const { [id]: name } = otherNames;
+        return {
+          group: section === 'pictures' ? t('section.layers') : t(`section.${section}`),
+          label: settingLabel({ id }),
+          icon: 'tune' as const,
+          also: name === undefined ? id : `${id} ${also(name)}`,
+          run: () => void showSetting(studio, id),
+        };
+      }),
   ].map((action) => ({ ...action, rare: true }));
 }
 

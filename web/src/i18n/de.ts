@@ -79,7 +79,7 @@ export const de: Translation = {
   'section.printer': 'Drucker',
   'section.filament': 'Filament',
   'section.view': 'Ansicht',
-  'section.quality': 'Qualität',
+  'section.quality': 'Prüfen',
   'section.export': 'Download',
   'section.advanced': 'Erweiterte Einstellungen',
   'section.advancedHelp': 'Die Vorgaben passen für die meisten Platten.',
@@ -114,12 +114,12 @@ export const de: Translation = {
   'files.guess': 'Das ist eine Vermutung; bei Bedarf ändern.',
   'role.shape': 'Form',
   'role.mask': 'Form aus einem Maskenbild',
-  'role.lamp': 'Bild unter einer Lampe',
-  'role.more': 'Ein weiteres Bild unter eigener Lampe',
-  'role.tone': 'Bild: Helligkeit wird Richtung',
-  'role.edges': 'Bild: entlang der Kanten',
-  'role.levels': 'Logo oder Code: zwei Richtungen',
-  'role.colours': 'Farben: jede in eigener Richtung',
+  'role.lamp': 'Foto',
+  'role.more': 'Ein weiteres Foto unter eigener Lampe',
+  'role.tone': 'Helligkeit',
+  'role.edges': 'Kanten',
+  'role.levels': 'Logo oder Code',
+  'role.colours': 'Farben',
   'role.angle': 'Winkelkarte',
   'role.rotation': 'Drehungskarte',
   'role.tangent': 'Tangentenkarte',
@@ -137,20 +137,20 @@ export const de: Translation = {
   'role.angle.help': 'Grauwert = Winkel: Schwarz ist −90°, Weiß ist 90°.',
   'role.rotation.help': 'Grauwert = Winkel: Schwarz ist 0°, Weiß ist 180°.',
   'role.tangent.help': 'Rot und Grün = Richtung, wie in einer Normalenkarte.',
-  'role.modes.help': 'Vier Grautöne: parallel, rechtwinklig, glatt, vorgegeben.',
+  'role.modes.help': 'Vier Grautöne: parallel, rechtwinklig, glatt, wie gerichtet.',
   'role.project.help': 'Alles, was eine Platte ausmacht, samt Dateien.',
   'role.none.help': 'Die Datei wird nicht verwendet.',
 
   // --- Richtungen -----------------------------------------------------------------------------------------------------
-  'source.pictures': 'Bild',
+  'source.pictures': 'Art des Bildes',
   'source.patterns': 'Muster',
   'source.direction': 'Eine Richtung',
-  'source.picture': 'Bild unter einer Lampe',
+  'source.picture': 'Foto',
   'source.map': 'Richtungs\u00ADkarte',
-  'source.brightness': 'Bild nach Helligkeit',
-  'source.edges': 'Bild entlang der Kanten',
-  'source.levels': 'Logo, zwei Richtungen',
-  'source.colours': 'Eine Richtung je Farbe',
+  'source.brightness': 'Helligkeit',
+  'source.edges': 'Kanten',
+  'source.levels': 'Logo',
+  'source.colours': 'Farben',
   'source.radial': 'Strahlen',
   'source.spiral': 'Spirale',
   'source.waves': 'Wellen',
@@ -170,13 +170,13 @@ export const de: Translation = {
   'field.encoding.angle': 'Winkel, von Schwarz −90° bis Weiß 90°',
   'field.encoding.rotation': 'Winkel, von Schwarz 0° bis Weiß 180°',
   'field.encoding.tangent': 'Richtung, Rot ist x und Grün ist y',
-  'field.calm': 'Ruhe (weniger Kehren)',
+  'field.calm': 'Glätte (weniger Kehren)',
   'field.localContrast': 'Lokaler Kontrast',
   'field.qrText': 'Text oder Adresse',
   'mode.parallel': 'Parallel',
   'mode.orthogonal': 'Rechtwinklig',
   'mode.smoothest': 'Glatt',
-  'mode.constrained': 'Vorgegeben',
+  'mode.constrained': 'Wie gerichtet',
   'mode.parallel.help': 'Die Bahnen laufen am Rand entlang.',
   'mode.orthogonal.help': 'Die Bahnen treffen im rechten Winkel auf den Rand.',
   'mode.smoothest.help': 'Die Bahnen biegen sich so wenig wie möglich.',
@@ -195,7 +195,8 @@ export const de: Translation = {
   'lamp.stands': 'Lampe bei {azimuth}°, {elevation}° hoch',
   'lamp.here': 'Dieses Licht nehmen',
   'lamp.best': 'Besten Ort wählen',
-  'lamp.gauge': 'Kontrast {contrast} : 1, etwa {n} Graustufen',
+  'lamp.gauge.clear': 'Das Bild ist klar zu sehen: Kontrast {contrast} : 1, etwa {n} Graustufen.',
+  'lamp.gauge.faint': 'Das Bild ist schwach zu sehen: Kontrast {contrast} : 1, etwa {n} Graustufen.',
   'lamp.shown': 'Beleuchtetes Bild',
   'lamp.show': 'Bild beleuchten',
   'lamp.flip': 'Lampe drehen',
@@ -206,7 +207,7 @@ export const de: Translation = {
   'lamp.weak.crowded':
     'Eine Platte kann nicht alle {n} Bilder zeigen: Eines erreicht nur r {r}. Es hilft, eines wegzulassen oder Bilder zu nehmen, die sich weniger unterscheiden.',
   'lamp.weak.unlike':
-    'Die Platte ähnelt dem Bild kaum. Es hilft: größer drucken, eine feinere Düse oder ein Bild mit weniger Einzelheiten.',
+    'Die Platte ähnelt dem Bild kaum. Es hilft: größer drucken, eine feinere „Düse“ oder ein Bild mit weniger Einzelheiten.',
 
   // --- Bearbeiten -----------------------------------------------------------------------------------------------------
   'tool.title': 'Werkzeuge',
@@ -227,8 +228,8 @@ export const de: Translation = {
   'view.title': 'Ansicht',
   'view.directions': 'Richtungen',
   'view.toolpath': 'Weg',
-  'view.appearance': 'Ansicht',
-  'view.quality': 'Prüfung',
+  'view.appearance': 'Aussehen',
+  'view.quality': 'Prüfen',
   'view.directions.help':
     'Die verlangten Richtungen der Bahnen. Die Farben wiederholen sich alle 180°, denn eine Bahn hat kein Vorn.',
   'view.toolpath.help': 'Die Bahnen, wie sie gedruckt werden, in ihrer wahren Breite.',
@@ -280,18 +281,19 @@ export const de: Translation = {
   'capture.making': 'Das bewegte Bild entsteht …',
 
   // --- Einstellungen: Druckweg ---------------------------------------------------------------------------------------
-  'setting.toolpath.spacing': 'Bahnabstand',
-  'help.toolpath.spacing': 'Abstand benachbarter Bahnen. Der Düsendurchmesser ist ein guter Anfang.',
-  'setting.toolpath.spacingVariation': 'Abstandsspielraum',
+  'setting.toolpath.spacing': 'Linienbreite',
+  'help.toolpath.spacing':
+    'Breite der Linien: der Abstand benachbarter Bahnen. Der Düsendurchmesser ist ein guter Anfang.',
+  'setting.toolpath.spacingVariation': 'Spielraum der Linienbreite',
   'help.toolpath.spacingVariation':
     'Wie viel enger oder weiter Bahnen liegen dürfen, wo sie sich auffächern. Mehr spart Kehren; 0 hält sie gleichmäßig.',
-  'setting.toolpath.perimeterMode': 'Am Rand',
-  'help.toolpath.perimeterMode': 'Wie die Bahnen auf den Rand der Form treffen.',
+  'setting.toolpath.perimeterMode': 'Umriss',
+  'help.toolpath.perimeterMode': 'Wie die Bahnen auf den Umriss der Form treffen.',
   'choice.toolpath.perimeterMode.none': 'Die Bahnen enden dort',
   'choice.toolpath.perimeterMode.soft': 'Ihm folgen, wo die Richtungen es erlauben',
   'choice.toolpath.perimeterMode.count': 'Ihm immer folgen',
-  'setting.toolpath.perimeters': 'Perimeter',
-  'help.toolpath.perimeters': 'Wie viele Bahnen dem Rand folgen.',
+  'setting.toolpath.perimeters': 'Wände',
+  'help.toolpath.perimeters': 'Wie viele Bahnen dem Umriss folgen.',
   'setting.toolpath.seed': 'Startwert',
   'help.toolpath.seed': '0 ist regelmäßig. Jede andere Zahl ergibt eine andere Platte von gleicher Güte.',
   'setting.toolpath.jitter': 'Stärke des Startwerts',
@@ -323,7 +325,7 @@ export const de: Translation = {
   'help.toolpath.directionTolerance':
     'Wie weit Bahnen von den Richtungen abweichen dürfen, wo das Kehren spart. Dauert länger.',
   'setting.toolpath.kernelRadius': 'Glättungsradius',
-  'help.toolpath.kernelRadius': 'Der Radius, über den benachbarte Wellen gemittelt werden, in Bahnabständen.',
+  'help.toolpath.kernelRadius': 'Der Radius, über den benachbarte Wellen gemittelt werden, in Linienbreiten.',
   'setting.toolpath.borderWeight': 'Gewicht des Rands',
   'help.toolpath.borderWeight': 'Wie stark Bahnen dem Rand folgen, wo sie die Wahl haben.',
   'setting.toolpath.widthBalance': 'Breitenausgleich',
@@ -337,7 +339,7 @@ export const de: Translation = {
   'help.toolpath.maxWidth': 'Keine Bahn ist breiter.',
   'setting.toolpath.bridge': 'Lücken überbrücken bis',
   'help.toolpath.bridge': 'Teile der Form, die näher beieinanderliegen, werden ein einziger Weg.',
-  'null.toolpath.bridge': 'Ein Bahnabstand',
+  'null.toolpath.bridge': 'Eine Linienbreite',
   'setting.toolpath.mapFilter': 'Abtastung des Bilds',
   'help.toolpath.mapFilter': 'Benachbarte Pixel der Richtungskarte mitteln oder das nächste nehmen.',
   'choice.toolpath.mapFilter.average': 'Mittel',
@@ -347,9 +349,9 @@ export const de: Translation = {
     'Wie weit der Weg sich verschieben darf, wenn Punkte entfallen. Mehr ergibt kleinere Dateien.',
 
   // --- Einstellungen: Druck -------------------------------------------------------------------------------------------
-  'setting.print.layers': 'Schimmerschichten',
+  'setting.print.layers': 'Deckschichten',
   'help.print.layers': 'So viele Schichten zeigen das Bild, auf jeder Schauseite.',
-  'setting.print.base': 'Grundschichten',
+  'setting.print.base': 'Bodenschichten',
   'help.print.base': 'Schraffierte Schichten darunter, die die Platte steif machen.',
   'setting.print.layerHeight': 'Schichthöhe',
   'help.print.layerHeight': 'Höchstens das 0,8-Fache des Düsendurchmessers.',
@@ -366,9 +368,9 @@ export const de: Translation = {
     'Die Höhe eines Drucks, der schon auf dem Druckbett steht; alle Schichten liegen darüber. Die Referenzfahrt darf ihn nicht berühren. 0 ist das Druckbett.',
   'setting.print.firstLayerHeight': 'Höhe der ersten Schicht',
   'help.print.firstLayerHeight': '0 ist wie bei den anderen Schichten.',
-  'setting.print.flow': 'Fluss, Schimmerschichten',
+  'setting.print.flow': 'Fluss, Deckschichten',
   'help.print.flow': 'Etwas weniger als 1 hält die Furchen zwischen den Bahnen scharf.',
-  'setting.print.baseFlow': 'Fluss, Grundschichten',
+  'setting.print.baseFlow': 'Fluss, Bodenschichten',
   'help.print.baseFlow': '1 füllt sie.',
   'setting.print.skirt': 'Skirt-Schleifen',
   'help.print.skirt': 'Schleifen um die Platte, die die Düse füllen.',
@@ -413,22 +415,22 @@ export const de: Translation = {
   'setting.printer.firstLayerNozzleTemperature': 'Düse, erste Schicht',
   'help.printer.firstLayerNozzleTemperature': 'Etwas heißer haftet besser.',
   'setting.printer.firstLayerSpeed': 'Tempo, erste Schicht',
-  'setting.print.basePerimeters': 'Perimeter der Grundschichten',
+  'setting.print.basePerimeters': 'Wände der Bodenschichten',
   'setting.print.bedFlow': 'Fluss auf dem Druckbett',
   'setting.print.purgeLength': 'Spülen',
-  'setting.printer.baseSpeed': 'Tempo, Grundschichten',
-  'setting.printer.showSpeed': 'Tempo, Schimmerschichten',
+  'setting.printer.baseSpeed': 'Tempo, Bodenschichten',
+  'setting.printer.showSpeed': 'Tempo, Deckschichten',
   'setting.printer.firstLayerAcceleration': 'Beschleunigung, erste Schicht',
   'setting.printer.firstLayerFan': 'Lüfter, erste Schicht',
-  'setting.printer.baseFan': 'Lüfter, Grundschichten',
-  'setting.printer.showFan': 'Lüfter, Schimmerschichten',
+  'setting.printer.baseFan': 'Lüfter, Bodenschichten',
+  'setting.printer.showFan': 'Lüfter, Deckschichten',
   'setting.printer.minLayerTime': 'Kürzeste Schichtdauer',
   'help.print.basePerimeters':
-    'Schleifen am Rand schraffierter Grundschichten: ein sauberer Rand, der sie zusammenhält.',
-  'help.print.bedFlow': 'Fluss einer Schimmerschicht auf dem Druckbett; unter 1 bleiben dort feine Lücken.',
+    'Schleifen am Umriss schraffierter Bodenschichten: ein sauberer Rand, der sie zusammenhält.',
+  'help.print.bedFlow': 'Fluss einer Deckschicht auf dem Druckbett; unter 1 bleiben dort feine Lücken.',
   'help.print.purgeLength':
     'Filament, das vor der ersten Schicht neben die Platte gelegt wird, über den letzten Rückzug hinaus.',
-  'help.printer.baseSpeed': 'Der Grundschichten über der ersten; 0 ist das Drucktempo.',
+  'help.printer.baseSpeed': 'Der Bodenschichten über der ersten; 0 ist das Drucktempo.',
   'help.printer.showSpeed':
     '0 ist das Drucktempo, aber höchstens 20 mm/s, wenn nichts Pressure Advance einstellt: Langsam und konstant ist gleichmäßig.',
   'help.printer.firstLayerAcceleration': 'Sanftere Starts haften besser; 0 ist wie in anderen Schichten.',
@@ -473,14 +475,14 @@ export const de: Translation = {
   'setting.printer.lift': 'Anheben',
   'help.printer.lift': 'Wie weit die Düse vor einer Leerfahrt steigt.',
 
-  'setting.print.basePattern': 'Grundmuster',
+  'setting.print.basePattern': 'Muster der Bodenschichten',
   'help.print.basePattern':
-    'Gekreuzte Zickzacks, Schleifen am Rand entlang oder der ausgerichtete Weg selbst. „Quer zu den Bahnen“: Zickzacks, und neben der Schimmerschicht ein Weg im rechten Winkel zu ihr, damit nichts durchscheint.',
+    'Gekreuzte Zickzacks, Schleifen am Umriss entlang oder der Weg der Deckschichten selbst. „Quer zu den Bahnen“: Zickzacks, und neben den Deckschichten ein Weg im rechten Winkel zu ihnen, damit nichts durchscheint.',
   'setting.print.showSide': 'Schauseite',
   'help.print.showSide':
     'Oben, die Seite auf dem Druckbett (gespiegelt gedruckt) oder beide, wenn die Form ihr eigenes Spiegelbild ist.',
   'setting.print.rim': 'Erhöhter Rand',
-  'help.print.rim': 'So viele Schichten stehen als Rand auf den Schimmerschichten, entlang von Umriss und Löchern.',
+  'help.print.rim': 'So viele Schichten stehen als Rand auf den Deckschichten, entlang von Umriss und Löchern.',
   'setting.print.rimWidth': 'Breite des Randes',
   'help.print.rimWidth': 'Breite des erhöhten Randes, in ganzen Linien der Düse und mindestens einer.',
   'setting.print.brim': 'Haftrand (Brim)',
@@ -489,7 +491,7 @@ export const de: Translation = {
   'help.print.copies': 'Nacheinander gedruckt, in Reihe und Spalte.',
   'setting.print.elephantFoot': 'Elefantenfuß',
   'help.print.elephantFoot':
-    'Wie weit die erste Grundschicht innerhalb des Rands bleibt, weil sie breit gedrückt wird.',
+    'Wie weit die erste Bodenschicht innerhalb des Rands bleibt, weil sie breit gedrückt wird.',
   'setting.print.constantFlow': 'Gleichmäßiger Fluss',
   'help.print.constantFlow':
     'Druckt breite Bahnen langsamer und schmale schneller, höchstens 1,5-mal so schnell, damit der Kunststoff gleichmäßig fließt; nicht in der ersten Schicht.',
@@ -534,7 +536,7 @@ export const de: Translation = {
   'setting.notANumber': '{name} muss eine Zahl sein, etwa {example}.',
   'setting.tooLong': '{name} hat {length} Zeichen und wird nicht verwendet; höchstens {max} sind möglich.',
   'setting.suggested': 'Empfohlen für eine Düse von {nozzle} mm: {value} mm',
-  'unit.spacing': '× Abstand',
+  'unit.spacing': '× Linienbreite',
   'unit.x': 'x',
   'unit.y': 'y',
 
@@ -548,7 +550,7 @@ export const de: Translation = {
   'preset.standard.help': 'Richtig für die meisten Platten.',
   'preset.fine.help': 'Die wenigsten Kehren und Knicke; dauert länger.',
   'preset.fewest-turns.help':
-    'Abstand und Richtungen dürfen abweichen und Bahnen den Rand verlassen, wo das Kehren spart.',
+    'Linienbreite und Richtungen dürfen abweichen und Bahnen den Umriss verlassen, wo das Kehren spart.',
 
   'printer.generic': 'Allgemein',
   'printer.generic-centre': 'Allgemein, Nullpunkt in der Mitte',
@@ -653,27 +655,26 @@ export const de: Translation = {
   'measure.waiting': 'Wird geprüft …',
   'measure.none': 'Noch nicht geprüft.',
   'level.good': 'Gut',
-  'level.fair': 'Prüfen',
+  'level.fair': 'Ansehen',
   'level.poor': 'Problem',
   'verdict.coverage.good': '{percent} % der Form sind von Bahnen gedeckt.',
   'verdict.coverage.fair':
     '{percent} % der Form sind gedeckt; in kleinen Lücken kann die Schicht darunter zu sehen sein.',
   'verdict.coverage.poor':
-    'Nur {percent} % der Form sind gedeckt. Ein kleinerer Abstand oder breitere Bahnen würden die Lücken schließen.',
+    'Nur {percent} % der Form sind gedeckt. Eine kleinere „Linienbreite“ oder eine größere „Breiteste Bahn“ würde die Lücken schließen.',
   'verdict.order.good':
     'Bahnen folgen bald auf ihre Nachbarn: {percent} % liegen über zwei Minuten auseinander. Die einfache Oberseite eines Slicers hat {usual} %.',
   'verdict.order.fair':
     '{percent} % der Bahnen liegen zeitlich über zwei Minuten von einer Nachbarbahn entfernt und können anders glänzen. Die einfache Oberseite eines Slicers hat {usual} %.',
   'verdict.overlap.good': 'Die Bahnen überlappen kaum: {percent} % der Form.',
   'verdict.overlap.fair': 'Die Bahnen überlappen auf {percent} % der Form; dort kann die Oberfläche rau sein.',
-  'verdict.overlap.poor':
-    'Die Bahnen überlappen auf {percent} % der Form. Glattere Richtungen oder ein Breitenausgleich näher an 0 würden helfen.',
+  'verdict.overlap.poor': 'Die Bahnen überlappen auf {percent} % der Form. Glattere Richtungen würden helfen.',
   'verdict.alignment.good':
     'Die Bahnen folgen den Richtungen: {percent} % auf einer Skala, auf der 0 Zufall ist und 100 vollkommen.',
   'verdict.alignment.fair':
     'Die Bahnen folgen den Richtungen meist ({percent} %). Wo diese innerhalb weniger Bahnen wechseln, geht es nicht.',
   'verdict.alignment.poor':
-    'Die Bahnen folgen den Richtungen oft nicht ({percent} %). Größere Motive, glattere Richtungen oder ein kleinerer Abstand würden helfen.',
+    'Die Bahnen folgen den Richtungen oft nicht ({percent} %). Größere Motive, glattere Richtungen oder eine kleinere „Linienbreite“ würden helfen.',
   'verdict.alignment.free': 'Es sind keine Richtungen verlangt, also gibt es nichts zu vergleichen.',
   'verdict.uTurns.good': { one: '{n} Kehre, {density} je cm².', other: '{n} Kehren, {density} je cm².' },
   'verdict.uTurns.fair': {
@@ -691,20 +692,20 @@ export const de: Translation = {
   },
   'verdict.kinks.good': { one: '{n} scharfe Ecke.', other: '{n} scharfe Ecken.' },
   'verdict.kinks.fair': {
-    one: '{n} scharfe Ecke; dort bremst der Drucker. Die Qualität „Fein“ beseitigt die meisten.',
-    other: '{n} scharfe Ecken; dort bremst der Drucker. Die Qualität „Fein“ beseitigt die meisten.',
+    one: '{n} scharfe Ecke; dort bremst der Drucker. Fein, unter „Qualität“, beseitigt die meisten.',
+    other: '{n} scharfe Ecken; dort bremst der Drucker. Fein, unter „Qualität“, beseitigt die meisten.',
   },
   'verdict.widths.good': 'Die Bahnen sind {low} bis {high} mm breit, meist {median} mm.',
   'verdict.widths.fair':
     'Die Bahnen sind {low} bis {high} mm breit; {percent} % des Wegs wären breiter oder schmaler als erlaubt und bleiben an der Grenze.',
   'verdict.widths.poor':
-    'Die Bahnen sind {low} bis {high} mm breit; {percent} % des Wegs liegen an der Grenze des Druckbaren. Ein anderer Abstand würde helfen.',
+    'Die Bahnen sind {low} bis {high} mm breit; {percent} % des Wegs liegen an der Grenze des Druckbaren. Eine andere „Linienbreite“ würde helfen.',
   'verdict.fill.good': 'Der Kunststoff füllt {percent} % des Raums: genau richtig.',
   'verdict.fill.fair': 'Der Kunststoff füllt {percent} % des Raums; 97 bis 105 % drucken gut.',
   'verdict.lost.good': 'Kein Teil der Form ist zu schmal für eine Bahn.',
   'verdict.lost.fair': '{area} mm² der Form sind schmaler als eine Bahn und bleiben leer.',
   'verdict.lost.poor':
-    '{area} mm² der Form, {percent} %, sind schmaler als eine Bahn und bleiben leer. Ein kleinerer Abstand oder eine größere Platte würde sie erhalten.',
+    '{area} mm² der Form, {percent} %, sind schmaler als eine Bahn und bleiben leer. Eine kleinere „Linienbreite“ oder eine größere Platte würde sie erhalten.',
   'verdict.picture.good': 'Die Platte zeigt das Bild: Ähnlichkeit {percent} %, Kontrast {contrast} : 1.',
   'verdict.picture.fair':
     'Das Bild ist zu erkennen: Ähnlichkeit {percent} %, Kontrast {contrast} : 1. Eine größere Platte zeigt mehr.',
@@ -730,7 +731,7 @@ export const de: Translation = {
   'mark.look': 'Auf der Platte zeigen',
   'mark.next': 'Nächste Stelle',
   'mark.previous': 'Vorige Stelle',
-  'mark.count': { one: '{n} Stelle', other: '{n} Stellen' },
+  'mark.count': { one: 'Probleme: {n} Stelle', other: 'Probleme: {n} Stellen' },
   'histogram.widths': 'Weglänge nach Bahnbreite',
 
   // --- Ausgabe --------------------------------------------------------------------------------------------------------
@@ -744,12 +745,12 @@ export const de: Translation = {
   'export.project': 'Projekt mit Dateien',
   'export.link': 'Link kopieren',
   'export.gcode.help': 'Für den Drucker.',
-  'export.body.help': 'Die Grundschichten als Körper, um sie anderswo zu drucken.',
+  'export.body.help': 'Die Bodenschichten als Körper, um sie anderswo zu drucken.',
   'export.body.rest':
-    '{name} liegt in den Downloads. Um die Schimmerschichten darüber zu drucken, bei {height} mm beginnen.',
+    '{name} liegt in den Downloads. Um die Deckschichten darüber zu drucken, bei {height} mm beginnen.',
   'export.body.set': 'Diese Höhe verwenden',
   'export.zones.help': 'Ein Körper, dessen Zonen der Slicer mit geraden Linien füllt: ganz ohne G-Code von uns.',
-  'export.body.none': 'Diese Platte hat keine Grundschichten.',
+  'export.body.none': 'Diese Platte hat keine Bodenschichten.',
   'export.svg.help': 'Die Bahnen als Vektorlinien.',
   'export.png.help': 'Das Aussehen im jetzigen Licht.',
   'export.loop.help': 'Das Licht wandert; klein genug für Messenger.',
@@ -789,8 +790,8 @@ export const de: Translation = {
   'file.unreadable': '{name} konnte nicht gelesen werden.',
   'hint.InvalidFile':
     'Sie ist vielleicht unvollständig. Erneut kopieren, im Ursprungsprogramm neu speichern oder eine andere wählen.',
-  'problem.TooLarge': 'Die Platte ist für diesen Abstand zu groß.',
-  'hint.TooLarge': 'Größeren Abstand, kleinere Größe oder kleinere Bilder wählen.',
+  'problem.TooLarge': 'Die Platte ist für diese „Linienbreite“ zu groß.',
+  'hint.TooLarge': 'Größere „Linienbreite“, kleinere Größe oder kleinere Bilder wählen.',
   'problem.EmptyShape': 'Es gibt nichts zu füllen.',
   'hint.EmptyShape':
     'Die Form braucht gefüllte Flächen, die breiter als eine Bahn sind; Text und Linien in Pfade umwandeln oder kleine Formen vergrößern.',
@@ -798,7 +799,8 @@ export const de: Translation = {
   'hint.DoesNotFit':
     'Kleiner machen, drehen oder zentrieren, weniger Kopien oder Schichten drucken oder einen anderen Drucker wählen.',
   'problem.OutOfMemory': 'Dem Rechenkern ist der Speicher ausgegangen.',
-  'hint.OutOfMemory': 'Größeren Abstand oder kleinere Größe wählen oder schließen, was sonst viel Speicher braucht.',
+  'hint.OutOfMemory':
+    'Größere „Linienbreite“ oder kleinere Größe wählen oder schließen, was sonst viel Speicher braucht.',
   'problem.LoadFailed': 'Der Rechenkern konnte nicht geladen werden.',
   'hint.LoadFailed': 'Verbindung prüfen und die Seite neu laden.',
   'problem.Crashed': 'Der Rechenkern ist stehen geblieben.',
@@ -890,7 +892,7 @@ export const de: Translation = {
   'shaping.size.lock': 'Seitenverhältnis beibehalten',
   'shaping.size.onBed': '{width} × {height} mm auf einem Druckbett von {bedWidth} × {bedHeight} mm',
   'shaping.size.tooLarge': 'Die Platte ist größer als das Druckbett.',
-  'shaping.size.tooThin': 'Bei diesem Abstand ist die Platte nur {n} Bahnen breit.',
+  'shaping.size.tooThin': 'Bei dieser „Linienbreite“ ist die Platte nur {n} Bahnen breit.',
   'shaping.radius': 'Eckenradius',
   'shaping.corners': 'Ecken',
   'shaping.corners.round': 'abgerundet',
@@ -920,7 +922,7 @@ export const de: Translation = {
   'drawing.paint.help': 'Nach ihren Umrissen: gleich, womit sie gefüllt sind, auch wenn sie gar keine Füllung haben.',
   'drawing.keepThin': 'Dünne Stellen behalten',
   'drawing.keepThin.help':
-    'Was mindestens eine halbe Bahn breit ist, wird auf eine Bahn verbreitert. Sonst bleibt es leer; die Ansicht Prüfung markiert es.',
+    'Was mindestens eine halbe Bahn breit ist, wird auf eine Bahn verbreitert. Sonst bleibt es leer; die Ansicht Prüfen markiert es.',
 
   'rebrush.title': '{name} neu bürsten',
   'rebrush.back': 'Zurück zur Platte',
@@ -1084,7 +1086,7 @@ export const de: Translation = {
   'help.mouse': 'Zeiger und Finger',
   'help.mouse.pan': 'Ziehen: Ansicht verschieben',
   'help.mouse.zoom': 'Mausrad oder zwei Finger: zoomen',
-  'help.mouse.light': 'Über das Aussehen fahren: Licht bewegen',
+  'help.mouse.light': 'Im Aussehen über die Platte fahren: Licht bewegen',
   'help.mouse.layers': 'Im Abschnitt Richtungen: gewählte Ebene ziehen, vergrößern, drehen',
   'keys.help': 'Diese Hilfe',
   'keys.open': 'Dateien öffnen',
@@ -1092,7 +1094,7 @@ export const de: Translation = {
   'keys.file': 'G-Code herunterladen',
   'keys.undo': 'Rückgängig',
   'keys.redo': 'Wiederholen',
-  'keys.views': 'Ansicht, Weg, Prüfung, Richtungen',
+  'keys.views': 'Aussehen, Weg, Prüfen, Richtungen',
   'keys.move': 'Ansicht verschieben',
   'keys.layer': 'Gewählte Ebene verschieben: 1, 10, 0,1 mm',
   'keys.layerDelete': 'Gewählte Ebene löschen',
@@ -1124,13 +1126,26 @@ export const de: Translation = {
   'also.shape':
     'Loch Löcher Größe Durchmesser Breite Höhe Zoll mm Umriss rund eckig Ring Herz Dicke Seitenverhältnis Radius Versatz',
   'also.toolpath': 'Abstand Linienbreite Wände Konturen Qualität Vorlage Zufall Brücke Düse',
-  'also.print': 'Drucker Düse Temperatur Bett heizen Dicke Höhe Boden Filament PLA PETG Spule Gewicht Zeit Bambu',
-  'also.quality': 'prüfen Probleme Fehler Urteil Breite Lücken Wenden',
+  'also.print':
+    'Drucker Düse Temperatur Bett heizen Dicke Höhe Boden Filament PLA PETG Spule Gewicht Zeit Bambu Druckweg Weg Linienbreite Wände Qualität Vorlage Brücke',
+  'also.quality': 'Qualität Prüfung Probleme Fehler Urteil Breite Lücken Wenden Stellen',
   'also.light': 'Lampe Sonne Glanz Azimut',
   'also.text': 'Name Buchstaben Schrift Wort Schild',
   'also.code': 'QR URL WLAN Link Strichcode scannen',
   'also.drawing': 'Logo SVG Symbol Vektor DXF Umriss',
-  'also.picture': 'Foto Fotografie Bild Porträt Lithophanie Lampe',
+  'also.picture': 'Fotografie Bild Porträt Lithophanie Lampe unter einer Lampe',
+  'also.brightness': 'Bild nach Helligkeit Töne grau Foto',
+  'also.edges': 'Bild entlang der Kanten Konturen',
+  'also.levels': 'Logo zwei Richtungen schwarz weiß Schwelle Symbol',
+  'also.colours': 'eine Richtung je Farbe Farbflächen',
+  'also.flow': 'Verlauf Richtungen',
+  'also.beads': 'Bahnen Druckweg G-Code',
+  'also.look': 'Schimmer Glanz Ansicht',
+  'also.spacing': 'Bahnabstand Abstand Extrusionsbreite',
+  'also.outline': 'am Rand Randmodus Perimeter Kontur',
+  'also.walls': 'Perimeter Schleifen Konturen',
+  'also.top': 'Schimmerschichten oberste Schichten',
+  'also.bottom': 'Grundschichten unterste Schichten Füllung',
   'palette.title': 'Alle Befehle',
   'palette.what': 'Was soll geschehen?',
   'palette.none': 'So heißt kein Befehl.',
@@ -1181,7 +1196,7 @@ export const de: Translation = {
     '{area} mm² der Zeichnung sind höchstens halb deckend gemalt und werden wie der Rest gedruckt; eine Fassung in einem Ton zeigt ihre Linien.',
   'warning.DrawingOffPage': '{area} mm² der Zeichnung liegen außerhalb ihrer Seite und sind abgeschnitten.',
   'warning.PrintedApart':
-    'Wege, die für sich liegen statt am Rest ihres Teils: {n}, bei X {x}, Y {y} mm; was sie verbindet, ist für eine Bahn zu dünn. Es hilft: größer, ein kleinerer Abstand oder „Dünne Stellen behalten“.',
+    'Wege, die für sich liegen statt am Rest ihres Teils: {n}, bei X {x}, Y {y} mm; was sie verbindet, ist für eine Bahn zu dünn. Es hilft: größer, eine kleinere „Linienbreite“ oder „Dünne Stellen behalten“.',
   'warning.DrawingUnpainted': 'In der Zeichnung ist nichts gemalt; ihre Umrisse sind daher die Form.',
   'warning.DrawingUnread':
     'Diese Teile der Zeichnung werden nicht gelesen: {what}. Vergleiche die Platte mit dem, was Bildbetrachter zeigen, oder wandle die Zeichnung in Pfade um.',
@@ -1252,7 +1267,7 @@ export const de: Translation = {
   'finding.far-retracted': 'Weiter zurückgezogen, als ein Hotend lang ist.',
   'finding.gap': 'Eine Lücke mit Leerfahrt in einem Weg.',
   'finding.open-cycle': 'Ein Umlauf, der sich nicht schließt: Er endet {mm} mm daneben.',
-  'finding.coverage': 'Eine Schimmerschicht deckt {percent} % der Schichten darunter.',
+  'finding.coverage': 'Eine Deckschicht deckt {percent} % der Schichten darunter.',
   'finding.noise': 'Der Weg zittert um {um} µm; über 5 µm bremsen Drucker deswegen.',
   'finding.outlives': '{command} überdauert den Druck.',
   'finding.filament-total': 'Die Datei nennt {told} mm Filament; ihre Bewegungen brauchen {counted}.',
@@ -1267,17 +1282,17 @@ export const de: Translation = {
   'warning.AccelerationHeld':
     '„Beschleunigung“ ist {asked} mm/s²; begrenzt wird auf „Beschleunigung der Maschine“, {held}.',
   'warning.NoPressureAdvance':
-    'Nichts stellt Pressure Advance auf diesem Drucker ein; Schimmerschichten laufen daher gleichmäßig mit {speed} mm/s, {minutes} min länger als mit {asked}. „Pressure Advance einstellen“ stellt es ein, „Tempo, Schimmerschichten“ das Tempo.',
+    'Nichts stellt Pressure Advance auf diesem Drucker ein; Deckschichten laufen daher gleichmäßig mit {speed} mm/s, {minutes} min länger als mit {asked}. „Pressure Advance einstellen“ stellt es ein, „Tempo, Deckschichten“ das Tempo.',
   'warning.NotPrimed':
     'Die Platte lässt keinen Platz für eine Spüllinie; die Düse ist daher nicht gefüllt, und die ersten Bahnen können dünn werden.',
   'warning.PrintOnBed':
     'Ein Druck von {height} mm steht bei der Referenzfahrt auf dem Druckbett; weder sie (G28) noch das Abtasten (G29) darf auf ihn treffen.',
   'warning.NotPrimedAbovePrint':
-    'Neben einem Druck, der auf dem Druckbett steht, wird nichts gedruckt; die Düse ist daher nicht gefüllt. Eine Grundschicht verdeckt das.',
+    'Neben einem Druck, der auf dem Druckbett steht, wird nichts gedruckt; die Düse ist daher nicht gefüllt. Eine Bodenschicht verdeckt das.',
   'warning.BlockMovesLow': '{block} fährt hinab bis Z {z}; was dort steht, ist {height} mm hoch.',
   'warning.SkirtLeftOut': 'Der Skirt passt nicht auf das Druckbett und wurde weggelassen.',
   'warning.BaseTooThin':
-    'Eine Grundschicht deckt nur {percent} % der Form; wo es für ihre Linien zu eng ist, liegt nichts darunter.',
+    'Eine Bodenschicht deckt nur {percent} % der Form; wo es für ihre Linien zu eng ist, liegt nichts darunter.',
   'warning.UnusualFilament': '„Filamentdurchmesser“ ist {value} mm; zu kaufen gibt es 1,75 und 2,85.',
   'warning.DrawingLettersLost': 'Die Buchstaben {letters} der Zeichnung fehlen: Keine Schrift hat sie.',
   'warning.LayerLeftOut': 'Ebene {layer} fehlt: Keine Schrift hat ein Zeichen für {letter}.',
@@ -1287,9 +1302,9 @@ export const de: Translation = {
   'warning.LayerOnlyPicture': 'Ebene {layer} fehlt: Ihre Schrift hat {letter} nur als Bild.',
   'warning.LettersLent': 'Die Buchstaben {letters} kommen aus {font}: In der Schrift des Textes gibt es sie nicht.',
   'warning.ThinLetters':
-    '{percent} % der Ebene {layer} sind schmaler als zwei Bahnen und schwer zu lesen; größer, fetter oder mit kleinerem Abstand wird sie deutlicher.',
+    '{percent} % der Ebene {layer} sind schmaler als zwei Bahnen und schwer zu lesen; größer, fetter oder mit kleinerer „Linienbreite“ wird sie deutlicher.',
   'warning.ThinModules':
-    'Die Module der Ebene {layer} sind {size} mm breit, weniger als zwei Bahnen, und schwer zu lesen; größer, mit kürzerem Text oder mit kleinerem Abstand werden sie deutlicher.',
+    'Die Module der Ebene {layer} sind {size} mm breit, weniger als zwei Bahnen, und schwer zu lesen; größer, mit kürzerem Text oder mit kleinerer „Linienbreite“ werden sie deutlicher.',
   'warning.LayerAlike':
     '{percent} % der Ebene {layer} liegen bis auf 15° wie das, was darunter liegt, und sind nicht zu sehen. Ein anderer Winkel oder die Füllung „Quer“ zeigt sie.',
   'warning.LayerBeside':
@@ -1307,7 +1322,7 @@ export const de: Translation = {
   'warning.PressureAdvanceReset':
     'Nach dem Druck ist Pressure Advance {value}, bis der Drucker neu startet oder eine andere Datei es einstellt.',
   'warning.PictureLost':
-    'Bild {picture} ist in den Bahnen kaum zu erkennen (r {r}; 0,7 genügt); größer oder mit kleinerem Abstand zeigen sie mehr davon.',
+    'Bild {picture} ist in den Bahnen kaum zu erkennen (r {r}; 0,7 genügt); größer oder mit kleinerer „Linienbreite“ zeigen sie mehr davon.',
   'warning.PictureOneTone':
     'Bild {picture} hat auf dieser Platte nur einen Ton, darin ist nichts zu sehen. Nimm ein Bild mit hellen und dunklen Stellen, breiter als eine Bahn.',
   'warning.PicturesCrowded':
@@ -1367,7 +1382,7 @@ export const de: Translation = {
     'Diese Platten sind {height} mm hoch; mehrere auf einem Druckbett, nacheinander gedruckt, dürfen höchstens {most} mm haben, sonst streift sie der Druckkopf.',
   'reason.CopiesTooHigh.hint': 'Weniger Schichten drucken oder eine Platte nach der anderen.',
   'reason.NoBeadFits':
-    'In diese Form passt bei einem Abstand von {spacing} mm keine Bahn; einen kleineren Abstand oder eine größere Form wählen.',
+    'In diese Form passt bei einer „Linienbreite“ von {spacing} mm keine Bahn; sie kleiner oder die Form größer wählen.',
   'reason.HoleOutside':
     'Loch {n} bei {x}, {y} mm mit Ø {diameter} mm liegt außerhalb der Form, die von {left}, {bottom} bis {right}, {top} mm reicht; es muss auf die Form oder weg.',
   'reason.OffsetTooDeep':
@@ -1377,7 +1392,7 @@ export const de: Translation = {
   'reason.PictureLetter':
     'Die Schrift {font} hat {letter} nur als Bild; eine Schrift wählen, die den Umriss hat, oder es weglassen.',
   'reason.RimBelow':
-    'Die Platte hat einen Rand von {rim} Schichten, aber Schimmerschichten liegen auf dem Druckbett; für einen Rand müssen sie oben sein.',
+    '„Erhöhter Rand“ ist {rim}, aber was sich zeigt, liegt auf dem Druckbett; für einen Rand muss „Schauseite“ oben sein.',
   'reason.OffBody': '{name} trägt eine andere Form, als die Platte jetzt hat.',
   'reason.OffBody.hint': 'Die Änderung an Umriss oder Größe zurücknehmen, oder den Körper noch einmal öffnen.',
   'reason.LinesNumbered':
@@ -1388,11 +1403,11 @@ export const de: Translation = {
     'Die Datei nennt keinen Filamentdurchmesser; ihre Bahnen wären mit {thin} mm {thinWidth} mm breit, mit {wide} mm {wideWidth} mm. Am Ende eine Zeile „; filament_diameter = {thin}“ oder „; filament_diameter = {wide}“ anfügen.',
   'reason.NoFilament':
     'Keine ihrer Bahnen schiebt mit E Filament; für eine Firmware exportieren, die Filament so zählt.',
-  'reason.PlateTooLarge': 'Die Platte ist zu groß für einen Abstand von {mm} mm.',
-  'reason.leastSpacing': 'Einen Abstand von mindestens {mm} mm wählen.',
+  'reason.PlateTooLarge': 'Die Platte ist für eine „Linienbreite“ von {mm} mm zu groß.',
+  'reason.leastSpacing': 'Eine „Linienbreite“ von mindestens {mm} mm wählen.',
   'reason.percent': 'Mit {percent} % ihrer Größe würde sie passen.',
   'doubt.fine':
-    'Die Platte zeigt kaum, was sie zeigen soll: Es ist feiner als ihre Bahnen. Platte vergrößern, Bahnabstand verkleinern oder ein einfacheres Bild nehmen.',
+    'Die Platte zeigt kaum, was sie zeigen soll: Es ist feiner als ihre Bahnen. Die Platte größer machen, „Linienbreite“ kleiner, oder ein einfacheres Bild nehmen.',
   'doubt.faint':
     'Hell und Dunkel unterscheiden sich auf dieser Platte kaum. Die Richtungen näher an 90° auseinander stellen oder glänzenderes Filament nehmen.',
 
@@ -1415,7 +1430,7 @@ export const de: Translation = {
   'calibrate.best.constant': 'Die rechte Hälfte sah besser aus (gleichmäßiger Fluss)',
   'calibrate.best.lowest': 'Schmalste gleichmäßige Breite',
   'calibrate.best.widest': 'Breiteste gleichmäßige Breite',
-  'calibrate.best.spacing': 'Abstand {spacing}\u00a0mm, Variation {variation}',
+  'calibrate.best.spacing': 'Linienbreite {spacing} mm, Spielraum {variation}',
   'calibrate.best.directions':
     'Nichts, wenn die Zahlen richtig zu lesen sind. Oben das Filament wählen, dessen Bild wie der Druck glänzt, oder das eigene messen.',
   'calibrate.best.swatch': 'Nichts: Die Karte bleibt bei der Spule.',

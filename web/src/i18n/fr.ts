@@ -74,12 +74,12 @@ export const fr: Translation = {
   'section.edit': 'Retouche',
   'section.modes': 'Modes',
   'section.beads': 'Cordons',
-  'section.toolpath': 'Trajet',
+  'section.toolpath': 'Tracé',
   'section.print': 'Impression',
   'section.printer': 'Imprimante',
   'section.filament': 'Filament',
   'section.view': 'Vue',
-  'section.quality': 'Qualité',
+  'section.quality': 'Contrôle',
   'section.export': 'Téléchargement',
   'section.advanced': 'Réglages avancés',
   'section.advancedHelp': 'Les valeurs par défaut conviennent à la plupart des plaques.',
@@ -114,12 +114,12 @@ export const fr: Translation = {
   'files.guess': 'Une supposition ; changez-la si besoin.',
   'role.shape': 'Forme',
   'role.mask': 'Forme d’après un masque',
-  'role.lamp': 'Image sous une lampe',
-  'role.more': 'Une image de plus, sous sa propre lampe',
-  'role.tone': 'Image : la luminosité devient direction',
-  'role.edges': 'Image : le long des contours',
-  'role.levels': 'Logo ou code : deux directions',
-  'role.colours': 'Couleurs : une direction chacune',
+  'role.lamp': 'Photo',
+  'role.more': 'Une photo de plus, sous sa propre lampe',
+  'role.tone': 'Luminosité',
+  'role.edges': 'Contours',
+  'role.levels': 'Logo ou code',
+  'role.colours': 'Couleurs',
   'role.angle': 'Carte d’angles',
   'role.rotation': 'Carte de rotations',
   'role.tangent': 'Carte de tangentes',
@@ -136,20 +136,20 @@ export const fr: Translation = {
   'role.angle.help': 'Le gris donne l’angle : noir pour −90°, blanc pour 90°.',
   'role.rotation.help': 'Le gris donne l’angle : noir pour 0°, blanc pour 180°.',
   'role.tangent.help': 'Le rouge et le vert donnent la direction, comme dans une carte de normales.',
-  'role.modes.help': 'Quatre gris : parallèle, orthogonal, le plus lisse, imposé.',
+  'role.modes.help': 'Quatre gris : parallèle, orthogonal, le plus lisse, comme dirigé.',
   'role.project.help': 'Tout ce qui fait une plaque, avec ses fichiers.',
   'role.none.help': 'Le fichier n’est pas utilisé.',
 
   // --- Directions -----------------------------------------------------------------------------------------------------
-  'source.pictures': 'Image',
+  'source.pictures': 'Type d’image',
   'source.patterns': 'Motif',
   'source.direction': 'Une seule direction',
-  'source.picture': 'Image sous une lampe',
+  'source.picture': 'Photo',
   'source.map': 'Carte de directions',
-  'source.brightness': 'Image, par la luminosité',
-  'source.edges': 'Image, le long des contours',
-  'source.levels': 'Logo, deux directions',
-  'source.colours': 'Une direction par couleur',
+  'source.brightness': 'Luminosité',
+  'source.edges': 'Contours',
+  'source.levels': 'Logo',
+  'source.colours': 'Couleurs',
   'source.radial': 'Rayons',
   'source.spiral': 'Spirale',
   'source.waves': 'Vagues',
@@ -169,13 +169,13 @@ export const fr: Translation = {
   'field.encoding.angle': 'angle, du noir −90° au blanc 90°',
   'field.encoding.rotation': 'angle, du noir 0° au blanc 180°',
   'field.encoding.tangent': 'direction, x en rouge et y en vert',
-  'field.calm': 'Calme (moins de demi-tours)',
+  'field.calm': 'Douceur (moins de demi-tours)',
   'field.localContrast': 'Contraste local',
   'field.qrText': 'Texte ou adresse',
   'mode.parallel': 'Parallèle',
   'mode.orthogonal': 'Orthogonal',
   'mode.smoothest': 'Le plus lisse',
-  'mode.constrained': 'Imposé',
+  'mode.constrained': 'Comme dirigé',
   'mode.parallel.help': 'Les cordons longent le bord.',
   'mode.orthogonal.help': 'Les cordons arrivent droit sur le bord.',
   'mode.smoothest.help': 'Les cordons se courbent le moins possible.',
@@ -194,7 +194,8 @@ export const fr: Translation = {
   'lamp.stands': 'Lampe à {azimuth}°, {elevation}° de haut',
   'lamp.here': 'Utiliser cette lumière',
   'lamp.best': 'Choisir la meilleure place',
-  'lamp.gauge': 'Contraste {contrast} : 1, environ {n} nuances de gris',
+  'lamp.gauge.clear': 'L’image se voit bien : contraste {contrast} : 1, environ {n} nuances de gris.',
+  'lamp.gauge.faint': 'L’image se voit à peine : contraste {contrast} : 1, environ {n} nuances de gris.',
   'lamp.shown': 'Image éclairée',
   'lamp.show': 'Éclairer l’image',
   'lamp.flip': 'Tourner la lampe',
@@ -205,7 +206,7 @@ export const fr: Translation = {
   'lamp.weak.crowded':
     'Une plaque ne peut pas montrer ces {n} images à la fois : l’une n’atteint que r {r}. Retirez-en une ou prenez des images moins différentes.',
   'lamp.weak.unlike':
-    'La plaque ressemble à peine à l’image. Agrandissez-la, prenez une buse plus fine ou une image moins détaillée.',
+    'La plaque ressemble à peine à l’image. Agrandissez-la, prenez une « Buse » plus fine ou une image moins détaillée.',
 
   // --- Retouche -------------------------------------------------------------------------------------------------------
   'tool.title': 'Outils',
@@ -278,18 +279,19 @@ export const fr: Translation = {
   'capture.making': 'L’image animée se prépare…',
 
   // --- Réglages : trajet ----------------------------------------------------------------------------------------------
-  'setting.toolpath.spacing': 'Espacement des cordons',
-  'help.toolpath.spacing': 'Distance entre cordons voisins. Le diamètre de la buse est un bon départ.',
-  'setting.toolpath.spacingVariation': 'Variation de l’espacement',
+  'setting.toolpath.spacing': 'Largeur de ligne',
+  'help.toolpath.spacing':
+    'Largeur des lignes : la distance entre cordons voisins. Le diamètre de la buse est un bon départ.',
+  'setting.toolpath.spacingVariation': 'Variation de la largeur',
   'help.toolpath.spacingVariation':
-    'De combien les cordons peuvent se serrer ou s’écarter là où ils s’ouvrent en éventail : plus grand, moins de demi-tours ; 0, toujours le même espacement.',
-  'setting.toolpath.perimeterMode': 'Au bord',
-  'help.toolpath.perimeterMode': 'Comment les cordons rencontrent le bord de la forme.',
+    'De combien les cordons peuvent se serrer ou s’écarter là où ils s’ouvrent en éventail : plus grand, moins de demi-tours ; 0, toujours la même largeur.',
+  'setting.toolpath.perimeterMode': 'Contour',
+  'help.toolpath.perimeterMode': 'Comment les cordons rencontrent le contour de la forme.',
   'choice.toolpath.perimeterMode.none': 'Les cordons s’y arrêtent',
   'choice.toolpath.perimeterMode.soft': 'Ils le suivent si les directions le permettent',
   'choice.toolpath.perimeterMode.count': 'Ils le suivent toujours',
-  'setting.toolpath.perimeters': 'Périmètres',
-  'help.toolpath.perimeters': 'Combien de cordons suivent le bord.',
+  'setting.toolpath.perimeters': 'Parois',
+  'help.toolpath.perimeters': 'Combien de cordons suivent le contour.',
   'setting.toolpath.seed': 'Graine',
   'help.toolpath.seed': '0 est régulier. Tout autre nombre donne une autre plaque, d’égale qualité.',
   'setting.toolpath.jitter': 'Amplitude de la graine',
@@ -321,7 +323,7 @@ export const fr: Translation = {
   'help.toolpath.directionTolerance':
     'De combien les cordons peuvent s’écarter des directions là où cela évite des demi-tours. Prend plus de temps.',
   'setting.toolpath.kernelRadius': 'Rayon de lissage',
-  'help.toolpath.kernelRadius': 'Sur combien d’espacements les ondes voisines sont moyennées.',
+  'help.toolpath.kernelRadius': 'Sur combien de largeurs de ligne les ondes voisines sont moyennées.',
   'setting.toolpath.borderWeight': 'Poids du bord',
   'help.toolpath.borderWeight':
     'Avec quelle force les cordons suivent le bord, lorsqu’ils le suivent si les directions le permettent.',
@@ -337,7 +339,7 @@ export const fr: Translation = {
   'help.toolpath.maxWidth': 'Aucun cordon n’est plus large.',
   'setting.toolpath.bridge': 'Franchir les vides jusqu’à',
   'help.toolpath.bridge': 'Les morceaux plus proches que cela forment un seul trajet.',
-  'null.toolpath.bridge': 'Un espacement',
+  'null.toolpath.bridge': 'Une largeur de ligne',
   'setting.toolpath.mapFilter': 'Échantillonnage de l’image',
   'help.toolpath.mapFilter': 'Faire la moyenne des pixels voisins, ou prendre le plus proche.',
   'choice.toolpath.mapFilter.average': 'Moyenne',
@@ -347,9 +349,9 @@ export const fr: Translation = {
     'De combien le trajet peut bouger en omettant des points. Plus grand : fichiers plus petits.',
 
   // --- Réglages : impression ------------------------------------------------------------------------------------------
-  'setting.print.layers': 'Couches chatoyantes',
-  'help.print.layers': 'Couches aux cordons orientés, au-dessus.',
-  'setting.print.base': 'Couches de base',
+  'setting.print.layers': 'Couches du dessus',
+  'help.print.layers': 'Couches aux cordons dirigés, qui se voient.',
+  'setting.print.base': 'Couches du fond',
   'help.print.base': 'Couches hachurées au-dessous, qui rigidifient la plaque.',
   'setting.print.layerHeight': 'Hauteur de couche',
   'help.print.layerHeight': 'Au plus 0,8 fois la buse.',
@@ -366,9 +368,9 @@ export const fr: Translation = {
     'Sa hauteur, s’il y en a déjà une sur le plateau : toutes les couches viennent au-dessus. L’imprimante doit prendre ses origines sans la toucher. 0 : le plateau.',
   'setting.print.firstLayerHeight': 'Hauteur de la première couche',
   'help.print.firstLayerHeight': '0 : comme les autres.',
-  'setting.print.flow': 'Débit, couches chatoyantes',
+  'setting.print.flow': 'Débit, couches du dessus',
   'help.print.flow': 'Un peu moins de 1 garde les sillons nets.',
-  'setting.print.baseFlow': 'Débit, couches de base',
+  'setting.print.baseFlow': 'Débit, couches du fond',
   'help.print.baseFlow': '1 les remplit.',
   'setting.print.skirt': 'Tours de jupe',
   'help.print.skirt': 'Des boucles autour de la plaque, qui amorcent la matière.',
@@ -412,21 +414,20 @@ export const fr: Translation = {
     'Rapport de débit (multiplicateur d’extrusion) de votre trancheur ; il s’applique à tout ce qui est déposé.',
   'setting.printer.firstLayerNozzleTemperature': 'Buse, première couche',
   'help.printer.firstLayerNozzleTemperature': 'Un peu plus chaude, elle adhère mieux.',
-  'setting.print.basePerimeters': 'Périmètres des couches de base',
+  'setting.print.basePerimeters': 'Parois du fond',
   'setting.print.bedFlow': 'Débit sur le plateau',
   'setting.print.purgeLength': 'Purge',
-  'setting.printer.baseSpeed': 'Vitesse, couches de base',
-  'setting.printer.showSpeed': 'Vitesse, couches chatoyantes',
+  'setting.printer.baseSpeed': 'Vitesse, couches du fond',
+  'setting.printer.showSpeed': 'Vitesse, couches du dessus',
   'setting.printer.firstLayerAcceleration': 'Accélération, première couche',
   'setting.printer.firstLayerFan': 'Ventilateur, première couche',
-  'setting.printer.baseFan': 'Ventilateur, couches de base',
-  'setting.printer.showFan': 'Ventilateur, couches chatoyantes',
+  'setting.printer.baseFan': 'Ventilateur, couches du fond',
+  'setting.printer.showFan': 'Ventilateur, couches du dessus',
   'setting.printer.minLayerTime': 'Durée minimale d’une couche',
   'setting.printer.firstLayerSpeed': 'Vitesse, première couche',
   'help.print.basePerimeters':
-    'Boucles le long du bord des couches de base hachurées : un bord net qui les tient ensemble.',
-  'help.print.bedFlow':
-    'Débit d’une couche chatoyante posée sur le plateau ; en dessous de 1, de fins vides y restent.',
+    'Boucles le long du contour des couches du fond hachurées : un bord net qui les tient ensemble.',
+  'help.print.bedFlow': 'Débit d’une couche du dessus posée sur le plateau ; en dessous de 1, de fins vides y restent.',
   'help.print.purgeLength':
     'Filament déposé hors de la plaque avant la première couche, en plus de ce que la dernière impression a rétracté.',
   'help.printer.baseSpeed': 'Au-dessus de la première ; 0 est la vitesse ci-dessus.',
@@ -475,15 +476,14 @@ export const fr: Translation = {
   'setting.printer.lift': 'Levée',
   'help.printer.lift': 'De combien la buse monte avant un déplacement.',
 
-  'setting.print.basePattern': 'Couches de base',
+  'setting.print.basePattern': 'Motif du fond',
   'help.print.basePattern':
-    'Zigzags croisés, boucles le long du bord, ou le trajet orienté lui-même. « En travers des cordons » : des zigzags et, sous la couche chatoyante, un trajet qui la croise à angle droit, pour que rien ne transparaisse.',
+    'Zigzags croisés, boucles le long du contour, ou le trajet du dessus lui-même. « En travers des cordons » : des zigzags et, sous la couche du dessus, un trajet qui la croise à angle droit, pour que rien ne transparaisse.',
   'setting.print.showSide': 'Face à montrer',
   'help.print.showSide':
     'Le dessus, la face posée sur le plateau (imprimée en miroir), ou les deux si la forme est symétrique.',
   'setting.print.rim': 'Rebord',
-  'help.print.rim':
-    'Nombre de couches d’un bord relevé sur les couches chatoyantes, le long du contour et de ses trous.',
+  'help.print.rim': 'Nombre de couches d’un bord relevé sur les couches du dessus, le long du contour et de ses trous.',
   'setting.print.rimWidth': 'Largeur du rebord',
   'help.print.rimWidth': 'Largeur du bord relevé, en lignes entières de la buse, une au moins.',
   'setting.print.brim': 'Bordure',
@@ -491,7 +491,7 @@ export const fr: Translation = {
   'setting.print.copies': 'Plaques sur le plateau',
   'help.print.copies': 'Imprimées l’une après l’autre, en ligne et en colonne.',
   'setting.print.elephantFoot': 'Pied d’éléphant',
-  'help.print.elephantFoot': 'De combien la première couche de base reste en retrait du bord, car elle s’écrase.',
+  'help.print.elephantFoot': 'De combien la première couche du fond reste en retrait du contour, car elle s’écrase.',
   'setting.print.constantFlow': 'Débit constant',
   'help.print.constantFlow':
     'Imprime les cordons larges plus lentement et les étroits plus vite, au plus 1,5 fois, pour que le plastique coule régulièrement ; pas à la première couche.',
@@ -537,7 +537,7 @@ export const fr: Translation = {
   'setting.notANumber': '{name} : il faut un nombre, par exemple {example}.',
   'setting.tooLong': '{name} : {length} caractères, donc pas pris en compte ; {max} au plus.',
   'setting.suggested': 'Conseillé pour une buse de {nozzle} mm : {value} mm',
-  'unit.spacing': '× espacement',
+  'unit.spacing': '× largeur de ligne',
   'unit.x': 'x',
   'unit.y': 'y',
 
@@ -550,7 +550,8 @@ export const fr: Translation = {
   'preset.draft.help': 'Rapide, avec un fichier deux fois plus petit.',
   'preset.standard.help': 'Convient à la plupart des plaques.',
   'preset.fine.help': 'Le moins de demi-tours et de cassures ; plus long.',
-  'preset.fewest-turns.help': 'Les cordons se serrent, s’écartent et quittent le bord là où cela évite des demi-tours.',
+  'preset.fewest-turns.help':
+    'La largeur de ligne et les directions peuvent varier, et les cordons quitter le contour, pour éviter des demi-tours.',
 
   'printer.generic': 'Générique',
   'printer.generic-centre': 'Générique, origine au centre',
@@ -657,13 +658,13 @@ export const fr: Translation = {
   'measure.waiting': 'Contrôle en cours…',
   'measure.none': 'Pas encore contrôlé.',
   'level.good': 'Bien',
-  'level.fair': 'À vérifier',
+  'level.fair': 'À regarder',
   'level.poor': 'Problème',
   'verdict.coverage.good': 'Les cordons couvrent {percent} % de la forme.',
   'verdict.coverage.fair':
     'Les cordons couvrent {percent} % de la forme ; de petits vides peuvent laisser voir la couche du dessous.',
   'verdict.coverage.poor':
-    'Les cordons ne couvrent que {percent} % de la forme. Un espacement plus petit ou des cordons plus larges combleraient les vides.',
+    'Les cordons ne couvrent que {percent} % de la forme. Une « Largeur de ligne » plus petite ou un « Cordon le plus large » plus grand comblerait les vides.',
   'verdict.order.good':
     'Les cordons suivent vite leurs voisins : {percent} % en sont séparés de plus de deux minutes. Le dessus simple d’un slicer en a {usual} %.',
   'verdict.order.fair':
@@ -671,13 +672,13 @@ export const fr: Translation = {
   'verdict.overlap.good': 'Les cordons se recouvrent à peine : {percent} % de la forme.',
   'verdict.overlap.fair': 'Les cordons se recouvrent sur {percent} % de la forme ; la surface peut y être rugueuse.',
   'verdict.overlap.poor':
-    'Les cordons se recouvrent sur {percent} % de la forme. Des directions plus douces, ou un équilibre des largeurs plus proche de 0, aideraient.',
+    'Les cordons se recouvrent sur {percent} % de la forme. Des directions plus douces aideraient.',
   'verdict.alignment.good':
     'Les cordons suivent les directions : {percent} % sur une échelle où 0 est le hasard et 100 la perfection.',
   'verdict.alignment.fair':
     'Les cordons suivent à peu près les directions ({percent} %). Là où elles changent en quelques cordons, ils ne peuvent pas suivre.',
   'verdict.alignment.poor':
-    'Les cordons s’écartent souvent des directions ({percent} %). Des motifs plus grands, des directions plus douces ou un espacement plus petit aideraient.',
+    'Les cordons s’écartent souvent des directions ({percent} %). Des motifs plus grands, des directions plus douces ou une « Largeur de ligne » plus petite aideraient.',
   'verdict.alignment.free': 'Aucune direction n’est imposée : il n’y a rien à comparer.',
   'verdict.uTurns.good': { one: '{n} demi-tour, {density} par cm².', other: '{n} demi-tours, {density} par cm².' },
   'verdict.uTurns.fair': {
@@ -697,20 +698,20 @@ export const fr: Translation = {
   },
   'verdict.kinks.good': { one: '{n} angle vif.', other: '{n} angles vifs.' },
   'verdict.kinks.fair': {
-    one: '{n} angle vif ; l’imprimante y ralentit. La qualité « Fine » en retire la plupart.',
-    other: '{n} angles vifs ; l’imprimante y ralentit. La qualité « Fine » en retire la plupart.',
+    one: '{n} angle vif ; l’imprimante y ralentit. Fine, sous « Qualité », en retire la plupart.',
+    other: '{n} angles vifs ; l’imprimante y ralentit. Fine, sous « Qualité », en retire la plupart.',
   },
   'verdict.widths.good': 'Les cordons ont de {low} à {high} mm de large, {median} mm le plus souvent.',
   'verdict.widths.fair':
     'Les cordons ont de {low} à {high} mm de large ; {percent} % du trajet dépasserait les limites et y est maintenu.',
   'verdict.widths.poor':
-    'Les cordons ont de {low} à {high} mm de large ; {percent} % du trajet est à la limite de l’imprimable. Un autre espacement aiderait.',
+    'Les cordons ont de {low} à {high} mm de large ; {percent} % du trajet est à la limite de l’imprimable. Une autre « Largeur de ligne » aiderait.',
   'verdict.fill.good': 'La matière déposée occupe {percent} % de la place : juste ce qu’il faut.',
   'verdict.fill.fair': 'La matière déposée occupe {percent} % de la place ; de 97 à 105 %, l’impression est bonne.',
   'verdict.lost.good': 'Aucune partie de la forme n’est trop étroite pour un cordon.',
   'verdict.lost.fair': '{area} mm² de la forme sont plus étroits qu’un cordon et restent vides.',
   'verdict.lost.poor':
-    '{area} mm² de la forme, soit {percent} %, sont plus étroits qu’un cordon et restent vides. Un espacement plus petit ou une plaque plus grande les garderait.',
+    '{area} mm² de la forme, soit {percent} %, sont plus étroits qu’un cordon et restent vides. Une « Largeur de ligne » plus petite ou une plaque plus grande les garderait.',
   'verdict.picture.good': 'La plaque montre l’image : ressemblance {percent} %, contraste {contrast} : 1.',
   'verdict.picture.fair':
     'L’image se reconnaît : ressemblance {percent} %, contraste {contrast} : 1. Une plaque plus grande montre davantage.',
@@ -736,7 +737,7 @@ export const fr: Translation = {
   'mark.look': 'Montrer sur la plaque',
   'mark.next': 'Endroit suivant',
   'mark.previous': 'Endroit précédent',
-  'mark.count': { one: '{n} endroit', other: '{n} endroits' },
+  'mark.count': { one: 'Problèmes : {n} endroit', other: 'Problèmes : {n} endroits' },
   'histogram.widths': 'Longueur de trajet par largeur de cordon',
 
   // --- Sorties --------------------------------------------------------------------------------------------------------
@@ -750,12 +751,12 @@ export const fr: Translation = {
   'export.project': 'Projet avec ses fichiers',
   'export.link': 'Copier le lien',
   'export.gcode.help': 'Pour l’imprimante.',
-  'export.body.help': 'Les couches de base en solide, à imprimer ailleurs.',
+  'export.body.help': 'Les couches du fond en solide, à imprimer ailleurs.',
   'export.body.rest':
-    '{name} est dans vos téléchargements. Les couches chatoyantes peuvent s’imprimer au-dessus, à partir de {height} mm.',
+    '{name} est dans vos téléchargements. Les couches du dessus peuvent s’imprimer par-dessus, à partir de {height} mm.',
   'export.body.set': 'Régler ainsi',
   'export.zones.help': 'Un solide dont votre slicer remplit les zones de lignes droites : sans G-code de notre part.',
-  'export.body.none': 'Cette plaque n’a pas de couches de base.',
+  'export.body.none': 'Cette plaque n’a pas de couches du fond.',
   'export.svg.help': 'Les cordons en traits vectoriels.',
   'export.png.help': 'L’apparence sous la lumière actuelle.',
   'export.loop.help': 'La lumière bouge ; assez petit pour les messageries.',
@@ -795,8 +796,8 @@ export const fr: Translation = {
   'file.unreadable': '{name} est illisible.',
   'hint.InvalidFile':
     'Il est peut-être incomplet. Copiez-le de nouveau, réenregistrez-le dans le programme d’origine, ou prenez-en un autre.',
-  'problem.TooLarge': 'La plaque est trop grande pour cet espacement.',
-  'hint.TooLarge': 'Prenez un espacement plus grand, une taille plus petite ou des images plus petites.',
+  'problem.TooLarge': 'La plaque est trop grande pour cette « Largeur de ligne ».',
+  'hint.TooLarge': 'Prenez une « Largeur de ligne » plus grande, une taille plus petite ou des images plus petites.',
   'problem.EmptyShape': 'Il n’y a rien à remplir.',
   'hint.EmptyShape':
     'La forme doit avoir des surfaces pleines plus larges qu’un cordon ; convertissez textes et lignes en tracés, ou agrandissez les petites formes.',
@@ -805,7 +806,7 @@ export const fr: Translation = {
     'Réduisez l’impression, tournez-la ou centrez-la, imprimez moins de copies ou de couches, ou choisissez une autre imprimante.',
   'problem.OutOfMemory': 'Le moteur a manqué de mémoire.',
   'hint.OutOfMemory':
-    'Prenez un espacement plus grand ou une taille plus petite, ou fermez ce qui occupe de la mémoire.',
+    'Prenez une « Largeur de ligne » plus grande ou une taille plus petite, ou fermez ce qui occupe de la mémoire.',
   'problem.LoadFailed': 'Le moteur n’a pas pu être chargé.',
   'hint.LoadFailed': 'Vérifiez votre connexion et rechargez la page.',
   'problem.Crashed': 'Le moteur s’est arrêté.',
@@ -897,7 +898,7 @@ export const fr: Translation = {
   'shaping.size.lock': 'Garder les proportions',
   'shaping.size.onBed': '{width} × {height} mm sur un plateau de {bedWidth} × {bedHeight} mm',
   'shaping.size.tooLarge': 'La plaque dépasse du plateau.',
-  'shaping.size.tooThin': 'Avec cet espacement, la plaque n’a que {n} cordons de large.',
+  'shaping.size.tooThin': 'Avec cette « Largeur de ligne », la plaque n’a que {n} cordons de large.',
   'shaping.radius': 'Rayon des coins',
   'shaping.corners': 'Coins',
   'shaping.corners.round': 'arrondis',
@@ -1098,7 +1099,7 @@ export const fr: Translation = {
   'help.mouse': 'Pointeur et doigts',
   'help.mouse.pan': 'Glisser : déplacer la vue',
   'help.mouse.zoom': 'Molette ou pincement : zoomer',
-  'help.mouse.light': 'Passer sur l’apparence : déplacer la lumière',
+  'help.mouse.light': 'Dans Aspect, passer sur la plaque : déplacer la lumière',
   'help.mouse.layers': 'Dans Directions : glisser, redimensionner, tourner le calque choisi',
   'keys.help': 'Cette aide',
   'keys.open': 'Ouvrir des fichiers',
@@ -1139,13 +1140,25 @@ export const fr: Translation = {
     'trou trous taille diamètre largeur hauteur pouce mm contour rond carré anneau cœur coeur épaisseur proportions rayon décalage',
   'also.toolpath': 'espacement largeur ligne parois périmètres qualité préréglage graine pont buse',
   'also.print':
-    'imprimante buse température plateau chauffe épaisseur hauteur fond filament PLA PETG bobine poids durée Bambu',
-  'also.quality': 'vérifier problèmes erreurs verdict largeur vides demi-tours',
+    'imprimante buse température plateau chauffe épaisseur hauteur fond filament PLA PETG bobine poids durée Bambu trajet largeur ligne parois qualité préréglage pont',
+  'also.quality': 'qualité vérifier problèmes erreurs verdict largeur vides demi-tours endroits',
   'also.light': 'lampe soleil éclat azimut',
   'also.text': 'nom lettres police mot enseigne',
   'also.code': 'QR URL wifi lien code-barres scanner',
   'also.drawing': 'logo SVG icône vecteur DXF contour',
-  'also.picture': 'photo photographie image portrait lithophanie lampe',
+  'also.picture': 'photographie image portrait lithophanie lampe sous une lampe',
+  'also.brightness': 'image par la luminosité tons gris photo',
+  'also.edges': 'image le long des contours bords',
+  'also.levels': 'logo deux directions noir blanc seuil icône',
+  'also.colours': 'une direction par couleur aplats',
+  'also.flow': 'flux directions',
+  'also.beads': 'cordons G-code',
+  'also.look': 'apparence éclat reflets rendu',
+  'also.spacing': 'espacement des cordons distance extrusion',
+  'also.outline': 'au bord mode périmètre',
+  'also.walls': 'périmètres boucles coques',
+  'also.top': 'couches chatoyantes supérieures',
+  'also.bottom': 'couches de base inférieures remplissage',
   'palette.title': 'Toutes les actions',
   'palette.what': 'Que voulez-vous faire ?',
   'palette.none': 'Aucune action ne porte un tel nom.',
@@ -1196,7 +1209,7 @@ export const fr: Translation = {
     '{area} mm² du dessin sont peints à demi-opacité ou moins et imprimés comme le reste ; une version d’un seul ton en montre les traits.',
   'warning.DrawingOffPage': '{area} mm² du dessin sortent de sa page et sont coupés.',
   'warning.PrintedApart':
-    'Trajets à part du reste de leur morceau : {n}, vers X {x}, Y {y} mm ; ce qui les relie est trop fin pour un cordon. Une taille plus grande, un espacement plus petit ou « Garder les parties fines » peuvent y remédier.',
+    'Trajets à part du reste de leur morceau : {n}, vers X {x}, Y {y} mm ; ce qui les relie est trop fin pour un cordon. Une taille plus grande, une « Largeur de ligne » plus petite ou « Garder les parties fines » peuvent y remédier.',
   'warning.DrawingUnpainted': 'Rien n’est peint dans le dessin : ses contours forment la pièce.',
   'warning.DrawingUnread':
     'Ces parties du dessin ne sont pas lues : {what}. Comparez la plaque à ce que montrent les visionneuses, ou convertissez le dessin en tracés.',
@@ -1266,7 +1279,7 @@ export const fr: Translation = {
   'finding.far-retracted': 'Rétracté plus loin qu’aucune tête n’est longue.',
   'finding.gap': 'Un déplacement à vide au milieu d’un trajet.',
   'finding.open-cycle': 'Un circuit qui ne se ferme pas : il finit {mm} mm à côté.',
-  'finding.coverage': 'Une couche chatoyante couvre {percent} % des couches du dessous.',
+  'finding.coverage': 'Une couche du dessus couvre {percent} % des couches au-dessous.',
   'finding.noise': 'Le trajet zigzague de {um} µm ; au-delà de 5 µm, les imprimantes freinent.',
   'finding.outlives': '{command} survit à l’impression.',
   'finding.filament-total': 'Le fichier annonce {told} mm de filament ; ses mouvements en prennent {counted}.',
@@ -1280,17 +1293,17 @@ export const fr: Translation = {
   'warning.SpeedHeld': '{field} : {asked} mm/s, ramenés à « Vitesse maximale de la machine », {held}.',
   'warning.AccelerationHeld': '« Accélération » : {asked} mm/s², ramenés à « Accélération de la machine », {held}.',
   'warning.NoPressureAdvance':
-    'Rien ne règle l’avance de pression sur cette imprimante : les couches chatoyantes avancent donc à {speed} mm/s partout, {minutes} min de plus qu’à {asked}. « Régler l’avance de pression » la règle, « Vitesse, couches chatoyantes » la vitesse.',
+    'Rien ne règle l’avance de pression sur cette imprimante : les couches du dessus avancent donc à {speed} mm/s partout, {minutes} min de plus qu’à {asked}. « Régler l’avance de pression » la règle, « Vitesse, couches du dessus » la vitesse.',
   'warning.NotPrimed':
     'La plaque ne laisse pas de place pour une ligne de purge : la buse n’est pas amorcée, et les premiers cordons peuvent être minces.',
   'warning.PrintOnBed':
     'Une pièce de {height} mm est sur le plateau pendant la prise d’origine : ni celle-ci (G28) ni le palpage (G29) ne doivent descendre dessus.',
   'warning.NotPrimedAbovePrint':
-    'Rien n’est imprimé à côté d’une pièce déjà sur le plateau : la buse n’est pas amorcée. Une couche de base le cache.',
+    'Rien n’est imprimé à côté d’une pièce déjà sur le plateau : la buse n’est pas amorcée. Une couche du fond le cache.',
   'warning.BlockMovesLow': '{block} descend à Z {z} ; ce qui s’y dresse a {height} mm de haut.',
   'warning.SkirtLeftOut': 'La jupe ne tient pas sur le plateau et a été omise.',
   'warning.BaseTooThin':
-    'Une couche de base ne couvre que {percent} % de la forme ; les endroits trop étroits pour ses lignes n’ont rien au-dessous.',
+    'Une couche du fond ne couvre que {percent} % de la forme ; les endroits trop étroits pour ses lignes n’ont rien au-dessous.',
   'warning.UnusualFilament': '« Diamètre du filament » : {value} mm ; on en vend de 1,75 et de 2,85.',
   'warning.DrawingLettersLost': 'Les lettres {letters} du dessin sont omises : aucune police ne les a.',
   'warning.LayerLeftOut': 'Le calque {layer} est omis : aucune police n’a de lettre pour {letter}.',
@@ -1300,9 +1313,9 @@ export const fr: Translation = {
   'warning.LayerOnlyPicture': 'Le calque {layer} est omis : sa police n’a {letter} que comme image.',
   'warning.LettersLent': 'Les lettres {letters} viennent de {font} : la police du texte ne les a pas.',
   'warning.ThinLetters':
-    '{percent} % du calque {layer} sont plus étroits que deux cordons et difficiles à lire ; plus grand, plus gras ou avec un espacement plus petit, il sera plus net.',
+    '{percent} % du calque {layer} sont plus étroits que deux cordons et difficiles à lire ; plus grand, plus gras ou avec une « Largeur de ligne » plus petite, il sera plus net.',
   'warning.ThinModules':
-    'Les modules du calque {layer} ont {size} mm de large, moins de deux cordons, et sont difficiles à lire ; plus grands, avec un texte plus court ou un espacement plus petit, ils seront plus nets.',
+    'Les modules du calque {layer} ont {size} mm de large, moins de deux cordons, et sont difficiles à lire ; plus grands, avec un texte plus court ou une « Largeur de ligne » plus petite, ils seront plus nets.',
   'warning.LayerAlike':
     '{percent} % du calque {layer} suivent à 15° près ce qui est dessous et ne se voient pas. Un autre angle, ou le remplissage « En travers », les montre.',
   'warning.LayerBeside':
@@ -1321,7 +1334,7 @@ export const fr: Translation = {
   'warning.PressureAdvanceReset':
     'Après l’impression, l’avance de pression vaut {value}, jusqu’au redémarrage de l’imprimante ou jusqu’à ce qu’un autre fichier la règle.',
   'warning.PictureLost':
-    'L’image {picture} se reconnaît mal dans les cordons (r {r} ; 0,7 suffit) ; une plaque plus grande ou un espacement plus petit en montre davantage.',
+    'L’image {picture} se reconnaît mal dans les cordons (r {r} ; 0,7 suffit) ; une plaque plus grande ou une « Largeur de ligne » plus petite en montre davantage.',
   'warning.PictureOneTone':
     'L’image {picture} n’a qu’un ton sur cette plaque : on n’y verra rien. Prenez une image avec des parties claires et sombres, plus larges qu’un cordon.',
   'warning.PicturesCrowded':
@@ -1382,7 +1395,7 @@ export const fr: Translation = {
     'Ces plaques ont {height} mm de haut ; à plusieurs sur un plateau, imprimées l’une après l’autre, elles peuvent avoir au plus {most} mm, sans quoi la tête les heurterait.',
   'reason.CopiesTooHigh.hint': 'Imprimez moins de couches, ou une plaque à la fois.',
   'reason.NoBeadFits':
-    'Aucun cordon n’entre dans cette forme avec un espacement de {spacing} mm ; prenez un espacement plus petit ou une forme plus grande.',
+    'Aucun cordon n’entre dans cette forme avec une « Largeur de ligne » de {spacing} mm ; prenez-la plus petite ou la forme plus grande.',
   'reason.HoleOutside':
     'Le trou {n} à {x}, {y} mm, de Ø {diameter} mm, est hors de la forme, qui va de {left}, {bottom} à {right}, {top} mm ; placez-le sur la forme ou supprimez-le.',
   'reason.OffsetTooDeep':
@@ -1391,7 +1404,7 @@ export const fr: Translation = {
   'reason.PictureLetter':
     'La police {font} n’a {letter} que comme image ; prenez une police qui en a le contour, ou omettez-la.',
   'reason.RimBelow':
-    'La plaque a un rebord de {rim} couches, mais des couches chatoyantes sont sur le plateau ; pour un rebord, il les faut au-dessus.',
+    '« Rebord » vaut {rim}, mais ce qui se voit est sur le plateau ; pour un rebord, « Face à montrer » doit être au-dessus.',
   'reason.OffBody': '{name} porte une autre forme que celle de la plaque.',
   'reason.OffBody.hint': 'Annulez ce qui a changé le contour ou la taille, ou rouvrez le volume.',
   'reason.LinesNumbered':
@@ -1402,11 +1415,11 @@ export const fr: Translation = {
     'Le fichier n’indique pas le diamètre du filament ; ses cordons auraient {thinWidth} mm de large avec {thin} mm, {wideWidth} mm avec {wide} mm. Ajoutez à la fin une ligne « ; filament_diameter = {thin} » ou « ; filament_diameter = {wide} ».',
   'reason.NoFilament':
     'Aucun de ses cordons ne pousse de filament par E ; exportez-le pour un firmware qui compte le filament ainsi.',
-  'reason.PlateTooLarge': 'La plaque est trop grande pour un espacement de {mm} mm.',
-  'reason.leastSpacing': 'Prenez un espacement d’au moins {mm} mm.',
+  'reason.PlateTooLarge': 'La plaque est trop grande pour une « Largeur de ligne » de {mm} mm.',
+  'reason.leastSpacing': 'Prenez une « Largeur de ligne » d’au moins {mm} mm.',
   'reason.percent': 'À {percent} % de sa taille, elle passerait.',
   'doubt.fine':
-    'La plaque montre à peine son modèle : il a des détails plus fins que les cordons. Agrandissez-la, resserrez les cordons ou prenez une image plus simple.',
+    'La plaque montre à peine son modèle : il a des détails plus fins que les cordons. Agrandissez-la, réduisez « Largeur de ligne » ou prenez une image plus simple.',
   'doubt.faint':
     'Sur cette plaque, sombre et clair diffèrent à peine. Écartez les directions vers 90° ou prenez un filament plus brillant.',
 
@@ -1429,7 +1442,7 @@ export const fr: Translation = {
   'calibrate.best.constant': 'La moitié droite était plus belle (débit constant)',
   'calibrate.best.lowest': 'Largeur régulière la plus étroite',
   'calibrate.best.widest': 'Largeur régulière la plus grande',
-  'calibrate.best.spacing': 'Écart de {spacing}\u00a0mm, variation {variation}',
+  'calibrate.best.spacing': 'Largeur de ligne {spacing} mm, variation {variation}',
   'calibrate.best.directions':
     'Rien, si les nombres se lisent bien. Choisissez plus haut le filament dont l’image brille comme votre impression, ou mesurez le vôtre.',
   'calibrate.best.swatch': 'Rien\u00a0: gardez la carte avec la bobine.',

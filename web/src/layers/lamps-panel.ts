@@ -2,6 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { formatNumber, t } from '../i18n/text.js';
+import { appearance } from '../model/appearance.js';
 import { groundOf } from '../model/fills.js';
 import {
   greySteps,
@@ -264,7 +265,8 @@ export class LampsPanel extends StudioElement {
   /** The contrast that this spool shows under this lamp, as measured on the plate. */
   #gauge(contrast: number): TemplateResult {
     const steps = greySteps(contrast);
-    const words = t('lamp.gauge', { contrast: formatNumber(contrast, 1), n: steps });
+    const seen = contrast < appearance.weakContrast ? 'faint' : 'clear';
+    const words = t(`lamp.gauge.${seen}`, { contrast: formatNumber(contrast, 1), n: steps });
     return html`<meter
         min="0"
         max=${mostSteps}

@@ -100,7 +100,7 @@ test('what the visitor has chosen stays: then a drawing is an outline, until it 
   await visit.drop([flag]);
   await visit.until(({ plate }) => plate.shape.kind === 'file');
   assert.equal(await visit.state(({ plate }) => plate.layers[0].by), 'levels');
-  await visit.page.getByRole('radio', { name: 'A direction per colour' }).check();
+  await visit.page.getByRole('radio', { name: 'Colours' }).check();
   await visit.until(({ plate }) => plate.layers[0].by === 'colours');
   assert.equal((await colours(visit)).length, 3);
 });
@@ -122,9 +122,9 @@ test('kinds of directions and shapes show what they make of this very plate', { 
     return names.every((name) => found.some(([label, src]) => label === name && src !== '')) && found;
   };
   const before = await until(() => drawn('sillon-layers-panel', ['Waves', 'Rays', 'Noise']), 'generators');
-  assert.equal(Object.fromEntries(before)['Picture by brightness'], ''); // there is no picture
+  assert.equal(Object.fromEntries(before).Brightness, ''); // there is no picture
   await visit.drop([flag]);
-  await until(() => drawn('sillon-layers-panel', ['Waves', 'Picture by brightness', 'Picture under a lamp']), 'own');
+  await until(() => drawn('sillon-layers-panel', ['Waves', 'Brightness', 'Photo']), 'own');
   await visit.section('Shape');
   const shapes = [
     'Disc',

@@ -626,7 +626,7 @@ test('customize shows only what the host names; view shows nothing but the plate
       .locator('sillon-app button:visible')
       .evaluateAll((all) => all.map((one) => one.ariaLabel ?? one.innerText.trim()));
   await frame.locator('nav').getByRole('button', { name: 'Customize' }).click();
-  await frame.getByLabel('Bead spacing', { exact: false }).first().waitFor();
+  await frame.getByLabel('Line width', { exact: false }).first().waitFor();
   assert.equal(await frame.locator('nav button').count(), 1);
   for (const absent of ['Download', 'Open', 'Gallery', 'Menu']) {
     assert.ok(!(await names()).some((name) => name.startsWith(absent)), absent);

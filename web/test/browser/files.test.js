@@ -14,14 +14,14 @@ async function dropped(options = {}) {
   const visit = await bench.open({ small: true, ...options });
   await visit.until(({ plate }) => plate.width === 24); // of the link, which would take the file's place
   await visit.drop([photo('first.png')]);
-  await visit.page.getByText('first.png: Picture under a lamp').waitFor();
+  await visit.page.getByText('first.png: Photo').waitFor();
   return visit;
 }
 
 test('what a file is for can be changed after other changes, which stay', { skip }, async () => {
   const visit = await dropped();
   await visit.section('Print');
-  await visit.page.getByRole('spinbutton', { name: 'Base layers' }).fill('5');
+  await visit.page.getByRole('spinbutton', { name: 'Bottom layers' }).fill('5');
   await visit.button('Change').click();
   await visit.page.getByRole('dialog').getByRole('combobox').selectOption('tone');
   await visit.until(({ plate }) => plate.layers[0].kind === 'tones');
@@ -48,7 +48,7 @@ test('files are taken in however long their choice takes', { skip }, async () =>
 test('what was said of files goes with them', { skip }, async () => {
   const visit = await dropped();
   await visit.drop([photo('second.png')]);
-  await visit.page.getByText('second.png: Picture under a lamp').waitFor();
+  await visit.page.getByText('second.png: Photo').waitFor();
   assert.equal(await visit.button('Change').count(), 1);
   await visit.page.evaluate(() => document.querySelector('sillon-app').studio.services.newPlate());
   await visit.button('Change').waitFor({ state: 'detached' });
@@ -132,7 +132,7 @@ for (const way of ['drop', 'paste']) {
     await visit.menu('Share');
     await visit.page.getByRole('dialog').waitFor();
     await visit[way]([photo('first.png')]);
-    await visit.page.getByText('first.png: Picture under a lamp').waitFor();
+    await visit.page.getByText('first.png: Photo').waitFor();
     assert.equal(await visit.state(({ dialog }) => dialog), undefined);
     assert.equal(await visit.page.getByRole('dialog').count(), 0);
   });
@@ -157,9 +157,9 @@ test('who tries other cards and comes back is asked for no file again', { skip }
   };
   const pictures = ({ plate }) => plate.layers[0].pictures.map(({ file, lamp }) => [file.name, lamp]);
   const both = await visit.state(pictures);
-  for (const way of [['Waves'], ['Picture by brightness'], ['Picture by brightness', 'Waves']]) {
+  for (const way of [['Waves'], ['Brightness'], ['Brightness', 'Waves']]) {
     for (const name of way) await card(name);
-    await card('Picture under a lamp');
+    await card('Photo');
     await visit.until(({ plate }) => plate.layers[0].kind === 'picture');
     assert.deepEqual(await visit.state(pictures), both, String(way));
   }

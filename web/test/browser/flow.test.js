@@ -208,7 +208,7 @@ test('the base goes to another slicer, the native program’s to the byte, and t
   await visit.page.locator('[popovertarget=export]').click();
   const entry = visit.page.locator('#export').getByRole('button', { name: 'Base for your slicer' });
   assert.equal(await entry.isDisabled(), true);
-  assert.match(await entry.innerText(), /This plate has no base layers/);
+  assert.match(await entry.innerText(), /This plate has no bottom layers/);
   assert.deepEqual(visit.problems, []);
 });
 
@@ -346,7 +346,7 @@ test('a link carries the settings, and says what it cannot carry', { skip }, asy
   const visit = await bench.open({ small: true });
   await visit.idle();
   await visit.section('Toolpath');
-  await visit.page.getByRole('spinbutton', { name: 'Bead spacing' }).fill('0.52');
+  await visit.page.getByRole('spinbutton', { name: 'Line width' }).fill('0.52');
   await visit.page.keyboard.press('Enter');
   await visit.until((state) => state.plate.toolpath.spacing === 0.52);
   await visit.menu('Share');

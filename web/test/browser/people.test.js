@@ -145,7 +145,7 @@ test(
     assert.equal(await visit.state(pattern), 'spiral');
     await page.keyboard.press('Enter');
     await visit.until(({ plate }) => plate.layers[0].pattern === 'waves');
-    await card('A direction per colour').focus();
+    await card('Colours').focus();
     await page.keyboard.press('ArrowRight');
     assert.equal(await hasFocus('Direction map'), true);
     assert.equal(await visit.state(pattern), 'waves');
@@ -297,7 +297,7 @@ test('Escape means the topmost open thing, and the work behind it goes on', { sk
   await visit.section('Print');
   await page.locator('#printer').focus();
   await escape('a select');
-  for (const field of ['Base layers', 'Speed']) {
+  for (const field of ['Bottom layers', 'Speed']) {
     await page.getByRole('spinbutton', { name: field }).focus();
     await page.keyboard.type('1');
     await escape(field);
@@ -474,7 +474,7 @@ test('the page can be used before the engine is there', { skip }, async () => {
   await visit.page.route('**/engine/**', () => undefined); // never answered
   await visit.page.goto(bench.origin);
   await visit.section('Toolpath');
-  const spacing = visit.page.getByRole('spinbutton', { name: 'Bead spacing' });
+  const spacing = visit.page.getByRole('spinbutton', { name: 'Line width' });
   await spacing.fill('0.6');
   await visit.page.keyboard.press('Enter');
   await visit.until((state) => state.plate.toolpath.spacing === 0.6 && state.progress?.job === 'loading');

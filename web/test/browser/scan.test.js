@@ -61,7 +61,7 @@ test('two directions that look the same show no code', { skip }, async () => {
   const visit = await bench.open({ path: withCode(60, { ground: 64 }) });
   await row(visit, 'SILLON').click();
   assert.match(await said(visit), /no phone reads this code/);
-  for (const section of ['Print', 'Quality']) {
+  for (const section of ['Print', 'Check']) {
     await visit.section(section);
     assert.match(await said(visit), /no phone reads this code/, section);
   }

@@ -92,7 +92,7 @@ test('all languages have the same ids and placeholders, and no text is empty', a
   }
 });
 
-test('the sections of settings and the views share no name', async () => {
+test('the sections of settings and the views share no name but that of the check, which is one', async () => {
   for (const tag of spoken) {
     const words = new Map(await wordsOf(tag));
     const named = (kind: string, names: string[]): string[] =>
@@ -309,7 +309,7 @@ test('values are written with their units', () => {
     valueText(settingOf(id), value);
   assert.equal(text('toolpath.spacing', 0.4), '0.4\u00a0mm');
   assert.equal(text('print.rotate', 90), '90°');
-  assert.equal(text('toolpath.minWidth', 0.5), '0.5\u00a0× spacing');
+  assert.equal(text('toolpath.minWidth', 0.5), '0.5\u00a0× line width');
   assert.equal(text('print.place', [1, 2]), '1; 2\u00a0mm');
   assert.equal(text('print.place', null), 'Centred');
   assert.equal(text('print.mirror', true), 'Yes');

@@ -22,7 +22,7 @@ export const words = {
   'calibrate.best.constant': 'The right half looked better (constant flow)',
   'calibrate.best.lowest': 'Narrowest even width',
   'calibrate.best.widest': 'Widest even width',
-  'calibrate.best.spacing': 'Spacing {spacing} mm, variation {variation}',
+  'calibrate.best.spacing': 'Line width {spacing} mm, variation {variation}',
   'calibrate.best.directions':
     'Nothing, if the numbers read correctly. Choose the filament above whose picture shines like your print, or measure yours.',
   'calibrate.best.swatch': 'Nothing: keep the card with the spool.',

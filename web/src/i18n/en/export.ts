@@ -2,9 +2,9 @@
 
 export const words = {
   'export.gcode.help': 'For the printer.',
-  'export.body.help': 'The base layers as a solid, to print elsewhere.',
+  'export.body.help': 'The bottom layers as a solid, to print elsewhere.',
   'export.zones.help': 'A body whose zones your slicer fills with straight lines: no G-code of ours.',
-  'export.body.none': 'This plate has no base layers.',
+  'export.body.none': 'This plate has no bottom layers.',
   'export.svg.help': 'The beads as vector strokes.',
   'export.png.help': 'The appearance under the current light.',
   'export.loop.help': 'The light moves; small enough for messengers.',

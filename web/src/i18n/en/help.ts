@@ -11,7 +11,7 @@ export const words = {
   'help.mouse': 'Pointer and touch',
   'help.mouse.pan': 'Drag: move the view',
   'help.mouse.zoom': 'Wheel or pinch: zoom',
-  'help.mouse.light': 'Move over the appearance: move the light',
+  'help.mouse.light': 'Move over the plate in Look: move the light',
   'help.mouse.layers': 'In section Directions: drag, resize and turn the chosen layer',
   'keys.help': 'This help',
   'keys.open': 'Open files',

@@ -11,5 +11,5 @@ export const words = {
   'preset.standard.help': 'Right for most plates.',
   'preset.fine.help': 'Fewest U-turns and kinks; takes longer.',
   'preset.fewest-turns.help':
-    'Spacing and directions may vary, and beads may leave the border, where that saves U-turns.',
+    'Line width and directions may vary, and beads may leave the outline, where that saves U-turns.',
 } as const;

@@ -23,7 +23,7 @@ export const words = {
   'shaping.size.lock': 'Keep proportions',
   'shaping.size.onBed': '{width} × {height} mm on a bed of {bedWidth} × {bedHeight} mm',
   'shaping.size.tooLarge': 'The plate is larger than the bed.',
-  'shaping.size.tooThin': 'At this spacing the plate is only {n} beads wide.',
+  'shaping.size.tooThin': 'At this “Line width” the plate is only {n} beads wide.',
   'shaping.radius': 'Corner radius',
   'shaping.corners': 'Corners',
   'shaping.corners.round': 'rounded',

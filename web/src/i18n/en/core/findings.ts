@@ -62,7 +62,7 @@ export const words = {
   'finding.far-retracted': "Retracted further than any hot end is long.",
   'finding.gap': "A gap of travel inside a path.",
   'finding.open-cycle': "A cycle that does not close: it ends {mm} mm off.",
-  'finding.coverage': "An oriented layer covers {percent}% of the layers below it.",
+  'finding.coverage': "A top layer covers {percent}% of the layers below it.",
   'finding.noise': "The path zigzags by {um} µm; above 5 µm printers slow down for it.",
   'finding.outlives': "{command} outlives the print.",
   'finding.filament-total': "The file states {told} mm of filament; its moves take {counted}.",
