@@ -33,6 +33,7 @@ export class Menu extends StudioElement {
       .about {
         display: flex;
         flex-wrap: wrap;
+        align-items: baseline;
         gap: 4px 16px;
         margin: 0;
         padding: 8px 10px;

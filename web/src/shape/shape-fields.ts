@@ -31,6 +31,9 @@ export class ShapeFields extends StudioElement {
         display: grid;
         gap: 12px;
       }
+      .bare {
+        padding: 0;
+      }
       ul {
         display: grid;
         gap: 8px;
