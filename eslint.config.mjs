@@ -17,7 +17,7 @@ const rooms = {
   shape: ground,
   layers: [...ground, 'quality'],
   quality: [...ground, 'views', 'engine'],
-  print: [...ground, 'engine', 'quality'],
+  print: [...ground, 'engine', 'quality', 'shape'],
   plates: [...ground, '\\.\\./\\.\\./examples'], // projects that it offers
   stage: [...ground, 'views', 'shape', 'layers', 'quality'],
   rebrush: [...ground, 'views', 'stage', 'print'],

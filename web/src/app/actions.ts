@@ -22,7 +22,7 @@ import { filamentLabel } from '../print/filament-name.js';
 import { pickPrinter } from '../print/machine-fields.js';
 import type { Product, Studio } from '../studio/studio.js';
 import { pickSliced } from './pick-sliced.js';
-import { showSetting } from './show-setting.js';
+import { showSetting } from '../controls/show-setting.js';
 
 type Known = keyof typeof synonyms extends `also.${infer Name}` ? Name : never;
 const also = (id: Known): string => say(synonyms, `also.${id}`);
@@ -305,7 +305,9 @@ function rare(studio: Studio): Action[] {
       .map(({ id, section }) => {
         const { [id]: name } = otherNames;
         return {
-          group: section === 'pictures' ? t('section.layers') : t(`section.${section}`),
+          group: t(
+            section === 'pictures' ? 'section.layers' : section === 'printer' ? 'section.printer' : 'section.print',
+          ),
           label: settingLabel({ id }),
           icon: 'tune' as const,
           also: name === undefined ? id : `${id} ${also(name)}`,

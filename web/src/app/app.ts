@@ -47,7 +47,6 @@ const panels: Record<string, Part> = {
   own: ['sillon-own-panel', () => import('./own-panel.js')],
   shape: ['sillon-shape-panel', () => import('../shape/shape-panel.js')],
   layers: ['sillon-layers-panel', () => import('../layers/layers-panel.js')],
-  toolpath: ['sillon-toolpath-panel', () => import('../print/toolpath-panel.js')],
   print: ['sillon-print-panel', () => import('../print/print-panel.js')],
   quality: ['sillon-quality-panel', () => import('../quality/quality-panel.js')],
 };
@@ -271,7 +270,7 @@ export class App extends StudioElement {
   #sections(): Tab[] {
     // What is to be checked stands in the view of that name.
     const offered = sections
-      .filter((name) => name !== 'quality' && name !== 'toolpath' && offers(this.state, name))
+      .filter((name) => name !== 'quality' && offers(this.state, name))
       .map((name): Tab => [name, name, t(`section.${name}`)]);
     return ownControls(this.state).length > 0 ? [['own', 'shuffle', t('section.own')], ...offered] : offered;
   }

@@ -1,4 +1,4 @@
-// The folded part of a panel: rows of data, each with its default.
+// The folded part of a panel: groups of rows of data, each with its default.
 import { html, type TemplateResult } from 'lit';
 import { settingLabel, valueText } from '../i18n/say.js';
 import { t } from '../i18n/text.js';
@@ -24,7 +24,23 @@ function resetButton(studio: Studio, setting: Setting): TemplateResult | string 
   </button>`;
 }
 
-export const advancedSettings = (studio: Studio, rows: readonly Setting[]): TemplateResult =>
+export interface AdvancedGroup {
+  label: string;
+  rows: readonly Setting[];
+  /** After its rows. */
+  more?: TemplateResult | undefined;
+}
+
+const groupFields = (studio: Studio, { label, rows, more }: AdvancedGroup): TemplateResult =>
+  html`<details>
+    <summary>${icon('fold', 16)} ${label}</summary>
+    <div class="rows">
+      ${rows.map((row) => html`<div>${settingField(studio, row.id)} ${resetButton(studio, row)}</div>`)} ${more ?? ''}
+    </div>
+  </details>`;
+
+/** Each group is folded, too, so that few fields are seen at a time. */
+export const advancedSettings = (studio: Studio, groups: readonly AdvancedGroup[]): TemplateResult =>
   html`<section>
     <details
       .open=${studio.store.state.advanced}
@@ -35,12 +51,6 @@ export const advancedSettings = (studio: Studio, rows: readonly Setting[]): Temp
     >
       <summary>${icon('fold', 16)} ${t('section.advanced')}</summary>
       <p class="note">${t('section.advancedHelp')}</p>
-      <div class="rows">
-        ${
-          studio.store.state.advanced
-            ? rows.map((row) => html`<div>${settingField(studio, row.id)} ${resetButton(studio, row)}</div>`)
-            : ''
-        }
-      </div>
+      <div class="rows">${studio.store.state.advanced ? groups.map((group) => groupFields(studio, group)) : ''}</div>
     </details>
   </section>`;

@@ -9,6 +9,7 @@ import { same } from '../model/problem.js';
 import type { Notice, Shown } from '../studio/shown.js';
 
 const loadExact = () => import('../i18n/say-problem.js');
+const loadLinked = () => import('./linked.js');
 
 /** In English the page says many problems in the engine's own words: those are no details. */
 const sameWords = (one: string, other: string): boolean => lettersOf(one) === lettersOf(other);
@@ -190,10 +191,13 @@ export class Notices extends StudioElement {
     const { message, hint, detail } = { ...problemWords(problem), ...told };
     // What the page has no words for the engine says in one sentence: which setting, and by how much.
     const named = told === undefined && (problem.code === 'InvalidArgument' || problem.code === 'DoesNotFit');
+    // Sentences that name a setting lead to it.
+    const links = told === undefined ? undefined : this.lazy(loadLinked, true);
+    const said = (text: string): unknown => links?.linked(this.studio, text) ?? text;
     return html`<div class="notice problem">
       ${icon('warn')}
       <div>
-        <b>${message}</b>${hint}
+        <b>${said(message)}</b>${said(hint)}
         ${
           detail === '' || sameWords(detail, message)
             ? nothing

@@ -73,8 +73,6 @@ export const de: Translation = {
   'section.layers': 'Bild',
   'section.edit': 'Bearbeiten',
   'section.modes': 'Modi',
-  'section.beads': 'Bahnen',
-  'section.toolpath': 'Druckweg',
   'section.print': 'Druck',
   'section.printer': 'Drucker',
   'section.filament': 'Filament',
@@ -83,7 +81,6 @@ export const de: Translation = {
   'section.export': 'Download',
   'section.advanced': 'Erweiterte Einstellungen',
   'section.advancedHelp': 'Die Vorgaben passen für die meisten Platten.',
-  'section.basics': 'Grundlegendes',
 
   // --- Dateien --------------------------------------------------------------------------------------------------------
   'drop.help': 'SVG, PNG, JPEG, eine Schrift, ein gespeichertes Projekt, ein gesliceter Druck oder ein Körper',
@@ -654,6 +651,7 @@ export const de: Translation = {
   'measure.crossings': 'Kreuzungen',
   'measure.waiting': 'Wird geprüft …',
   'measure.none': 'Noch nicht geprüft.',
+  'quality.layers': 'Ebenen mit Problemen',
   'level.good': 'Gut',
   'level.fair': 'Ansehen',
   'level.poor': 'Problem',
@@ -770,6 +768,14 @@ export const de: Translation = {
   'summary.grams': '{g} g',
   'summary.estimate': 'Zeiten sind geschätzt.',
   'summary.warnings': 'Vor dem Druck',
+  'summary.notes': { one: '{n} Hinweis vor dem Druck', other: '{n} Hinweise vor dem Druck' },
+  'group.bed': 'Auf dem Druckbett',
+  'group.layers': 'Schichten und Rand',
+  'group.path': 'Weg',
+  'group.flow': 'Fluss und Rückzug',
+  'group.heat': 'Temperatur und Lüfter',
+  'group.speed': 'Tempo',
+  'group.machine': 'Drucker',
   'link.copied': 'Der Link ist in der Zwischenablage.',
   'link.opened': 'Aus einem Link geöffnet.',
   'restore.done': 'Die letzte Platte wurde wiederhergestellt.',
@@ -1125,7 +1131,6 @@ export const de: Translation = {
   'also.layers': 'Bild Foto Muster Ebenen Ebene Text Code',
   'also.shape':
     'Loch Löcher Größe Durchmesser Breite Höhe Zoll mm Umriss rund eckig Ring Herz Dicke Seitenverhältnis Radius Versatz',
-  'also.toolpath': 'Abstand Linienbreite Wände Konturen Qualität Vorlage Zufall Brücke Düse',
   'also.print':
     'Drucker Düse Temperatur Bett heizen Dicke Höhe Boden Filament PLA PETG Spule Gewicht Zeit Bambu Druckweg Weg Linienbreite Wände Qualität Vorlage Brücke',
   'also.quality': 'Qualität Prüfung Probleme Fehler Urteil Breite Lücken Wenden Stellen',

@@ -73,8 +73,6 @@ export const fr: Translation = {
   'section.layers': 'Image',
   'section.edit': 'Retouche',
   'section.modes': 'Modes',
-  'section.beads': 'Cordons',
-  'section.toolpath': 'Tracé',
   'section.print': 'Impression',
   'section.printer': 'Imprimante',
   'section.filament': 'Filament',
@@ -83,7 +81,6 @@ export const fr: Translation = {
   'section.export': 'Téléchargement',
   'section.advanced': 'Réglages avancés',
   'section.advancedHelp': 'Les valeurs par défaut conviennent à la plupart des plaques.',
-  'section.basics': 'Essentiel',
 
   // --- Fichiers -------------------------------------------------------------------------------------------------------
   'drop.help': 'SVG, PNG, JPEG, une police, un projet enregistré, une impression tranchée ou un volume',
@@ -657,6 +654,7 @@ export const fr: Translation = {
   'measure.crossings': 'Croisements',
   'measure.waiting': 'Contrôle en cours…',
   'measure.none': 'Pas encore contrôlé.',
+  'quality.layers': 'Calques à problème',
   'level.good': 'Bien',
   'level.fair': 'À regarder',
   'level.poor': 'Problème',
@@ -776,6 +774,14 @@ export const fr: Translation = {
   'summary.grams': '{g} g',
   'summary.estimate': 'Les durées sont des estimations.',
   'summary.warnings': 'Avant d’imprimer',
+  'summary.notes': { one: '{n} remarque avant d’imprimer', other: '{n} remarques avant d’imprimer' },
+  'group.bed': 'Sur le plateau',
+  'group.layers': 'Couches et rebord',
+  'group.path': 'Trajet',
+  'group.flow': 'Débit et rétraction',
+  'group.heat': 'Température et ventilateur',
+  'group.speed': 'Vitesse',
+  'group.machine': 'Imprimante',
   'link.copied': 'Le lien est dans votre presse-papiers.',
   'link.opened': 'Ouvert depuis un lien.',
   'restore.done': 'Votre dernière plaque a été restaurée.',
@@ -1138,7 +1144,6 @@ export const fr: Translation = {
   'also.layers': 'image photo motif calques calque texte code',
   'also.shape':
     'trou trous taille diamètre largeur hauteur pouce mm contour rond carré anneau cœur coeur épaisseur proportions rayon décalage',
-  'also.toolpath': 'espacement largeur ligne parois périmètres qualité préréglage graine pont buse',
   'also.print':
     'imprimante buse température plateau chauffe épaisseur hauteur fond filament PLA PETG bobine poids durée Bambu trajet largeur ligne parois qualité préréglage pont',
   'also.quality': 'qualité vérifier problèmes erreurs verdict largeur vides demi-tours endroits',

@@ -8,15 +8,15 @@ import { words as reasons } from './en/core/reasons.js';
 import { words as warnings } from './en/core/warnings.js';
 import { words as problems } from './en/problems.js';
 import { settingLabel } from './say.js';
-import { formatNumber, say, type Text, type Values } from './text.js';
+import { formatNumber, say, t, type Text, type Values } from './text.js';
 
-/** Numbers as the language writes them, with three decimals, and settings by their labels. */
+/** Numbers as the language writes them, with three decimals, and settings by their labels, between quotes. */
 const shown = (values: Values): Values =>
   Object.fromEntries(
     Object.entries(values).map(([name, value]) => {
       if (/^-?\d+(\.\d+)?$/.test(String(value))) return [name, formatNumber(Number(value), 3)];
       const setting = settings.find(({ id }) => id === value);
-      return [name, setting === undefined ? value : settingLabel(setting)];
+      return [name, setting === undefined ? value : t('brought.name', { name: settingLabel(setting) })];
     }),
   );
 

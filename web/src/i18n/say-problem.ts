@@ -6,7 +6,7 @@ import { settings } from '../model/settings.js';
 import { words } from './en/problems.js';
 import { reasonText } from './say-core.js';
 import { problemWords, settingLabel, unitText } from './say.js';
-import { formatNumber, language, say } from './text.js';
+import { formatNumber, language, say, t } from './text.js';
 
 export interface ExactWords {
   message: string;
@@ -19,14 +19,14 @@ type Values = Problem['values'];
 const shown = (value: number | string | undefined): string =>
   typeof value === 'number' ? formatNumber(value, 3) : String(value);
 
-/** "Layer height is 0.5 mm." */
+/** "“Layer height” is 0.5 mm." */
 function outOfRange({ setting, value, low, high }: Values): ExactWords {
   const known = settings.find(({ id }) => id === setting);
   const unit = known === undefined || !('unit' in known) || known.unit === '' ? '' : `\u00a0${unitText(known.unit)}`;
   const measured = (number: number | string | undefined): string => shown(number) + unit;
   return {
     message: say(words, 'reason.SettingOutOfRange', {
-      label: known === undefined ? String(setting) : settingLabel(known),
+      label: known === undefined ? String(setting) : t('brought.name', { name: settingLabel(known) }),
       value: measured(value),
       low: shown(low),
       high: measured(high),

@@ -12,7 +12,7 @@ import type { Shown } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 import { arranges, chosenLayer, frameIn, isMovable, layerAt } from './arranging.js';
 import { cursorOf, gripAt, handlesOf, type Grip, type PageView } from './grips.js';
-import { warnedLayers } from './warned.js';
+import { warnedLayers } from '../model/warned.js';
 
 const reachOf = { touch: 24, other: 10 }; // [CSS pixels]
 const snapsWithin = 6; // [CSS pixels]

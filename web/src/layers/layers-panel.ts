@@ -25,7 +25,7 @@ import { middleFields, placeFields } from './place-fields.js';
 import { dragRow, rowTaken } from './row-drag.js';
 import { startKinds, startStyle, startTiles } from './start.js';
 import { tile } from './tiles.js';
-import { warnedLayers } from './warned.js';
+import { warnedLayers } from '../model/warned.js';
 
 /** The most wanted first. */
 const offered: readonly LayerKind[] = [

@@ -10,7 +10,7 @@ export type Mode = 'edit' | 'customize' | 'view';
 /** Of the plate's size; beads, printers and files are in mm everywhere. */
 export type Units = 'mm' | 'in';
 
-export const sections = ['layers', 'shape', 'toolpath', 'print', 'quality'] as const;
+export const sections = ['layers', 'shape', 'print', 'quality'] as const;
 export type Section = (typeof sections)[number];
 
 const parts = ['name', 'size', 'source', 'filament', 'printer', 'download'] as const;

@@ -1,26 +1,45 @@
-// Printer, filament, layers, place; what it will take; the file.
+// All that makes the print: printer, filament, layers and path; what it will take; what to know before; the file.
+import type { GcodeWarning } from 'sillon';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { c } from '../i18n/calibrate.js';
 import { findingText, startLines, warningText } from '../i18n/say-core.js';
+import { words as presets } from '../i18n/en/presets.js';
 import { words as problems } from '../i18n/en/problems.js';
 import { words } from '../i18n/en/printer.js';
 import { formatBytes, formatDuration, formatNumber, say, t } from '../i18n/text.js';
 import { loadSpools } from './own-spools.js';
-import { settings } from '../model/settings.js';
+import {
+  adviceFor,
+  nozzleAdvice,
+  qualities,
+  qualityOf,
+  settingOf,
+  withNozzle,
+  withQuality,
+  withValue,
+  type Quality,
+  type Setting,
+} from '../model/settings.js';
 import { thicknessOf } from '../model/thickness.js';
 import { advancedSettings } from '../controls/advanced.js';
 import './bed.js';
 import '../quality/doubts-list.js';
 import { StudioElement } from '../controls/element.js';
+import { cards, segments } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
+import { linked } from '../controls/linked.js';
 import { filamentField, printerField, swatchStyle } from './machine-fields.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { settingField } from '../controls/setting-field.js';
+import { thicknessField } from '../shape/thickness-field.js';
+import { settingGroups, type GroupName } from '../model/setting-groups.js';
+
+const mostSeeds = 1e6; // that chance chooses from
 
 @customElement('sillon-print-panel')
 export class PrintPanel extends StudioElement {
-  static override reads = ['plate', 'summary', 'check', 'result', 'advanced', 'problem', 'spools'] as const;
+  static override reads = ['plate', 'summary', 'check', 'result', 'advanced', 'problem', 'spools', 'units'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -42,8 +61,14 @@ export class PrintPanel extends StudioElement {
         letter-spacing: -0.01em;
         font-variant-numeric: tabular-nums;
       }
-      .before h3 {
-        margin-bottom: 12px;
+      .suggestion {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 4px 8px;
+        align-items: center;
+      }
+      .rows .rows {
+        padding-left: 22px; /* below the group's name */
       }
       .warnings {
         display: grid;
@@ -84,11 +109,8 @@ export class PrintPanel extends StudioElement {
         ${this.#summary()}
       </section>
       <section aria-label=${t('section.printer')}>
-        ${printerField(this.studio)}
+        ${printerField(this.studio)} ${this.#nozzle()}
         <sillon-bed .studio=${this.studio}></sillon-bed>
-        ${settingField(this.studio, 'print.place')} ${settingField(this.studio, 'print.rotate')}
-        ${settingField(this.studio, 'print.mirror')} ${settingField(this.studio, 'print.showSide')}
-        ${settingField(this.studio, 'print.brim')} ${settingField(this.studio, 'print.copies')}
       </section>
       <section aria-label=${t('section.filament')}>
         ${filamentField(this.studio)}
@@ -113,16 +135,20 @@ export class PrintPanel extends StudioElement {
         ${settingField(this.studio, 'printer.nozzleTemperature')} ${settingField(this.studio, 'printer.bedTemperature')}
         ${settingField(this.studio, 'printer.speed')}
       </section>
-      <section aria-label=${t('section.basics')}>
-        ${settingField(this.studio, 'print.layers')} ${settingField(this.studio, 'print.base')}
-        ${settingField(this.studio, 'print.rim')}
-        ${this.state.plate.print.rim > 0 ? settingField(this.studio, 'print.rimWidth') : nothing}
-        ${settingField(this.studio, 'print.layerHeight')}
+      <section aria-label=${t('app.plate')}>
+        ${thicknessField(this.studio)} ${settingField(this.studio, 'print.layerHeight')}
+        ${settingField(this.studio, 'print.layers')} ${settingField(this.studio, 'print.base')} ${this.#lines()}
+        ${this.#quality()}
       </section>
       ${advancedSettings(
         this.studio,
-        settings.filter(({ section, advanced }) => section !== 'toolpath' && advanced),
+        settingGroups.map(({ name, rows }) => ({
+          label: say(words, `group.${name}`),
+          rows: this.#wanted(rows),
+          more: this.#more(name),
+        })),
       )}
+      ${this.#before()}
       <div class="take">
         <button
           type="button"
@@ -137,9 +163,95 @@ export class PrintPanel extends StudioElement {
     `;
   }
 
+  #nozzle(): TemplateResult {
+    return segments({
+      id: 'printer-nozzle',
+      label: t('setting.printer.nozzle'),
+      value: String(this.state.plate.printer.nozzle),
+      options: nozzleAdvice.map(({ nozzle }) => ({ value: String(nozzle), label: formatNumber(nozzle, 2) })),
+      onChoose: (value) => {
+        this.studio.change((now) => withNozzle(now, Number(value)));
+      },
+    });
+  }
+
+  /** The beads: how wide, and what they do at the outline. */
+  #lines(): TemplateResult {
+    const { toolpath, printer } = this.state.plate;
+    const { nozzle, spacing } = adviceFor(printer.nozzle);
+    const [, usual] = spacing;
+    return html`${settingField(this.studio, 'toolpath.spacing')}
+    ${
+      usual === toolpath.spacing
+        ? nothing
+        : html`<p class="note suggestion">
+            ${t('setting.suggested', { nozzle, value: usual })}
+            <button
+              type="button"
+              class="link"
+              @click=${() => {
+                this.studio.change((now) => withValue(now, settingOf('toolpath.spacing'), usual));
+              }}
+            >
+              ${t('verb.use')}
+            </button>
+          </p>`
+    }
+    ${settingField(this.studio, 'toolpath.perimeterMode')}
+    ${toolpath.perimeterMode === 'count' ? settingField(this.studio, 'toolpath.perimeters') : nothing}`;
+  }
+
+  #quality(): TemplateResult {
+    const quality = qualityOf(this.state.plate.toolpath);
+    return html`<h3>${say(presets, 'preset.title')}</h3>
+      ${cards<Quality>({
+        id: 'quality',
+        label: say(presets, 'preset.title'),
+        value: quality,
+        options: (Object.keys(qualities) as Quality[]).map((value) => ({
+          value,
+          label: say(presets, `preset.${value}`),
+          picture: `presets/${value}.webp`,
+        })),
+        onChoose: (value) => {
+          this.studio.change((now) => withQuality(now, value));
+        },
+      })}
+      <p class="note">
+        ${quality === undefined ? say(presets, 'preset.custom') : say(presets, `preset.${quality}.help`)}
+      </p>`;
+  }
+
+  /** Without fields that do nothing now. */
+  #wanted(rows: readonly Setting[]): readonly Setting[] {
+    const { rim } = this.state.plate.print;
+    return rim > 0 ? rows : rows.filter(({ id }) => id !== 'print.rimWidth');
+  }
+
+  /** After the fields of a group. */
+  #more(name: GroupName): TemplateResult | undefined {
+    if (name !== 'path') return undefined;
+    return html`<div class="buttons">
+      <button
+        type="button"
+        @click=${() => {
+          const seed = Math.floor(Math.random() * mostSeeds);
+          this.studio.change((now) => withValue(now, settingOf('toolpath.seed'), seed));
+        }}
+      >
+        ${icon('shuffle', 16)} ${t('verb.shuffle')}
+      </button>
+    </div>`;
+  }
+
+  #warnings(): readonly GcodeWarning[] {
+    const { summary, result } = this.state;
+    return summary === undefined ? [] : [...(result?.report.warnings ?? []), ...summary.warnings];
+  }
+
   #summary(): TemplateResult {
-    const { summary, plate, result } = this.state;
-    const warnings = summary === undefined ? [] : [...(result?.report.warnings ?? []), ...summary.warnings];
+    const { summary, plate, check } = this.state;
+    const notes = this.#warnings().length + (check?.findings.length ?? 0);
     const tall = thicknessOf(plate) + plate.print.rim * plate.print.layerHeight;
     const value = (label: string, text: string): TemplateResult =>
       html`<div>
@@ -163,18 +275,42 @@ export class PrintPanel extends StudioElement {
         )}
         ${value(say(words, 'summary.height'), `${formatNumber(tall)} mm`)}
       </dl>
+      ${
+        notes === 0
+          ? nothing
+          : html`<p class="note">
+              <button type="button" class="link" @click=${this.#showNotes}>
+                ${say(words, 'summary.notes', { n: notes })}
+              </button>
+            </p>`
+      }`;
+  }
+
+  #showNotes = (): void => {
+    const before = this.renderRoot.querySelector<HTMLElement>('#before-title');
+    before?.scrollIntoView({ block: 'center' });
+    before?.focus({ preventScroll: true });
+  };
+
+  /** What to know before the print is started, below what is chosen. */
+  #before(): TemplateResult {
+    const { summary } = this.state;
+    return html`<section aria-labelledby="before-title">
+      <h3 id="before-title" tabindex="-1">${say(words, 'summary.warnings')}</h3>
+      <sillon-doubts .studio=${this.studio}></sillon-doubts>
+      <ul class="warnings">
+        ${this.#warnings().map((warning) => this.#note(warningText(warning)))}
+      </ul>
+      ${this.#findings()} ${this.#startLines()}
       <p class="note">
         ${say(words, 'summary.estimate')}
         ${summary === undefined ? '' : say(words, 'summary.size', { size: formatBytes(summary.bytes) })}
       </p>
-      <div class="before">
-        ${summary === undefined ? nothing : html`<h3>${say(words, 'summary.warnings')}</h3>`}
-        <sillon-doubts .studio=${this.studio}></sillon-doubts>
-        <ul class="warnings">
-          ${warnings.map((warning) => html`<li>${icon('warn', 16)}<span>${warningText(warning)}</span></li>`)}
-        </ul>
-      </div>
-      ${this.#findings()} ${this.#startLines()}`;
+    </section>`;
+  }
+
+  #note(text: string, title = ''): TemplateResult {
+    return html`<li title=${title || nothing}>${icon('warn', 16)}<span>${linked(this.studio, text)}</span></li>`;
   }
 
   /** What reading the file back as a printer would has found. */
@@ -184,9 +320,7 @@ export class PrintPanel extends StudioElement {
     if (check.findings.length === 0) return html`<p class="note">${say(problems, 'check.good')}</p>`;
     return html`<h3>${say(problems, check.errors > 0 ? 'check.errors' : 'check.warnings')}</h3>
       <ul class="warnings">
-        ${check.findings.map(
-          (finding) => html`<li title=${finding.message}>${icon('warn', 16)}<span>${findingText(finding)}</span></li>`,
-        )}
+        ${check.findings.map((finding) => this.#note(findingText(finding), finding.message))}
       </ul>`;
   }
 
@@ -195,7 +329,7 @@ export class PrintPanel extends StudioElement {
     const { summary, problem, plate } = this.state;
     const lines = startLines(summary?.warnings ?? [], problem, plate.printer.startGcode);
     if (lines.length === 0) return nothing;
-    return html`<h3>${t('setting.printer.startGcode')}</h3>
+    return html`<h3>${linked(this.studio, t('brought.name', { name: t('setting.printer.startGcode') }))}</h3>
       <ul class="warnings">
         ${lines.map(
           ({ line, code, what }) =>

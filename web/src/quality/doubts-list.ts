@@ -10,6 +10,7 @@ import type { PlateResult } from '../model/state.js';
 import { isOf } from '../model/result.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
+import { linked } from '../controls/linked.js';
 import './scan-note.js';
 
 type Cycles = PlateResult['toolpath']['cycles'];
@@ -48,7 +49,10 @@ export class Doubts extends StudioElement {
     const seen = finished === undefined ? undefined : this.#seen(finished);
     const pictures = finished?.report.pictures;
     return html`${doubtsOf(plate, pictures, seen).map(
-      (doubt) => html`<p class=${doubt} role="status">${icon('warn', 16)} <span>${words(doubt, pictures)}</span></p>`,
+      (doubt) =>
+        html`<p class=${doubt} role="status">
+          ${icon('warn', 16)} <span>${linked(this.studio, words(doubt, pictures))}</span>
+        </p>`,
     )}
     ${this.state.scan === undefined ? nothing : html`<sillon-scan-note .studio=${this.studio}></sillon-scan-note>`}`;
   }

@@ -1,10 +1,13 @@
 // What to know before printing: one sentence per measure, how wide the beads are, and places to look at.
 import { css, html, nothing, svg, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
+import { layerName } from '../i18n/layers.js';
+import { warningText } from '../i18n/say-core.js';
 import { threadsWords } from '../i18n/say-threads.js';
 import { verdictText } from '../i18n/say-verdict.js';
 import { words } from '../i18n/en/quality.js';
 import { formatNumber, say, t } from '../i18n/text.js';
+import { warnedLayers } from '../model/warned.js';
 import { judgedFile } from '../model/lamp.js';
 import { orderVerdict, verdictsOf, type Verdict } from '../model/verdicts.js';
 import { widthHistogram } from '../controls/histogram.js';
@@ -12,6 +15,7 @@ import type { Mark } from '../model/view.js';
 import './doubts-list.js';
 import { StudioElement } from '../controls/element.js';
 import { icon, type IconName } from '../controls/icons.js';
+import { linked } from '../controls/linked.js';
 import { panelStyle } from '../controls/panel-style.js';
 
 const icons: Record<Verdict['level'], IconName> = { good: 'check', fair: 'info', poor: 'warn' };
@@ -28,7 +32,7 @@ const placesOf: Partial<Record<Verdict['measure'], readonly Mark['kind'][]>> = {
 
 @customElement('sillon-quality-panel')
 export class QualityPanel extends StudioElement {
-  static override reads = ['result', 'check', 'progress', 'marks', 'mark', 'engine'] as const;
+  static override reads = ['plate', 'result', 'check', 'progress', 'marks', 'mark', 'engine'] as const;
 
   static override styles = [
     ...StudioElement.styles,
@@ -131,13 +135,13 @@ export class QualityPanel extends StudioElement {
                       ${icon(icons[verdict.level], 18)}
                       <b>${this.#name(verdict, verdicts)}</b
                       ><span class="note level">${say(words, `level.${verdict.level}`)}</span>
-                      <p>${verdictText(verdict)} ${this.#look(verdict)}</p>
+                      <p>${linked(this.studio, verdictText(verdict))} ${this.#look(verdict)}</p>
                     </li>`,
                 )}
               </ul>`
         }
       </section>
-      ${result === undefined ? nothing : this.#histogram()} ${this.#places()}
+      ${this.#layers()} ${result === undefined ? nothing : this.#histogram()} ${this.#places()}
       ${
         engine === undefined
           ? nothing
@@ -148,6 +152,36 @@ export class QualityPanel extends StudioElement {
             </section>`
       }
     `;
+  }
+
+  /** Layers that do not show, or not as they are meant to. */
+  #layers(): TemplateResult | typeof nothing {
+    const warned = [...warnedLayers(this.state)];
+    if (warned.length === 0) return nothing;
+    return html`<section aria-labelledby="layers-title">
+      <h3 id="layers-title">${say(words, 'quality.layers')}</h3>
+      <ul class="verdicts">
+        ${warned.map(
+          ([layer, warnings]) =>
+            html`<li class="fair">
+              ${icon('warn', 18)}
+              <b
+                ><button
+                  type="button"
+                  class="link"
+                  @click=${() => {
+                    this.studio.store.set({ layer: layer.id, cropping: false, tool: 'pan' });
+                    this.studio.setPanel('layers');
+                  }}
+                >
+                  ${layerName(layer)}
+                </button></b
+              >
+              ${warnings.map((warning) => html`<p>${linked(this.studio, warningText(warning))}</p>`)}
+            </li>`,
+        )}
+      </ul>
+    </section>`;
   }
 
   /** The measure, and of several pictures the file that it speaks of. */

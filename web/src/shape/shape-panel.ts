@@ -11,6 +11,7 @@ import { DrawnChoices } from '../controls/drawn-choices.js';
 import { cards } from '../controls/fields.js';
 import { fileChip } from '../controls/file-chip.js';
 import { icon } from '../controls/icons.js';
+import { linked } from '../controls/linked.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { settingField } from '../controls/setting-field.js';
 import './shape-fields.js';
@@ -123,6 +124,6 @@ export class ShapePanel extends StudioElement {
         })}
       </p>
       ${tooLarge ? html`<p class="warning" role="status">${icon('warn', 16)} ${a('size.tooLarge')}</p>` : nothing}
-      ${beads < 5 ? html`<p class="warning" role="status">${icon('warn', 16)} ${a('size.tooThin', { n: beads })}</p>` : nothing}`;
+      ${beads < 5 ? html`<p class="warning" role="status">${icon('warn', 16)} <span>${linked(this.studio, a('size.tooThin', { n: beads }))}</span></p>` : nothing}`;
   }
 }

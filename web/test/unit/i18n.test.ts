@@ -99,6 +99,7 @@ test('the sections of settings and the views share no name but that of the check
       names.map((name) => words.get(`${kind}.${name}`)?.[0] ?? '');
     const rail = named('section', ['shape', 'layers', 'print']);
     const tabs = named('view', ['directions', 'toolpath', 'appearance', 'quality']);
+    assert.deepEqual(named('section', ['quality']), tabs.slice(-1), tag);
     assert.equal(new Set([...rail, ...tabs, '']).size, 8, `${tag}: ${[...rail, ...tabs].join()}`);
   }
 });
@@ -381,11 +382,11 @@ test('what the engine says is told with its values, as the language writes them,
   const ofLayer = { code: 'DrawingUnread', values: { what: 'rotate', layer: 2 }, message: '' } as const;
   assert.match(warningText(ofLayer), /^Layer 2: These parts of the drawing .* rotate/);
   assert.match(warningText(reset), /^Pressure advance is 0\.035 after/);
-  assert.match(warningText(held), /^Speed is 300 mm\/s; .* “Machine speed limit”, 200\.$/);
+  assert.match(warningText(held), /^“Speed” is 300 mm\/s; .* “Machine speed limit”, 200\.$/);
   for (const tag of spoken) {
     await setLanguage(tag);
     assert.ok(warningText(reset).includes(formatNumber(0.035, 3)), tag);
-    assert.ok(warningText(low).startsWith(t('setting.printer.endGcode')), tag);
+    assert.ok(warningText(low).startsWith(t('brought.name', { name: t('setting.printer.endGcode') })), tag);
     const note = { code: 'BedUnknown', values: { width: '220.5', depth: '200' }, message: '' };
     assert.ok(importNoteText(note).includes(formatNumber(220.5)), tag);
   }
@@ -596,7 +597,7 @@ test('why the engine refuses a plate has words in every language', async () => {
     }
   }
   await setLanguage('en');
-  assert.equal(told('SettingOutOfRange').message, 'Layer height is 0.5\u00a0mm; it must be 0.05 to 0.32\u00a0mm.');
+  assert.equal(told('SettingOutOfRange').message, '“Layer height” is 0.5\u00a0mm; it must be 0.05 to 0.32\u00a0mm.');
   assert.equal(
     told('OverBedEdge').message,
     'The plate lies over the edge of the bed: 2 mm on the left and 5.5 mm at the back.',

@@ -65,8 +65,6 @@ export const words = {
   'section.layers': 'Picture',
   'section.edit': 'Edit',
   'section.modes': 'Modes',
-  'section.beads': 'Beads',
-  'section.toolpath': 'Toolpath',
   'section.print': 'Print',
   'section.printer': 'Printer',
   'section.filament': 'Filament',
@@ -75,7 +73,6 @@ export const words = {
   'section.export': 'Download',
   'section.advanced': 'Advanced settings',
   'section.advancedHelp': 'The defaults suit most plates.',
-  'section.basics': 'Basics',
 
   // --- Files ----------------------------------------------------------------------------------------------------------
   'example.sunMoon': 'Sun and moon',

@@ -29,4 +29,12 @@ export const words = {
   'summary.size': 'File size: {size}.',
   'summary.estimate': 'Times are estimates.',
   'summary.warnings': 'Before you print',
+  'summary.notes': { one: '{n} note before you print', other: '{n} notes before you print' },
+  'group.bed': 'On the bed',
+  'group.layers': 'Layers and rim',
+  'group.path': 'Path',
+  'group.flow': 'Flow and retraction',
+  'group.heat': 'Temperature and fan',
+  'group.speed': 'Speed',
+  'group.machine': 'Printer',
 } as const;

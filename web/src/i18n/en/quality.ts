@@ -15,6 +15,7 @@ export const words = {
   'measure.crossings': 'Crossings',
   'measure.waiting': 'Checking…',
   'measure.none': 'Not checked yet.',
+  'quality.layers': 'Layers with problems',
   'level.good': 'Good',
   'level.fair': 'Worth a look',
   'level.poor': 'Problem',

@@ -16,7 +16,6 @@ export const words = {
   'also.layers': 'picture photo pattern layers layer text code',
   'also.shape':
     'hole holes size diameter width height inch mm outline round square ring heart thickness proportions radius offset',
-  'also.toolpath': 'spacing line width walls perimeters quality preset seed bridge nozzle',
   'also.print':
     'printer nozzle temperature bed heat thickness height base bottom filament pla petg spool weight time bambu toolpath path line width walls quality preset bridge',
   'also.quality': 'quality problems errors verdict width gaps u-turns places',

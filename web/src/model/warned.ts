@@ -1,8 +1,8 @@
 // Warnings of the engine that are about one layer, whatever they are about: they name its number.
 import type { Report } from 'sillon';
-import { completeLayers } from '../model/layers.js';
-import type { PlateLayer } from '../model/plate.js';
-import type { State } from '../model/state.js';
+import { completeLayers } from './layers.js';
+import type { PlateLayer } from './plate.js';
+import type { State } from './state.js';
 
 type Warning = Report['warnings'][number];
 

@@ -1,0 +1,48 @@
+// Sentences that name settings lead to their fields.
+import { html, type TemplateResult } from 'lit';
+import { showSetting, type FieldId } from './show-setting.js';
+import { settingLabel } from '../i18n/say.js';
+import { words as presets } from '../i18n/en/presets.js';
+import { language, say } from '../i18n/text.js';
+import { expertSettings, settings } from '../model/settings.js';
+import { offers } from '../studio/shown.js';
+import type { Studio } from '../studio/studio.js';
+
+/** In the quotes of any language, French ones with their spaces. */
+const quoted = /([“„]|«[\u00a0\u202f])([^“”„«»]+)([”“]|[\u00a0\u202f]»)/;
+
+let labels: { of: string; fields: ReadonlyMap<string, FieldId> } | undefined;
+
+/** Fields by their names in the page's language. */
+function fieldsByLabel(): ReadonlyMap<string, FieldId> {
+  if (labels?.of !== language()) {
+    const named = settings
+      .filter(({ id }) => !expertSettings.has(id))
+      .map(({ id }) => [settingLabel({ id }), id] as const);
+    labels = {
+      of: language(),
+      fields: new Map<string, FieldId>([...named, [say(presets, 'preset.title'), 'quality']]),
+    };
+  }
+  return labels.fields;
+}
+
+/** Words, or a field that the sentence names between quotes. */
+type Piece = string | { label: string; field: FieldId };
+
+export function piecesOf(text: string): Piece[] {
+  const pieces = text.split(new RegExp(quoted, 'g'));
+  return pieces.flatMap((piece, k): Piece[] => {
+    const field = k % 4 === 2 ? fieldsByLabel().get(piece) : undefined;
+    return field === undefined ? (piece === '' ? [] : [piece]) : [{ label: piece, field }];
+  });
+}
+
+/** The sentence with a button in the place of each setting that it names. */
+export const linked = (studio: Studio, text: string): (string | TemplateResult)[] =>
+  piecesOf(text).map((piece) => {
+    if (typeof piece === 'string') return piece;
+    const { label, field } = piece;
+    if (!offers(studio.store.state, 'print')) return label;
+    return html`<button type="button" class="link" @click=${() => void showSetting(studio, field)}>${label}</button>`;
+  });
