@@ -149,10 +149,14 @@ export class ShapeFields extends StudioElement {
     const full = holes.length >= shapeTable.holes.most;
     return html`<section class="bare" aria-labelledby="holes-title">
       <h3 id="holes-title">${a('holes')}</h3>
-      ${holes.length === 0 ? nothing : html`<p class="note">${a('holes.help')}</p>`}
-      <ul>
-        ${holes.map((hole, k) => this.#hole(hole, k))}
-      </ul>
+      ${
+        holes.length === 0
+          ? nothing
+          : html`<p class="note">${a('holes.help')}</p>
+              <ul>
+                ${holes.map((hole, k) => this.#hole(hole, k))}
+              </ul>`
+      }
       <div class="buttons">
         ${(Object.keys(usualHoles) as HoleName[]).map(
           (name) =>

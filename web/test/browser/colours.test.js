@@ -43,7 +43,7 @@ test('each colour of a drawing gets a direction, which can be turned, undone and
     { colour: '#ffd700', angle: 150 },
   ]);
   assert.equal(await visit.state(({ plate }) => plate.shape.kind), 'file');
-  await visit.page.getByText('flag.svg: Colours: a direction for each').waitFor();
+  await visit.page.getByText('flag.svg: Colours').waitFor();
   await visit.idle();
   await visit.directions();
   for (const [x, angle] of [

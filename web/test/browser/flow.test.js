@@ -345,7 +345,7 @@ test('the loop of a plate is seen where it is shared', { skip }, async () => {
 test('a link carries the settings, and says what it cannot carry', { skip }, async () => {
   const visit = await bench.open({ small: true });
   await visit.idle();
-  await visit.section('Toolpath');
+  await visit.section('Print');
   await visit.page.getByRole('spinbutton', { name: 'Line width' }).fill('0.52');
   await visit.page.keyboard.press('Enter');
   await visit.until((state) => state.plate.toolpath.spacing === 0.52);

@@ -51,7 +51,7 @@ test('a photograph under the lamp on the screen, and a second one with a lamp of
   // What this spool shows of it, in the panel and before a download: gold is told to be weak, blue is not.
   const panel = visit.page.locator('sillon-lamps').locator('li, .warning');
   await panel
-    .getByText(/Contrast [\d.]+ : 1, about \d+ steps of grey/)
+    .getByText(/contrast [\d.]+ : 1, about \d+ steps of grey/)
     .first()
     .waitFor();
   await panel

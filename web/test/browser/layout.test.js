@@ -136,7 +136,7 @@ for (const [what, options] of [
     const visit = await bench.open({ small: true, ...options });
     const { page } = visit;
     await largeLetters(page);
-    for (const section of ['Shape', 'Picture']) {
+    for (const section of ['Shape', 'Picture', 'Print']) {
       await visit.section(section);
       await page.locator('#panel').locator('.cards, .start').first().waitFor();
       await settled(page);
@@ -252,13 +252,14 @@ test('figures and values are whole in a narrow page in French, and so is a comma
   await visit.idle();
   const figures = visit.page.locator('sillon-status .figures');
   assert.ok(await figures.evaluate((one) => one.scrollWidth <= one.clientWidth), await figures.innerText());
-  await visit.section('Trajet');
-  await visit.page.locator('summary').first().click();
+  await visit.section('Impression');
+  await visit.page.getByText('Réglages avancés').click();
+  await visit.page.locator('details summary', { hasText: 'Trajet' }).click();
   const narrowest = visit.page.getByLabel('Cordon le plus étroit', { exact: true });
   assert.equal(await narrowest.inputValue(), '0,5');
   assert.ok(await narrowest.evaluate((one) => one.scrollWidth <= one.clientWidth && one.clientWidth > 50));
 
-  const spacing = visit.page.getByRole('spinbutton').first();
+  const spacing = visit.page.locator('#toolpath-spacing');
   await spacing.fill('');
   await spacing.pressSequentially('0,5');
   assert.equal(await spacing.inputValue(), '0,5');
@@ -268,7 +269,8 @@ test('figures and values are whole in a narrow page in French, and so is a comma
   await spacing.press('ArrowUp');
   await visit.until('({ plate }) => plate.toolpath.spacing > 0.75');
   // The name of a number is dragged to change it.
-  const name = visit.page.locator('label.scrubs').first();
+  const name = visit.page.locator('label.scrubs[for=toolpath-spacing]');
+  await name.scrollIntoViewIfNeeded();
   const { x, y } = await name.boundingBox();
   await visit.page.mouse.move(x + 5, y + 5);
   await visit.page.mouse.down();

@@ -10,14 +10,14 @@ const wanted = {
     'gcode g-code printer ender prusa bambu voron nozzle temperature text font photo picture logo QR hole size link lamp ' +
     'stl brush re-brush rebrush thickness spacing diameter width height layers border wave waves rays spiral noise mode ' +
     'comb eraser zoom undo redo language dark light compare video speed fan flow bed skirt brim rim copies filament petg ' +
-    'gold spool seed bridge perimeters calibrate help new save project svg heart star ring disc rectangle tag zones base wifi',
+    'gold spool seed bridge perimeters walls outline top bottom toolpath quality calibrate help new save project svg heart star ring disc rectangle tag zones base wifi',
   de:
-    'gcode G-Code Drucker Ender Prusa Bambu Düse Temperatur Text Schrift Foto Bild Logo QR Loch Größe Link Lampe STL bürsten ' +
+    'gcode G-Code Drucker Ender Prusa Bambu Düse Temperatur Wände Perimeter Bahnabstand Druckweg Qualität Text Schrift Foto Bild Logo QR Loch Größe Link Lampe STL bürsten ' +
     'Dicke Abstand Durchmesser Breite Höhe Ebenen Wellen Strahlen Spirale Rauschen kämmen Radierer Rückgängig Sprache ' +
     'dunkel Vergleich Fluss Bett Kopien Filament PETG Gold Spule Brücke kalibrieren Hilfe Projekt SVG Herz Stern Ring ' +
     'Scheibe Rechteck Zonen WLAN Geschwindigkeit Lüfter',
   fr:
-    'gcode G-code imprimante Ender Prusa Bambu buse température texte police photo image logo QR trou taille lien lampe STL ' +
+    'gcode G-code imprimante Ender Prusa Bambu buse température parois périmètres espacement trajet qualité texte police photo image logo QR trou taille lien lampe STL ' +
     'rebrosser épaisseur espacement diamètre largeur hauteur calques vagues rayons spirale bruit peigner gomme annuler ' +
     'langue sombre comparer débit plateau filament PETG bobine calibrer aide projet SVG cœur étoile anneau disque rectangle ' +
     'zones wifi vitesse ventilateur',
@@ -70,6 +70,28 @@ test('what a name says comes before other words for it, and lists are not shown 
   assert.match((await ask('ender-3 v2'))[0], /Ender-3 V2/);
   const all = await ask('');
   assert.ok(all.length < 60 && !all.some((text) => /Ender|Heart/.test(text)), all.join(', '));
+});
+
+test('settings and views are found by their former names, too', { skip }, async () => {
+  const { page } = visit;
+  const former = {
+    en: ['bead spacing: Line width', 'border mode: Outline', 'base layers: Bottom layers', 'flow: Directions'],
+    de: ['Bahnabstand: Linienbreite', 'Perimeter: Wände', 'Schimmerschichten: Deckschichten'],
+    fr: ['couches de base: Couches du fond', 'périmètres: Parois', 'apparence: Aspect'],
+  };
+  for (const [language, pairs] of Object.entries(former)) {
+    await page.evaluate((name) => document.querySelector('sillon-app').studio.setLanguage(name), language);
+    const { ask } = await opened();
+    for (const pair of pairs) {
+      const [words, name] = pair.split(': ');
+      assert.ok(
+        (await ask(words)).some((text) => text.endsWith(name) || text.includes(`: ${name}`)),
+        pair,
+      );
+    }
+    await page.keyboard.press('Escape');
+    await visit.until((state) => state.dialog === undefined);
+  }
 });
 
 test('a setting that is found gets the focus', { skip }, async () => {

@@ -425,7 +425,7 @@ test(
     const ground = (one) => one.evaluate((element) => getComputedStyle(element).backgroundColor);
     const tab = (selected) => visit.page.locator(`[role=tab][aria-selected=${selected}]`).first();
     const section = (expanded) => visit.page.locator(`nav [aria-expanded=${expanded}]`).first();
-    await visit.section('Toolpath');
+    await visit.section('Print');
     await visit.page.locator('.cards :checked').waitFor();
     const card = (checked) => visit.page.locator('.cards label', { has: visit.page.locator(checked) }).first();
     for (const [chosen, other] of [
@@ -473,12 +473,11 @@ test('the page can be used before the engine is there', { skip }, async () => {
   const visit = await bench.open({ path: '/404' });
   await visit.page.route('**/engine/**', () => undefined); // never answered
   await visit.page.goto(bench.origin);
-  await visit.section('Toolpath');
+  await visit.section('Print');
   const spacing = visit.page.getByRole('spinbutton', { name: 'Line width' });
   await spacing.fill('0.6');
   await visit.page.keyboard.press('Enter');
   await visit.until((state) => state.plate.toolpath.spacing === 0.6 && state.progress?.job === 'loading');
   await visit.page.keyboard.press('Control+z');
-  await visit.section('Print');
   await visit.page.getByRole('combobox', { name: 'Printer' }).waitFor();
 });
