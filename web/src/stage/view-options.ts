@@ -24,6 +24,7 @@ export class ViewOptions extends StudioElement {
     'sizing',
     'light',
     'lightMode',
+    'flipping',
     'recording',
     'view',
   ] as const;
@@ -113,8 +114,9 @@ export class ViewOptions extends StudioElement {
       </div>`;
   }
 
-  /** A finger does not float above the plate. */
+  /** The lamp may turn by itself, and a finger does not float above the plate. */
   #label(mode: LightMode): string {
+    if (mode === 'pointer' && this.state.flipping) return t('light.turns');
     if (mode !== 'pointer' || !matchMedia('(hover: none)').matches) return t(`light.${mode}`);
     return t(this.studio.keepsStill() ? 'light.stands' : 'light.sways');
   }

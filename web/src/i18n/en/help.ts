@@ -12,7 +12,7 @@ export const words = {
   'help.mouse.pan': 'Drag: move the view',
   'help.mouse.zoom': 'Wheel or pinch: zoom',
   'help.mouse.light': 'Move over the plate in Look: move the light',
-  'help.mouse.layers': 'In section Directions: drag, resize and turn the chosen layer',
+  'help.mouse.layers': 'In Picture: drag, resize and turn the chosen layer',
   'keys.help': 'This help',
   'keys.open': 'Open files',
   'keys.save': 'Save the project',

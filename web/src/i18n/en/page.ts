@@ -210,6 +210,7 @@ export const words = {
   'light.tilt': 'Follows the tilt of the phone',
   'light.sways': 'Sways by itself',
   'light.stands': 'Stands still',
+  'light.turns': 'Turns from picture to picture',
   'light.orbit': 'Orbit',
   'light.fixed': 'Fixed',
   'light.tiltDenied': 'The phone does not report its tilt. Allow motion sensors for this page.',
