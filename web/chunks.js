@@ -16,7 +16,9 @@ const rooms = [
   ['calibrate', /\/src\/calibrate\/|\/files\/photo\.ts$/],
   ['files', /\/src\/files\/|\/app\/(take-in|drop-targets|tell-opened|pick-sliced)\.ts$|\/plates\/links\.ts$/],
   ['shape', /\/src\/shape\//],
-  ['print', /\/src\/print\//],
+  ['print', /\/src\/print\/|\/app\/printer-sheet\.ts$/],
+  // A visitor's answer is asked for before anything is shown.
+  ['own', /\/model\/own-print\.ts$/],
   ['quality', /\/src\/(quality|views)\//],
   ['rebrush', /\/src\/(rebrush|zones)\//],
   ['frame', /\/src\/embed\/|\/app\/framing\.ts$/],

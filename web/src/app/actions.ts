@@ -161,6 +161,15 @@ function usual(studio: Studio): Action[] {
     })),
     {
       group: '',
+      label: say(printerWords, 'sheet.title'),
+      icon: 'print',
+      also: also('printer'),
+      run: () => {
+        studio.show('printer');
+      },
+    },
+    {
+      group: '',
       label: t('help.title'),
       icon: 'help',
       keys: '?',
@@ -259,6 +268,10 @@ function rare(studio: Studio): Action[] {
     studio.settle();
     studio.change(change);
   };
+  const choose = (change: Parameters<Studio['change']>[0]) => (): void => {
+    studio.settle();
+    studio.choosePrint(change);
+  };
   return [
     ...layerKinds
       .filter((kind) => kind !== 'strokes')
@@ -286,7 +299,7 @@ function rare(studio: Studio): Action[] {
       group: t('section.printer'),
       label: printerLabel(printer),
       icon: 'print' as const,
-      run: change((plate) => withPrinter(plate, printer.key)),
+      run: choose((plate) => withPrinter(plate, printer.key)),
     })),
     ...printersByFile.map(({ label }) => ({
       group: t('section.printer'),
@@ -298,7 +311,7 @@ function rare(studio: Studio): Action[] {
       group: t('section.filament'),
       label: filamentLabel(filament),
       icon: 'print' as const,
-      run: change((plate) => withFilament(plate, filament.key)),
+      run: choose((plate) => withFilament(plate, filament.key)),
     })),
     ...settings
       .filter(({ id }) => !expertSettings.has(id))

@@ -24,6 +24,8 @@ declare global {
 /** The element of a part, and what fetches it: rare parts are fetched when they are first asked for. */
 type Part = [tag: string, load?: () => Promise<unknown>];
 
+const loadPrinterSheet = (): Promise<unknown> => import('./printer-sheet.js');
+
 const dialogs: Record<Dialog, Part> = {
   gallery: ['sillon-gallery', () => import('../plates/gallery.js')],
   palette: ['sillon-palette', () => import('./palette.js')],
@@ -38,6 +40,8 @@ const dialogs: Record<Dialog, Part> = {
   calibrate: ['sillon-calibrate', () => import('../calibrate/dialog.js')],
   spools: ['sillon-calibrate', () => import('../calibrate/dialog.js')],
   first: ['sillon-first', () => import('./first-print.js')],
+  printer: ['sillon-printer-sheet', loadPrinterSheet],
+  firstFile: ['sillon-printer-sheet', loadPrinterSheet],
 };
 
 const loadFacts = (): Promise<unknown> => import('./plate-facts.js');

@@ -61,7 +61,17 @@ function greet({ studio, shimmer }: Arriving, plate: Plate, first: Plate): void 
 async function ownPrinter({ store }: Studio, kept: Promise<Kept | undefined> | undefined): Promise<PrinterValues> {
   const found = await Promise.race([kept, elapsed(restoreWithin)]);
   const plate = found !== undefined && 'steps' in found ? found.steps.plate : store.state.plate;
-  return plate.printer;
+  return (store.state.own?.on(plate) ?? plate).printer;
+}
+
+/** A page begins with what the visitor has said to print with. */
+export async function useOwnPrint(studio: Studio): Promise<void> {
+  const { store } = studio;
+  await studio.recallOwnPrint().catch(() => undefined); // it is asked again
+  const { own, plate } = store.state;
+  if (own === undefined) return;
+  store.change(() => own.begin(plate.printer));
+  store.forgetSteps();
 }
 
 /** @param key  of the printer that the address or a host asks for, whatever a plate brings */

@@ -1,6 +1,7 @@
 // The page's head: what the plate is called, back and forth, out of the door.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
+import { machineName } from '../i18n/say.js';
 import { t } from '../i18n/text.js';
 import type { Plate } from '../model/plate.js';
 import { StudioElement } from '../controls/element.js';
@@ -62,10 +63,29 @@ export class Header extends StudioElement {
       .space {
         flex: 1;
       }
-      .main {
+      .files {
+        display: flex;
+        flex: none;
+        gap: 1px;
         margin-left: 4px;
+      }
+      .main {
         padding: 0 14px;
         min-height: max(34px, var(--control));
+        border-radius: var(--radius) 0 0 var(--radius);
+      }
+      .main .long {
+        max-width: 15rem;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .main .short {
+        display: none;
+      }
+      .main.all {
+        padding: 0 7px;
+        border-radius: 0 var(--radius) var(--radius) 0;
       }
       [popover] {
         position: fixed;
@@ -84,6 +104,11 @@ export class Header extends StudioElement {
       #menu {
         inset-inline: 10px auto;
       }
+      @media (max-width: 1120px) {
+        .main .long {
+          max-width: 9rem;
+        }
+      }
       @media (max-width: 980px) {
         .examples {
           width: var(--control);
@@ -96,9 +121,17 @@ export class Header extends StudioElement {
           overflow: hidden;
         }
       }
+      @media (max-width: 820px) {
+        .main .long {
+          display: none;
+        }
+        .main .short {
+          display: inline;
+        }
+      }
       @media (max-width: 400px) {
-        .main {
-          width: 44px;
+        .main:not(.all) {
+          width: 40px;
           padding: 0;
         }
         .main .words {
@@ -126,7 +159,10 @@ export class Header extends StudioElement {
           display: none;
         }
         .main {
-          padding: 0 12px;
+          padding: 0 10px;
+        }
+        .main.all {
+          padding: 0 4px;
         }
       }
     `,
@@ -154,13 +190,7 @@ export class Header extends StudioElement {
             </button>`
           : nothing
       }
-      ${
-        offers(this.state, 'download')
-          ? html`<button type="button" class="main" popovertarget="export">
-                ${icon('download')} <span class="words">${t('verb.download')}</span></button
-              >${this.#exports()}`
-          : nothing
-      }
+      ${offers(this.state, 'download') ? this.#download(plate) : nothing}
     `;
   }
 
@@ -260,6 +290,36 @@ export class Header extends StudioElement {
           : nothing
       }
     </div>`;
+  }
+
+  /** G-code at once, and beside it the list of all files. */
+  #download({ printer }: Plate): TemplateResult {
+    const name = machineName(printer);
+    const label = name === '' ? t('keys.gcode') : t('export.gcodeFor', { printer: name });
+    return html`<div class="files" role="group" aria-label=${t('section.export')}>
+        <button
+          type="button"
+          class="main"
+          aria-label=${label}
+          title=${label}
+          @click=${() => {
+            void this.studio.save('gcode');
+          }}
+        >
+          ${icon('download')}<span class="words long">${name === '' ? t('export.gcode') : label}</span
+          ><span class="words short">${t('export.gcode')}</span>
+        </button>
+        <button
+          type="button"
+          class="main all"
+          aria-label=${t('verb.download')}
+          title=${t('verb.download')}
+          popovertarget="export"
+        >
+          ${icon('fold')}
+        </button>
+      </div>
+      ${this.#exports()}`;
   }
 
   #opened = false;

@@ -121,7 +121,8 @@ export class Keeper {
     const { studio } = this;
     return {
       newPlate: () => {
-        this.show(newPlateOn(studio.store.state.plate.printer), true);
+        const { plate, own } = studio.store.state;
+        this.show(own?.begin(plate.printer) ?? newPlateOn(plate.printer), true);
       },
       plates: () => this.#kept(),
       keepPrint: this.#keepPrint,

@@ -8,7 +8,7 @@ import { newShown } from '../studio/shown.js';
 import { Studio } from '../studio/studio.js';
 import { asked, firstVisit, framed, threads } from './address.js';
 import './app.js';
-import { arrive, elapsed, openLink, restoreWithin, usePrinter } from './arriving.js';
+import { arrive, elapsed, openLink, restoreWithin, useOwnPrint, usePrinter } from './arriving.js';
 import { applyTheme, followState } from './following.js';
 import { Keeper } from './keeping.js';
 import { createMaking } from './making.js';
@@ -76,7 +76,10 @@ async function dress(): Promise<void> {
   await studio.speak(language ?? languageFor(navigator.languages));
   store.set({ panel: studio.firstPanel() });
   if (framed) await (await loadFraming()).configure(studio, { ...given, theme, language });
-  else usePrinter(studio);
+  else {
+    await useOwnPrint(studio);
+    usePrinter(studio);
+  }
 }
 
 function listen(): void {

@@ -29,7 +29,10 @@ const gesture = 'files';
 
 export function createOpener(studio: Studio, { show, untried }: Keeper): Opener {
   const engine = () => studio.services.engine();
-  const own = (): PrinterValues => studio.store.state.plate.printer;
+  const own = (): PrinterValues => {
+    const { plate, own } = studio.store.state;
+    return (own?.on(plate) ?? plate).printer;
+  };
 
   /** @param without  of the plate on the screen, what they are put into @param step  while the plate is made of them */
   async function use(
@@ -152,7 +155,7 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
     },
 
     async openExample(example) {
-      show(await plateOf(example, own), true);
+      show(await plateOf(example, studio), true);
     },
 
     openMade(make) {
@@ -161,7 +164,7 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
 
     async first() {
       const { opening } = await import('../plates/examples.js');
-      return plateOf(opening, own);
+      return plateOf(opening, studio);
     },
 
     async openOwn(path) {
@@ -205,13 +208,17 @@ const fetched = async (name: string): Promise<SourceFile> => ({
   bytes: await fetchedBytes(`examples/${name}`),
 });
 
-/** @param own  the visitor's printer, once all is there */
-async function plateOf(example: Example, own: () => PrinterValues): Promise<Plate> {
+/** On the visitor's printer, and with their filament where they have said one: an example's is for its looks. */
+async function plateOf(example: Example, studio: Studio): Promise<Plate> {
   const { width, height, filament, nearest } = example;
   const shape: ShapeSource =
     typeof example.shape === 'string' ? newFileShape(await fetched(example.shape)) : example.shape;
   const layers = await (await import('./example-layers.js')).layersFor(example.layers, fetched);
-  const plate = newPlateOn(own());
+  const {
+    own,
+    plate: { printer },
+  } = studio.store.state;
+  const plate = own?.begin(printer) ?? newPlateOn(printer);
   const made: Plate = {
     ...plate,
     name: t(`example.${example.id}`),
@@ -221,5 +228,5 @@ async function plateOf(example: Example, own: () => PrinterValues): Promise<Plat
     layers,
     toolpath: { ...plate.toolpath, mapFilter: nearest === true ? 'nearest' : 'average' },
   };
-  return withFilament(made, filament);
+  return own?.said.spool === undefined ? withFilament(made, filament) : made;
 }

@@ -56,7 +56,7 @@ export class PlateFacts extends StudioElement {
         class="printer"
         title=${t('start.printer')}
         @click=${() => {
-          this.studio.setPanel('print');
+          this.studio.show('printer');
         }}
       >
         ${icon('print')} <span>${printer} · ${filamentName(plate)}</span> ${icon('tune', 16)}

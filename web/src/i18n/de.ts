@@ -758,6 +758,9 @@ export const de: Translation = {
   'export.link.help': 'Öffnet diese Seite mit denselben Einstellungen.',
   'export.untried':
     'Noch keine Datei von Sillon haben wir auf einem Drucker ausprobiert: bitte dabeibleiben. Als erster Druck hilft das Prüfstück am meisten.',
+  'export.untriedOn':
+    'Noch keine Datei von Sillon haben wir auf diesem Drucker ausprobiert ({printer}): bitte dabeibleiben. Als erster Druck hilft das Prüfstück am meisten.',
+  'export.gcodeFor': 'G-Code für {printer}',
   'export.done': '{name} liegt in den Downloads.',
   'summary.time': 'Druckdauer',
   'summary.filament': 'Filament',
@@ -777,6 +780,14 @@ export const de: Translation = {
   'group.heat': 'Temperatur und Lüfter',
   'group.speed': 'Tempo',
   'group.machine': 'Drucker',
+  'printer.choose': 'Drucker wählen',
+  'printer.another': 'Ein anderer Drucker: {name}',
+  'printer.needsFile':
+    'Ein {name} beginnt mit Befehlen, die sein eigener Slicer schreibt. Irgendetwas für ihn mit dem eigenen Filament slicen und diese Datei hier wählen.',
+  'sheet.title': 'Drucker, Filament, Dicke',
+  'sheet.what':
+    'G-Code gilt für einen Drucker und ein Filament. Gefragt wird einmal; dieser Browser merkt sich die Antwort.',
+  'sheet.missing': 'Bitte zuerst den Drucker wählen. Für einen, der nicht in der Liste steht: „Ein anderer Drucker“.',
   'link.copied': 'Der Link ist in der Zwischenablage.',
   'link.opened': 'Aus einem Link geöffnet.',
   'restore.done': 'Die letzte Platte wurde wiederhergestellt.',
@@ -1152,6 +1163,7 @@ export const de: Translation = {
   'also.walls': 'Perimeter Schleifen Konturen',
   'also.top': 'Schimmerschichten oberste Schichten',
   'also.bottom': 'Grundschichten unterste Schichten Füllung',
+  'also.printer': 'Maschine 3D Creality Prusa Bambu dick Material Höhe fragen',
   'palette.title': 'Alle Befehle',
   'palette.what': 'Was soll geschehen?',
   'palette.none': 'So heißt kein Befehl.',

@@ -764,6 +764,9 @@ export const fr: Translation = {
   'export.link.help': 'Ouvre cette page avec les mêmes réglages.',
   'export.untried':
     'Nous n’avons encore essayé aucun fichier de Sillon sur une imprimante : restez près de la vôtre. La première impression la plus utile est l’éprouvette.',
+  'export.untriedOn':
+    'Nous n’avons encore essayé aucun fichier de Sillon sur cette imprimante ({printer}) : restez près de la vôtre. La première impression la plus utile est l’éprouvette.',
+  'export.gcodeFor': 'G-code pour {printer}',
   'export.done': '{name} est dans vos téléchargements.',
   'summary.time': 'Durée d’impression',
   'summary.filament': 'Filament',
@@ -783,6 +786,15 @@ export const fr: Translation = {
   'group.heat': 'Température et ventilateur',
   'group.speed': 'Vitesse',
   'group.machine': 'Imprimante',
+  'printer.choose': 'Choisissez votre imprimante',
+  'printer.another': 'Une autre imprimante : {name}',
+  'printer.needsFile':
+    'Une {name} commence par des commandes qu’écrit son propre slicer. Tranchez n’importe quoi pour elle avec votre filament, puis choisissez ce fichier ici.',
+  'sheet.title': 'Imprimante, filament, épaisseur',
+  'sheet.what':
+    'Le G-code vaut pour une imprimante et un filament. La question est posée une fois ; ce navigateur retient la réponse.',
+  'sheet.missing':
+    'Choisissez d’abord votre imprimante. Si elle n’est pas dans la liste, choisissez « Une autre imprimante ».',
   'link.copied': 'Le lien est dans votre presse-papiers.',
   'link.opened': 'Ouvert depuis un lien.',
   'restore.done': 'Votre dernière plaque a été restaurée.',
@@ -1165,6 +1177,7 @@ export const fr: Translation = {
   'also.walls': 'périmètres boucles coques',
   'also.top': 'couches chatoyantes supérieures',
   'also.bottom': 'couches de base inférieures remplissage',
+  'also.printer': 'machine 3d creality prusa bambu épais matière hauteur demander',
   'palette.title': 'Toutes les actions',
   'palette.what': 'Que voulez-vous faire ?',
   'palette.none': 'Aucune action ne porte un tel nom.',

@@ -1,7 +1,8 @@
 // Words for the data of the model: settings, problems, verdicts, warnings of the engine.
 import type { PrinterValues } from 'sillon';
 import { countLines, unusualHeat } from '../model/brought.js';
-import { profileOf, type PrinterChoice } from '../model/printers.js';
+import { printerDefaults } from '../model/defaults.js';
+import { isGeneric, profileOf, type PrinterChoice } from '../model/printers.js';
 import type { Problem } from '../model/problem.js';
 import type { ChoiceSetting, NumberSetting, PairSetting, Setting, SettingValue, Unit } from '../model/settings.js';
 import type { Progress } from '../model/state.js';
@@ -61,6 +62,13 @@ export const printerLabel = (printer: PrinterChoice | undefined): string => {
   const text = `printer.${printer.key}`;
   return hasText(text) ? t(text) : printer.label;
 };
+
+/** The name by which somebody knows a machine; empty: it is none in particular. */
+export function machineName(printer: PrinterValues): string {
+  const profile = profileOf(printer);
+  if (profile !== undefined) return isGeneric(profile) ? '' : printerLabel(profile);
+  return printer.name === printerDefaults.name ? '' : printer.name;
+}
 
 /** Temperatures of a printer, where they are higher than usual. */
 export function heatText(printer: PrinterValues): string {

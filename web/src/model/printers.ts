@@ -91,7 +91,7 @@ export function withPrinter(plate: Plate, key: PrinterKey): Plate {
 }
 
 /** Chosen for a print, not what a machine is. */
-const ofPrint: readonly string[] = ['nozzle', 'speed', 'firstLayerSpeed', ...ofFilament];
+export const ofPrint: readonly string[] = ['nozzle', 'speed', 'firstLayerSpeed', ...ofFilament];
 
 /** By all values of the machine: a name is quickly written. */
 export const sameMachine = (a: Machine, b: Machine): boolean =>
@@ -103,3 +103,9 @@ export const sameMachine = (a: Machine, b: Machine): boolean =>
 /** undefined: of its own making, as from a project file. */
 export const profileOf = (printer: Machine): PrinterChoice | undefined =>
   printers.find(({ machine }) => sameMachine(machine, printer));
+
+/** Whether these are the values of no machine in particular. */
+export function isNobodys(printer: Machine): boolean {
+  const profile = profileOf(printer);
+  return profile !== undefined && isGeneric(profile);
+}

@@ -7,10 +7,18 @@ import { say, t } from '../i18n/text.js';
 import { countLines } from '../model/brought.js';
 import { filaments, withFilament, withSpool } from '../model/filaments.js';
 import type { OwnSpool } from '../model/plate.js';
-import { printers, printersByFile, profileOf, withPrinter, type PrinterKey } from '../model/printers.js';
+import {
+  isGeneric,
+  printers,
+  printersByFile,
+  profileOf,
+  withPrinter,
+  type PrinterChoice,
+  type PrinterKey,
+} from '../model/printers.js';
 import { filamentLabel, filamentName, listedFilament } from './filament-name.js';
 import { spoolColour } from './spool.js';
-import { select } from '../controls/fields.js';
+import { select, type ChoiceField } from '../controls/fields.js';
 import type { Studio } from '../studio/studio.js';
 
 /** Those that are kept here, and that of the plate, which may have come with a project. */
@@ -46,48 +54,78 @@ export const swatchStyle = css`
   }
 `;
 
-export function printerField(studio: Studio): TemplateResult {
+/** Machines that have a name first: they are what a question for somebody's printer is about. */
+const asked: readonly PrinterChoice[] = [
+  ...[...printers.filter((one) => !isGeneric(one)), ...printersByFile].sort((a, b) =>
+    a.label.localeCompare(b.label, 'en'),
+  ),
+  ...printers.filter(isGeneric),
+];
+
+function optionOf(printer: PrinterChoice, asks: boolean): ChoiceField['options'][number] {
+  const { key, label } = printer;
+  if (printersByFile.includes(printer))
+    return { value: key, label: say(words, 'printer.byFile', { name: label }), disabled: !asks };
+  const name = printerLabel(printer);
+  return { value: key, label: asks && isGeneric(printer) ? say(words, 'printer.another', { name }) : name };
+}
+
+export interface PrinterQuestion {
+  /** What stands in the field: a printer that waits for its file, or nothing, as nobody has said which it is. */
+  value: PrinterKey | undefined;
+  onChoose: (key: PrinterKey) => void;
+}
+
+/** @param question  where the printer is asked for; left out: it is one of many settings */
+export function printerField(studio: Studio, question?: PrinterQuestion): TemplateResult {
   const { plate } = studio.store.state;
   const { name, startGcode } = plate.printer;
   const current = profileOf(plate.printer);
-  const options: { value: PrinterKey; label: string; disabled?: boolean }[] = [
-    ...printers.map((printer) => ({ value: printer.key, label: printerLabel(printer) })),
-    ...printersByFile.map(({ key, label }) => ({
-      value: key,
-      label: say(words, 'printer.byFile', { name: label }),
-      disabled: true,
-    })),
-  ];
-  if (current === undefined)
+  const asks = question !== undefined;
+  const options = (asks ? asked : [...printers, ...printersByFile]).map((printer) => optionOf(printer, asks));
+  if (question?.value === '') options.unshift({ value: '', label: say(words, 'printer.choose') });
+  else if (current === undefined)
     options.unshift({ value: '', label: name === '' ? t('printer.own') : say(words, 'printer.ownNamed', { name }) });
-  return html`${select<PrinterKey>({
+  return html`${select({
       id: 'printer',
       label: t('section.printer'),
-      value: current?.key ?? '',
+      value: question?.value ?? current?.key ?? '',
       options,
       onChoose: (key) => {
-        if (key !== '') studio.change((plate) => withPrinter(plate, key));
+        question?.onChoose(key);
+        if (printers.some((one) => one.key === key)) studio.choosePrint((now) => withPrinter(now, key));
       },
     })}
-    <button type="button" @click=${() => void pickPrinter(studio)}>${say(words, 'printer.import')}</button>
-    ${
-      startGcode === ''
-        ? html`<p class="note">${say(words, 'printer.start')}</p>`
-        : current === undefined
-          ? html`<p class="note">
-              ${say(words, 'printer.ownStart', { n: countLines(startGcode) })}
-              <button
-                type="button"
-                class="link"
-                @click=${() => {
-                  studio.review();
-                }}
-              >
-                ${t('brought.show')}
-              </button>
-            </p>`
-          : nothing
-    }`;
+    <button
+      type="button"
+      id="printer-file"
+      class=${question?.value ? 'main' : ''}
+      @click=${() => void pickPrinter(studio)}
+    >
+      ${say(words, 'printer.import')}
+    </button>
+    ${question?.value === undefined ? startNote(studio, startGcode, current) : nothing}`;
+}
+
+function startNote(
+  studio: Studio,
+  startGcode: string,
+  current: PrinterChoice | undefined,
+): TemplateResult | typeof nothing {
+  if (startGcode === '') return html`<p class="note">${say(words, 'printer.start')}</p>`;
+  if (current !== undefined) return nothing;
+  return html`<p class="note">
+    ${say(words, 'printer.ownStart', { n: countLines(startGcode) })}
+    <button
+      type="button"
+      class="link"
+      @click=${() => {
+        studio.review();
+      }}
+    >
+      ${t('brought.show')}
+    </button>
+  </p>`;
 }
 
 /** Asks for a file of another program that tells a printer. */
@@ -120,7 +158,7 @@ export function filamentField(studio: Studio): TemplateResult {
                 aria-label=${filamentLabel(filament)}
                 .checked=${live(filament === chosen)}
                 @change=${() => {
-                  studio.change((plate) => withFilament(plate, filament.key));
+                  studio.choosePrint((now) => withFilament(now, filament.key));
                 }}
               />
             </label>`,
@@ -134,7 +172,7 @@ export function filamentField(studio: Studio): TemplateResult {
                 aria-label=${one.key}
                 .checked=${live(spool?.key === one.key)}
                 @change=${() => {
-                  studio.change((plate) => withSpool(plate, one));
+                  studio.choosePrint((now) => withSpool(now, one));
                 }}
               />
             </label>`,

@@ -65,7 +65,7 @@ export async function importPrinter(studio: Studio, file: File): Promise<void> {
   const { read, notRead } = imported;
   const { plate, other } = withImported(studio.store.state.plate, imported);
   studio.settle();
-  studio.change(() => plate);
+  studio.choosePrint(() => plate);
   const { filamentType, nozzleTemperature: nozzle, bedTemperature: bed } = plate.printer;
   const type = filamentType || t('section.filament');
   const taken = other === undefined && tells(imported, names.type);
@@ -85,7 +85,7 @@ export async function importPrinter(studio: Studio, file: File): Promise<void> {
     label: say(words, 'printer.takeHeat', { nozzle: other.nozzleTemperature }),
     run: () => {
       studio.settle();
-      studio.change((now) => ({ ...now, printer: { ...now.printer, ...other } }));
+      studio.choosePrint((now) => ({ ...now, printer: { ...now.printer, ...other } }));
     },
   };
   studio.tell({ text, actions: [take], stays: true });

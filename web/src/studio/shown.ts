@@ -5,6 +5,7 @@ import { sections, type Control, type Mode, type Units } from '../model/guest.js
 import type { Failure, Problem } from '../model/problem.js';
 import type { OpenedFiles } from '../model/file-role.js';
 import type { KnownBox } from '../model/layer-frame.js';
+import type { OwnPrint } from '../model/own-print.js';
 import type { OwnSpool, Plate } from '../model/plate.js';
 import type { Light, Mark, Shimmer } from '../model/view.js';
 
@@ -14,7 +15,8 @@ export type Over = 'picture' | 'zigzag' | 'conflict';
 export type Sizing = 'whole' | 'life' | 'arm' | 'free';
 export type LightMode = 'pointer' | 'tilt' | 'orbit' | 'fixed';
 /** 'brought': what a design brings for the printer; 'blocks': the same of what is about to be downloaded; 'rebrush': a sliced
- * print, all over the page; 'zones': a body, whose faces are listed; 'spools': that of 'calibrate', at the visitor's own spools. */
+ * print, all over the page; 'zones': a body, whose faces are listed; 'spools': that of 'calibrate', at the visitor's own spools;
+ * 'printer': printer, filament, thickness; 'firstFile': the same before the first file. */
 export type Dialog =
   | 'gallery'
   | 'palette'
@@ -28,7 +30,9 @@ export type Dialog =
   | 'zones'
   | 'calibrate'
   | 'spools'
-  | 'first';
+  | 'first'
+  | 'printer'
+  | 'firstFile';
 
 export interface Brush {
   /** Share of the page's width. */
@@ -107,6 +111,8 @@ export interface Shown extends State {
   sliced: File | undefined;
   /** The visitor's own; undefined: not looked for yet. */
   spools: readonly OwnSpool[] | undefined;
+  /** What the visitor has said to print with; undefined: nothing. */
+  own: OwnPrint | undefined;
   dropping: boolean;
   /** Files that are being read. */
   reading: Reading | undefined;
@@ -165,6 +171,7 @@ export const newShown = (): Shown => ({
   opened: undefined,
   sliced: undefined,
   spools: undefined,
+  own: undefined,
   dropping: false,
   reading: undefined,
   recording: false,

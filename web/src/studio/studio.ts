@@ -12,6 +12,7 @@ import { nothingLeft, type Left } from '../model/left.js';
 import { pageOf, type Plate } from '../model/plate.js';
 import type { Problem } from '../model/problem.js';
 import { isAbort, problemOf, same } from '../model/problem.js';
+import { isNobodys } from '../model/printers.js';
 import type { Store } from '../model/store.js';
 import type { Theme, Tool } from '../model/state.js';
 import type { Light, ViewName } from '../model/view.js';
@@ -36,6 +37,8 @@ export interface Stage {
   loop(signal?: AbortSignal): Promise<Blob>;
 }
 
+const ownPrintName = 'print';
+const loadOwnPrint = () => import('../model/own-print.js');
 const noticeFor = 7000; // [ms]
 const offerFor = 30_000; // [ms] of a notice with a button: time to read, decide, and reach it by keys
 
@@ -87,7 +90,8 @@ export class Studio {
   #nextNotice = 1;
   /** What of printers was seen before a file was taken with it, as `toReview` has it. */
   readonly #seen = new Set<string>();
-  #reviewed: (() => void) | undefined;
+  /** Takes a file to the printer, once a sheet is answered. */
+  #waiting: (() => void) | undefined;
 
   constructor(
     readonly store: Store<Shown>,
@@ -102,6 +106,27 @@ export class Studio {
 
   remember(name: string, text: string): void {
     if (!this.framed) remember(name, text);
+  }
+
+  /** Puts what the visitor has said to print with into the state. */
+  async recallOwnPrint(): Promise<void> {
+    const text = this.recall(ownPrintName);
+    if (text !== undefined) this.store.set({ own: (await loadOwnPrint()).OwnPrint.of(text) });
+  }
+
+  /** @param thickness  [mm] of plates that follow; undefined: none was said */
+  async keepOwnPrint(thickness: number | undefined): Promise<void> {
+    if (this.framed) return;
+    const { OwnPrint, ownPrintText } = await loadOwnPrint();
+    const text = ownPrintText(this.store.state.plate, thickness);
+    this.remember(ownPrintName, text);
+    this.store.set({ own: OwnPrint.of(text) });
+  }
+
+  /** Their own choice of printer or filament, which plates that follow have, too. */
+  choosePrint(change: (plate: Plate) => Plate): void {
+    this.change(change);
+    void this.attempt(() => this.keepOwnPrint(this.store.state.own?.said.thickness));
   }
 
   // --- The plate ----------------------------------------------------------------------------------------------------------
@@ -337,19 +362,23 @@ export class Studio {
   }
 
   async save(product: Product): Promise<void> {
-    if (product !== 'gcode' || !this.#mustReview()) await this.#save(product);
+    if (product !== 'gcode' || !(this.#mustAsk() || this.#mustReview())) await this.#save(product);
     else this.whenReviewed(() => void this.#save(product));
   }
 
-  /** Takes a file to the printer, at once or once everything was seen that it would run. */
+  /** Takes a file to the printer, at once or once it was said which one that is, and everything was seen that it would run. */
   whenReviewed(save: () => void): void {
-    if (this.#mustReview()) this.review(save);
+    if (this.#mustAsk()) {
+      this.#waiting = save;
+      this.change((plate) => this.store.state.own?.on(plate) ?? plate);
+      this.show('firstFile');
+    } else if (this.#mustReview()) this.review(save);
     else save();
   }
 
   /** Shows the blocks. @param save  what their button is for; left out: the plate's own file */
-  review(save?: () => void): void {
-    this.#reviewed = save;
+  review(save = (): void => void this.#save('gcode')): void {
+    this.#waiting = save;
     this.show('blocks');
   }
 
@@ -357,8 +386,13 @@ export class Studio {
   goOn(): void {
     const { printer } = this.store.state.plate;
     this.#setReviewed(toReview(printer));
-    if (this.#reviewed === undefined) void this.#save('gcode');
-    else this.#reviewed();
+    this.#waiting?.();
+  }
+
+  /** Which printer it is was said, and the sheet is gone. */
+  goOnPrinting(): void {
+    if (this.#mustReview()) this.review(this.#waiting);
+    else this.#waiting?.();
   }
 
   async #save(product: Product): Promise<void> {
@@ -371,12 +405,19 @@ export class Studio {
       }
       this.deliver(blob, name);
       if (product === 'body') this.#offerRest(name);
-      else this.notify(t('export.done', { name }));
-      if (product === 'gcode' && this.store.state.host === '') {
-        (await import('./untried-print.js')).tellUntried(this);
-      }
+      else if (product !== 'gcode' || this.store.state.host !== '') this.notify(t('export.done', { name }));
+      else (await import('./untried-print.js')).tellPrint(this, name);
     });
   }
+
+  /** Whether nobody has said which machine this is for. */
+  lacksPrinter(): boolean {
+    const { plate, own } = this.store.state;
+    return isNobodys(plate.printer) && own?.means(plate.printer) !== true;
+  }
+
+  /** A page around this one answers for the printer. */
+  #mustAsk = (): boolean => !this.framed && this.lacksPrinter();
 
   /** Nothing moves or heats a machine that nobody has seen. */
   #mustReview(): boolean {

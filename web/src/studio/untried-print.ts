@@ -1,16 +1,29 @@
 // A note for people who take a file to a printer, once on a device.
-import { recallText, remember } from '../files/remember.js';
 import { words } from '../i18n/en/export.js';
+import { machineName } from '../i18n/say.js';
 import { say, t } from '../i18n/text.js';
+import type { Plate } from '../model/plate.js';
 import type { Studio } from './studio.js';
 
 const told = 'untried';
 
-/** Says that nothing was tried on a printer yet, and offers the print that helps most. */
-export function tellUntried(studio: Studio): void {
-  if (recallText(told) !== undefined) return;
-  remember(told, 'yes');
-  studio.notify(say(words, 'export.untried'), {
+/** Says of the plate's printer that nothing was tried on it, and what to print first. */
+export function untriedText({ printer }: Plate): string {
+  const name = machineName(printer);
+  return name === '' ? say(words, 'export.untried') : say(words, 'export.untriedOn', { printer: name });
+}
+
+/** The note was on the screen. */
+export const markUntried = (studio: Studio): void => {
+  studio.remember(told, 'yes');
+};
+
+/** Tells of a file that went to the downloads, and what was never tried, unless it is known. */
+export function tellPrint(studio: Studio, name: string): void {
+  studio.notify(t('export.done', { name }));
+  if (studio.recall(told) !== undefined) return;
+  markUntried(studio);
+  studio.notify(untriedText(studio.store.state.plate), {
     label: t('verb.first'),
     run: () => {
       studio.show('first');

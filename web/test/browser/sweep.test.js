@@ -14,6 +14,6 @@ test('no control is covered or cut, in any view and language', { skip }, async (
   assert.deepEqual(await inAllViews(bench, () => widths), []);
 });
 
-test('nothing of calibration and first print is cut, in any language', { skip }, async () => {
+test('nothing of the sheets on the way to a print is cut, in any language', { skip }, async () => {
   assert.deepEqual(await inDialogs(bench, [320, 480, 768, 1024]), []);
 });

@@ -13,4 +13,6 @@ export const words = {
   'export.link.help': 'Opens this page with the same settings.',
   'export.untried':
     'We have not tried any file of Sillon on a printer yet: stay beside yours. The first print that helps most is the coupon.',
+  'export.untriedOn':
+    'We have not tried any file of Sillon on the {printer} yet: stay beside yours. The first print that helps most is the coupon.',
 } as const;

@@ -320,6 +320,7 @@ export const words = {
   'export.link': 'Copy link',
   'export.body.rest': '{name} is in your downloads. To print the top layers above it, start at {height} mm.',
   'export.body.set': 'Use this height',
+  'export.gcodeFor': 'G-code for {printer}',
   'export.done': '{name} is in your downloads.',
   'summary.time': 'Print time',
   'summary.weight': 'Weight',

@@ -37,4 +37,11 @@ export const words = {
   'group.heat': 'Temperature and fan',
   'group.speed': 'Speed',
   'group.machine': 'Printer',
+  'printer.choose': 'Choose your printer',
+  'printer.another': 'Another printer: {name}',
+  'printer.needsFile':
+    'A {name} begins with commands that its own slicer writes. Slice anything for it with your filament, and choose that file here.',
+  'sheet.title': 'Printer, filament, thickness',
+  'sheet.what': 'G-code is for one printer and one filament. You are asked once; this browser remembers the answer.',
+  'sheet.missing': 'Choose your printer first. For one that is not in the list, choose “Another printer”.',
 } as const;

@@ -36,4 +36,5 @@ export const words = {
   'also.walls': 'perimeters loops shells',
   'also.top': 'oriented layers shimmer',
   'also.bottom': 'base layers infill floor',
+  'also.printer': 'machine 3d creality prusa bambu thick material height ask',
 } as const;

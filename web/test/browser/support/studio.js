@@ -23,8 +23,11 @@ export const fileAt = (path) => ({
 });
 export const fileOf = (name, bytes, type = '') => ({ name, type, data: Buffer.from(bytes).toString('base64') });
 
+/** An answer to the sheet that asks for a printer before the first file: none in particular. */
+const printed = ['sillon.print', JSON.stringify({ profile: 'generic' })];
+
 /** Runs in a page that has just begun, and later brings it back to where it was then: a page costs as much as ten changes. */
-async function beginAgain(language) {
+async function beginAgain({ language, printed }) {
   const { studio } = document.querySelector('sillon-app');
   const { store } = studio;
   const followsFromPlate = ['directions', 'result', 'summary', 'check', 'progress', 'marks', 'scan', 'engine'];
@@ -52,6 +55,7 @@ async function beginAgain(language) {
   if (cancelled) studio.services.retry();
   await frames();
   localStorage.clear();
+  localStorage.setItem(...printed);
   sessionStorage.clear();
 }
 
@@ -76,6 +80,7 @@ export async function start() {
   const load = async ({
     small = false,
     visited = false,
+    asks = false,
     path = small ? `/${smallPlate}` : '/',
     keep,
     places = false,
@@ -100,6 +105,15 @@ export async function start() {
       await context.addInitScript(() => {
         localStorage.setItem('sillon.welcomed', 'yes');
       });
+    }
+    if (!asks) {
+      await context.addInitScript(([name, text]) => {
+        try {
+          if (localStorage.getItem(name) === null) localStorage.setItem(name, text);
+        } catch {
+          // denied: it is asked
+        }
+      }, printed);
     }
     if (prepare !== undefined) await context.addInitScript(prepare);
     const page = await context.newPage();
@@ -129,7 +143,7 @@ export async function start() {
     await page.setViewportSize(viewport);
     await page.emulateMedia({ colorScheme });
     await page.mouse.move(0, 0);
-    await page.evaluate(beginAgain, language ?? (options.locale ?? 'en').slice(0, 2));
+    await page.evaluate(beginAgain, { language: language ?? (options.locale ?? 'en').slice(0, 2), printed });
     if (path !== undefined) {
       await page.evaluate((hash) => (location.hash = hash), path.slice(1));
       await page.waitForFunction(() => {
@@ -146,7 +160,8 @@ export async function start() {
     /** A visit to the studio. One with a `small` plate or another plate's link, and no more than a window, a language or colours of
      * its own, may find a page that another visit has left, brought back to its beginning.
      * @param options  of the browser's context; `path` of the page; `small`: it begins with a small plate; `visited`: the
-     * visitor has been here before, so that it begins with a new plate; `fresh`: in a page of its own, as what is tested is the
+     * visitor has been here before, so that it begins with a new plate; `asks`: nobody has said which printer files are for;
+     * `fresh`: in a page of its own, as what is tested is the
      * loading, the storage, or a change of the browser that would stay; `language` of the page; `keep`: a context to open it in;
      * `places`: it may ask for files that can be saved in their place; `prepare`: run in the page before its own scripts */
     open({ fresh = false, ...options } = {}) {
