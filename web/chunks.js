@@ -16,7 +16,7 @@ const rooms = [
   ['calibrate', /\/src\/calibrate\/|\/files\/photo\.ts$/],
   ['files', /\/src\/files\/|\/app\/(take-in|drop-targets|tell-opened|pick-sliced)\.ts$|\/plates\/links\.ts$/],
   ['shape', /\/src\/shape\//],
-  ['print', /\/src\/print\/|\/app\/printer-sheet\.ts$/],
+  ['print', /\/src\/print\/|\/app\/(printer-sheet|lamp-card)\.ts$/],
   // A visitor's answer is asked for before anything is shown.
   ['own', /\/model\/own-print\.ts$/],
   ['quality', /\/src\/(quality|views)\//],

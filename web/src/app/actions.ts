@@ -1,5 +1,6 @@
 // Every action of the page with its name, its key and the words by which people look for it.
 import { words } from '../i18n/en/help.js';
+import { words as exportWords } from '../i18n/en/export.js';
 import { words as printerWords } from '../i18n/en/printer.js';
 import { words as synonyms } from '../i18n/en/synonyms.js';
 import { l } from '../i18n/layers.js';
@@ -166,6 +167,16 @@ function usual(studio: Studio): Action[] {
       also: also('printer'),
       run: () => {
         studio.show('printer');
+      },
+    },
+    {
+      group: '',
+      label: say(exportWords, 'card.title'),
+      icon: 'sun',
+      keys: 'Ctrl P',
+      also: also('card'),
+      run: () => {
+        studio.show('card');
       },
     },
     {

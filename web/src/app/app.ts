@@ -42,6 +42,7 @@ const dialogs: Record<Dialog, Part> = {
   first: ['sillon-first', () => import('./first-print.js')],
   printer: ['sillon-printer-sheet', loadPrinterSheet],
   firstFile: ['sillon-printer-sheet', loadPrinterSheet],
+  card: ['sillon-lamp-card', () => import('./lamp-card.js')],
 };
 
 const loadFacts = (): Promise<unknown> => import('./plate-facts.js');
@@ -211,6 +212,17 @@ export class App extends StudioElement {
         }
         nav button {
           min-height: 52px;
+        }
+      }
+      /* On paper, controls are of no use: there is the lamp card, or else the plate. */
+      @media print {
+        sillon-header,
+        sillon-brought,
+        sillon-welcome,
+        nav,
+        .panel,
+        .work:has(~ sillon-lamp-card) {
+          display: none;
         }
       }
     `,

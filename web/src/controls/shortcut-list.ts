@@ -14,6 +14,7 @@ export const shortcuts: readonly Shortcut[] = [
   { shown: ['Ctrl O'], text: 'keys.open' },
   { shown: ['Ctrl S'], text: 'keys.save' },
   { shown: ['Ctrl Shift S'], text: 'keys.file' },
+  { shown: ['Ctrl P'], text: 'keys.card' },
   { shown: ['Ctrl Z'], text: 'keys.undo' },
   { shown: ['Ctrl Shift Z', 'Ctrl Y'], text: 'keys.redo' },
   { shown: ['1', '2', '3', '4'], text: 'keys.views' },

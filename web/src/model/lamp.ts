@@ -72,6 +72,30 @@ export function lampsOf(plate: Plate, look: Look | undefined): Light[] {
   });
 }
 
+/** The number of a clock's face that lies nearest to an azimuth, which goes the other way round, from the right. */
+export const hourOf = (azimuth: number): number => ((Math.round((90 - azimuth) / 30) + 23) % 12) + 1;
+
+export interface Standing {
+  light: Light;
+  /** The pictures that are seen under it; none: the lamp suits the whole plate. */
+  files: readonly SourceFile[];
+}
+
+/** Every lamp that the plate is made for, each once. @param look  of its path */
+export function standingLamps(plate: Plate, look: Look | undefined): Standing[] {
+  const ground = groundPictures(plate);
+  const all = pictureLayers(plate).flatMap(({ pictures }) =>
+    pictures.map(({ file, lamp }, k) => ({
+      file,
+      light: lightOf(lamp ?? (pictures === ground ? look?.lamps[k] : undefined) ?? layersLamp),
+    })),
+  );
+  const same = (a: Light, b: Light): boolean => a.azimuth === b.azimuth && a.elevation === b.elevation;
+  const lights = all.map(({ light }) => light).filter((one, k, list) => list.findIndex((two) => same(one, two)) === k);
+  if (lights.length === 0) return [{ light: homeLight(plate, look), files: [] }];
+  return lights.map((light) => ({ light, files: all.filter((one) => same(one.light, light)).map(({ file }) => file) }));
+}
+
 /** What is to be seen on the plate; of several pictures, the one whose lamp shines. */
 export function pictureOf(plate: Plate, lamp: number): SourceFile | undefined {
   const ground = groundOf(plate);

@@ -16,7 +16,8 @@ export type Sizing = 'whole' | 'life' | 'arm' | 'free';
 export type LightMode = 'pointer' | 'tilt' | 'orbit' | 'fixed';
 /** 'brought': what a design brings for the printer; 'blocks': the same of what is about to be downloaded; 'rebrush': a sliced
  * print, all over the page; 'zones': a body, whose faces are listed; 'spools': that of 'calibrate', at the visitor's own spools;
- * 'printer': printer, filament, thickness; 'firstFile': the same before the first file. */
+ * 'printer': printer, filament, thickness; 'firstFile': the same before the first file; 'card': where the lamp must stand, to be
+ * printed. */
 export type Dialog =
   | 'gallery'
   | 'palette'
@@ -32,7 +33,8 @@ export type Dialog =
   | 'spools'
   | 'first'
   | 'printer'
-  | 'firstFile';
+  | 'firstFile'
+  | 'card';
 
 export interface Brush {
   /** Share of the page's width. */

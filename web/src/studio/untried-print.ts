@@ -1,4 +1,4 @@
-// A note for people who take a file to a printer, once on a device.
+// Notes for people who take a file to a printer: once on a device, that no file was tried yet; each time, where the lamp stands.
 import { words } from '../i18n/en/export.js';
 import { machineName } from '../i18n/say.js';
 import { say, t } from '../i18n/text.js';
@@ -18,9 +18,14 @@ export const markUntried = (studio: Studio): void => {
   studio.remember(told, 'yes');
 };
 
-/** Tells of a file that went to the downloads, and what was never tried, unless it is known. */
+/** Tells of a file that went to the downloads: what to do with the print, and what was never tried, unless it is known. */
 export function tellPrint(studio: Studio, name: string): void {
-  studio.notify(t('export.done', { name }));
+  studio.notify(t('export.done', { name }), {
+    label: say(words, 'card.title'),
+    run: () => {
+      studio.show('card');
+    },
+  });
   if (studio.recall(told) !== undefined) return;
   markUntried(studio);
   studio.notify(untriedText(studio.store.state.plate), {

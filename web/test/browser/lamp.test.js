@@ -177,7 +177,7 @@ test('a picture can be made for the light that the pointer has aimed', { skip },
   const stands = ({ light }) => Math.abs(light.azimuth - 146.3) < 0.5 && Math.abs(light.elevation - 35.9) < 0.5;
   await aim(0.2, 0.3, stands);
   await visit.page.waitForTimeout(400); // the pointer rests, and goes on to the panel
-  const button = visit.button('Use this light: photo.png');
+  const button = visit.button('Make it for the light shown: photo.png');
   await button.hover();
   await visit.until(stands);
   await button.click();

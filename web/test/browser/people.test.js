@@ -214,7 +214,7 @@ for (const colorScheme of ['light', 'dark']) {
     }
     await page.keyboard.press('Escape');
     await visit.until((state) => state.dialog === undefined);
-    for (const dialog of ['first', 'firstFile']) {
+    for (const dialog of ['first', 'firstFile', 'card']) {
       await show(dialog);
       await page.getByRole('dialog').waitFor();
       await settled(page);

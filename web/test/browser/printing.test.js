@@ -1,4 +1,4 @@
-// From a plate to the printer: whose printer it is, asked once.
+// From a plate to the printer and to the wall: whose printer it is, asked once, and where the lamp must stand.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
@@ -8,7 +8,7 @@ import { strFromU8, unzipSync } from 'fflate';
 import { sharedBench } from './support/shared.js';
 import { skip, start } from './support/studio.js';
 import { linkOf } from './support/small.js';
-import { settled } from './support/waits.js';
+import { settled, until } from './support/waits.js';
 
 const bench = sharedBench(skip, start);
 const sheet = (visit) => visit.page.locator('sillon-printer-sheet dialog');
@@ -178,4 +178,82 @@ test('the button shrinks with the window, and both of its parts are reached', { 
     const all = await visit.page.locator('[popovertarget=export]').boundingBox();
     assert.ok(all.width >= 24 && all.height >= 24, `${width}: ${all.width} × ${all.height}`);
   }
+});
+
+/** The share of pixels of a box that are no paper. */
+async function inked(page, clip) {
+  const picture = (await page.screenshot({ clip })).toString('base64');
+  return page.evaluate(async (text) => {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes]));
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    let dark = 0;
+    for (let k = 0; k < data.length; k += 4) if (data[k] + data[k + 1] + data[k + 2] < 700) ++dark;
+    return (4 * dark) / data.length;
+  }, picture);
+}
+
+test('after the file a card tells where each lamp must stand, and is what is printed', { skip }, async () => {
+  const visit = await bench.open({ fresh: true, viewport: { width: 1000, height: 900 } }); // sun and moon
+  const { page } = visit;
+  await visit.idle();
+  await page.evaluate(() => {
+    document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, width: 30, height: 30 }));
+  });
+  await visit.idle();
+  await saved(visit, () => main(visit).click());
+  await page.locator('sillon-notices').getByRole('button', { name: 'Where the lamp must stand' }).click();
+  const card = page.locator('sillon-lamp-card dialog');
+  await card.waitFor();
+  const rows = card.locator('.lamps > li');
+  assert.equal(await rows.count(), 2);
+  assert.match(
+    await rows.nth(0).innerText(),
+    /sun\.png\s+The lamp stands at 1 o’clock \(exactly 20° clockwise from 12\), 45° above the plate: for example 42 cm to that side and 42 cm up/,
+  );
+  assert.match(await rows.nth(1).innerText(), /moon\.png\s+The lamp stands at 11 o’clock \(exactly 340° /);
+  assert.match(await card.innerText(), /30 × 30 mm, 0\.6 mm thick\s+Blue PLA/);
+  await until(async () => (await rows.locator('img').count()) === 2, 'pictures of the plate');
+  await settled(page);
+  const looks = await Promise.all([0, 1].map((k) => rows.nth(k).locator('img').screenshot()));
+  assert.ok(!looks[0].equals(looks[1]), 'the plate looks the same under both lamps');
+  await page.evaluate(() => {
+    globalThis.printed = 0;
+    globalThis.print = () => ++globalThis.printed;
+  });
+  await card.getByRole('button', { name: 'Print this card' }).click();
+  assert.equal(await page.evaluate(() => globalThis.printed), 1);
+
+  // On paper there is the card alone.
+  await page.emulateMedia({ media: 'print' });
+  await settled(page);
+  for (const name of ['sillon-header', 'nav', '.work', 'sillon-lamp-card button']) {
+    for (const one of await page.locator(name).all()) assert.equal(await one.isVisible(), false, name);
+  }
+  const paper = await card.boundingBox();
+  assert.ok(paper.x === 0 && paper.y === 0 && paper.width === 1000, JSON.stringify(paper));
+  for (const what of ['img', 'svg']) {
+    for (const one of await rows.locator(what).all()) {
+      const box = await one.boundingBox();
+      assert.ok(box.width > 60 && box.x >= 0 && box.x + box.width <= 1000, what);
+      const share = await inked(page, box);
+      assert.ok(share > 0.005, `${what}: ${share} of it is drawn`);
+    }
+  }
+  const bare = await inked(page, { x: 700, y: 4, width: 290, height: 40 });
+  assert.equal(bare, 0, 'something of the page is printed beside the title');
+  await page.emulateMedia({ media: 'screen' });
+  await page.keyboard.press('Escape');
+  await card.waitFor({ state: 'detached' });
+
+  // The keys for printing open it, and without it only the plate is printed.
+  await page.keyboard.press('Control+p');
+  await card.waitFor();
+  await page.keyboard.press('Escape');
+  await card.waitFor({ state: 'detached' });
+  await page.emulateMedia({ media: 'print' });
+  assert.equal(await page.locator('sillon-header').isVisible(), false);
+  assert.equal(await page.locator('sillon-canvas').isVisible(), true);
 });

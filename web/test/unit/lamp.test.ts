@@ -9,6 +9,7 @@ import { engineInput } from '../../src/model/input.js';
 import {
   greySteps,
   homeLight,
+  hourOf,
   isOwnPicture,
   judgedFile,
   lampFor,
@@ -18,6 +19,7 @@ import {
   platesFor,
   samePictures,
   shownPictures,
+  standingLamps,
   weaknessesOf,
 } from '../../src/model/lamp.js';
 import { newLayer, withLayer } from '../../src/model/layer-list.js';
@@ -172,6 +174,27 @@ test('the light turns to the pictures of the ground, and where it has none to th
   const lacking = changeGround(ground, { pictures: [] });
   assert.deepEqual(shownPictures(lacking), [{ file: dog, lamp: [70, 50] }]);
   assert.deepEqual(shownPictures(newPlate()), []);
+});
+
+test('a lamp stands at an hour of the clock, by the plate’s upper edge', () => {
+  const hours = [90, 60, 45.1, 0, -30, 180, 270, 359, 106, 104].map(hourOf);
+  assert.deepEqual(hours, [12, 1, 1, 3, 4, 9, 6, 3, 11, 12]);
+});
+
+test('every lamp of the plate is told once, with the pictures that it lights', () => {
+  const waves = newPlate();
+  assert.deepEqual(standingLamps(waves, undefined), [{ light: homeLight(waves, undefined), files: [] }]);
+  const two = above(plateOf([70, 45], null), [70, 45]);
+  const look = {
+    lamps: [
+      [70, 45],
+      [110, 40],
+    ],
+  } as unknown as Parameters<typeof standingLamps>[1];
+  assert.deepEqual(standingLamps(two, look), [
+    { light: { azimuth: 70, elevation: 45 }, files: [cat, dog] },
+    { light: { azimuth: 110, elevation: 40 }, files: [dog] },
+  ]);
 });
 
 test('what is to be seen is the ground’s picture under the lamp that shines, or that of its tones', () => {

@@ -15,4 +15,14 @@ export const words = {
     'We have not tried any file of Sillon on a printer yet: stay beside yours. The first print that helps most is the coupon.',
   'export.untriedOn':
     'We have not tried any file of Sillon on the {printer} yet: stay beside yours. The first print that helps most is the coupon.',
+  'card.title': 'Where the lamp must stand',
+  'card.print': 'Print this card',
+  'card.size': '{width} × {height} mm, {thickness} mm thick',
+  'card.stand': 'Lay the plate as in the picture, and look at it from straight above. Its upper edge is 12 o’clock.',
+  'card.lamp':
+    'The lamp stands at {hour} o’clock (exactly {turn}° clockwise from 12), {elevation}° above the plate: for example {across} cm to that side and {up} cm up.',
+  'card.above': 'The lamp hangs straight above the plate.',
+  'card.any': 'It shimmers under every lamp that moves, and looks best under this one.',
+  'card.alone': 'Put out other lights, or turn the plate away from them.',
+  'card.drawing': 'The lamp from above, and from the side',
 } as const;

@@ -15,6 +15,7 @@ export const words = {
   'help.mouse.layers': 'In Picture: drag, resize and turn the chosen layer',
   'keys.help': 'This help',
   'keys.open': 'Open files',
+  'keys.card': 'Where the lamp must stand, to be printed',
   'keys.save': 'Save the project',
   'keys.file': 'Download G-code',
   'keys.undo': 'Undo',

@@ -146,7 +146,7 @@ export const words = {
   'lamp.size.softbox': 'Softbox',
   'lamp.size.window': 'Window',
   'lamp.stands': 'Lamp at {azimuth}°, {elevation}° high',
-  'lamp.here': 'Use this light',
+  'lamp.here': 'Make it for the light shown',
   'lamp.best': 'Choose the best place',
   'lamp.gauge.clear': 'The picture is clearly seen: contrast {contrast} : 1, about {n} steps of grey.',
   'lamp.gauge.faint': 'The picture is faintly seen: contrast {contrast} : 1, about {n} steps of grey.',

@@ -37,4 +37,5 @@ export const words = {
   'also.top': 'oriented layers shimmer',
   'also.bottom': 'base layers infill floor',
   'also.printer': 'machine 3d creality prusa bambu thick material height ask',
+  'also.card': 'light place stand paper print hang show azimuth clock',
 } as const;

@@ -86,12 +86,12 @@ export async function inAllViews(bench, widthsOf) {
   return wrong;
 }
 
-/** @param widths  [pixels] @returns what of calibration, the first print and the printer's sheet reaches out or is cut, in words */
+/** @param widths  [pixels] @returns what of calibration, the first print, the printer's sheet and the lamp card reaches out or is cut, in words */
 export async function inDialogs(bench, widths) {
   const { page } = await bench.open({ small: true });
   await page.waitForFunction(() => document.querySelector('sillon-app')?.studio.store.state.result !== undefined);
   const wrong = [];
-  for (const dialog of ['calibrate', 'spools', 'first', 'firstFile']) {
+  for (const dialog of ['calibrate', 'spools', 'first', 'firstFile', 'card']) {
     await page.evaluate((dialog) => document.querySelector('sillon-app').studio.show(dialog), dialog);
     await page.locator('dialog[open]').waitFor();
     const tabs = dialog === 'calibrate' ? 2 : 1; // the third is `spools`
