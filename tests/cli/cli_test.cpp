@@ -1655,7 +1655,7 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--spacing 1,5", "--spacing is \"1,5\"; it must be a number");
   refused("--spacing 1e9", "spacing is");
   refused("--spacing 1e-7", "toolpath.spacing is 1e-07 mm; it must be 0.05 to 20");
-  refused("--spacing 15", "at a spacing of 15 mm");  // wider than the disc
+  refused("--spacing 15", "at a toolpath.spacing of 15 mm");  // wider than the disc
   refused("--angle inf", "--angle is \"inf\"");
   refused("--bridge -1", "bridge is -1 mm");
   refused("--seed -1", "--seed is \"-1\"");
@@ -1709,7 +1709,7 @@ TEST_CASE("command lines that make no sense are refused") {
   checkRefused(folder, "generate --shape disc --gcode /dev/stdout", "the output \"/dev/stdout\" is not a file");
   checkRefused(folder, "generate --shape disc --preview a.JPG",
                "\"a.JPG\" is named like a picture that is not written");
-  checkRefused(folder, "zones -o a.3mf --frob", "--frob is not an option of sillon zones; see sillon zones --help-all");
+  checkRefused(folder, "zones -o a.3mf --frob", "--frob is not an option of sillon zones; did you mean --face?");
   checkRefused(
       folder, "frobnicate",
       "\"frobnicate\" is not a command; it must be generate, rebrush, zones, calibrate, check, import, shape,");

@@ -36,7 +36,7 @@ std::vector<std::string> wordsOf(const std::string& field) {
 TEST_CASE("letters stand in the order of Unicode's own test of the bidirectional algorithm") {
   std::ifstream file(kBidiTest);
   if (!file) {
-    MESSAGE("skipped: there is no " << kBidiTest << "; Debian's package unicode-data has it");
+    MESSAGE("skipped: there is no " << std::string(kBidiTest) << "; Debian's package unicode-data has it");
     return;
   }
   int tried = 0, apart = 0;
