@@ -120,8 +120,7 @@ int run(const Arguments& arguments) {
   if (!container) return fail(container.error());
   if (container.value().plates > 1) return fail(severalPlates(arguments.file, container.value().plates));
   const std::string& text = container.value().gcode;
-  const sillon::GcodeCheck result = sillon::checkGcode(text, arguments.printer);
-  const std::vector<std::string> unchecked = sillon::uncheckedIn(text, arguments.printer);
+  const auto [result, unchecked] = sillon::checkPrint(text, arguments.printer);
   return answer(arguments.json ? checkJson(result, unchecked) : checkText(result, unchecked),
                 result.errors() == 0 ? 0 : 2);
 }

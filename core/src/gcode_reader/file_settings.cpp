@@ -103,7 +103,6 @@ FileSettings readFileSettings(std::string_view text, const std::optional<Printer
     settings.filamentDiameter = printer->filamentDiameter;
     settings.flavor = printer->flavor;
   }
-  std::string_view model;
   // Settings stand behind the moves in most files.
   while (!text.empty()) {
     const std::string_view line = nextLine(text);
@@ -117,11 +116,11 @@ FileSettings readFileSettings(std::string_view text, const std::optional<Printer
     }
     if (!printer) readSetting(settings, comment);
     constexpr std::string_view kModel = "printer_model = ";
-    if (comment.starts_with(kModel)) model = comment.substr(kModel.size());
+    if (comment.starts_with(kModel)) settings.model = comment.substr(kModel.size());
   }
   // Slicers call these dialects Marlin's, too.
   if (!printer && settings.flavor == GcodeFlavor::Marlin) {
-    const std::optional<PrinterProfile> known = profileOf(model);
+    const std::optional<PrinterProfile> known = profileOf(settings.model);
     const GcodeFlavor own = known ? known->printer.flavor : GcodeFlavor::Marlin;
     if (own == GcodeFlavor::PrusaBuddy || own == GcodeFlavor::Bambu) settings.flavor = own;
   }

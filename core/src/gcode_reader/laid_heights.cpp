@@ -64,4 +64,18 @@ double LaidHeights::depthOf(const MachineMove& move) const {
   return depth;
 }
 
+double LaidHeights::touched(const MachineMove& move, double gap) const {
+  if (std::min(move.zFrom, move.z) >= top_ + gap) return 0;
+  int places = 0;
+  int touching = 0;
+  follow(move, [&](Vec2 p, double z) {
+    const Cell cell = cellAt(p);
+    ++places;
+    if (!cell.known) return;
+    const std::vector<float>& tile = tiles_[cell.tile];
+    if (!tile.empty() && tile[cell.index] > 0 && static_cast<double>(tile[cell.index]) > z - gap) ++touching;
+  });
+  return move.length * touching / places;
+}
+
 }  // namespace sillon

@@ -44,6 +44,9 @@ class LaidHeights {
   /// Greatest depth of a move below what stands under it; 0 where it does not.
   [[nodiscard]] double depthOf(const MachineMove& move) const;
 
+  /// Length of a move that goes through what stands under it, or closer above it than `gap` [mm].
+  [[nodiscard]] double touched(const MachineMove& move, double gap) const;
+
   /// Height of the highest bead; 0 before the first.
   [[nodiscard]] double top() const { return top_; }
 

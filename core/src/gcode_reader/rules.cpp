@@ -35,10 +35,10 @@ constexpr double kMostShift = 0.5;             // [mm] of X and Y
 constexpr double kMostRaised = 2;              // [mm] of Z
 constexpr double kFirstLift = 10;              // [mm]
 constexpr double kScratch = 0.1;               // [mm] that a nozzle may be lower than what it passes over
-constexpr double kOffLayer = 0.25;  // [mm] of a bead from its layer's height, more than rounding and less than a layer
-constexpr double kMostGap = 2;      // [mm] between a bead and what is highest before it: the thickest layer
-constexpr double kMostPushed = 5;   // [mm of filament] without a move
-constexpr double kFarSheet = 255;   // [mm], Y of the steel behind the sheets of Bambu's machines
+constexpr double kOffLayer = 0.1;              // of a layer, between a bead and its layer's height
+constexpr double kMostGap = 2;                 // [mm] between a bead and what is highest before it: the thickest layer
+constexpr double kMostPushed = 5;              // [mm of filament] without a move
+constexpr double kFarSheet = 255;              // [mm], Y of the steel behind the sheets of Bambu's machines
 
 // How far a place lies beyond the bed [mm]; below 0 inside; nothing where the bed is not known.
 std::optional<double> beyondBed(const FileSettings& settings, Vec2 p) {
@@ -115,13 +115,18 @@ void Rules::line(const GcodeLine& line) {
     }
   }
   const GcodeParts parts = partsOf(line.text);
-  if (!ours_) changesTool_ = toolChangeMark(parts).value_or(changesTool_);
+  if (const auto changes = ours_ ? std::nullopt : toolChangeMark(parts)) {
+    // What its block draws back is cut off, or given back by the changer.
+    if (changesTool_ && !*changes) machine_.retracted = 0;
+    changesTool_ = *changes;
+  }
   if (parts.numbered) found("line-numbers", false);
   if (parts.code.empty()) {
     if (line.text.find(';') != std::string_view::npos) comment(parts.comment);
     return;
   }
   command(parts.code);
+  onCommand(parts.code);
 }
 
 void Rules::comment(std::string_view text) {
@@ -132,6 +137,7 @@ void Rules::comment(std::string_view text) {
     endPath();
     endLayer();
     if (layers_ == 0) judgeOrigin();
+    onLayer();
     changesTool_ = false;
     ++layers_;
   }
@@ -156,6 +162,7 @@ void Rules::comment(std::string_view text) {
   if (const auto value = numberAfter(text, "total layers count =")) {
     fileLayers_ = static_cast<int>(std::clamp(*value, 0.0, 1e6));
   }
+  onComment(text);
 }
 
 void Rules::startMacro(std::string_view parameters) {
@@ -320,7 +327,7 @@ void Rules::checkHeight(const MachineMove& move) {
 void Rules::checkBeadHeight(double z) {
   const double top = std::max(laid_.top(), startHeight_);
   if (z > top + kMostGap) found("in-air", true, {{"z", decimal(z, 3)}, {"top", decimal(top, 3)}});
-  if (ours_ && layerTop_ >= 0 && std::abs(z - layerTop_ - settings_.zOffset) > kOffLayer) {
+  if (ours_ && layerTop_ >= 0 && std::abs(z - layerTop_ - settings_.zOffset) > kOffLayer * layerHeight_ + kRounding) {
     found("off-layer", true, {{"z", decimal(z, 3)}, {"top", decimal(layerTop_ + settings_.zOffset, 3)}});
   }
 }
@@ -341,6 +348,7 @@ void Rules::checkRate(double seconds) {
 
 void Rules::move(const MachineMove& move) {
   ++check_.moves;
+  onMove(move);
   if (move.toldF && !(machine_.speed > 0)) found("speed-zero", true);
   if (move.z != move.zFrom) {
     endPath();
@@ -540,6 +548,7 @@ void Rules::travel(double length) {
 }
 
 void Rules::filament(double e, double retractedBefore) {
+  onFilament(e, retractedBefore);
   if (e < 0) {
     endPath();
     ++check_.retractions;
@@ -617,6 +626,7 @@ GcodeCheck Rules::finish() {
   check_.layers = layers_;
   judgeLayers();
   judgeTotals();
+  onFinish();
   // A file that never retracts was asked to: it oozes, and nothing is broken.
   for (GcodeFinding& finding : check_.findings) {
     if (finding.code == "travel-unretracted" && !retractsBetween_) finding.error = false;

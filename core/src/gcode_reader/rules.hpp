@@ -40,12 +40,22 @@ class Rules {
  public:
   /// \param ours  the file says that Sillon wrote it, and is held to more: closed cycles, plain lines, totals.
   Rules(FileSettings settings, bool ours);
+  virtual ~Rules() = default;
 
   void line(const GcodeLine& line);
   /// The verdict; after the last line.
   GcodeCheck finish();
 
- private:
+ protected:
+  // For rules about whole prints, print_rules.hpp. Called behind each command, before each move that the machine has
+  // made, and so on.
+  virtual void onCommand(std::string_view) {}
+  virtual void onComment(std::string_view) {}
+  virtual void onMove(const MachineMove&) {}
+  virtual void onFilament(double /*e*/, double /*retractedBefore*/) {}
+  virtual void onLayer() {}
+  virtual void onFinish() {}
+
   void found(std::string_view code, bool error, FindingValues values = {});
   void found(GcodeFinding finding);
   void comment(std::string_view text);

@@ -114,6 +114,18 @@ GcodeCheck checkGcode(std::string_view text, const std::optional<Printer>& print
 std::vector<std::string> uncheckedIn(std::string_view text,
                                      const std::optional<Printer>& printer = {});
 
+/// A file that somebody is about to print.
+struct PrintCheck {
+  GcodeCheck check;
+  std::vector<std::string> unchecked;  ///< as uncheckedIn lists, of what nothing told
+};
+
+/// checkGcode, and what only a whole print shows: settings that change in mid-print, waits, pauses
+/// and pushes with the nozzle on what it lays, layers that lie too high, too low or beside each
+/// other, fans. Limits that neither `printer` nor the file tells are those of the profile that the
+/// file's printer_model names.
+PrintCheck checkPrint(std::string_view text, const std::optional<Printer>& printer = {});
+
 // Looks at a start or end block line by line, before it is trusted with a machine.
 
 /// Tells what lines of somebody else's block would do that its reader should know: heat beyond 300

@@ -1,0 +1,464 @@
+#include "gcode_reader/print_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "base/numbers.hpp"
+#include "base/sentence.hpp"
+#include "gcode_reader/macros.hpp"
+
+namespace sillon {
+namespace {
+
+struct Row {
+  const char* rule;
+  Sentence sentence;
+};
+
+constexpr Row kRows[] = {
+    {"heating", {"heat-changed", "the nozzle goes to {degrees} degrees in mid-print; it began with {told}"}},
+    {"heating", {"bed-changed", "the bed goes to {degrees} degrees in mid-print; it began with {told}"}},
+    {"flow", {"flow-changed", "the flow goes to {percent} % in mid-print; it began with {told} %"}},
+    {"flow", {"advance", "pressure advance of {seconds} s; the layers began with {told} s"}},
+    {"flow",
+     {"flow-told", "{flow} mm3/s, more than the {limit} mm3/s that the file itself or its machine's profile has"}},
+    {"speed", {"speed-told", "{speed} mm/s, more than the {limit} mm/s that the file tells of its machine"}},
+    {"speed", {"speed-changed", "the speed goes to {percent} % in mid-print; it began with {told} %"}},
+    {"speed", {"acceleration", "accelerates by {value} mm/s2 in mid-print; the start asked for {told}"}},
+    {"speed", {"corners", "takes corners with a jerk of {value} mm/s in mid-print; the start asked for {told}"}},
+    {"commands", {"other-tool", "changes to tool {tool} in mid-print; the file is for {filaments}"}},
+    {"contact", {"pauses-on-print", "{command} pauses while the nozzle touches what it lays"}},
+    {"contact", {"waits-on-print", "{command} waits while the nozzle touches what it lays"}},
+    {"contact", {"rests-on-print", "the last layer ends with the nozzle on the print"}},
+    {"contact", {"drags", "the nozzle is dragged over {mm} mm of the print"}},
+    {"contact", {"pushes-twice", "pushes {mm} mm more filament than was drawn back, on the spot"}},
+    {"height", {"odd-step", "a layer begins {mm} mm above the one before; the file tells layers of {told} mm"}},
+    {"bounds", {"shifted", "a layer lies {mm} mm beside the one below"}},
+    {"cooling", {"no-fan", "PLA without a fan above the second layer"}},
+    {"cooling", {"first-fan", "the fan blows at {percent} % on the first layer"}},
+};
+
+constexpr auto kSentences = [] {
+  std::array<Sentence, std::size(kRows)> sentences{};
+  for (std::size_t k = 0; k < sentences.size(); ++k) sentences[k] = kRows[k].sentence;
+  return sentences;
+}();
+
+constexpr double kSame = 1e-6;
+constexpr double kSameHeat = 3;            // [degrees Celsius]
+constexpr double kFarHeat = 12;            // [degrees Celsius] from all that another program's file tells
+constexpr double kFarBed = 25;             // [degrees Celsius]; first layers have a hotter bed
+constexpr double kMostFlowChange = 0.3;    // of the flow: no print bears that
+constexpr double kSmallFlowChange = 0.1;   // of the flow
+constexpr double kHighSpeed = 1.3;         // of the speed
+constexpr double kLongAdvance = 1.5;       // [s], more than tubes of 1 m have
+constexpr double kOldAdvance = 10;         // M900's K had another unit once
+constexpr double kHighAcceleration = 2e4;  // [mm/s²], of the fastest machines that are sold
+constexpr double kHighCorner = 25;         // [mm/s] of jerk
+constexpr double kHighestCorner = 40;      // [mm/s]
+constexpr double kWait = 0.3;              // [s]
+constexpr double kLongWait = 5;            // [s] with the nozzle drawn back
+constexpr double kTouch = 0.05;            // [mm] above what is laid: still in it
+constexpr double kMostDragged = 6;         // [mm]; a wipe is shorter
+constexpr double kSurplus = 0.05;          // [mm of filament] that our own files may push more than they drew back
+constexpr double kForeignSurplus = 0.5;    // [mm of filament]; some give back more on purpose
+constexpr double kHeightShare = 0.3;       // of a layer, between a bead and the height that its mark tells
+constexpr double kFileOffset = 0.5;        // [mm] of all heights of a file
+constexpr double kSameSize = 0.5;          // [mm] between layers of one outline
+constexpr double kShift = 1;               // [mm]
+constexpr double kLeastShifted = 5;        // [mm], size of a layer that tells
+constexpr double kBlowing = 50;            // [%] of the fan
+constexpr std::size_t kMostChanges = 1000;
+constexpr double kForeignFlowSlack = 1.15;  // of the flow that a file tells: E is rounded, and gap fill is thick
+constexpr double kFarFlow = 2;              // of these limits: nothing that our files are made with asks for that
+constexpr double kProfileFlowSlack = 1.5;   // of a profile's flow, which is that of plain filament
+
+std::string whole(double value) { return decimal(value, 0); }
+
+// "215" or "215,215": each once.
+void addNumbers(std::string_view text, std::vector<double>& numbers) {
+  while (!text.empty() && numbers.size() < 64) {
+    double value = 0;
+    const std::size_t end = std::min(text.find(','), text.size());
+    if (readNumber(trimmed(text.substr(0, end)), value) == 0) return;
+    if (std::find(numbers.begin(), numbers.end(), value) == numbers.end()) numbers.push_back(value);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
+bool waitsForHeat(const GcodeCommand& command, const std::string& name) {
+  return command.is('M', 109) || command.is('M', 190) || command.is('M', 191) || command.is('M', 116) ||
+         name == "TEMPERATURE_WAIT";
+}
+
+bool pauses(const GcodeCommand& command, const GcodeWords& words, const std::string& name) {
+  if (name == "PAUSE") return true;
+  if (command.letter != 'M' || command.sub != 0) return false;
+  switch (command.code) {
+    case 0:
+    case 1:
+    case 25:
+    case 226:
+    case 600:
+    case 601:
+      return true;
+    case 400:
+      return words.has('U');  // Bambu's
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+PrintRules::PrintRules(FileSettings settings, bool ours, const std::optional<Printer>& machine)
+    : Rules(std::move(settings), ours), profile_(machine) {
+  now_.fill(-1);
+  now_[Flow] = now_[Speed] = 100;
+  now_[Tool] = 0;
+  atFirst_ = before_ = now_;
+}
+
+std::vector<std::string> PrintRules::unchecked() const {
+  std::vector<std::string> all;
+  if (settings_.printer) return all;
+  if (settings_.bed.empty()) all.emplace_back("bed");
+  if (settings_.maxZ <= 0) all.emplace_back("height");
+  if (settings_.nozzle <= 0) all.emplace_back("nozzle");
+  if (!profile_ && mostFlowOf(settings_, 0) <= 0) all.emplace_back("flow");
+  if (mostSpeed_ <= 0) all.emplace_back("speed");
+  return all;
+}
+
+void PrintRules::tell(std::string_view code, bool error, FindingValues values, std::int64_t line) {
+  const Sentence& sentence = sentenceOf(kSentences, code);
+  GcodeFinding finding;
+  finding.code = std::string(code);
+  finding.rule = kRows[&sentence - kSentences.data()].rule;
+  finding.error = error;
+  finding.values = std::move(values);
+  finding.message = filled(sentence, finding.values);
+  const std::int64_t here = std::exchange(check_.lines, line > 0 ? line : check_.lines);
+  found(std::move(finding));
+  check_.lines = here;
+}
+
+bool PrintRules::standsOnPrint() const {
+  if (!(laid_.top() > 0)) return false;
+  MachineMove here;
+  here.from = here.to = machine_.at;
+  here.z = here.zFrom = machine_.z - kTouch;
+  return laid_.depthOf(here) > 0;
+}
+
+void PrintRules::note(Setting setting, double value) {
+  if (value == now_[setting]) return;
+  now_[setting] = value;
+  if (!laying_) before_[setting] = std::max(before_[setting], value);
+  if (!laying_ || pending_.size() >= kMostChanges) return;
+  pending_.push_back({setting, check_.lines, value});
+}
+
+void PrintRules::onCommand(std::string_view code) {
+  const GcodeCommand command = commandOf(code);
+  if (command.letter == 'G' && command.code >= 0 && command.code <= 3) return;
+  const std::string name = command.letter == 0 ? upperCase(command.name) : std::string();
+  const GcodeWords words = command.letter == 0 ? GcodeWords{} : wordsOf(command.rest);
+  if (block()) retractionKnown_ = false;
+  if (machine_.tool != static_cast<int>(now_[Tool])) {
+    note(Tool, machine_.tool);
+    now_[Nozzle] = check_.nozzleTarget;
+    retractionKnown_ = false;
+  }
+  note(Nozzle, check_.nozzleTarget);
+  note(Bed, check_.bedTarget);
+  noteMotion(command, words, name);
+  noteFan(command, words, name);
+  judgeWait(command, words, name);
+  judgeEnd();
+}
+
+void PrintRules::noteMotion(const GcodeCommand& command, const GcodeWords& words, const std::string& name) {
+  if (command.is('M', 221)) note(Flow, words.at('S', now_[Flow]));
+  if (command.is('M', 220)) note(Speed, words.at('S', now_[Speed]));
+  if (command.is('M', 900)) note(Advance, words.at('K', now_[Advance]));
+  if (command.is('M', 572)) note(Advance, words.at('S', now_[Advance]));
+  if (command.is('M', 204)) {
+    const double most = std::max({words.at('S'), words.at('P'), words.at('T')});
+    if (most > 0) note(Acceleration, most);
+  }
+  if (command.is('M', 205) || command.is('M', 566)) {
+    const double most = std::max(words.at('X'), words.at('Y'));
+    if (most > 0) note(Corner, command.code == 566 ? most / 60 : most);
+  }
+  if (name != "SET_VELOCITY_LIMIT" && name != "SET_PRESSURE_ADVANCE") return;
+  forEachNumber(command.rest, [&](const std::string& key, double value) {
+    if (key == "ADVANCE") note(Advance, value);
+    if (key == "ACCEL") note(Acceleration, value);
+    if (key == "SQUARE_CORNER_VELOCITY") note(Corner, value);
+  });
+}
+
+void PrintRules::noteFan(const GcodeCommand& command, const GcodeWords& words, const std::string& name) {
+  const bool part = !words.has('P') || words.at('P') <= 1;  // others cool the chamber or the board
+  if (command.is('M', 107) && part) fan_ = 0;
+  if (command.is('M', 106) && part) {
+    const double told = words.at('S', 255);
+    fan_ = told <= 1 && machine_.duet ? 100 * told : told / 2.55;
+  }
+  if (name != "SET_FAN_SPEED") return;
+  forEachNumber(command.rest, [&](const std::string& key, double value) {
+    if (key == "SPEED") fan_ = 100 * value;
+  });
+}
+
+void PrintRules::judgeWait(const GcodeCommand& command, const GcodeWords& words, const std::string& name) {
+  if (block() || !moved_) return;
+  const bool pause = pauses(command, words, name);
+  const bool heats = waitsForHeat(command, name);
+  const double seconds = command.is('G', 4) ? std::max(words.at('S'), words.at('P') / 1000) : 0;
+  if (!pause && !heats && !(seconds > kWait)) return;
+  const FindingValues values{{"command", shownText(command.name)}};
+  if (inPath_) return tell(pause ? "pauses-on-print" : "waits-on-print", true, values);
+  if ((pause && ours_) || seconds > kLongWait) {
+    if (standsOnPrint()) tell(pause ? "pauses-on-print" : "waits-on-print", ours_, values);
+  }
+}
+
+// Our own end blocks begin above the plate; those of others may leave the lift to a macro.
+void PrintRules::judgeEnd() {
+  if (!ours_ || !custom_ || layers_ == 0) return;
+  if (standsOnPrint()) tell("rests-on-print", true);
+}
+
+void PrintRules::readSettings(std::string_view text) {
+  const std::size_t equal = text.find(" = ");
+  if (equal == std::string_view::npos) return;
+  const std::string_view key = text.substr(0, equal);
+  const std::string_view value = text.substr(equal + 3);
+  if (key == "temperature" || key == "first_layer_temperature" || key == "nozzle_temperature" ||
+      key == "nozzle_temperature_initial_layer") {
+    addNumbers(value, temperatures_);
+  }
+  if (key == "machine_max_speed_x" || key == "machine_max_feedrate_x") readNumber(value, mostSpeed_);
+  if (key == "filament_type") {
+    filaments_ = 1 + static_cast<std::size_t>(std::count(value.begin(), value.end(), ';'));
+    pla_ = filaments_ == 1 && upperCase(value).starts_with("PLA");
+  }
+}
+
+void PrintRules::onComment(std::string_view text) {
+  if (text.starts_with("TYPE:") || text.starts_with("FEATURE: ")) {
+    const std::string role = upperCase(trimmed(text.substr(text.find(':') + 1)));
+    aside_ = role.starts_with("SKIRT") || role == "BRIM" || role.starts_with("SUPPORT");
+    dragged_ = 0;
+    return;
+  }
+  for (const std::string_view key : {"Z:", "Z_HEIGHT:"}) {
+    const auto value = numberAfter(text, key);
+    if (!value || block()) continue;
+    told_ = *value;
+    heightTold_ = false;
+  }
+  for (const std::string_view key : {"HEIGHT:", "LAYER_HEIGHT:"}) {
+    const auto value = numberAfter(text, key);
+    if (!value || heightTold_) continue;
+    height_ = *value;
+    heightTold_ = true;
+  }
+  if (const auto value = numberAfter(text, "Layer height:")) usualStep_ = *value;
+  readSettings(text);
+}
+
+void PrintRules::onFilament(double e, double retractedBefore) {
+  if (e < 0) {
+    retractionKnown_ = !block();
+    return;
+  }
+  if (block() || !moved_) return;
+  const double surplus = e - retractedBefore;
+  const bool known = ours_ ? retractionKnown_ || inPath_ : inPath_;
+  if (known && surplus > (ours_ ? kSurplus : kForeignSurplus)) {
+    tell("pushes-twice", true, {{"mm", decimal(surplus, 2)}});
+  }
+}
+
+void PrintRules::onMove(const MachineMove& move) {
+  if (!(move.length > 0)) return;
+  if (!(move.e > 0)) {
+    // Slicers of others go over layers as they please until the last one is done, and so do we without a lift.
+    const bool judged = ours_ || (custom_ && layers_ > 0);
+    if (!judged || !(laid_.top() > 0)) return;
+    dragged_ += laid_.touched(move, kTouch);
+    if (dragged_ <= (custom_ ? kTouch : kMostDragged)) return;
+    tell("drags", ours_ && custom_, {{"mm", decimal(dragged_, 0)}});
+    dragged_ = 0;
+    return;
+  }
+  if (block()) return;
+  dragged_ = 0;
+  if (!laying_) {
+    laying_ = true;
+    atFirst_ = now_;
+    if (now_[Advance] > kLongAdvance && now_[Advance] < kOldAdvance) {
+      tell("advance", false, {{"seconds", decimal(now_[Advance], 3)}, {"told", decimal(now_[Advance], 3)}});
+    }
+  }
+  for (const Change& change : pending_) {  // what was taken back before anything was laid is none
+    if (change.value == now_[change.setting] && changes_.size() < kMostChanges) changes_.push_back(change);
+  }
+  pending_.clear();
+  if (layers_ == 1) {
+    firstMm_ += move.length;
+    if (fan_ >= kBlowing) {
+      firstCooledMm_ += move.length;
+      if (firstCooledLine_ == 0) {
+        firstCooledLine_ = check_.lines;
+        firstFan_ = fan_;
+      }
+    }
+  } else if (layers_ > 2) {
+    (fan_ > 0 ? cooledMm_ : uncooledMm_) += move.length;
+  }
+  if (tower_ || aside_) return;
+  if (box_.empty()) {
+    boxZ_ = move.z;
+    boxLine_ = check_.lines;
+  }
+  box_.add(move.from);
+  box_.add(move.to);
+  judgeHeight(move);
+  judgeSpeed(move);
+}
+
+// The mark's height, as far as the file tells one; else steps from layer to layer.
+void PrintRules::judgeHeight(const MachineMove& move) {
+  if (move.z != move.zFrom) return;
+  if (told_ >= 0) {
+    if (ours_ || !(height_ > 0)) return;  // our own files are judged with the other rules
+    const double off = move.z - told_ - settings_.zOffset;
+    if (!offsetKnown_) {
+      offsetKnown_ = true;
+      offset_ = std::abs(off) <= kFileOffset ? off : 0;
+    }
+    if (std::abs(off - offset_) <= kHeightShare * height_) return;
+    return found("off-layer", true, {{"z", decimal(move.z, 3)}, {"top", decimal(told_ + settings_.zOffset, 3)}});
+  }
+  if (stepJudged_) return;
+  stepJudged_ = true;
+  const double step = move.z - lastZ_;
+  const bool known = usualStep_ > 0 && lastZ_ > 0 && layers_ > 2 && step > 0;
+  if (known && std::abs(step - usualStep_) > kHeightShare * usualStep_) {
+    tell("odd-step", false, {{"mm", decimal(step, 3)}, {"told", decimal(usualStep_, 3)}});
+  }
+  lastZ_ = move.z;
+}
+
+// Limits of a machine that only the file tells: its own for a filament, else those of the profile of that name.
+void PrintRules::judgeSpeed(const MachineMove& move) {
+  if (settings_.printer) return;
+  const double speed = machine_.speed * now_[Speed] / 100;
+  if (speed > fastest_) {
+    fastest_ = speed;
+    fastestLine_ = check_.lines;
+  }
+  const double own = mostFlowOf(settings_, machine_.tool);
+  const double limit = own > 0 ? kForeignFlowSlack * own : profile_ ? kProfileFlowSlack * profile_->maxFlow : 0;
+  const double flow = (move.e - 1e-5) * area_ / move.length * speed * std::max(1.0, now_[Flow] / 100);
+  if (limit > 0 && flow > limit) {
+    tell("flow-told", ours_ && flow > kFarFlow * limit,
+         {{"flow", decimal(flow, 1)}, {"limit", decimal(own > 0 ? own : profile_->maxFlow, 1)}});
+  }
+}
+
+void PrintRules::onLayer() {
+  told_ = -1;
+  height_ = 0;
+  heightTold_ = stepJudged_ = false;
+  if (box_.empty()) return;
+  const double rise = boxZ_ - belowZ_;
+  if (!below_.empty() && rise > 0 && rise < 2) {
+    const Vec2 size = box_.size();
+    const Vec2 change = size - below_.size();
+    const Vec2 shift = 0.5 * (box_.min - below_.min + box_.max - below_.max);
+    const bool same = std::abs(change.x) <= kSameSize && std::abs(change.y) <= kSameSize;
+    if (same && std::min(size.x, size.y) >= kLeastShifted && length(shift) > kShift) {
+      tell("shifted", ours_, {{"mm", decimal(length(shift), 2)}}, boxLine_);
+    }
+  }
+  below_ = box_;
+  belowZ_ = boxZ_;
+  box_ = {};
+}
+
+void PrintRules::judgeHeat(const Change& change) {
+  double nearest = atFirst_[Nozzle];
+  for (const double told : temperatures_) {
+    if (std::abs(told - change.value) < std::abs(nearest - change.value)) nearest = told;
+  }
+  const double off = std::abs(change.value - nearest);
+  if (off <= (ours_ ? kSameHeat : kFarHeat)) return;
+  tell("heat-changed", ours_, {{"degrees", whole(change.value)}, {"told", whole(atFirst_[Nozzle])}}, change.line);
+}
+
+void PrintRules::judge(const Change& change) {
+  const double value = change.value;
+  const double first = atFirst_[change.setting];
+  const double before = before_[change.setting];
+  const std::string start = before < 0 ? "none" : decimal(before, 0);
+  switch (change.setting) {
+    case Nozzle:
+      return judgeHeat(change);
+    case Bed:
+      if (first <= 0 || std::abs(value - first) <= (ours_ ? kSameHeat : value > 0 ? kFarBed : 0)) return;
+      return tell("bed-changed", ours_, {{"degrees", whole(value)}, {"told", whole(first)}}, change.line);
+    case Flow:
+    case Speed: {
+      const double share = first > 0 ? value / first - 1 : 0;
+      const bool flow = change.setting == Flow;
+      const bool much = flow ? std::abs(share) > kMostFlowChange - kSame : share > kHighSpeed - 1;
+      if (ours_ ? std::abs(share) < kSame : !much && (!flow || std::abs(share) <= kSmallFlowChange)) return;
+      return tell(flow ? "flow-changed" : "speed-changed", ours_ || (flow && much),
+                  {{"percent", whole(value)}, {"told", whole(first)}}, change.line);
+    }
+    case Advance:
+      if (!ours_ && (value <= kLongAdvance || value >= kOldAdvance)) return;
+      return tell("advance", ours_, {{"seconds", decimal(value, 3)}, {"told", first < 0 ? "none" : decimal(first, 3)}},
+                  change.line);
+    case Acceleration:
+      if (value <= before || (!ours_ && value < kHighAcceleration)) return;
+      return tell("acceleration", ours_, {{"value", whole(value)}, {"told", start}}, change.line);
+    case Corner:
+      if (ours_ ? value <= before : value <= kHighCorner) return;
+      return tell("corners", ours_ || value > kHighestCorner, {{"value", whole(value)}, {"told", start}}, change.line);
+    case Tool: {
+      const bool one = filaments_ == 1;
+      if (!ours_ && (filaments_ == 0 || value < static_cast<double>(filaments_))) return;
+      return tell("other-tool", true, {{"tool", whole(value)}, {"filaments", one ? "one" : std::to_string(filaments_)}},
+                  change.line);
+    }
+    case kSettings:
+      return;
+  }
+}
+
+void PrintRules::judgeFan() {
+  if (pla_ && uncooledMm_ > 0 && cooledMm_ == 0) tell("no-fan", false);
+  if (startHeight_ <= 0 && layers_ > 1 && firstCooledMm_ > 0.5 * firstMm_) {
+    tell("first-fan", false, {{"percent", whole(firstFan_)}}, firstCooledLine_);
+  }
+}
+
+void PrintRules::onFinish() {
+  onLayer();
+  if (mostSpeed_ > 0 && fastest_ > 1.001 * mostSpeed_) {
+    tell("speed-told", false, {{"speed", whole(fastest_)}, {"limit", whole(mostSpeed_)}}, fastestLine_);
+  }
+  for (const Change& change : changes_) judge(change);
+  judgeFan();
+}
+
+}  // namespace sillon

@@ -1,0 +1,104 @@
+// What a whole print is held to beyond the rules of each line: settings that change on the way, the nozzle's rests on
+// what is laid, and layers that do not lie on each other. For files that somebody is about to print; blocks and plates
+// that are just being written go without.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gcode_reader/rules.hpp"
+#include "sillon/settings/project.hpp"
+
+namespace sillon {
+
+class PrintRules final : public Rules {
+ public:
+  /// \param machine  that the file says it is for; its limits count where neither the caller nor the file tells any.
+  PrintRules(FileSettings settings, bool ours, const std::optional<Printer>& machine);
+
+  /// What could not be judged, as neither the caller nor the file told it; after the last line.
+  [[nodiscard]] std::vector<std::string> unchecked() const;
+
+ private:
+  enum Setting : std::size_t { Nozzle, Bed, Flow, Speed, Advance, Acceleration, Corner, Tool, kSettings };
+
+  /// A setting that changed between beads of the layers.
+  struct Change {
+    Setting setting;
+    std::int64_t line;
+    double value;
+  };
+
+  void onCommand(std::string_view code) override;
+  void onComment(std::string_view text) override;
+  void onMove(const MachineMove& move) override;
+  void onFilament(double e, double retractedBefore) override;
+  void onLayer() override;
+  void onFinish() override;
+
+  void note(Setting setting, double value);
+  void noteMotion(const GcodeCommand& command, const GcodeWords& words, const std::string& name);
+  void noteFan(const GcodeCommand& command, const GcodeWords& words, const std::string& name);
+  void judgeWait(const GcodeCommand& command, const GcodeWords& words, const std::string& name);
+  void judgeEnd();
+  void judgeHeight(const MachineMove& move);
+  void judgeSpeed(const MachineMove& move);
+  void judge(const Change& change);
+  void judgeHeat(const Change& change);
+  void judgeFan();
+  void readSettings(std::string_view text);
+  void tell(std::string_view code, bool error, FindingValues values = {}, std::int64_t line = 0);
+  [[nodiscard]] bool standsOnPrint() const;
+
+  std::optional<Printer> profile_;
+
+  // By setting; below 0: never told.
+  std::array<double, kSettings> now_{};
+  std::array<double, kSettings> atFirst_{};  // at the layers' first bead
+  std::array<double, kSettings> before_{};   // the most before that
+  std::vector<Change> pending_;              // since the last bead
+  std::vector<Change> changes_;
+  bool laying_ = false;  // a bead of a layer was laid
+
+  // What the file tells of itself, which may stand at its end.
+  std::vector<double> temperatures_;
+  std::size_t filaments_ = 0;
+  bool pla_ = false;
+  double mostSpeed_ = 0;  // [mm/s]
+  double fastest_ = 0;    // of the layers' beads
+  std::int64_t fastestLine_ = 0;
+
+  double fan_ = 0;  // [%]
+  double cooledMm_ = 0;
+  double uncooledMm_ = 0;  // of beads above the second layer
+  double firstMm_ = 0;
+  double firstCooledMm_ = 0;  // with half a fan or more
+  std::int64_t firstCooledLine_ = 0;
+  double firstFan_ = 0;
+
+  bool retractionKnown_ = false;
+  double dragged_ = 0;  // [mm] over what is laid, since the last bead
+
+  double told_ = -1;  // [mm], Z that a mark tells of this layer
+  double height_ = 0;
+  bool heightTold_ = false;
+  double offset_ = 0;  // of all heights of another program's file
+  bool offsetKnown_ = false;
+  double usualStep_ = 0;  // [mm], by a header that tells the layers' height once
+  double lastZ_ = -1;     // of the last layer without a mark of its own
+  bool stepJudged_ = false;
+
+  bool aside_ = false;  // skirts and brims
+  Bounds box_;          // of this layer's beads
+  Bounds below_;
+  double boxZ_ = 0;
+  double belowZ_ = 0;
+  std::int64_t boxLine_ = 0;
+};
+
+}  // namespace sillon
