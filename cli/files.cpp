@@ -5,12 +5,17 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <random>
 #include <string_view>
+#include <utility>
 
 #if defined(__unix__) || defined(__APPLE__)
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #elif defined(_WIN32)
 #include <fcntl.h>
@@ -75,6 +80,67 @@ fs::path temporaryName(const fs::path& path, const char* ending) {
   return path.parent_path() / (".sillon-" + std::to_string(random()) + std::to_string(random()) + ending);
 }
 
+/// Whether a name is one of these: what a run that was killed has left.
+[[maybe_unused]] bool isTemporaryName(std::string_view name) {
+  constexpr std::string_view kBegin = ".sillon-";
+  if (!name.starts_with(kBegin) || (!name.ends_with(".tmp") && !name.ends_with(".old"))) return false;
+  const std::string_view number = name.substr(kBegin.size(), name.size() - kBegin.size() - 4);
+  return !number.empty() && number.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// Removes such leftovers from a folder: a run that goes on has them for seconds. The old file has the age of what it
+/// holds, so that the time of its second name counts. On Windows that file may be the only one of what it holds, and
+/// nothing is removed.
+void removeLeftovers(const fs::path& folder) {
+#if defined(__unix__) || defined(__APPLE__)
+  constexpr std::time_t kLeft = 3600;  // [s]
+  // The C++ library's iterator ends the program where memory does.
+  DIR* const entries = ::opendir(folder.c_str());
+  if (entries == nullptr) return;
+  while (const dirent* const entry = ::readdir(entries)) {
+    const std::string_view name = static_cast<const char*>(entry->d_name);
+    struct stat status {};
+    if (!isTemporaryName(name) || ::fstatat(::dirfd(entries), name.data(), &status, AT_SYMLINK_NOFOLLOW) != 0) continue;
+    const std::time_t since = name.ends_with(".tmp") ? status.st_mtime : status.st_ctime;
+    const bool left = S_ISREG(status.st_mode) && std::time(nullptr) - since > kLeft;
+    if (left) ::unlinkat(::dirfd(entries), name.data(), 0);
+  }
+  ::closedir(entries);
+#else
+  (void)folder;
+#endif
+}
+
+/// Not until then would a file outlive a power cut. Some file systems and devices know no such thing, and say so.
+bool isSynced(int result) { return result == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS; }
+
+bool sync(std::FILE* file) {
+#if defined(__unix__) || defined(__APPLE__)
+  return isSynced(::fsync(::fileno(file)));
+#elif defined(_WIN32)
+  return isSynced(::_commit(::_fileno(file)));
+#else
+  return true;
+#endif
+}
+
+/// The names in a folder. What cannot be opened for reading, as a folder that may only be written, is left to the
+/// system.
+bool syncFolder(const fs::path& folder) {
+#if defined(__unix__) || defined(__APPLE__)
+  const int opened = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
+  if (opened < 0) return true;
+  const bool synced = isSynced(::fsync(opened));
+  const int reason = errno;
+  ::close(opened);
+  errno = reason;
+  return synced;
+#else
+  (void)folder;
+  return true;
+#endif
+}
+
 /// As a file behind such a name, what stdout is sent to would be replaced by another one.
 bool namesStream(const std::string& path) {
   return path == "-" || path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/");
@@ -94,7 +160,7 @@ std::optional<Error> writeNew(const fs::path& path, const std::string& bytes, co
   if (fs::exists(before)) fs::permissions(path, before.permissions(), error);  // else as the file system has them
   errno = 0;
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-  const bool flushed = std::fflush(file.get()) == 0;
+  const bool flushed = std::fflush(file.get()) == 0 && sync(file.get());
   const bool closed = std::fclose(file.release()) == 0;  // where a file system over the network tells that it is full
   if (!written || !flushed || !closed) return invalid("\"" + wanted + "\" cannot be written: " + reason(errno));
   return std::nullopt;
@@ -107,7 +173,12 @@ class TemporaryFiles {
   explicit TemporaryFiles(const std::vector<OutputFile>& files) {
     for (const OutputFile& file : files) {
       const fs::path to = target(file.path);
-      files_.push_back({file.path, temporaryName(to, ".tmp"), temporaryName(to, ".old"), to});
+      fs::path folder = to.parent_path();
+      removeLeftovers(folder);
+      if (std::any_of(files_.begin(), files_.end(), [&](const Names& other) { return other.folder == folder; })) {
+        folder.clear();
+      }
+      files_.push_back({file.path, temporaryName(to, ".tmp"), temporaryName(to, ".old"), to, std::move(folder)});
     }
   }
   ~TemporaryFiles() {
@@ -128,12 +199,20 @@ class TemporaryFiles {
       std::error_code error;
       file.isNew = !fs::exists(file.to, error);
       error.clear();
-      // Of several files one may be refused after others are in place: another person's in a folder of all.
-      if (files_.size() > 1 && !file.isNew) error = save(file);
+      // One may be refused after others are in place, as another person's in a folder of all; and the folder itself at
+      // last.
+      if (!file.isNew) error = save(file);
       if (!error) fs::rename(file.from, file.to, error);
       if (!error) continue;
       giveBack();
       return invalid("\"" + file.wanted + "\" cannot be written: " + error.message());
+    }
+    for (const Names& file : files_) {
+      errno = 0;
+      if (file.folder.empty() || syncFolder(file.folder)) continue;
+      const int why = errno;
+      giveBack();
+      return invalid("\"" + file.wanted + "\" cannot be written: " + reason(why));
     }
     return std::nullopt;
   }
@@ -144,6 +223,7 @@ class TemporaryFiles {
     fs::path from;
     fs::path old;  ///< for what was there before
     fs::path to;
+    fs::path folder;     ///< to be synced; empty: with another file's
     bool isNew = false;  ///< nothing was there
     bool saved = false;  ///< it has the name `old`, too or instead; not on disks without hard links
   };
@@ -166,7 +246,7 @@ class TemporaryFiles {
   // Everything as it was.
   void giveBack() {
     std::error_code ignored;
-    for (std::size_t k = 0; k <= kept_; ++k) {
+    for (std::size_t k = 0; k < std::min(kept_ + 1, files_.size()); ++k) {
       const Names& file = files_[k];
       if (file.isNew && k < kept_) fs::remove(file.to, ignored);
       if (file.saved) fs::rename(file.old, file.to, ignored);

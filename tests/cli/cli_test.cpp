@@ -11,6 +11,7 @@
 #endif
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -408,6 +409,23 @@ TEST_CASE("printers and filaments are listed, and one of them begins a project")
        {"generate hot.json --shape disc --size 12 --gcode a.gcode", "calibrate speed hot.json -o b.gcode"}) {
     checkRefused(folder, command, "printer.nozzleTemperature is 300 degrees Celsius; it must be 170 to 255, or");
   }
+}
+
+TEST_CASE("what a killed run has left goes with the next one, and nothing else") {
+  const Folder folder;
+  const std::string left = ".sillon-12345678901234567890.tmp";
+  const std::set<std::string> kept = {".sillon-1.tmp", ".sillon-mine.tmp", ".sillon-.tmp", "sillon-12.tmp",
+                                      ".sillon-12.txt"};
+  folder.write(left, "half");
+  for (const std::string& name : kept) folder.write(name, "kept");
+  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(2);
+  fs::last_write_time(folder.at(left), old);
+  for (const std::string& name : kept) {
+    if (name != ".sillon-1.tmp") fs::last_write_time(folder.at(name), old);  // that one is of a run that goes on
+  }
+  REQUIRE(folder.run(std::string(kDisc) + "--gcode a.gcode").code == 0);
+  CHECK_FALSE(fs::exists(folder.at(left)));
+  for (const std::string& name : kept) CHECK(fs::exists(folder.at(name)));
 }
 
 TEST_CASE("check reads G-code as a printer would") {

@@ -1,7 +1,10 @@
 // The command line with a memory and a disk that fail at a given call: SILLON_FAIL=new:N or SILLON_FAIL=write:N lets
-// the N-th allocation, or the N-th opening, writing, flushing, closing or renaming of an output, fail once. Without it
-// both are counted and told on stderr at the end. Linked with --wrap for main, fopen, fwrite, fflush and fclose.
+// the N-th allocation, or the N-th opening, writing, flushing, syncing, closing or renaming of an output, or the
+// syncing of a folder, fail once. Without it both are counted and told on stderr at the end. Linked with --wrap for
+// main, fopen, fwrite, fflush and fclose.
 #include <fcntl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
@@ -74,6 +77,8 @@ int __wrap_fclose(std::FILE* file) {
 int rename(const char* from, const char* to) noexcept {
   return writeFails() ? -1 : renameat(AT_FDCWD, from, AT_FDCWD, to);
 }
+
+int fsync(int file) { return writeFails() ? -1 : static_cast<int>(syscall(SYS_fsync, file)); }
 
 int __wrap_main(int argc, char** argv) {
   const char* const fail = std::getenv("SILLON_FAIL");
