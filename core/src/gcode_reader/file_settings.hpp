@@ -58,9 +58,9 @@ struct FileSettings {
   std::vector<double> filamentFlows;  ///< [mm³/s] that each tool's filament may have, 0: unknown
   double printFlow = 0;               ///< the same of all of them
   GcodeFlavor flavor = GcodeFlavor::Marlin;
-  std::string_view model;   ///< printer_model, a view into the file
-  bool ultimaker = false;   ///< the printer homes and heats before the file begins: UltiGCode, Griffin
-  bool volumetric = false;  ///< UltiGCode's E is mm³
+  std::string_view model;    ///< printer_model, a view into the file
+  bool homesItself = false;  ///< the printer homes and heats before the file begins
+  bool volumetric = false;   ///< UltiGCode's E is mm³
 };
 
 /// \param printer  if given, nothing is read but the flavour of Cura's files.

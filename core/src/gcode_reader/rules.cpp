@@ -70,7 +70,7 @@ Rules::Rules(FileSettings settings, bool ours)
   area_ = std::numbers::pi * settings_.filamentDiameter * settings_.filamentDiameter / 4;
   machine_.volumetric = settings_.volumetric;
   // Printers of this kind home and heat before the file begins.
-  if (!settings_.ultimaker) return;
+  if (!settings_.homesItself) return;
   machine_.homedAxes = kAllAxes;
   check_.homes = check_.heatsBed = check_.heatsNozzle = true;
   heaters_.setNozzle(kColdest);
@@ -312,9 +312,10 @@ void Rules::checkPlace(Vec2 p, const char* offBed) {
   if (settings_.printer && moved_ && inPath_ && Bed(*settings_.printer).inZone(p, -kRounding)) found("excluded", true);
   const double over = beyondBed(settings_, p).value_or(-1);
   if (over <= kRounding) return;
-  constexpr double kBambusWiper = 60;  // [mm] that their machines reach beside the bed, to wipe and to cut
-  const bool bambu = settings_.flavor == GcodeFlavor::Bambu;
-  if (block() && over <= (bambu ? kBambusWiper : kBeyondBed)) return;
+  // Bambu's machines reach so far beside the bed, to wipe and to cut, and to press a camera's shutter between layers.
+  constexpr double kBambusWiper = 60;  // [mm]
+  const bool bambu = settings_.flavor == GcodeFlavor::Bambu && (block() || !inPath_);
+  if ((block() || bambu) && over <= (bambu ? kBambusWiper : kBeyondBed)) return;
   found(offBed, true, {{"place", shownPlace(p)}, {"mm", decimal(over, 3)}});
 }
 
@@ -467,7 +468,9 @@ void Rules::bead(const MachineMove& move, double e) {
 }
 
 void Rules::checkHot() {
-  if (check_.heatsNozzle && check_.nozzleReady < kColdest) {
+  constexpr double kSoft = 130;  // [degrees Celsius], at which Bambu's blocks push what has been flushed
+  const double coldest = block() && settings_.flavor == GcodeFlavor::Bambu ? kSoft : kColdest;
+  if (check_.heatsNozzle && check_.nozzleReady < coldest) {
     found("cold-bead", true, {{"degrees", decimal(check_.nozzleReady, 0)}});
   }
 }
@@ -605,7 +608,7 @@ void Rules::judgeTotals() {
   check_.otherHotTools = heaters_.otherHotTools(machine_.tool);
   check_.chamberTarget = heaters_.chamber().target;
   check_.firmwareRetracted = machine_.firmwareRetracted;
-  const bool left = !endMacro_ && !settings_.ultimaker;
+  const bool left = !endMacro_ && !settings_.homesItself;
   const bool hotNozzle = check_.nozzleTarget > 0 || !check_.otherHotTools.empty();
   if (moved_ && hotNozzle && left) whole(lastMoves_ && layers_ > 0 ? "cut-off" : "hot-nozzle", ours_ || lastMoves_);
   if (moved_ && check_.bedTarget > 0 && left) whole("hot-bed", false);
