@@ -263,7 +263,8 @@ TEST_CASE("placeholders of four programs stand for their values") {
   CHECK(expand("M109 S{temp}") == "M109 S215\n");
   CHECK(expand("M109 S{temp[0]}\nM104 S[temp] ; [x] {y} <z>") == "M109 S215\nM104 S215 ; [x] {y} <z>\n");
   CHECK(expand("M109 S<TEMP>") == "M109 S215\n");
-  CHECK(expand("G1 X{min[0]} Y[min[1]] Z{ min }\r\n\n\tM84 \xc3\xa9  ") == "G1 X1.5 Y2.5 Z1.5\n\n M84 ??\n");
+  CHECK(expand("G1 X{min[0]} Y[min[1]] Z{ min }\r\n\n\tM117 \xc3\xa9  ") == "G1 X1.5 Y2.5 Z1.5\n\n M117 ??\n");
+  CHECK(expand("M84 \xc3\xa9 ") == "M84 \xc3\xa9\n");  // to be refused as it was written
   CHECK(expand("PRINT_START BED=60 NAME='x'") == "PRINT_START BED=60 NAME='x'\n");
   CHECK(expand("") == "");
   CHECK(expand("\n\n") == "");

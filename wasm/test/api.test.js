@@ -1,5 +1,6 @@
 // What the calls give, and that it is the same with any number of threads.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
 import { Worker } from 'node:worker_threads';
 
@@ -178,6 +179,18 @@ describe('results', () => {
     assert.ok(imported.read.length > 5 && imported.notRead.length > 0);
     const ini = Buffer.from('[printer:A]\nnozzle_diameter = 0.6\n[printer:B]\nnozzle_diameter = 0.8\n');
     assert.equal((await st.importPrinter(ini, 'A')).printer.nozzle, 0.6);
+  });
+
+  test('lines that no block of a print may have are errors, whatever its dialect', async () => {
+    const list = JSON.parse(readFileSync(new URL('../../tests/data/hostile_lines.json', import.meta.url), 'utf8'));
+    const silent = [];
+    for (const lines of list.kinds.flatMap((kind) => kind.lines)) {
+      for (const flavor of ['marlin', 'bambu']) {
+        const findings = await engines[1].examineBlock(`G28\nG1 Z10 F600\n${lines}\nG1 Z5\n`, flavor);
+        if (!findings.some(({ error }) => error)) silent.push(lines);
+      }
+    }
+    assert.deepEqual(silent, []);
   });
 
   test('drawing and preview are files of their kinds', async () => {

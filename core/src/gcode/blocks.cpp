@@ -41,7 +41,7 @@ bool isWorthALook(const GcodeFinding& finding) {
 // Harms the machine, or reaches beyond the print: refused whatever dialect the block's writer claims.
 bool isDangerous(const GcodeFinding& finding) {
   return finding.error && (finding.rule == "commands" || finding.code == "too-hot" || finding.code == "below-bed" ||
-                           finding.code == "volumetric");
+                           finding.rule == "grammar" || finding.code == "volumetric");
 }
 
 Warning lineWarning(WarningCode code, std::int64_t line, const GcodeFinding& finding) {

@@ -8,6 +8,7 @@
 #include "base/lines.hpp"
 #include "base/numbers.hpp"
 #include "gcode/job.hpp"
+#include "gcode_reader/parser.hpp"
 
 namespace sillon {
 namespace {
@@ -208,9 +209,11 @@ Result<std::string> expandTemplate(std::string_view text, const std::vector<Temp
   if (!out) return out;
   std::string lines;
   for (std::string_view rest = out.value(); !rest.empty();) {
-    const std::string_view line = nextLine(rest);
-    const std::size_t end = line.find_last_not_of(" \t\r");
-    lines += printable(end == std::string_view::npos ? std::string_view{} : line.substr(0, end + 1)) + "\n";
+    std::string line(nextLine(rest));
+    std::replace(line.begin(), line.end(), '\r', ' ');
+    line.resize(line.find_last_not_of(" \t") + 1);  // npos + 1 is 0
+    // What is wrong with a line is judged as it was written.
+    lines.append(spellingFault(line) == nullptr ? printable(line) : line) += '\n';
   }
   while (lines.size() > 1 && lines.ends_with("\n\n")) lines.pop_back();
   return lines == "\n" ? std::string() : lines;

@@ -45,11 +45,10 @@ struct Row {
 // only.
 constexpr Row kRows[] = {
     // Moves, modes, homing, levelling, waiting.
-    {Safe, Marlin, false,
-     "G0-G4 G10-G12 G17 G20-G21 G27-G32 G34-G35 G60-G61 G80 G90-G92 M82-M84 M17-M18 M400-M402 M420 T"},
+    {Safe, Marlin, false, "G0-G4 G10-G12 G17 G20-G21 G27-G32 G34-G35 G60 G80 G90-G92 M82-M84 M17-M18 M400-M402 M420 T"},
     {Safe, Wiki, false, "G22-G23 G75 G81 G161-G162 M101-M103 M126-M129 M70-M72 M132-M133"},
     {Safe, RepRap, false, "G69 M116 M120-M121 M561 M557"},
-    {Safe, Prusa, false, "G29.1-G29.9 M555 M862 M863 M958 M970 M977 P L P0 P1 Tx Tc T?"},
+    {Safe, Prusa, false, "G29.1-G29.9 M555 M569 M862 M863 M958 M970 M977 P L P0 P1 Tx Tc T?"},
     {Safe, Bambu, false,
      "G29.1-G29.9 G39-G39.9 G150-G152 G150.1-G150.9 G380 G383 G392 G1009 G2814 M9833 M620-M630 M960 M970-M985 M991 "
      "M1000 "
@@ -101,9 +100,9 @@ constexpr Row kRows[] = {
     {Runs, Klipper, false, "UPDATE_DELAYED_GCODE"},
 
     {Unfollowed, Marlin, false, "G18-G19 G26 G38 G38.1-G38.9 G5 G42 G76 M3-M4 M7-M11 M42 M48 M360-M365 M380-M381 M430"},
-    {Unfollowed, Marlin, true, "G6 G53"},
+    {Unfollowed, Marlin, true, "G6 G53 G61"},
     {Unfollowed, Marlin, false, "G33 G54-G59 G59.1-G59.9 G425"},
-    {Unfollowed, RepRap, false, "G68 G93 M585"},
+    {Unfollowed, RepRap, false, "G68 G93 M585 IF ELIF ELSE WHILE VAR SET GLOBAL"},
     {Unfollowed, RepRap, true, "M260-M261 M452"},
     {Unfollowed, Klipper, true,
      "FORCE_MOVE SET_KINEMATIC_POSITION MANUAL_STEPPER STEPPER_BUZZ MANUAL_PROBE TESTZ SET_TMC_CURRENT "
@@ -187,6 +186,13 @@ const Row* rowOf(std::string_view name, GcodeFlavor flavor) {
   return worst;
 }
 
+bool movesOrigin(const GcodeCommand& command) {
+  for (const int code : {20, 28, 30, 90, 91}) {
+    if (command.is('G', code)) return true;
+  }
+  return command.is('M', 206) || command.is('M', 290);
+}
+
 const Row* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
   if (command.letter == 0) {
     const std::string name = upperCase(command.name);
@@ -200,6 +206,11 @@ const Row* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
   const std::string name = command.letter + std::to_string(command.code);
   if (command.sub != 0) {
     if (const Row* row = rowOf(name + "." + std::to_string(command.sub), flavor)) return row;
+    // Marlin runs G1.5 as G1, others do not: what it does cannot be followed.
+    static constexpr Row kOfAnother{Unfollowed, 0, true, ""};
+    GcodeCommand whole = command;
+    whole.sub = 0;
+    if (readsWords(whole) || movesOrigin(whole)) return &kOfAnother;
   }
   // Prusa's boards read the area of the print after it (Prusa-Firmware-Buddy, M555: X Y W H), and their files do not
   // tell them from others; RepRapFirmware a mode after P.
@@ -234,6 +245,13 @@ bool takesText(const GcodeCommand& command) {
   }
 }
 
+// The same of names: what is shown, said or called so.
+bool takesAnyText(const GcodeCommand& command) {
+  if (command.letter != 0) return takesText(command);
+  const std::string name = upperCase(command.name);
+  return name == "SET_DISPLAY_TEXT" || name == "RESPOND" || name.starts_with("EXCLUDE_OBJECT");
+}
+
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 class Judge {
@@ -246,6 +264,7 @@ class Judge {
 
  private:
   static constexpr int kMostCommands = 100;    // in one line
+  static constexpr double kRoom = 25;          // [degrees Celsius]
   static constexpr double kMostAdvance = 2.5;  // [s] of pressure advance: twice that of the longest tubes
 
   void add(std::string_view code, bool error, FindingValues values) {
@@ -257,7 +276,10 @@ class Judge {
     findings_.push_back(std::move(finding));
   }
 
+  void told(std::string_view code, bool error, const std::string& command) { add(code, error, {{"command", command}}); }
+
   void command(std::string_view code, int depth) {
+    const std::size_t written = code.size();
     // Remarks in brackets, a block's mark, and whatever firmwares skip before the first letter.
     while (!code.empty()) {
       if (code[0] == '(') {
@@ -271,11 +293,20 @@ class Judge {
       }
     }
     if (code.empty() || depth > kMostCommands) return;
+    second_ = second_ || code.size() < written;
     const GcodeCommand head = commandOf(code);
     const std::string shown = shownName(head);
     const Row* row = rowOf(head, flavor_);
     byKind(head, row, shown, depth);
     byValue(head, shown);
+    // Some firmwares run it, others do not.
+    if (second_ && head.letter == 'G' && (readsWords(head) || movesOrigin(head))) {
+      told("unfollowed", true, shown);
+    }
+    // Some firmwares read the number behind a sign.
+    if (head.letter == 0 && code.size() > 1 && (code[1] == '+' || code[1] == '-') && holds("GMgm", code.substr(0, 1))) {
+      add("no-command", true, {{"text", shownText(code)}});
+    }
     if (depth > 0 && head.letter == 0) return;
     further(head, depth);
   }
@@ -289,22 +320,22 @@ class Judge {
     if (row == nullptr) {
       if (!strict_ || depth > 0) return;
       const bool macro = head.letter == 0 && !head.name.starts_with('@');
-      if (!isStartMacro(head) && !isEndMacro(head)) add(macro ? "macro" : "unknown", false, {{"command", shown}});
+      if (!isStartMacro(head) && !isEndMacro(head)) told(macro ? "macro" : "unknown", false, shown);
       return;
     }
     switch (row->kind) {
       case Safe:
         return;
       case Outlives:
-        return add("outlives", row->error, {{"command", shown}});
+        return told("outlives", row->error, shown);
       case Runs:
-        return add("runs", row->error, {{"command", shown}});
+        return told("runs", row->error, shown);
       case Unfollowed:
-        return add("unfollowed", row->error, {{"command", shown}});
+        return told("unfollowed", row->error, shown);
       case Files:
-        return add("files", row->error, {{"command", shown}});
+        return told("files", row->error, shown);
       case Never:
-        return add("never", row->error, {{"command", shown}});
+        return told("never", row->error, shown);
     }
   }
 
@@ -316,6 +347,13 @@ class Judge {
     add("out-of-range", true,
         {{"command", what}, {"value", decimal(value, 3)}, {"low", decimal(low, 3)}, {"high", decimal(high, 3)}});
   }
+
+  // A printer in a warm room would wait for ever.
+  void coolest(const GcodeWords& words, const std::string& shown) {
+    if (words.at('R', kRoom) < kRoom && words.at('R') > 0) beyond(shown + " R", words.at('R'), kRoom, 500);
+  }
+
+  void lowered(const std::string& what, double value) { range(what, value, value < 0 ? kMostLowered : kMostOffset); }
 
   // Magnitudes above `most` are errors.
   void range(const std::string& what, double value, double most) {
@@ -342,18 +380,27 @@ class Judge {
         if (minutes > 10) add("long-wait", false, {{"command", shown}, {"minutes", decimal(minutes, 0)}});
       }
       if (setsTool(head, words)) hottest(hottestNozzle_);
-      if (head.code == 10 && (words.has('P') || words.has('L'))) all("Z", 2);
-      if (head.code == 29 && head.sub == 1) all("Z", 1);
+      if (head.code == 10 && (words.has('P') || words.has('L'))) all("Z", kMostLowered);
+      if (head.code == 29 && head.sub <= 1) all("ZC", 1);
+      if (head.code == 31 && words.has('Z')) {
+        all("Z", 5);
+        told("outlives", false, shown);
+      }
+      if (head.code <= 1 && head.code >= 0 && words.has('R')) told("unfollowed", true, shown);
       return;
     }
     if (head.letter != 'M') return;
     switch (head.code) {
-      case 104:
       case 109:
+        coolest(words, shown);
+        [[fallthrough]];
+      case 104:
       case 568:
         return hottest(hottestNozzle_);
-      case 140:
       case 190:
+        coolest(words, shown);
+        [[fallthrough]];
+      case 140:
       case 144:
         return hottest(hottestBed_);
       case 141:
@@ -364,7 +411,7 @@ class Judge {
         if (words.has('B')) heat(words.at('B'), hottestBed_);
         return;
       case 149:
-        if (!holds(upperCase(head.rest), "C")) add("never", true, {{"command", shown}});  // degrees of another kind
+        if (!holds(upperCase(head.rest), "C")) told("never", true, shown);  // degrees of another kind
         return;
       case 121:
         return;
@@ -381,9 +428,15 @@ class Judge {
       case 205:
         return all("XYZE", 200);
       case 206:
+        return all("Z", kMostLowered);  // which of its signs lowers depends on the firmware
       case 290:
       case 428:
-        if (words.has('Z')) range(shown + " Z", words.at('Z'), words.at('Z') < 0 ? kMostLowered : kMostOffset);
+        return lowered(shown + " Z", words.at('Z'));
+      case 208:
+        if (words.at('Z') < -kMostLowered) beyond(shown + " Z", words.at('Z'), -kMostLowered, 5000);
+        return;
+      case 569:
+        if (words.has('P')) told("outlives", false, shown);  // the sense of a motor
         return;
       case 572:
         return all("S", kMostAdvance);
@@ -399,11 +452,10 @@ class Judge {
         return;
       case 302:
         if ((words.has('P') && words.at('P') > 0 && words.at('S', 999) >= 170) || words.at('S', 999) < 150)
-          add("cold-extrusion", false, {{"command", shown}});
+          told("cold-extrusion", false, shown);
         return;
       case 211:
-        if (flavor_ != GcodeFlavor::Bambu && words.has('S') && words.at('S') == 0)
-          add("outlives", false, {{"command", shown}});
+        if (flavor_ != GcodeFlavor::Bambu && words.has('S') && words.at('S') == 0) told("outlives", false, shown);
         return;
       case 906:
       case 907:
@@ -415,43 +467,49 @@ class Judge {
 
   void byName(const GcodeCommand& head, const std::string& shown) {
     const std::string name = upperCase(head.name);
-    if (name == "SET_VELOCITY_LIMIT") {
-      forEachNumber(head.rest, [&](const std::string& key, double value) { range(shown + " " + key, value, 200000); });
-      return;
-    }
-    if (name == "SET_PRESSURE_ADVANCE") {
-      forEachNumber(head.rest, [&](const std::string& key, double value) {
-        if (key == "ADVANCE") range(shown + " " + key, value, kMostAdvance);
-      });
-      return;
-    }
-    if (name == "SET_GCODE_OFFSET") {
-      forEachNumber(head.rest, [&](const std::string& key, double value) {
-        if (holds(key, "Z")) range(shown + " " + key, value, value < 0 ? kMostLowered : kMostOffset);
-      });
-      return;
-    }
-    if (name == "BED_MESH_PROFILE" && holds(upperCase(head.rest), "SAVE")) add("outlives", false, {{"command", shown}});
+    const std::string words = upperCase(head.rest);
+    if (name == "BED_MESH_PROFILE" && holds(words, "SAVE")) told("outlives", false, shown);
+    if (name == "RESPOND" && holds(words, "ACTION:")) told("runs", false, shown);
+    if (name == "ECHO" && holds(words, ">")) told("files", true, shown);  // RepRapFirmware's language writes files
     if (name == "RESTORE_GCODE_STATE" || name == "EXCLUDE_OBJECT_DEFINE") return;
-    // What a macro or a heater is given as a temperature.
-    forEachNumber(head.rest, [&](const std::string& key, double value) {
+    const bool limits = name == "SET_VELOCITY_LIMIT";
+    const bool advance = name == "SET_PRESSURE_ADVANCE";
+    const bool offset = name == "SET_GCODE_OFFSET";
+    const bool wait = name == "TEMPERATURE_WAIT";
+    const bool numbers = limits || advance || offset || wait || name == "SET_HEATER_TEMPERATURE";
+    const bool bed = holds(words, "HEATER_BED");
+    forEachParameter(head.rest, [&](const std::string& key, std::string_view text) {
+      double value = 0;
+      const std::size_t read = readNumber(text, value);
+      // Klipper reads as Python does: 4_80, 4e2, and "4"80.
+      const std::string_view rest = head.rest.substr(static_cast<std::size_t>(text.data() - head.rest.data()));
+      const std::size_t next = std::min(text.size() + 1, rest.size());
+      const bool glued = rest.substr(text.size(), 1).find_first_of("\"'") == 0 && rest.substr(next, 1) > " ";
+      const bool number = numbers
+                              ? key != "HEATER" && key != "SENSOR" && key != "EXTRUDER"
+                              : read > 0 && macroHeat(key) != MacroHeat::None && holds("_eE\"'", text.substr(read, 1));
+      if (number && (glued || read < text.size())) add("no-plain-number", true, {{"text", shownText(text)}});
+      if (read == 0) return;
+      const std::string what = shown + " " + key;
+      if (limits) return range(what, value, 200000);
+      if (advance && key == "ADVANCE") return range(what, value, kMostAdvance);
+      if (offset && holds(key, "Z")) return lowered(what, value);
+      if (wait && key == "MAXIMUM" && value < kRoom) return beyond(what, value, kRoom, 500);
+      // What a macro or a heater is given as a temperature.
       if (holds(key, "BED")) return heat(value, hottestBed_);
       if (holds(key, "CHAMBER")) return heat(value, 100);
       if (holds(key, "TEMP") || holds(key, "TARGET") || holds(key, "EXTRUDER") || holds(key, "HOTEND") ||
-          holds(key, "NOZZLE") || key == "TOOL0") {
-        const bool bed = holds(upperCase(head.rest), "HEATER_BED");
+          holds(key, "NOZZLE") || key == "TOOL0" || (wait && key == "MINIMUM")) {
         heat(value, bed ? hottestBed_ : hottestNozzle_);
       }
     });
-    // RepRapFirmware's language writes files.
-    if (name == "ECHO" && holds(head.rest, ">")) add("files", true, {{"command", shown}});
   }
 
   // RepRapFirmware runs several commands of a line, old Marlins what follows ':' or '#', OctoPrint what M118 says to
   // it.
   void further(const GcodeCommand& head, int depth) {
     if (takesText(head)) {
-      if (head.code == 118 && holds(head.rest, "action")) add("runs", false, {{"command", "M118"}});
+      if (head.code == 118 && holds(upperCase(head.rest), "ACTION")) told("runs", false, "M118");
       const std::size_t cut = head.rest.find_first_of(":#");
       if (cut != std::string_view::npos) dangerous(head.rest.substr(cut + 1), depth);
       return;
@@ -459,9 +517,13 @@ class Judge {
     if (head.letter == 0) return;
     for (std::size_t at = 1; at < head.rest.size(); ++at) {
       const char letter = head.rest[at];
-      if (letter == '"') return;
+      if (letter == '"') {
+        at = std::min(head.rest.find('"', at + 1), head.rest.size());
+        continue;
+      }
       if (letter != 'G' && letter != 'M' && letter != 'g' && letter != 'm') continue;
       if (at + 1 < head.rest.size() && head.rest[at + 1] >= '0' && head.rest[at + 1] <= '9') {
+        second_ = true;
         return dangerous(head.rest.substr(at), depth);
       }
     }
@@ -480,10 +542,28 @@ class Judge {
   double hottestNozzle_;
   double hottestBed_;
   bool strict_;
+  bool second_ = false;  // behind another command of the line, or a remark
   std::vector<GcodeFinding> findings_;
 };
 
 }  // namespace
+
+const char* spellingFault(std::string_view line) {
+  const bool text = takesAnyText(commandOf(partsOf(line).code));
+  bool quoted = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const char c = line[at];
+    if (c == '"') quoted = !quoted;
+    if (c == ';') {
+      quoted = quoted && (!text || holds(line.substr(at), "\""));
+      return quoted ? "no-plain-line" : nullptr;
+    }
+    if (text) continue;
+    if ((c < ' ' && c != '\t') || c > '~') return "no-ascii";
+    if (c == '\\') return "no-plain-line";
+  }
+  return quoted && !text ? "no-plain-line" : nullptr;
+}
 
 bool probesBed(const GcodeCommand& command) {
   for (const int code : {29, 30, 32, 34}) {

@@ -1,6 +1,8 @@
 #include "sillon/gcode_reader/check.hpp"
 
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "base/numbers.hpp"
 #include "gcode_reader/machine.hpp"
@@ -37,25 +39,40 @@ std::string filledIn(std::string_view line) {
 std::vector<GcodeFinding> examineBlock(std::string_view block, GcodeFlavor flavor) {
   std::vector<GcodeFinding> findings;
   MachineState machine(flavor);
+  Offsets offsets;
   forEachLine(block, [&](const GcodeLine& line) {
     const std::string text = filledIn(line.text);
-    const auto add = [&](GcodeFinding finding) {
-      finding.line = line.number;
-      finding.count = 1;
-      findings.push_back(std::move(finding));
+    const std::size_t before = findings.size();
+    const auto add = [&](const char* code, bool error, FindingValues values) {
+      findings.push_back(makeFinding(code, error, std::move(values)));
     };
-    if (line.end == "\r") add(makeFinding("cr", false));
+    if (line.end == "\r") add("cr", false, {});
+    // Else quotes may belong to an expression, and words to both its branches.
+    const bool plain = text == line.text;
+    const char* const odd = plain ? spellingFault(line.text) : nullptr;
+    if (odd != nullptr) add(odd, true, {{"text", shownText(line.text)}});
     const GcodeParts parts = partsOf(text);
-    if (parts.code.empty()) return;
-    for (GcodeFinding& finding : judgeCommand(parts.code, flavor, kHottestNozzle, kHottestBed, true)) {
-      add(std::move(finding));
-    }
     const GcodeCommand command = commandOf(parts.code);
+    for (GcodeFinding& finding : judgeCommand(parts.code, flavor, kHottestNozzle, kHottestBed, true)) {
+      findings.push_back(std::move(finding));
+    }
+    const auto sum = offsets.run(command, flavor);
+    if (FindingValues values = offsetFault(sum.value_or(Offsets::Axes{})); !values.empty()) {
+      add("offset", true, std::move(values));
+    }
     const GcodeWords words = readsWords(command) ? wordsOf(command.rest) : GcodeWords{};
+    const bool letters = words.fault == GcodeWords::NoNumber && command.letter == 'M';  // M104 S140 A
+    const char* const fault = plain && !letters ? wordFault(words) : nullptr;
+    if (fault != nullptr) add(fault, true, {{"text", shownText(words.faultText)}});
     const std::optional<MachineMove> move = runCommand(machine, command, words);
-    if (volumetricBy(command, words).value_or(false)) add(makeFinding("volumetric", true));
-    if (!move || move->z >= move->zFrom) return;
-    if (tooDeep(*move, {})) add(makeFinding("below-bed", true, {{"mm", decimal(move->z, 3)}}));
+    if (volumetricBy(command, words).value_or(false)) add("volumetric", true, {});
+    if (move && move->z < move->zFrom && tooDeep(*move, {})) {
+      add("below-bed", true, {{"mm", decimal(move->z, 3)}});
+    }
+    for (std::size_t k = before; k < findings.size(); ++k) {
+      findings[k].line = line.number;
+      findings[k].count = 1;
+    }
   });
   return findings;
 }

@@ -32,7 +32,8 @@ class Offsets {
   std::optional<Axes> run(const GcodeCommand& command, GcodeFlavor flavor);
 
  private:
-  Axes code_;   // SET_GCODE_OFFSET, M290
+  Axes code_;   // SET_GCODE_OFFSET
+  Axes baby_;   // M290
   Axes home_;   // M206
   Axes place_;  // G10 L2, L20
 };

@@ -1,5 +1,6 @@
 #include "gcode_reader/machine.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "gcode_reader/macros.hpp"
@@ -30,20 +31,25 @@ std::optional<Offsets::Axes> Offsets::run(const GcodeCommand& command, GcodeFlav
   const bool duet = flavor == GcodeFlavor::RepRap;
   if (command.letter == 0 && upperCase(command.name) == "SET_GCODE_OFFSET") {
     setByName(code_, command.rest);
-  } else if (command.is('M', 290) && flavor != GcodeFlavor::Bambu) {  // theirs listens to the frame
+  } else if (command.is('M', 290)) {
     const GcodeWords words = wordsOf(command.rest);
-    if (duet && words.has('R') && words.at('R') == 0) code_ = {};
-    add(code_, {words.at('X'), words.at('Y'), words.has('Z') ? words.at('Z') : words.at('S')});
+    if (words.at('X') >= 39 && words.at('Y') >= 39 && words.at('Z') > 0) return std::nullopt;  // Bambu's frame
+    if (duet && words.has('R') && words.at('R') == 0) baby_ = {};
+    add(baby_, {words.at('X'), words.at('Y'), words.has('Z') ? words.at('Z') : words.at('S')});
   } else if (command.is('M', 206)) {
     set(home_, wordsOf(command.rest));
-  } else if (command.is('G', 10) && duet) {
+    home_.z = -std::abs(home_.z);  // Marlin takes it off what is told, others add it
+  } else if (command.is('G', 10)) {
     const GcodeWords words = wordsOf(command.rest);
-    if (words.at('L', 2) != 2) return std::nullopt;
+    const double list = words.at('L', words.has('P') ? 2 : 0);
+    if (list != 1 && list != 2) return std::nullopt;
     set(place_, words);
+    place_.z = -std::abs(place_.z);
   } else {
     return std::nullopt;
   }
   Axes sum = code_;
+  add(sum, baby_);
   add(sum, home_);
   add(sum, place_);
   return sum;

@@ -144,7 +144,7 @@ bool readPlainMove(std::string_view line, GcodeWords& words) {
   for (std::size_t at = 2; at < line.size();) {
     if (line[at] != ' ' || at + 2 >= line.size()) return false;
     const char letter = line[at + 1];
-    if (letter < 'A' || letter > 'Z' || letter == 'G' || letter == 'M') return false;
+    if (letter < 'A' || letter > 'Z' || letter == 'G' || letter == 'M' || letter == 'R') return false;
     const auto index = static_cast<std::size_t>(letter - 'A');
     const std::uint32_t bit = std::uint32_t{1} << index;
     if ((words.named & bit) != 0) return false;

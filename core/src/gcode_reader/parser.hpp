@@ -184,6 +184,11 @@ inline constexpr double kMostOffset = 10;    ///< [mm], to any other side
 std::vector<GcodeFinding> judgeCommand(std::string_view code, GcodeFlavor flavor, double hottestNozzle,
                                        double hottestBed, bool strict);
 
+/// The code of the finding about a line that firmwares read in different ways, or null: what is not printable ASCII,
+/// which Python takes for digits and Marlin leaves out; a backslash, which Marlin drops; a comment that begins within
+/// quotes. Behind commands that take text, only the last may run another command.
+const char* spellingFault(std::string_view line);
+
 /// Tells whether a command levels or measures the bed, and so touches it here and there.
 bool probesBed(const GcodeCommand& command);
 

@@ -109,10 +109,8 @@ void Rules::line(const GcodeLine& line) {
   }
   if (line.end == "\r\n") found("cr-lf", ours_);
   if (line.end == "\r") found("cr", ours_);
-  if (ours_ && !block()) {
-    if (const char* fault = lineFault(line.text); fault != nullptr) {
-      found(fault, true, {{"text", shownText(line.text)}});
-    }
+  if (const char* fault = ours_ && !block() ? lineFault(line.text) : spellingFault(line.text); fault != nullptr) {
+    found(fault, true, {{"text", shownText(line.text)}});
   }
   const GcodeParts parts = partsOf(line.text);
   if (const auto changes = ours_ ? std::nullopt : toolChangeMark(parts)) {
@@ -178,14 +176,18 @@ void Rules::command(std::string_view text) {
   if (text.size() > 95 && !klipper()) found("long-command", false);
   const GcodeCommand command = commandOf(text);
   const bool moves = command.letter == 'G' && command.code <= 3 && command.code >= 0 && command.sub == 0;
-  if (!moves || command.rest.find_first_of("GMgm") != std::string_view::npos) {
-    const bool any = settings_.printer && settings_.printer->anyTemperature;
-    for (GcodeFinding& finding :
-         judgeCommand(text, settings_.flavor, any ? 1e9 : kHottestNozzle, any ? 1e9 : kHottestBed, false)) {
+  if (!moves || command.rest.find_first_of("GMRgmr") != std::string_view::npos) {
+    const std::optional<Printer>& printer = settings_.printer;
+    const bool any = printer && printer->anyTemperature;
+    const double nozzle = any ? 1e9 : printer ? printer->maxNozzleTemperature : kHottestNozzle;
+    const double bed = any ? 1e9 : printer ? printer->maxBedTemperature : kHottestBed;
+    for (GcodeFinding& finding : judgeCommand(text, settings_.flavor, nozzle, bed, false)) {
       if (finding.code == "outlives" && ours_ && !block()) finding.error = true;
       found(std::move(finding));
     }
-    if (const auto sum = offsets_.run(command, settings_.flavor)) judgeOffsets(*sum);
+    if (const auto sum = offsets_.run(command, settings_.flavor)) {
+      if (FindingValues fault = offsetFault(*sum); !fault.empty()) found("offset", true, std::move(fault));
+    }
   }
   lastMoves_ = moves;
   if (isStartMacro(command)) return startMacro(command.rest);
@@ -201,13 +203,13 @@ void Rules::command(std::string_view text) {
   run(command, readsWords(command) ? this->words(command) : GcodeWords{});
 }
 
-void Rules::judgeOffsets(const Offsets::Axes& sum) {
+FindingValues offsetFault(const Offsets::Axes& sum) {
   for (const auto& [axis, mm] : {std::pair{"X", sum.x}, {"Y", sum.y}, {"Z", sum.z}}) {
     const double least = *axis == 'Z' ? -kMostLowered : -kMostOffset;
     if (mm >= least - 1e-9 && mm <= kMostOffset) continue;
-    found("offset", true,
-          {{"axis", axis}, {"mm", decimal(mm, 3)}, {"low", decimal(least, 1)}, {"high", decimal(kMostOffset, 0)}});
+    return {{"axis", axis}, {"mm", decimal(mm, 3)}, {"low", decimal(least, 1)}, {"high", decimal(kMostOffset, 0)}};
   }
+  return {};
 }
 
 void Rules::run(const GcodeCommand& command, const GcodeWords& words) {
@@ -248,25 +250,17 @@ void Rules::noteHeat() {
   check_.heatsBed = check_.heatsBed || heaters_.bed().ready > 0;
 }
 
+const char* wordFault(const GcodeWords& words) {
+  static constexpr const char* kCodes[] = {nullptr, "not-a-word", "no-number", "no-plain-number", "letter-twice"};
+  return kCodes[words.fault];
+}
+
 // What is no plain number is read as far as a firmware would.
 GcodeWords Rules::words(const GcodeCommand& command) {
   const GcodeWords words = wordsOf(command.rest);
-  const std::string shown = words.fault == GcodeWords::None ? "" : shownText(words.faultText);
-  switch (words.fault) {
-    case GcodeWords::None:
-      break;
-    case GcodeWords::NotAWord:
-      found("not-a-word", true, {{"text", shown}});
-      break;
-    case GcodeWords::NoNumber:
-      found("no-number", command.letter != 'M', {{"text", shown}});  // M104 S140 A: some have letters alone
-      break;
-    case GcodeWords::NotPlain:
-      found("no-plain-number", true, {{"text", shown}});
-      break;
-    case GcodeWords::Twice:
-      found("letter-twice", true, {{"text", shown}});
-      break;
+  if (const char* fault = wordFault(words)) {
+    const bool error = words.fault != GcodeWords::NoNumber || command.letter != 'M';  // M104 S140 A: letters alone
+    found(fault, error, {{"text", shownText(words.faultText)}});
   }
   if (words.fault == GcodeWords::None && words.unusual && ours_ && !block()) {
     found("no-plain-number", true, {{"text", shownText(trimmed(command.rest))}});

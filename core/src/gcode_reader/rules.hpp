@@ -28,6 +28,12 @@ GcodeFinding makeFinding(std::string_view code, bool error, FindingValues values
 /// Text of a file, as a sentence may show it: at most 60 characters, printable ASCII, quoted.
 std::string shownText(std::string_view text);
 
+/// The code of the finding about a command's words, or null.
+const char* wordFault(const GcodeWords& words);
+
+/// The values of the finding about offsets that were added up: empty if they are well.
+FindingValues offsetFault(const Offsets::Axes& sum);
+
 inline constexpr double kHottestNozzle = 300;  ///< [degrees Celsius] without anyTemperature
 inline constexpr double kHottestBed = 120;
 inline constexpr double kBeyondBed = 10;  ///< [mm], how far makers' blocks go over the bed's edge to wipe and purge
@@ -40,7 +46,6 @@ class Rules {
  public:
   /// \param ours  the file says that Sillon wrote it, and is held to more: closed cycles, plain lines, totals.
   Rules(FileSettings settings, bool ours);
-  virtual ~Rules() = default;
 
   void line(const GcodeLine& line);
   /// The verdict; after the last line.
@@ -64,7 +69,6 @@ class Rules {
   void run(const GcodeCommand& command, const GcodeWords& words);  ///< a command with a letter
   GcodeWords words(const GcodeCommand& command);
   void modes(const GcodeCommand& command, const GcodeWords& words);
-  void judgeOffsets(const Offsets::Axes& sum);
   void noteHeat();
   void checkHot();
   void move(const MachineMove& move);
