@@ -84,8 +84,14 @@ export class Header extends StudioElement {
         display: none;
       }
       .main.all {
+        min-width: calc(var(--control) - 4px);
         padding: 0 7px;
         border-radius: 0 var(--radius) var(--radius) 0;
+      }
+      @media (pointer: coarse) {
+        .main.all {
+          min-width: var(--control);
+        }
       }
       [popover] {
         position: fixed;
@@ -131,7 +137,7 @@ export class Header extends StudioElement {
       }
       @media (max-width: 400px) {
         .main:not(.all) {
-          width: 40px;
+          width: 44px;
           padding: 0;
         }
         .main .words {

@@ -30,8 +30,10 @@ function followSoon(): void {
 }
 
 addEventListener('popstate', () => {
+  // An entry of our own is left: what was opened meanwhile, in the place of what it stood for, stays.
+  const ours = leaving;
   leaving = false;
-  while (open.length > entries()) open.pop()?.();
+  while (!ours && open.length > entries()) open.pop()?.();
   followSoon(); // Forward, to what is open no more, leads back
 });
 

@@ -275,6 +275,7 @@ export class PrintPanel extends StudioElement {
         )}
         ${value(say(words, 'summary.height'), `${formatNumber(tall)} mm`)}
       </dl>
+      <sillon-doubts .studio=${this.studio}></sillon-doubts>
       ${
         notes === 0
           ? nothing
@@ -297,7 +298,6 @@ export class PrintPanel extends StudioElement {
     const { summary } = this.state;
     return html`<section aria-labelledby="before-title">
       <h3 id="before-title" tabindex="-1">${say(words, 'summary.warnings')}</h3>
-      <sillon-doubts .studio=${this.studio}></sillon-doubts>
       <ul class="warnings">
         ${this.#warnings().map((warning) => this.#note(warningText(warning)))}
       </ul>

@@ -122,6 +122,11 @@ export class StageElement extends StudioElement {
         background: var(--tint);
         color: var(--accent);
       }
+      @media (pointer: coarse) {
+        .views button {
+          min-height: var(--control);
+        }
+      }
       sillon-tools {
         top: var(--edge-top);
         left: var(--edge-left);

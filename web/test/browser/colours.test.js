@@ -25,7 +25,7 @@ const angleAt = (visit, x, y) =>
   visit.page.evaluate(
     ([x, y]) => {
       const { directions } = document.querySelector('sillon-app').studio.store.state;
-      const { width, height, angle } = directions ?? { width: 0, height: 0, angle: [] };
+      const { width, height, angle } = directions?.raster ?? { width: 0, height: 0, angle: [] };
       return (angle[Math.floor(y * height) * width + Math.floor(x * width)] / 65535) * 180 - 90;
     },
     [x, y],
@@ -121,6 +121,7 @@ test('kinds of directions and shapes show what they make of this very plate', { 
     const found = await cards(visit, panel);
     return names.every((name) => found.some(([label, src]) => label === name && src !== '')) && found;
   };
+  await visit.ways();
   const before = await until(() => drawn('sillon-layers-panel', ['Waves', 'Rays', 'Noise']), 'generators');
   assert.equal(Object.fromEntries(before).Brightness, ''); // there is no picture
   await visit.drop([flag]);
@@ -161,7 +162,7 @@ test(
     await visit.idle();
     await inMenu(visit, 'The plate hardly shows what it is made from');
     await visit.section('Print');
-    await page.getByRole('region', { name: 'Print', exact: true }).getByText('finer details').waitFor();
+    await page.locator('sillon-print-panel').getByText('finer details').waitFor();
 
     await page.evaluate(() => {
       document.querySelector('sillon-app').studio.change((plate) => ({ ...plate, width: 48, height: 24 }));
@@ -202,7 +203,7 @@ test('letters that are too fine or too alike are told below the list and before 
     }, values);
   await panel.getByText('narrower than two beads and hard to read').waitFor();
   await visit.section('Print');
-  const summary = visit.page.getByRole('region', { name: 'Print', exact: true });
+  const summary = visit.page.locator('sillon-print-panel');
   await summary.getByText('narrower than two beads and hard to read').waitFor();
   await visit.section('Picture');
   await change({ textSize: 6, text: 'Hi', font: 'Bebas Neue' });

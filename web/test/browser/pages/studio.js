@@ -19,6 +19,7 @@ const all = (root) =>
  * @param path  of the studio @param address  of the file, which is of that type
  * @returns the G-code, and how many threads have made it */
 async function download({ path, address, type }) {
+  localStorage.setItem('sillon.print', JSON.stringify({ profile: 'generic' })); // else a sheet asks for the printer
   const frame = document.createElement('iframe');
   frame.src = path;
   document.body.append(frame);
