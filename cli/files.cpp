@@ -80,7 +80,7 @@ fs::path temporaryName(const fs::path& path, const char* ending) {
   return path.parent_path() / (".sillon-" + std::to_string(random()) + std::to_string(random()) + ending);
 }
 
-/// Whether a name is one of these: what a run that was killed has left.
+/// True for the names that temporaryName makes: a run that was killed leaves such files behind.
 [[maybe_unused]] bool isTemporaryName(std::string_view name) {
   constexpr std::string_view kBegin = ".sillon-";
   if (!name.starts_with(kBegin) || (!name.ends_with(".tmp") && !name.ends_with(".old"))) return false;

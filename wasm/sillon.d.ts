@@ -1358,7 +1358,7 @@ export type ErrorReason =
   | 'NoMarks'
   | 'FilamentOpen'
   | 'NoFilament'
-  /** Of a sliced file no surface can be replaced: the reason of the largest. */
+  /** No surface of a sliced file can be replaced: the reason of the largest. */
   | LeftReason
   /** The warning of that name, where it is no mere warning: a line of a block that must not run. */
   | GcodeWarning['code'];

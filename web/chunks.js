@@ -10,7 +10,7 @@ const rooms = [
   // What every visit asks for once its first view is there.
   [
     'first',
-    /\/(app\/(example-layers|offline|own-pictures|plate-facts)|engine\/layer-boxes|files\/(autosave|drawn|handed)|layers\/(add-layer|layers-panel|shape-room|stage)|plates\/examples|print\/downloads|quality\/legend|stage\/(looks-bar|player|view-options)|views\/miniature)\.ts$/,
+    /\/(app\/(example-layers|offline|own-pictures|plate-facts|sheet)|engine\/layer-boxes|files\/(autosave|drawn|handed)|layers\/(add-layer|layers-panel|shape-room|stage)|plates\/examples|print\/downloads|quality\/legend|stage\/(looks-bar|player|view-options)|views\/(fields|miniature))\.ts$/,
   ],
   ['problem', /\/i18n\/say-problem\.ts$/],
   ['calibrate', /\/src\/calibrate\/|\/files\/photo\.ts$/],

@@ -111,7 +111,7 @@ TEST_CASE("a face of a body carries the project's own shape, at its place and fo
   REQUIRE_MESSAGE(zones.ok(), (zones.ok() ? "" : zones.error().message));
   CHECK(areaAt(zones.value(), 30) == Approx(20 * 10).epsilon(0.02));
   CHECK(zones.value().package != onAll);
-  // What is told of the shape's drawing counts here.
+  // Warnings about the shape's drawing are passed on, as the face carries that shape.
   Project drawn = small;
   drawn.builtin = BuiltinShape::None;
   drawn.shapeFile = "spaced.svg";

@@ -60,7 +60,7 @@ struct Slab {
 /// the whole body.
 std::vector<Slab> slabsOf(const Mesh& body, double layerHeight, std::size_t most);
 
-/// As deep below one level top, and a layer above it: nobody but the slicer knows where that layer begins.
+/// A slab as deep as those of slabsOf, up to a layer above the top: only the slicer knows where that layer begins.
 Slab slabUnder(double top, double layerHeight);
 
 }  // namespace sillon

@@ -212,7 +212,7 @@ Result<std::string> expandTemplate(std::string_view text, const std::vector<Temp
     std::string line(nextLine(rest));
     std::replace(line.begin(), line.end(), '\r', ' ');
     line.resize(line.find_last_not_of(" \t") + 1);  // npos + 1 is 0
-    // What is wrong with a line is judged as it was written.
+    // A faulty line stays as it was written: printable() would hide what is wrong with it.
     lines.append(spellingFault(line) == nullptr ? printable(line) : line) += '\n';
   }
   while (lines.size() > 1 && lines.ends_with("\n\n")) lines.pop_back();

@@ -495,7 +495,7 @@ class Judge {
       if (advance && key == "ADVANCE") return range(what, value, kMostAdvance);
       if (offset && holds(key, "Z")) return lowered(what, value);
       if (wait && key == "MAXIMUM" && value < kRoom) return beyond(what, value, kRoom, 500);
-      // What a macro or a heater is given as a temperature.
+      // These keys give a macro or a heater its temperature.
       if (holds(key, "BED")) return heat(value, hottestBed_);
       if (holds(key, "CHAMBER")) return heat(value, 100);
       if (holds(key, "TEMP") || holds(key, "TARGET") || holds(key, "EXTRUDER") || holds(key, "HOTEND") ||

@@ -1,5 +1,5 @@
-// What a whole print is held to beyond the rules of each line: settings that change on the way, the nozzle's rests on
-// what is laid, and layers that do not lie on each other. For files that somebody is about to print; blocks and plates
+// The rules of a whole print, beyond those of each line: settings that change on the way, the nozzle's rests on what is
+// laid, and layers that do not lie on each other. For files that somebody is about to print; blocks and plates
 // that are just being written go without.
 #pragma once
 
@@ -21,7 +21,7 @@ class PrintRules final : public Rules {
   /// \param machine  that the file says it is for; its limits count where neither the caller nor the file tells any.
   PrintRules(FileSettings settings, bool ours, const std::optional<Printer>& machine);
 
-  /// What could not be judged, as neither the caller nor the file told it; after the last line.
+  /// After the last line: names of the limits that were not judged, as neither the caller nor the file told them.
   [[nodiscard]] std::vector<std::string> unchecked() const;
 
  private:
@@ -65,7 +65,7 @@ class PrintRules final : public Rules {
   std::vector<Change> changes_;
   bool laying_ = false;  // a bead of a layer was laid
 
-  // What the file tells of itself, which may stand at its end.
+  // Facts that the file tells of itself, perhaps only at its end.
   std::vector<double> temperatures_;
   std::size_t filaments_ = 0;
   bool pla_ = false;

@@ -114,7 +114,7 @@ void Rules::line(const GcodeLine& line) {
   }
   const GcodeParts parts = partsOf(line.text);
   if (const auto changes = ours_ ? std::nullopt : toolChangeMark(parts)) {
-    // What its block draws back is cut off, or given back by the changer.
+    // The filament that a tool change draws back is cut off, or given back by the changer.
     if (changesTool_ && !*changes) machine_.retracted = 0;
     changesTool_ = *changes;
   }

@@ -284,7 +284,7 @@ export class App extends StudioElement {
   }
 
   #sections(): Tab[] {
-    // What is to be checked stands in the view of that name.
+    // Section 'quality' has no tab: its findings stand in the view of that name.
     const offered = sections
       .filter((name) => name !== 'quality' && offers(this.state, name))
       .map((name): Tab => [name, name, t(`section.${name}`)]);

@@ -301,7 +301,7 @@ export class Header extends StudioElement {
   /** G-code at once, and beside it the list of all files. */
   #download({ printer }: Plate): TemplateResult {
     const name = machineName(printer);
-    const label = name === '' ? t('keys.gcode') : t('export.gcodeFor', { printer: name });
+    const label = name === '' ? t('export.gcode') : t('export.gcodeFor', { printer: name });
     return html`<div class="files" role="group" aria-label=${t('section.export')}>
         <button
           type="button"

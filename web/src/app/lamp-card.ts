@@ -20,7 +20,7 @@ const pictureSide = 640; // [pixels] of 50 mm on paper
 const away = 60; // [cm] from the plate to the lamp
 const straightUp = 85; // [degrees]
 
-/** Where a lamp stands, in words that need no protractor. */
+/** Describes a lamp's place, also by a clock's hour and by lengths [cm], so that nobody needs a protractor. */
 function lampText({ azimuth, elevation }: Light): string {
   if (elevation >= straightUp) return say(words, 'card.above');
   const angle = (elevation * Math.PI) / 180;

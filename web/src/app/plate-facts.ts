@@ -1,4 +1,4 @@
-// What is asked of every plate: its size, its printer and its filament; and the way for those who have sliced theirs already.
+// The facts that every plate needs: its size, its printer and its filament; and a button for prints that are sliced already.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { StudioElement } from '../controls/element.js';

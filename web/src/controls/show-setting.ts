@@ -26,7 +26,7 @@ function elementIn(root: ParentNode, selector: string): HTMLElement | undefined 
   return undefined;
 }
 
-/** What takes the focus of a field: its input; of several, the one that is chosen. */
+/** Returns the element that takes the focus of a field: its input; of several, the one that is chosen. */
 function inputOf(root: ParentNode, id: FieldId): HTMLElement | undefined {
   const name = id.replace('.', '-');
   return (

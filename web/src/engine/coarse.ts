@@ -1,4 +1,4 @@
-// How coarse a preview of beads must be to keep up with a hand.
+// Chooses the spacing of a preview so that it keeps up with a hand.
 import { pageOf, type Plate } from '../model/plate.js';
 
 const soon = 45; // [ms] from the engine's begin to its end: 60 from the hand's move to the picture
@@ -12,7 +12,7 @@ export const cellsOf = (plate: Plate, factor = 1): number => {
   return (width * height) / (cell * cell);
 };
 
-/** What a plate's cell has cost lately. */
+/** Recent cost of one cell, in ms; used to choose the preview's spacing. */
 export class Cost {
   #perCell = guess;
   #factor = 1; // of the last preview

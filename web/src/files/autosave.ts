@@ -20,7 +20,7 @@ const most = { steps: 60, points: 200_000, bytes: 32e6 };
 const recordKey = (id: string): string => `plate/${id}`;
 const aboutKey = (id: string): string => `about/${id}`;
 const filesKey = (id: string): string => `file/${id}/`;
-/** Of the sliced print over a plate: its file is large, and stays as it is while what is wanted of it changes. */
+/** The key of the choices for a sliced print over a plate. Its file, which is large and never changes, is kept by printKey. */
 const slicedKey = (id: string): string => `sliced/${id}`;
 const printKey = (id: string): string => `sliced/${id}/file`;
 const idOfKey = (key: string): string | undefined => /^(?:about|plate)\/(.+)$/.exec(key)?.[1];
@@ -61,7 +61,7 @@ export interface Listed {
 /** A sliced print that is re-brushed over a plate. */
 export interface KeptPrint {
   file: File;
-  /** As it was kept, by whatever version. */
+  /** The choices for it, unchecked: an older version may have kept them. */
   wish: unknown;
   /** Its view was open, and not left. */
   open: boolean;

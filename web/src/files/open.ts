@@ -118,7 +118,7 @@ async function seenPicture(
 
 export const isFont = ({ name }: File): boolean => isFontFile(name);
 
-/** Whether this is one file for printers, and which: @returns as printOf */
+/** Returns printOf's answer for a single file, '' for none or several. */
 export const onePrint = (files: readonly File[]): ReturnType<typeof printOf> =>
   files[0] === undefined || files.length > 1 ? Promise.resolve('') : printOf(files[0]);
 

@@ -9,7 +9,7 @@ const attributeOf = (tag: string, name: string): string =>
     (_, code: string) => codes[code] ?? '',
   );
 
-/** Those of a plate, in the order of their codes. @param info  the package's slice_info.config */
+/** Returns the names of a plate's objects, in the order of their codes. @param info  the package's slice_info.config */
 export function namesIn(info: string, plate: string): string[] {
   const plates = info.match(/<plate>[^]*?<\/plate>/g) ?? [];
   const own = plates.find((one) => new RegExp(`key="index" value="${plate}"`).test(one)) ?? plates[0] ?? '';

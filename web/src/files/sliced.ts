@@ -15,8 +15,7 @@ export function seemsSliced(name: string, head: Uint8Array): boolean {
 
 const directoryLength = 1 << 17; // bytes: of a thousand files
 
-/** What a file for printers is: a print that a slicer made, or a body that none has sliced yet; empty: neither, a folder, or
- * gone. */
+/** Tells prints that a slicer made from bodies that none has sliced yet; empty: the file is neither, a folder, or gone. */
 export async function printOf(file: File): Promise<'sliced' | 'body' | ''> {
   if (/\.stl$/i.test(file.name)) return 'body';
   try {

@@ -1641,6 +1641,7 @@ export const de: Translation = {
   'help.layers.amplitude': 'So weit schwenken Wellen die Richtung zu beiden Seiten.',
   'setting.layers.width': 'Breite',
   'help.layers.width': 'Breite des Bands am Rand.',
+  'layers.title': 'Ebenen',
   'layers.list': 'Ebenen, die oberste zuerst',
   'layers.add': 'Darüberlegen',
   'layers.others': 'Mehr',

@@ -1654,6 +1654,7 @@ export const fr: Translation = {
   'help.layers.amplitude': 'De combien les vagues tournent la direction de part et d’autre.',
   'setting.layers.width': 'Largeur',
   'help.layers.width': 'Largeur de la bande le long du bord.',
+  'layers.title': 'Calques',
   'layers.list': 'Calques, le plus haut en premier',
   'layers.add': 'Ajouter par-dessus',
   'layers.others': 'Plus',

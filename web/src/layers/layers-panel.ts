@@ -80,7 +80,7 @@ export class LayersPanel extends StudioElement {
     const bare = isBare(plate);
     const chosen = bare ? ground : layerOf(plate, layer);
     return html`<section aria-labelledby="layers-title">
-        <h2 id="layers-title">${t(bare ? 'start.title' : 'section.layers')}</h2>
+        <h2 id="layers-title">${bare ? t('start.title') : l('title')}</h2>
         ${bare ? this.#start() : this.#list(layers, chosen, warned)}
         ${!bare && chosen === ground ? this.#cards() : nothing}
       </section>
@@ -124,7 +124,7 @@ export class LayersPanel extends StudioElement {
       this.allTiles = !this.allTiles;
     };
     return html`${welcome ? html`<p class="note">${t('start.what')}</p>` : nothing}
-    ${startTiles(this.studio, more, this.allTiles)}
+    ${startTiles(this.studio, (kind) => void this.#add(kind), more, this.allTiles)}
     ${
       this.allTiles
         ? html`${this.#cards()}

@@ -1,11 +1,11 @@
-// How a plate begins: tiles for what people come with.
+// The tiles that a plate begins with, one for each thing that people come with.
 import { css, html, type TemplateResult } from 'lit';
 import { icon } from '../controls/icons.js';
 import { t } from '../i18n/text.js';
 import { groundFill, isPictureFill, patternFills } from '../model/fills.js';
 import type { LayerKind } from '../model/layers.js';
 import type { Studio } from '../studio/studio.js';
-import { addLayer, drawingFiles, pictureFiles } from './add-layer.js';
+import { drawingFiles, pictureFiles } from './add-layer.js';
 import { chooseFill } from './fill-cards.js';
 import { tile } from './tiles.js';
 
@@ -39,15 +39,21 @@ export const startStyle = css`
   }
 `;
 
-/** @param more  unfolds all other ways @param unfolded  whether it did */
-export function startTiles(studio: Studio, more: () => void, unfolded: boolean): TemplateResult {
+/** @param add  lays a layer on top @param more  unfolds all other ways @param unfolded  whether it did */
+export function startTiles(
+  studio: Studio,
+  add: (kind: LayerKind) => void,
+  more: () => void,
+  unfolded: boolean,
+): TemplateResult {
   return html`<div class="start" role="group" aria-labelledby="layers-title">
     ${Object.entries(begins).map(
       ([name, kind]) =>
         html`<button
           type="button"
           @click=${() => {
-            void begin(studio, name as Begin);
+            if (startKinds.has(kind)) add(kind);
+            else void begin(studio, name as Begin);
           }}
         >
           ${tile(kind)}<span>${t(`start.${name as Begin}`)}</span>
@@ -59,11 +65,9 @@ export function startTiles(studio: Studio, more: () => void, unfolded: boolean):
   </div>`;
 }
 
-/** Fills the plate with what somebody has brought, or puts it on top. */
+/** Fills the plate with a pattern, or with what somebody has brought. */
 export async function begin(studio: Studio, name: Begin): Promise<void> {
-  if (name === 'text' || name === 'code') {
-    await addLayer(studio, name);
-  } else if (name === 'pattern') {
+  if (name === 'pattern') {
     const fill = groundFill(studio.store.state.plate);
     if (fill === undefined || isPictureFill(fill)) await chooseFill(studio, patternFills[3]);
   } else {

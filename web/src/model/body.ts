@@ -7,7 +7,7 @@ const furthest = 10_000; // [mm] as the core has it
 
 const same = (a: number, b: number): boolean => Math.abs(a - b) < 0.01;
 
-/** What the engine is told of it: the plate must still be that face. @throws StudioError InvalidArgument with the
+/** The body and its face for the engine: the plate must still be that face. @throws StudioError InvalidArgument with the
  * reason OffBody */
 export function bodyInput({ shape, width, height, body }: Plate) {
   if (body === undefined) return undefined;
@@ -19,7 +19,7 @@ export function bodyInput({ shape, width, height, body }: Plate) {
   return { body: body.file.bytes, face: [x - grown, y - grown, z] as const };
 }
 
-/** As a project tells it, with a stand-in for the file. */
+/** The body's part of a project, with a path in place of its file. */
 export const toldBody = ({ body }: Plate, pathOf: (file: SourceFile) => string): object =>
   body === undefined ? {} : { body: { ...body, file: pathOf(body.file) } };
 

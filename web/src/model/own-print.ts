@@ -1,4 +1,4 @@
-// What a visitor has said to print with: printer, filament, thickness. It is kept as a text on their device, for plates that
+// The printer, filament and thickness that a visitor has named. They are kept as a text on their device, for plates that
 // begin and for the next visit.
 import type { PrinterValues } from 'sillon';
 import { filaments, type FilamentKey } from './filaments.js';
@@ -67,7 +67,7 @@ export class OwnPrint {
     });
   }
 
-  /** Whether this machine was said. */
+  /** Returns whether this is the machine that the visitor has named. */
   means = (printer: PrinterValues): boolean => sameMachine(this.said.printer, printer);
 
   /** The plate on the machine that was said, where its own is for none in particular. */

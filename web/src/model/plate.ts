@@ -100,7 +100,7 @@ export interface Plate {
   name: string;
   /** Printer that came with a design from elsewhere and is not used before the visitor says so; kept with the work alone. */
   brought?: Machine | undefined;
-  /** That slicers get with the plate's directions on it. */
+  /** The body that slicers get with the plate's directions on it. */
   body?: Body | undefined;
   /** Instead of the spool's colour and gloss, those of one's own. */
   spool?: OwnSpool | undefined;

@@ -104,7 +104,7 @@ export const sameMachine = (a: Machine, b: Machine): boolean =>
 export const profileOf = (printer: Machine): PrinterChoice | undefined =>
   printers.find(({ machine }) => sameMachine(machine, printer));
 
-/** Whether these are the values of no machine in particular. */
+/** Returns whether these are the values of no machine in particular. */
 export function isNobodys(printer: Machine): boolean {
   const profile = profileOf(printer);
   return profile !== undefined && isGeneric(profile);

@@ -59,7 +59,7 @@ const isStroke = (value: unknown): value is Stroke => {
   return Array.isArray(points) && points.length % 2 === 0 && points.every(Number.isFinite);
 };
 
-/** What was wanted at another visit; undefined: this version cannot read it. The engine checks the strokes' own values. */
+/** Reads the choices of another visit; undefined: this version cannot. The engine checks the strokes' own values. */
 export function wishFrom(value: unknown): Wish | undefined {
   try {
     const { side, chosen, way, angle, picture, lamp, spool, own, fit, strokes } = fieldsOf(value, 'wish', keys);

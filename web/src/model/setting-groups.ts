@@ -1,4 +1,4 @@
-// Which settings the Print section shows at once, and in which folded group the others are.
+// The settings that the Print section shows at once, and the folded groups that hold the others.
 import { expertSettings, settings, type Setting, type SettingId } from './settings.js';
 
 /** At most 15 fields are seen at first, with the printer's, the filament's, the thickness and the quality: what people change

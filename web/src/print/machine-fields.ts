@@ -71,7 +71,7 @@ function optionOf(printer: PrinterChoice, asks: boolean): ChoiceField['options']
 }
 
 export interface PrinterQuestion {
-  /** What stands in the field: a printer that waits for its file, or nothing, as nobody has said which it is. */
+  /** The printer that waits for its file; '': nobody has said which it is; undefined: the plate's own. */
   value: PrinterKey | undefined;
   onChoose: (key: PrinterKey) => void;
 }

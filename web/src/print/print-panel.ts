@@ -293,7 +293,7 @@ export class PrintPanel extends StudioElement {
     before?.focus({ preventScroll: true });
   };
 
-  /** What to know before the print is started, below what is chosen. */
+  /** Warnings and findings to read before the print is started; they stand below the choices. */
   #before(): TemplateResult {
     const { summary } = this.state;
     return html`<section aria-labelledby="before-title">

@@ -1,7 +1,7 @@
 // What to know before printing: one sentence per measure, how wide the beads are, and places to look at.
 import { css, html, nothing, svg, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
-import { layerName } from '../i18n/layers.js';
+import { layerNameIn } from '../i18n/layers.js';
 import { warningText } from '../i18n/say-core.js';
 import { threadsWords } from '../i18n/say-threads.js';
 import { verdictText } from '../i18n/say-verdict.js';
@@ -174,7 +174,7 @@ export class QualityPanel extends StudioElement {
                     this.studio.setPanel('layers');
                   }}
                 >
-                  ${layerName(layer)}
+                  ${layerNameIn(this.state.plate.layers, layer)}
                 </button></b
               >
               ${warnings.map((warning) => html`<p>${linked(this.studio, warningText(warning))}</p>`)}

@@ -23,7 +23,7 @@ interface Cells {
   side: readonly [number, number];
 }
 
-/** How bright a direction counts under the light, 0..1: brightest across it, whatever the filament. */
+/** Returns the brightness of a direction under the light, 0..1: the most across it, whatever the filament. */
 const shinesUnder =
   ({ azimuth }: Light) =>
   (alongX: number, alongY: number): number => {

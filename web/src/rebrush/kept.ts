@@ -4,7 +4,7 @@ import { r } from '../i18n/rebrush.js';
 import { wishFrom, type Wish } from '../model/rebrush.js';
 import type { Studio } from '../studio/studio.js';
 
-/** What is wanted of prints that were left. */
+/** The choices for prints whose work was left. */
 export const left = new WeakMap<File, Wish>();
 
 export function offer(studio: Studio, file: File): void {
@@ -17,7 +17,7 @@ export function offer(studio: Studio, file: File): void {
   studio.tell({ text: r('kept', { name: file.name }), actions: [goOn], stays: true });
 }
 
-/** Of an earlier visit. */
+/** Goes on with the print of an earlier visit: at once where its view was open, else it offers to. */
 export function takeUp(studio: Studio, { file, wish, open }: KeptPrint): void {
   const wanted = wishFrom(wish);
   if (wanted !== undefined) left.set(file, wanted);

@@ -29,7 +29,7 @@ export interface Progress {
 
 interface Known {
   print?: SlicedFile | undefined;
-  /** Of its objects, as objectOf takes them. */
+  /** Names of the print's objects, in the order of their codes, for objectOf. */
   names: readonly string[];
   relief?: PrintRelief | undefined;
   faces: readonly Face[];
@@ -123,7 +123,7 @@ export class PrintWork {
     offer(this.studio, file);
   }
 
-  /** As the plate is: a reload must not take it away. */
+  /** Keeps the print and its choices with the plate, so that a reload does not lose them. @param keeps  false: forgets them */
   #keep(keeps: boolean, open: boolean): void {
     const file = this.#file;
     this.studio.services.keepPrint(keeps && file !== undefined ? { file, wish: this.wish, open } : undefined);

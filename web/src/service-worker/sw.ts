@@ -10,7 +10,7 @@ declare const build: {
   version: string;
   /** SHA-256 in base64, by address relative to this file; '': whatever comes. */
   files: Record<string, string>;
-  /** Those that every visit needs. */
+  /** Names of the files that every visit needs. */
   first: string[];
   isolation: Record<string, string>;
 };

@@ -331,7 +331,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     this.#renderer?.resize(Math.round(this.overlay.width * fineness), Math.round(this.overlay.height * fineness));
   }
 
-  /** Of brushes, where what is shown does not follow them yet. */
+  /** Strokes of brushes that the shown beads do not follow yet; undefined: there are none. */
   #strokes(): Overlay['strokes'] {
     const { plate, view } = this.state;
     const shown = shownPlate(this.state);
@@ -357,7 +357,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     return bytes && this.#picture.of(bytes);
   }
 
-  /** As it was read last, where it still is the plate's. */
+  /** The shape that the engine read last; undefined: it is no longer the plate's. */
   #shapeOf({ shape, width, height }: Plate): Shape | undefined {
     const { directions, result } = this.state;
     const isSame = (of: Plate | undefined): boolean =>
@@ -418,6 +418,10 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   zoom(factor: number): void {
     this.#camera.zoom(factor);
+  }
+
+  wheel(event: WheelEvent): void {
+    this.overlay.dispatchEvent(new WheelEvent(event.type, event));
   }
 
   lookAt(x: number, y: number, across: number): void {

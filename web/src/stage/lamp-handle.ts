@@ -10,7 +10,7 @@ const inner = 0.58; // place of a lamp straight above, as a share of the way to 
 const step = 5; // [degrees] of a key
 const leap = 15; // [degrees] with Shift
 
-/** How far out a lamp of this elevation stands, as a share of the way to the edge. */
+/** Place of a lamp of this elevation [degrees], as a share of the way to the bench's edge. */
 const reach = (elevation: number): number => 1 - ((1 - inner) * elevation) / 90;
 
 @customElement('sillon-lamp')
@@ -83,6 +83,7 @@ export class LampHandle extends StudioElement {
         (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
       }}
       @pointermove=${this.#onMove}
+      @wheel=${this.#onWheel}
       @keydown=${this.#onKey}
     >
       ${icon('sun')}
@@ -107,6 +108,12 @@ export class LampHandle extends StudioElement {
       azimuth: Math.round(azimuth + 360) % 360,
       elevation: Math.round(Math.min(90, Math.max(lowest, elevation))),
     });
+  };
+
+  /** The lamp follows the pointer, and lies under it now and then: a wheel means the plate all the same. */
+  #onWheel = (event: WheelEvent): void => {
+    event.preventDefault();
+    this.studio.stage?.wheel(event);
   };
 
   #onKey = (event: KeyboardEvent): void => {

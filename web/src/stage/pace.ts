@@ -13,7 +13,7 @@ export class Pace {
   /** @param again  is called when a frame has come for which another has waited */
   constructor(private readonly again: () => void) {}
 
-  /** Whether it is hard to draw at all. */
+  /** True once several frames in a row took longer than `ease`. */
   get slow(): boolean {
     return this.#slow;
   }

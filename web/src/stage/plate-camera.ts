@@ -110,7 +110,7 @@ export class PlateCamera extends PageCamera {
     const area = { left: ruler, top: ruler, right: width, bottom: height };
     // A notice lifts the bars under the plate for a while: the plate stays where it is.
     const lift = this.#root.querySelector('sillon-notices')?.clientHeight ?? 0;
-    // What stands at the foot of a low bench is narrow, and lies beside the plate.
+    // The buttons at the foot of a low bench are narrow and lie beside the plate: they take no height from it.
     const over = height < lowest ? '.views, sillon-tools' : '.views, sillon-tools, .bottom > *';
     const buttons = [...this.#root.querySelectorAll(over)].map((one) => {
       this.watch(one); // it may not be drawn yet

@@ -396,7 +396,7 @@ export class StageElement extends StudioElement {
 
   @state() private unfolded = false;
 
-  /** What is rarely changed of the view; it comes when it is first asked for. */
+  /** The settings of the view that are rarely changed; their element is loaded when it is first asked for. */
   #options(): TemplateResult {
     return html`<button
         type="button"

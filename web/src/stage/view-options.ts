@@ -1,4 +1,4 @@
-// What is rarely changed of the view: what the plate is compared with, its size on the screen, how the light moves, captures.
+// Rarely changed settings of the view: what the plate is compared with, its size on the screen, how the light moves, captures.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';

@@ -113,7 +113,7 @@ export interface Shown extends State {
   sliced: File | undefined;
   /** The visitor's own; undefined: not looked for yet. */
   spools: readonly OwnSpool[] | undefined;
-  /** What the visitor has said to print with; undefined: nothing. */
+  /** The printer, filament and thickness that the visitor has named; undefined: none. */
   own: OwnPrint | undefined;
   dropping: boolean;
   /** Files that are being read. */

@@ -28,6 +28,8 @@ export interface Stage {
   focus(): void;
   fit(): void;
   zoom(factor: number): void;
+  /** Takes a wheel that turned over something that lies above the plate. */
+  wheel(event: WheelEvent): void;
   /** Millimetres of the page. */
   lookAt(x: number, y: number, across: number): void;
   /** The box of the plate's page, from the canvas's own corner [CSS pixels]. */
@@ -389,7 +391,7 @@ export class Studio {
     this.#waiting?.();
   }
 
-  /** Which printer it is was said, and the sheet is gone. */
+  /** Goes on with the file once its printer is named and the sheet is gone; blocks that need a review come first. */
   goOnPrinting(): void {
     if (this.#mustReview()) this.review(this.#waiting);
     else this.#waiting?.();
@@ -410,7 +412,7 @@ export class Studio {
     });
   }
 
-  /** Whether nobody has said which machine this is for. */
+  /** Returns whether nobody has said which machine the plate is for. */
   lacksPrinter(): boolean {
     const { plate, own } = this.store.state;
     return isNobodys(plate.printer) && own?.means(plate.printer) !== true;

@@ -19,7 +19,7 @@ interface Run {
 export interface BeadData {
   rows: number;
   points: Float32Array;
-  /** Of the neighbours of the same points, 0..1; one value where nobody asked. */
+  /** Delays of the neighbours of the same points, as shares of mostDelay, 0..1; one value where nobody asked. */
   delays: Float32Array;
   runs: Run[];
 }

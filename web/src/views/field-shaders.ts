@@ -80,8 +80,9 @@ vec2 acrossAt(ivec2 texel, vec2 like) {
 }
 vec2 placeOf(vec2 at) { return vec2(at.x, page.y - at.y) / page * vec2(textureSize(angles, 0)); }
 
-// How far from its middle a bead is met, -1..1. Waves of one length across the directions around, joined where they differ
-// (phasor noise; Tricart et al. 2019): straight beads are whole, others begin and end between each other as real ones do.
+// The place across its bead, -1..1, with the middle at 0. Waves of one length across the directions around are joined where
+// they differ (phasor noise; Tricart et al. 2019): straight beads are whole, others begin and end between each other as real
+// ones do.
 float sideAt(vec2 across) {
   float cell = 3.0 * spacing;
   float turns = 6.2831853 / spacing;

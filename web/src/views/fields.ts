@@ -8,7 +8,7 @@ import type { Camera, Scene } from './scene.js';
 
 const coverSide = 1024; // texels of the longer side
 
-/** Those of a plain zigzag. */
+/** Directions of a plain zigzag: 45° everywhere. */
 export const slanted: DirectionRaster = {
   width: 1,
   height: 1,
@@ -38,7 +38,7 @@ export class Fields {
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
-    /** Of directions. */
+    /** Colours of directions. */
     private readonly palette: WebGLTexture,
   ) {}
 

@@ -49,7 +49,7 @@ function picture({ width, height, angle }: DirectionRaster, scene: Scene): Offsc
   return canvas;
 }
 
-/** What is shown of a plate that is gone is stretched to the page of the one to come. */
+/** Draws directions; those of a plate that is gone are stretched to the page of the one to come. */
 function drawDirections(context: Context, { raster, shape }: Directions, scene: Scene, plain: boolean): void {
   const one = picture(plain ? slanted : raster, scene);
   const [wide, tall] = shape.page;

@@ -1,4 +1,4 @@
-// Where the lamp stands in each frame of a loop of moving light, as the core has it (look/loop.cpp), by the same constants.
+// The lamp's place in each frame of a loop of moving light, computed as in the core (look/loop.cpp), by the same constants.
 import { loop } from '../model/loop.js';
 import type { Light } from '../model/view.js';
 import { between } from './light.js';

@@ -1,4 +1,4 @@
-// How a plate is looked at under a light.
+// The look of a plate under a light.
 import { appearance } from '../model/appearance.js';
 import { lookOf } from '../model/filaments.js';
 import { groundPictures } from '../model/fills.js';
@@ -6,7 +6,7 @@ import { pageOf, type Plate } from '../model/plate.js';
 import type { Light } from '../model/view.js';
 import type { Look } from './look.js';
 
-/** Where lamp and eye are, as far as the plate says. */
+/** The part of a look that the plate decides: its page, the lamp's size, and whether the eye is far away. */
 export function seenBy(plate: Plate): Pick<Look, 'lampSlope' | 'fromAfar' | 'page'> {
   const lit = groundPictures(plate).length > 0;
   return { page: pageOf(plate), lampSlope: lit ? plate.pictures.lampSize : appearance.softbox, fromAfar: lit };

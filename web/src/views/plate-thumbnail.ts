@@ -12,7 +12,7 @@ interface Mask {
 /** Of the longer side [pixels]. */
 export const thumbnailSide = 96;
 
-/** Of each texel of a raster. @param lightOf  a direction, a unit vector */
+/** Returns the brightness of each texel of a raster. @param lightOf  that of a direction, given as a unit vector */
 export function brightnessOf(
   { width, height, angle }: DirectionRaster,
   lightOf: (alongX: number, alongY: number) => number,

@@ -138,7 +138,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     redraw();
   }
 
-  /** What draws directions, from when there are any. */
+  /** The class that draws directions; it is loaded once a scene has some. */
   let fieldsOf: (typeof import('./fields.js'))['Fields'] | undefined;
   async function loadFields(): Promise<void> {
     ({ Fields: fieldsOf } = await import('./fields.js'));
@@ -168,7 +168,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     return made;
   }
 
-  /** How beads look, to the program in use. */
+  /** Tells the program in use how beads look. */
   function setColours(program: Program, scene: Scene, spacing: number): void {
     const { at } = program;
     const { colour: body, along, across } = scene.filament;
@@ -229,7 +229,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     return [beads, others];
   }
 
-  /** How much of the directions is to be seen, 0..1. */
+  /** Returns the opacity of the directions, 0..1; it fades once there are beads. */
   function veilFor(there: boolean, { directions, fades }: Scene): number {
     if (directions === undefined) return 0;
     if (!there) {

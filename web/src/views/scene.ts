@@ -15,7 +15,7 @@ export interface Scene extends Pick<Look, 'light' | 'lampSlope' | 'fromAfar' | '
   /** undefined: there are no beads yet, and the directions stand in for them. */
   toolpath: Toolpath | undefined;
   directions?: Directions | undefined;
-  /** Of beads that are still to come [mm]. */
+  /** Spacing of the beads that are still to come [mm]. */
   spacing?: number;
   /** Pixels drawn per pixel of the screen, one way; the camera's scale has it in it. */
   fineness?: number;

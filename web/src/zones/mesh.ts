@@ -89,7 +89,7 @@ interface Part {
 }
 
 interface Solid {
-  /** Of its own: nine numbers for each triangle. */
+  /** Corners of its own triangles, without its parts': nine numbers for each triangle. */
   own: number[];
   parts: Part[];
 }

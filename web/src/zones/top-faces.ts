@@ -32,7 +32,7 @@ function volumeOf(mesh: Mesh): number {
 }
 
 interface Triangle {
-  /** Of its corners, counter-clockwise from above. */
+  /** Keys of its corners, counter-clockwise from above. */
   keys: [string, string, string];
   area: number;
   z: number;
@@ -166,7 +166,7 @@ export const pathOf = ({ rings, size }: TopFace, [dx, dy]: readonly [number, num
     })
     .join('');
 
-/** As a drawing in millimetres. */
+/** Returns the face as an SVG drawing in millimetres. */
 export function drawingOf(face: TopFace): string {
   const [width, height] = face.size.map(short);
   return (

@@ -27,7 +27,7 @@ async function open(options = {}) {
       );
     studio.setPanel('layers');
   });
-  await visit.page.locator('sillon-layers-panel .tiles').waitFor();
+  await visit.page.locator('sillon-layers-panel').locator('.start, .tiles').first().waitFor();
   return visit;
 }
 

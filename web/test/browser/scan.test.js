@@ -61,10 +61,10 @@ test('two directions that look the same show no code', { skip }, async () => {
   const visit = await bench.open({ path: withCode(60, { ground: 64 }) });
   await row(visit, 'SILLON').click();
   assert.match(await said(visit), /no phone reads this code/);
-  for (const section of ['Print', 'Check']) {
-    await visit.section(section);
-    assert.match(await said(visit), /no phone reads this code/, section);
-  }
+  await visit.section('Print');
+  assert.match(await said(visit), /no phone reads this code/, 'Print');
+  await visit.view('Check');
+  assert.match(await said(visit), /no phone reads this code/, 'Check');
 });
 
 test(

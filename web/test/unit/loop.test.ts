@@ -4,7 +4,7 @@ import { animatedWebp } from '../../src/files/webp.js';
 import { loopLights } from '../../src/views/loop-lights.js';
 
 const rounded = (value: number): number => Number(value.toFixed(3));
-/** As tests/look/loop_test.cpp has it. */
+/** Returns azimuth, elevation and duration of each frame, to compare with the numbers of tests/look/loop_test.cpp. */
 const told = (lamps: [number, number][]): number[][] =>
   loopLights(lamps.map(([azimuth, elevation]) => ({ azimuth, elevation }))).map(({ light, milliseconds }) => [
     rounded(light.azimuth),

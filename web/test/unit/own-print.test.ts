@@ -1,4 +1,4 @@
-// What a visitor has said to print with: kept as a text, used for plates that begin, and never guessed.
+// The printer, filament and thickness that a visitor has named: kept as a text, used for plates that begin, and never guessed.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { printerDefaults } from '../../src/model/defaults.js';

@@ -1,4 +1,4 @@
-// Whether frames are drawn one at a time.
+// Frames are drawn one at a time where drawing is slow.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 

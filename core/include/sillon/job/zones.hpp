@@ -24,7 +24,7 @@ struct BodyFace {
 struct ZonesRequest {
   /// An STL, whose top faces get the zones; unset: a prism of the project's shape
   std::optional<std::string> body;
-  /// Of the body: the project's shape is this face, which alone gets the zones
+  /// The face of the body that carries the project's shape and alone gets the zones
   std::optional<BodyFace> face;
   double height = 2;  ///< of that prism [mm]
   ZoneParams params;

@@ -19,7 +19,7 @@ struct LoopFrame {
 /// \param lamps  of the plate's pictures; not empty.
 std::vector<LoopFrame> loopFrames(std::span<const Lamp> lamps);
 
-/// Of what is sent, unless told otherwise: its longer side [pixels], and the most bytes that
+/// The usual bounds of a loop that is sent: its longer side [pixels], and the most bytes that
 /// messengers take well.
 int loopSide();
 int loopBytes();

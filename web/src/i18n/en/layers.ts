@@ -1,6 +1,7 @@
 // The list of layers, their fields, and what a hand does with them on the plate.
 
 export const words = {
+  'layers.title': 'Layers',
   'layers.list': 'Layers, the topmost first',
   'layers.add': 'Add on top',
   'layers.others': 'More',
