@@ -27,9 +27,10 @@ for (const threads of [1, 2]) {
       const order = [];
       const sizes = [12, 3, 8, 5];
       const calls = sizes.map(async (size, k) => {
-        const { page } = await engine.readShape({ builtin: 'disc', size: [size, size] });
+        const plate = { shape: { builtin: 'disc', size: [size, size] } };
+        const { toolpath } = await engine.generateToolpath(plate, {}, { measure: false });
         order.push(k);
-        return page[0];
+        return toolpath.shape.page[0];
       });
       calls.splice(
         2,
@@ -44,7 +45,7 @@ for (const threads of [1, 2]) {
         return code;
       });
       assert.deepEqual(await Promise.all([...calls, failing]), [12, 3, digest, 8, 5, 'InvalidFile']);
-      // The plate was asked for after all four shapes.
+      // The small plate was asked for after all four discs.
       assert.deepEqual(order, [0, 1, 2, 3, 'plate', 'InvalidFile']);
     });
 

@@ -139,12 +139,12 @@ for (const threads of [1, 2]) {
       await Promise.all([
         engine.generateToolpath({ ...disc(12), layers: [{ kind: 'map', file }] }, {}, { measure: false }),
         engine.profiles(),
-        engine.readShape(disc(12).shape, [{ kind: 'direction', angle: 3, visible: true }]),
+        engine.readProject('{}').catch(() => undefined),
         engine.profiles(),
       ]);
       assert.deepEqual(
         calls.map(({ name }) => name),
-        ['generateToolpath', 'profiles', 'readShape', 'profiles'],
+        ['generateToolpath', 'profiles', 'readProject', 'profiles'],
       );
     });
 
