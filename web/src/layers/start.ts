@@ -2,7 +2,7 @@
 import { css, html, type TemplateResult } from 'lit';
 import { icon } from '../controls/icons.js';
 import { t } from '../i18n/text.js';
-import { groundFill, isPictureFill, patternFills } from '../model/fills.js';
+import { groundFill, isPictureFill } from '../model/fills.js';
 import type { LayerKind } from '../model/layers.js';
 import type { Studio } from '../studio/studio.js';
 import { drawingFiles, pictureFiles } from './add-layer.js';
@@ -16,7 +16,7 @@ const begins = {
   code: 'code',
   pattern: 'pattern',
 } as const satisfies Record<string, LayerKind>;
-export type Begin = keyof typeof begins;
+type Begin = keyof typeof begins;
 
 /** Kinds that these tiles lay on top already. */
 export const startKinds: ReadonlySet<LayerKind> = new Set(['text', 'code']);
@@ -66,10 +66,10 @@ export function startTiles(
 }
 
 /** Fills the plate with a pattern, or with what somebody has brought. */
-export async function begin(studio: Studio, name: Begin): Promise<void> {
+async function begin(studio: Studio, name: Begin): Promise<void> {
   if (name === 'pattern') {
     const fill = groundFill(studio.store.state.plate);
-    if (fill === undefined || isPictureFill(fill)) await chooseFill(studio, patternFills[3]);
+    if (fill === undefined || isPictureFill(fill)) await chooseFill(studio, 'waves');
   } else {
     await studio.open(
       await studio.pick(name === 'photo' ? pictureFiles : drawingFiles),

@@ -4,14 +4,15 @@ import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
+import { elevations } from '../views/light.js';
 
-const lowest = 5; // [degrees]: a lamp at the height of the plate lights nothing
+const [lowest, highest] = elevations;
 const inner = 0.58; // place of a lamp straight above, as a share of the way to the bench's edge; smaller: it hides the plate
 const step = 5; // [degrees] of a key
 const leap = 15; // [degrees] with Shift
 
 /** Place of a lamp of this elevation [degrees], as a share of the way to the bench's edge. */
-const reach = (elevation: number): number => 1 - ((1 - inner) * elevation) / 90;
+const reach = (elevation: number): number => 1 - ((1 - inner) * elevation) / highest;
 
 @customElement('sillon-lamp')
 export class LampHandle extends StudioElement {
@@ -103,10 +104,10 @@ export class LampHandle extends StudioElement {
     const x = (event.clientX - left - width / 2) / (width / 2 - inset);
     const y = (top + height / 2 - event.clientY) / (height / 2 - inset);
     const azimuth = (Math.atan2(y, x) * 180) / Math.PI;
-    const elevation = (90 * (1 - Math.hypot(x, y))) / (1 - inner);
+    const elevation = (highest * (1 - Math.hypot(x, y))) / (1 - inner);
     this.studio.setLight({
       azimuth: Math.round(azimuth + 360) % 360,
-      elevation: Math.round(Math.min(90, Math.max(lowest, elevation))),
+      elevation: Math.round(Math.min(highest, Math.max(lowest, elevation))),
     });
   };
 
@@ -121,7 +122,7 @@ export class LampHandle extends StudioElement {
     const { azimuth, elevation } = this.state.light;
     if (event.key === 'ArrowLeft') this.studio.setLight({ azimuth: (azimuth + by) % 360 });
     else if (event.key === 'ArrowRight') this.studio.setLight({ azimuth: (azimuth - by + 360) % 360 });
-    else if (event.key === 'ArrowUp') this.studio.setLight({ elevation: Math.min(90, elevation + by) });
+    else if (event.key === 'ArrowUp') this.studio.setLight({ elevation: Math.min(highest, elevation + by) });
     else if (event.key === 'ArrowDown') this.studio.setLight({ elevation: Math.max(lowest, elevation - by) });
     else return;
     event.preventDefault();

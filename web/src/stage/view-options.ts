@@ -5,11 +5,13 @@ import { live } from 'lit/directives/live.js';
 import { words } from '../i18n/en/looks.js';
 import { say, t } from '../i18n/text.js';
 import { pictureOf } from '../model/lamp.js';
+import { elevations } from '../views/light.js';
 import { StudioElement } from '../controls/element.js';
 import { select } from '../controls/fields.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { offers, type LightMode, type Over, type Sizing } from '../studio/shown.js';
 
+const [lowest, highest] = elevations;
 const lightModes: readonly LightMode[] = ['pointer', 'tilt', 'orbit', 'fixed'];
 type Beside = Over | 'none' | 'beside';
 
@@ -101,12 +103,12 @@ export class ViewOptions extends StudioElement {
         <input
           type="range"
           id="elevation"
-          min="5"
-          max="90"
+          min=${lowest}
+          max=${highest}
           step="1"
           aria-valuetext="${Math.round(light.elevation)}°"
           .value=${live(String(light.elevation))}
-          .style=${`--share: ${(light.elevation - 5) / 85}`}
+          .style=${`--share: ${(light.elevation - lowest) / (highest - lowest)}`}
           @input=${(event: Event) => {
             this.studio.setLight({ elevation: Number((event.currentTarget as HTMLInputElement).value) });
           }}

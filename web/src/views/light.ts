@@ -2,6 +2,8 @@
 import type { Light } from '../model/view.js';
 
 export const swayPeriod = 9000; // [ms] of one turn
+/** Elevations that a hand may give a lamp [degrees]: lower, it would light nothing of the plate. */
+export const elevations = [5, 90] as const;
 
 /** Unit vector towards the light. */
 export function lampOf({ azimuth, elevation }: Light): [number, number, number] {
