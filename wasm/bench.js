@@ -2,20 +2,19 @@
 // fair to both. Prints; asserts nothing.   ./dev bench wasm [PROJECT.json]
 // SILLON_OTHER_ENGINE=FOLDER: beside them those of engine files that another compiler made.
 import { spawn } from 'node:child_process';
-import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
+import { readFileSync, readdirSync, statSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 
 import { createEngine } from 'sillon';
 
-import { openProject, publishedScenes, root } from './test/support/projects.js';
+import { openProject, root } from './test/support/projects.js';
 
 const rounds = 9;
 const warmUps = 3;
-const wave = join(publishedScenes, 'wave.json');
-const brain = join(publishedScenes, 'brain.json');
-const path = process.argv[2] ?? (existsSync(wave) ? wave : join(root, 'examples/noise.json'));
+const path = process.argv[2] ?? join(root, 'examples/paper/wave.json');
+const brain = join(root, 'examples/paper/brain.json');
 const other = process.env.SILLON_OTHER_ENGINE;
 
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
@@ -87,12 +86,11 @@ for (const threads of [1, 2]) {
 
 // What a slider does: each round another shape parameter, so that nothing is kept, then one that the waves depend on,
 // then one that only the path depends on.
-const live = existsSync(brain) ? brain : join(root, 'examples/logo.json');
-console.log(`\n${basename(live)}, medians of ${rounds} edits, stages`);
+console.log(`\n${basename(brain)}, medians of ${rounds} edits, stages`);
 console.log('threads   all anew   waves anew   path anew');
 for (const threads of [1, 2]) {
   const engine = await createEngine({ threads: threads === 1 ? 'off' : threads });
-  const { input, project } = await openProject(engine, live);
+  const { input, project } = await openProject(engine, brain);
   const toolpath = { ...project.toolpath, bridge: 0.5 };
   const rows = [[], [], []];
   for (let k = 0; k < rounds + 1; ++k) {

@@ -14,6 +14,7 @@
 //   1);
 //                                                         every fifth is a drawing: made here, or one of
 //                                                         SILLON_DRAWINGS
+//   sillon_bench paper [PRESET]                          the paper's Tables 2 to 5 and Fig. 14, beside our rows
 //   sillon_bench measure SCENE.json [PATHS]               figures of these paths, or of the plate, as JSON
 //   sillon_bench growth [MILLIONS]                        0.25 to 16 million cells: time exponent, bytes per cell
 
@@ -38,6 +39,7 @@
 #include "look.hpp"
 #include "measure.hpp"
 #include "memory.hpp"
+#include "paper.hpp"
 #include "photo.hpp"
 #include "random.hpp"
 #include "sillon/gcode_reader/check.hpp"
@@ -58,20 +60,8 @@ using sillon::RunContext;
 using sillon::ToolpathResult;
 
 std::vector<std::string> publishedScenes() {
-  const fs::path folder = fs::path(SILLON_SOURCE_DIR) / ".." / "shared" / "scenes";
   std::vector<std::string> scenes;
-  if (fs::is_directory(folder)) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.path().extension() == ".json") scenes.push_back(entry.path().string());
-    }
-  }
-  std::sort(scenes.begin(), scenes.end());
-  return scenes;
-}
-
-std::vector<std::string> exampleScenes() {
-  std::vector<std::string> scenes;
-  for (const auto& entry : fs::directory_iterator(fs::path(SILLON_SOURCE_DIR) / "examples")) {
+  for (const auto& entry : fs::directory_iterator(fs::path(SILLON_SOURCE_DIR) / "examples" / "paper")) {
     if (entry.path().extension() == ".json") scenes.push_back(entry.path().string());
   }
   std::sort(scenes.begin(), scenes.end());
@@ -518,6 +508,17 @@ int main(int argc, char** argv) {
   if (what == "turns" && !rest.empty()) {
     return turns(rest[0], rest.size() > 1 ? std::clamp(std::atoi(rest[1].c_str()), 1, 64) : 1) ? 0 : 1;
   }
+  if (what == "paper") {
+    bench::paperHead();
+    for (const bench::PublishedResult& result : bench::kPublishedResults) {
+      Loaded scene;
+      const fs::path file = fs::path(SILLON_SOURCE_DIR) / "examples" / "paper" / (std::string(result.scene) + ".json");
+      if (!load(file.string(), scene)) return 1;
+      if (!rest.empty() && !sillon::applyPreset(rest[0], scene.project.toolpath).empty()) return 1;
+      if (!bench::paperRows(result, scene.input, scene.project.toolpath)) return 1;
+    }
+    return 0;
+  }
   if (what == "photograph" && rest.size() == 1) return bench::photograph(rest[0]) ? 0 : 1;
   if (what == "photo") {
     bench::PhotoBench asked;
@@ -553,10 +554,6 @@ int main(int argc, char** argv) {
   }
   const bool named = !rest.empty();
   if (rest.empty()) rest = publishedScenes();
-  if (rest.empty()) {
-    std::printf("the published scenes are not there (../shared/scenes); using the examples\n");
-    rest = exampleScenes();
-  }
   const bool timed = what == "time" || what == "live";
   if (what == "quality") {
     quality(rest, perimeters);
@@ -564,7 +561,7 @@ int main(int argc, char** argv) {
     if (!named) {
       std::erase_if(rest, [](const std::string& path) {
         const std::string name = fs::path(path).stem().string();
-        return path.find("shared") != std::string::npos && name != "brain" && name != "wave";
+        return name != "brain" && name != "wave";
       });
     }
     what == "time" ? times(rest) : live(rest);

@@ -807,12 +807,10 @@ TEST_CASE("the published scenes have their pages and outlines") {
     double width, height;
     std::size_t rings;
   };
-  const std::array<Scene, 12> scenes{{{"brain", 64.9984, 52.4986, 2},
-                                      {"circle_30", 30.000002, 30.000002, 1},
+  const std::array<Scene, 10> scenes{{{"brain", 64.9984, 52.4986, 2},
                                       {"rectangle_170_114p8", 170, 114.86487, 1},
                                       {"square_140", 140, 140, 1},
                                       {"square_27", 27, 27, 1},
-                                      {"square_30", 30, 30, 1},
                                       {"square_70", 70, 70, 1},
                                       {"stress_140", 140.63849, 140.1458, 1},
                                       {"stress_17p5", 17.499998, 17.536825, 1},
@@ -820,13 +818,10 @@ TEST_CASE("the published scenes have their pages and outlines") {
                                       {"stress_70", 69.999992, 70.147278, 1},
                                       {"teaser_200_90p5", 199.99028, 90.50444, 9}}};
   for (const Scene& scene : scenes) {
-    const std::string name = std::string(SILLON_SOURCE_DIR "/../shared/scenes/svg/") + scene.file + ".svg";
+    const std::string name = std::string(SILLON_SOURCE_DIR "/examples/paper/svg/") + scene.file + ".svg";
     std::ifstream file(name, std::ios::binary);
-    if (!file) {
-      MESSAGE("left out, no file " << name);
-      return;
-    }
     CAPTURE(name);
+    REQUIRE(file);
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     const Shape shape = read(text, {.unitlessIsMm = true, .ignorePaint = true});
     CHECK(shape.page.x == doctest::Approx(scene.width).epsilon(1e-9));

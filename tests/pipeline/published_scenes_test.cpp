@@ -1,4 +1,4 @@
-// The scenes published with the paper, where they are at hand: promises on all, figures on four.
+// The scenes published with the paper: promises on all, figures on those of its tables.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Figures {
   double overlap;    ///< at most
 };
 
-fs::path scenesFolder() { return fs::path(SILLON_SOURCE_DIR) / ".." / "shared" / "scenes"; }
+fs::path scenesFolder() { return fs::path(SILLON_SOURCE_DIR) / "examples" / "paper"; }
 
 struct Made {
   ToolpathResult plate;
@@ -50,10 +50,6 @@ Made makeScene(const fs::path& path, const std::string& preset = "standard") {
 
 TEST_CASE("published scenes become one simple toolpath per part, without spill and with the figures of the README") {
   const fs::path folder = scenesFolder();
-  if (!fs::is_directory(folder)) {
-    MESSAGE("skipped: the published scenes are not there (../shared/scenes)");
-    return;
-  }
   const std::map<std::string, Figures> figures = {{"brain", {-0.938, 96.5, 0.6}},
                                                   {"wave", {-0.966, 97.8, 0.5}},
                                                   {"tiles_square", {-0.972, 98.4, 0.6}},
@@ -63,7 +59,7 @@ TEST_CASE("published scenes become one simple toolpath per part, without spill a
     if (entry.path().extension() == ".json") scenes.push_back(entry.path());
   }
   std::sort(scenes.begin(), scenes.end());
-  CHECK(scenes.size() >= 4);
+  CHECK(scenes.size() == 19);
   for (const fs::path& path : scenes) {
     const std::string name = path.stem().string();
     CAPTURE(name);
@@ -82,10 +78,6 @@ TEST_CASE("published scenes become one simple toolpath per part, without spill a
 }
 
 TEST_CASE("the preset of 2023 comes within 0.006 of the alignment that was published") {
-  if (!fs::is_directory(scenesFolder())) {
-    MESSAGE("skipped: the published scenes are not there (../shared/scenes)");
-    return;
-  }
   CHECK(std::abs(makeScene(scenesFolder() / "brain.json", "paper-2023").measures.alignment + 0.930) <= 0.006);
   CHECK(std::abs(makeScene(scenesFolder() / "wave.json", "paper-2023").measures.alignment + 0.958) <= 0.006);
 }

@@ -1,7 +1,7 @@
 // Same input, same bytes: the package against the native program, with and without threads.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -10,7 +10,7 @@ import { createEngine } from 'sillon';
 
 import { atWork, turning } from './support/jobs.js';
 import { png } from './support/png.js';
-import { nativePlate, nativeProgram, openProject, projectPaths, publishedScenes, root } from './support/projects.js';
+import { nativePlate, nativeProgram, openProject, projectPaths, root } from './support/projects.js';
 
 const date = new Date(0);
 const folder = mkdtempSync(join(tmpdir(), 'sillon-'));
@@ -49,10 +49,6 @@ test('the engines run with the threads they were asked for', () => {
       ['mt', 4, ''],
     ],
   );
-});
-
-test('the published scenes', { skip: existsSync(publishedScenes) ? false : 'not there (../shared/scenes)' }, () => {
-  assert.ok(projectPaths().some((path) => path.startsWith(publishedScenes)));
 });
 
 test('a base layer across the beads is that of the native program, byte for byte, and needs its path', async () => {

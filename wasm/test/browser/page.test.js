@@ -1,6 +1,6 @@
 // What a page's visitor feels: errors that name their cause, aborts that end the work, a page that never freezes.
 import assert from 'node:assert/strict';
-import { cpSync, existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { cpSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
@@ -8,11 +8,9 @@ import { setTimeout as wait } from 'node:timers/promises';
 
 import { lacking, launch } from '../support/browsers.js';
 import { engineFolder, serveSite, threadsHaveScript } from '../support/pages.js';
-import { publishedScenes } from '../support/projects.js';
 import { headerSets } from '../support/server.js';
 
-const brain = existsSync(join(publishedScenes, 'brain.json'));
-const projects = { usual: '/examples/stress_35.json', cold: brain ? '/scenes/brain.json' : '/examples/islands.json' };
+const projects = { usual: '/examples/stress_35.json', cold: '/examples/paper/brain.json' };
 const engineFiles = {
   st: ['worker.js', 'sillon-st.js', 'sillon-st.wasm'],
   mt: ['sillon-mt.js', 'sillon-mt.wasm', ...(threadsHaveScript ? ['sillon-mt.worker.js'] : [])],

@@ -3,7 +3,7 @@ import { statSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-import { publishedScenes, root } from './projects.js';
+import { root } from './projects.js';
 import { serve } from './server.js';
 
 export const engineFolder = join(root, 'wasm/dist/engine');
@@ -18,7 +18,6 @@ export async function serveSite(headers, more = {}, missingStatus = 404) {
     '/support/': fileURLToPath(new URL('./', import.meta.url)),
     '/pages/': fileURLToPath(new URL('../browser/pages/', import.meta.url)),
     '/examples/': join(root, 'examples'),
-    '/scenes/': publishedScenes,
     ...more,
   };
   const site = await serve(folders, headers, missingStatus);

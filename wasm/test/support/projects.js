@@ -1,22 +1,21 @@
 // Project files with the inputs they name, as the engine takes them, and the native program's plates of them.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 import { inputOf } from './plate.js';
 
 export const root = fileURLToPath(new URL('../../../', import.meta.url));
-export const publishedScenes = join(root, '../shared/scenes');
+export const publishedScenes = join(root, 'examples/paper');
 
 /** The program that the package is compared with; built by ./dev build. */
 export const nativeProgram = join(root, 'build/release/sillon');
 
-/** Paths of the example projects and, where they are at hand, of the scenes published with the paper. */
+/** Paths of the example projects and of the scenes published with the paper. */
 export function projectPaths() {
   return [join(root, 'examples'), publishedScenes]
-    .filter((folder) => existsSync(folder))
     .flatMap((folder) => readdirSync(folder).map((name) => join(folder, name)))
     .filter((path) => path.endsWith('.json') && basename(path) !== 'package.json')
     .sort();
