@@ -110,11 +110,37 @@ Result<sillon::InputFile> madeElsewhere(const std::string& name, const std::stri
 #endif
 }
 
+/// A text in UTF-8. PowerShell writes what a program prints, as in `sillon import part.gcode > mine.json`, in UTF-16
+/// behind a byte order mark; half a pair of surrogates becomes U+FFFD.
+std::string asUtf8(std::string text) {
+  if (!text.starts_with("\xFF\xFE")) return text;
+  const auto unit = [&](std::size_t at) -> unsigned {
+    if (at + 1 >= text.size()) return 0;
+    return static_cast<unsigned char>(text[at]) | static_cast<unsigned>(static_cast<unsigned char>(text[at + 1])) << 8;
+  };
+  std::string utf8;
+  for (std::size_t at = 2; at + 1 < text.size(); at += 2) {
+    unsigned code = unit(at);
+    if (code >= 0xD800 && code < 0xE000) {
+      const unsigned low = unit(at + 2);
+      const bool pair = code < 0xDC00 && low >= 0xDC00 && low < 0xE000;
+      code = pair ? 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00) : 0xFFFD;
+      at += pair ? 2 : 0;
+    }
+    const int more = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;  // bytes after the first
+    constexpr unsigned kFirst[] = {0, 0xC0, 0xE0, 0xF0};
+    utf8 += static_cast<char>(kFirst[more] | code >> 6 * more);
+    for (int k = more - 1; k >= 0; --k) utf8 += static_cast<char>(0x80 | (code >> 6 * k & 0x3F));
+  }
+  return utf8;
+}
+
 }  // namespace
 
 Result<Project> loadProject(const std::string& path) {
-  const Result<std::string> text = readFile(path, "scene", sillon::kMaxProjectBytes);
+  Result<std::string> text = readFile(path, "scene", sillon::kMaxProjectBytes);
   if (!text) return text.error();
+  text = asUtf8(std::move(text).value());
   Result<Project> project = sillon::readProject(text.value());
   if (!project)
     return Error{project.error().code,

@@ -411,6 +411,22 @@ TEST_CASE("printers and filaments are listed, and one of them begins a project")
   }
 }
 
+TEST_CASE("a project that PowerShell has written is read") {
+  const Folder folder;
+  const std::u16string text =
+      u"{\"sillon\": 1, \"shape\": {\"builtin\": \"disc\", \"size\": [12, 0]}, "
+      u"\"toolpath\": {\"spacing\": 0.8}, \"printer\": {\"name\": \"\u00fc\u20ac\U0001F600\"}}\r\n";
+  std::string bytes = "\xFF\xFE";
+  for (const char16_t unit : text) bytes += {static_cast<char>(unit & 0xFF), static_cast<char>(unit >> 8)};
+  folder.write("mine.json", bytes);
+  const Run made = folder.run("generate mine.json --svg a.svg --project b.json");
+  CAPTURE(made.err);
+  REQUIRE(made.code == 0);
+  CHECK(Json::parse(readAll(folder.at("b.json")))["printer"]["name"] == "\xC3\xBC\xE2\x82\xAC\xF0\x9F\x98\x80");
+  folder.write("cut.json", bytes.substr(0, 41));
+  checkRefused(folder, "generate cut.json --svg a.svg", "scene \"cut.json\"");
+}
+
 TEST_CASE("what a killed run has left goes with the next one, and nothing else") {
   const Folder folder;
   const std::string left = ".sillon-12345678901234567890.tmp";
