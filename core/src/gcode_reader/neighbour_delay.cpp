@@ -41,7 +41,7 @@ void cutUp(const LaidBead& bead, std::vector<Piece>& pieces) {
 // The pieces of a layer, by square cells as wide as neighbours may be apart.
 class Neighbourhood {
  public:
-  explicit Neighbourhood(const std::vector<Piece>& pieces) : pieces_(pieces) {
+  explicit Neighbourhood(const std::vector<Piece>& pieces) {
     Bounds box;
     float widest = 0;
     for (const Piece& piece : pieces) {
@@ -57,8 +57,8 @@ class Neighbourhood {
     for (const Piece& piece : pieces) ++first_[cellOf(piece.at) + 1];
     for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
     std::vector<int> next(first_.begin(), first_.end() - 1);
-    order_.resize(pieces.size());
-    for (std::size_t k = 0; k < pieces.size(); ++k) order_[next[cellOf(pieces[k].at)]++] = static_cast<int>(k);
+    ordered_.resize(pieces.size());
+    for (const Piece& piece : pieces) ordered_[next[cellOf(piece.at)]++] = piece;
   }
 
   /// The longer of the waits for the neighbours on either side; infinite without any.
@@ -71,7 +71,7 @@ class Neighbourhood {
       const int begin = y * columns_ + std::max(column - 1, 0);
       const int end = y * columns_ + std::min(column + 1, columns_ - 1) + 1;
       for (int k = first_[begin]; k < first_[end]; ++k) {
-        const Piece& other = pieces_[order_[k]];
+        const Piece& other = ordered_[k];
         const Vec2f to = other.at - piece.at;
         const float mean = 0.5f * (piece.width + other.width);
         const float across = cross(piece.along, to);
@@ -93,13 +93,12 @@ class Neighbourhood {
            static_cast<std::size_t>(columnOf(p));
   }
 
-  const std::vector<Piece>& pieces_;
   Vec2 min_;
   double cell_ = 0;
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<int> first_;  // of each cell: its first place in order_
-  std::vector<int> order_;
+  std::vector<int> first_;      // of each cell: its first place in ordered_
+  std::vector<Piece> ordered_;  // cell by cell, since places in memory that jump cost more than the comparisons
 };
 
 void addWaits(const LaidBead* begin, const LaidBead* end, std::vector<Wait>& waits) {
