@@ -48,17 +48,18 @@ struct Switch {
   float miss;  ///< cost of the joint as Joining says [mm]
   int turns;   ///< U-turns that it adds, roughly
   /// Number of the two curves that it joins amid straight strands, as rings are joined: it makes two U-turns wherever
-  /// between the two it is. -1: it joins others.
+  /// between the two it is. -1: it joins others; below: two windings of one curve, likewise amid straight strands.
   int ring = -1;
 };
 
 /// The joints made, and all others that would cost little, the cheapest of each stretch of two strands: amid straight
-/// ones, where a joint makes two U-turns, only between curves that have such a joint.
+/// ones, where a joint makes two U-turns, only between curves that have such a joint, and between windings of one.
 std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, const Joining& joining,
                                  const RunContext& run);
 
 /// U-turns of a polyline as they will be once it is relaxed, counted as the report does.
-int uTurnsOf(std::vector<Vec2f>& line, float spacing);
+/// \param places  gets where they are.
+int uTurnsOf(std::vector<Vec2f>& line, float spacing, std::vector<Vec2f>* places = nullptr);
 
 /// U-turns of the path near the ends of two joints, as they are now. Calls before and after a toggle of both compare.
 int uTurnsNear(const Beads& beads, const Joining& joining, const Joint& a, const Joint& b);
@@ -93,7 +94,9 @@ class Tour {
   /// Gains of all exchanges with one pair of cuts, after some work that is done once for the pair.
   class Split {
    public:
-    Split(const Tour& tour, int low, int high);
+    /// What is kept from one split to the next, so that nothing is allocated.
+    class Room;
+    Split(const Tour& tour, int low, int high, Room& room);
     /// Bounds gain() from above, without its work. \param a,b  as there.
     [[nodiscard]] double atMost(int a, int b) const;
     /// Tells what the exchange gains. \param a,b  the other two cuts, one strictly between the pair and one outside,
@@ -115,9 +118,9 @@ class Tour {
 
     const Tour& tour_;
     int low_, high_;
-    std::int64_t kept_ = 0;            ///< lateness of links that no cut separates
-    std::vector<std::int64_t> added_;  ///< by rank of the element at which a cut is made
-    std::vector<Across> across_;
+    std::int64_t kept_ = 0;             ///< lateness of links that no cut separates
+    std::vector<std::int64_t>& added_;  ///< by rank of the element at which a cut is made
+    std::vector<Across>& across_;
   };
 
  private:
@@ -131,7 +134,7 @@ class Tour {
     int offset;
     int weight;
   };
-  [[nodiscard]] int late(int apart) const { return late_[apart / kLateStep]; }
+  [[nodiscard]] int late(int apart) const { return late_[static_cast<unsigned>(apart) / kLateStep]; }
   [[nodiscard]] int lateRound(int apart) const { return late(apart < size_ - apart ? apart : size_ - apart); }
   [[nodiscard]] int rankAt(int place) const;
 
@@ -146,6 +149,16 @@ class Tour {
   std::vector<Beside> beside_;
   std::vector<int> late_;  ///< lateness of a link, by its delay
   std::int64_t now_ = 0;
+};
+
+class Tour::Split::Room {
+  friend class Split;
+  struct Place {
+    int begin, rank;
+  };
+  std::vector<Place> places_;  ///< of each element, from the first cut on
+  std::vector<std::int64_t> added_;
+  std::vector<Across> across_;
 };
 
 /// A path whose order is searched: its points in the order that it has at first, and what lies at places on it.

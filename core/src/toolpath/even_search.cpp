@@ -8,19 +8,19 @@
 namespace sillon {
 namespace {
 
-constexpr int kLongestElement = 640;        ///< points
-constexpr double kTurnPrice = 4.5;          ///< one U-turn, in mm that are laid late
-constexpr double kMissPrice = 15;           ///< one unit of a joint's cost, in mm that are laid late
-constexpr double kLeastGain = 1;            ///< least gain of a move [mm]
-constexpr double kLeastShare = 0.5;         ///< least share of the gain that a move promised before others of its round
-constexpr double kMoreTurns = 0.02;         ///< share of the path's U-turns that may be added
-constexpr double kMostTurns = 0.03;         ///< more, counted on the whole path, and a sweep is undone
-constexpr double kMostMisaligned = 0.0013;  ///< likewise, as a share of the length
+constexpr int kLongestElement = 640;    ///< points
+constexpr double kTurnPrice = 4.5;      ///< one U-turn, in mm that are laid late
+constexpr double kDearTurn = 40;        ///< one that is added, at most, while the order is searched; a quarter at least
+constexpr double kMissPrice = 30;       ///< one unit of a joint's cost, in mm that are laid late
+constexpr double kDearer = 1.5;         ///< becomes that price each time that too much is misaligned
+constexpr double kLeastGain = 1;        ///< least gain of a move [mm]
+constexpr double kLeastShare = 0.5;     ///< least share of the gain that a move promised before others of its round
+constexpr double kMostTurns = 0.11;     ///< share of the path's U-turns that may be added where the border hides them
+constexpr double kMostInField = 0.015;  ///< elsewhere; some more come about when the path is relaxed
+constexpr double kHidden = 3;           ///< spacings from the border within which nobody sees a U-turn
+constexpr double kMostMisaligned = 0.0018;  ///< that may be added, as a share of the length before the path is relaxed
 constexpr double kMoreMiss =
-    0.002;                    ///< misaligned length times `stitchAlignment` that may be added, as a share of the path
-constexpr double kSlack = 8;  ///< times these while joints are drawn to one side
-constexpr double kDearer = 2.5;  ///< per try to keep the limits
-constexpr int kTries = 5;
+    0.016;  ///< misaligned length times `stitchAlignment` that may be added while it is searched
 constexpr int kRounds = 40;
 constexpr double kWork = 100;    ///< elements looked at per point of the path
 constexpr int kBatch = 256;      ///< switches between two looks at the work that is left
@@ -70,28 +70,44 @@ class Search {
               0.25 * params.spacing / kEvenSpeed),
         linkLength_(0.25 * kPointsPerLink * params.spacing),
         missPrice_(kMissPrice * kUsualPrice / std::max(kUsualPrice, params.stitchAlignment)),
+        mostMiss_(kMoreMiss * 0.25 * params.spacing * tour_.size() * std::max(1.0, params.stitchAlignment)),
         pull_(switches_.size(), 0.0),
         refused_(switches_.size()),
-        again_(switches_.size(), 1) {
+        again_(switches_.size()),
+        least_(linkLength_ * tour_.lateness()) {
     for (const Link& cut : path.cuts) ends_.emplace_back(tour_.elementAt(cut.a), tour_.elementAt(cut.b));
+    for (const Switch& one : switches_)
+      middles_.push_back((joining_.at(one.joint.i) + joining_.at(one.joint.j)) * 0.5f);
     atFirst_ = figuresOfPath();
-    limit_.turns = static_cast<int>(kMoreTurns * atFirst_.turns);
-    limit_.miss = kMoreMiss * 0.25 * params.spacing * tour_.size() * std::max(1.0, params.stitchAlignment);
     workLeft_ = static_cast<std::int64_t>(kWork * tour_.size());
   }
 
   // Bands of beads that hang from opposite sides meet in walls, which move at no gain, so that a search for gains stops
-  // there. Joints drawn to one side and then to the other make the walls wander until they meet.
+  // there. Joints drawn to one side and then to the other make the walls wander until they meet. U-turns that are dear
+  // at first, then cheap and dear again lead across hills that no limit lets a search cross; the best order on the way
+  // is kept.
   void improve() {
     const Vec2f along = meanLine();
-    sweep(along, 0);
-    std::fill(again_.begin(), again_.end(), 1);
-    const std::size_t done = done_.size();
-    takeGains();
-    if (done_.size() > done && !withinLimits()) undoFrom(done);
-    for (const double strength : {0.3, 0.9}) {
-      for (const double side : {1.0, -1.0}) sweep(along, side * strength);
-    }
+    const auto search = [&](double turnPrice) {
+      turnPrice_ = turnPrice;
+      lookAtJoints();
+      takeGains();
+      remember();
+    };
+    const auto draw = [&](double strength) {
+      sweep(along, strength);
+      sweep(along, -strength);
+      remember();
+    };
+    search(kDearTurn);
+    draw(0.9);
+    search(0.5 * kDearTurn);
+    search(0.25 * kDearTurn);
+    draw(0.3);
+    draw(0.9);
+    search(0.5 * kDearTurn);
+    search(kDearTurn);
+    undoFrom(best_);
   }
 
   [[nodiscard]] Tour takeTour() { return std::move(tour_); }
@@ -115,20 +131,25 @@ class Search {
     return a < b && b < c && c < d;
   }
 
-  [[nodiscard]] Vec2f middleOf(int s) const {
-    const Joint& joint = switches_[s].joint;
-    return (joining_.at(joint.i) + joining_.at(joint.j)) * 0.5f;
-  }
+  // Fewer U-turns than at first are worth little, so that alignment is not sold for them.
+  [[nodiscard]] double worthOf(int turns) const { return (turns > 0 ? turnPrice_ : kTurnPrice) * turns; }
 
   [[nodiscard]] double priceOf(const Toll& toll) const {
-    return turnWeight_ * kTurnPrice * toll.turns + missWeight_ * missPrice_ * toll.miss;
+    return worthOf(added_.turns + toll.turns) - worthOf(added_.turns) + missPrice_ * toll.miss;
   }
 
-  // Cost of toggling one switch, whatever its partner.
-  [[nodiscard]] double costOf(int s) const {
-    const Switch& one = switches_[s];
-    const double cost = priceOf({one.turns, static_cast<double>(one.miss)}) + pull_[s];
-    return one.joint.on ? -cost : cost;
+  // Cost of toggling two switches.
+  [[nodiscard]] double costOf(int s, int t) const {
+    Toll toll;
+    double pulled = 0;
+    for (const int k : {s, t}) {
+      const Switch& one = switches_[k];
+      const int sign = one.joint.on ? -1 : 1;
+      toll.turns += sign * one.turns;
+      toll.miss += sign * static_cast<double>(one.miss);
+      pulled += sign * pull_[k];
+    }
+    return priceOf(toll) + pulled;
   }
 
   // Mean direction of the path, up to its sign.
@@ -150,6 +171,7 @@ class Search {
   // Figures of the path as it will be once it is relaxed.
   struct Figures {
     int turns = 0;
+    int inField = 0;        ///< of these, where no border hides them
     double misaligned = 0;  ///< share of the length
   };
 
@@ -163,61 +185,59 @@ class Search {
       p = joining_.after(p);
     } while (p != *on);
     line.push_back(joining_.at(p));
-    Figures figures{uTurnsOf(line, beads_.spacing), 0};
+    Figures figures;
     double along = 0;
     for (std::size_t k = 1; k < line.size(); ++k) {
       along += static_cast<double>(length(line[k] - line[k - 1]));
       figures.misaligned += static_cast<double>(joining_.misalignment(line[k - 1], line[k]));
     }
     if (along > 0) figures.misaligned /= along;
+    std::vector<Vec2f> turns;
+    figures.turns = uTurnsOf(line, beads_.spacing, &turns);
+    for (const Vec2f p : turns) {
+      const Vec2 at{static_cast<double>(p.x), static_cast<double>(p.y)};
+      const bool hidden = std::abs(beads_.border.nearest(at).distance) <= kHidden * static_cast<double>(beads_.spacing);
+      figures.inField += hidden ? 0 : 1;
+    }
     return figures;
   }
 
-  // Moves count turns and misaligned length near their joints only; this looks at the whole path.
-  [[nodiscard]] bool withinLimits() const {
-    const Figures now = figuresOfPath();
-    return now.turns <= atFirst_.turns + 1 + static_cast<int>(kMostTurns * atFirst_.turns) &&
-           now.misaligned <= atFirst_.misaligned + kMostMisaligned;
-  }
-
   [[nodiscard]] double score() const {
-    return linkLength_ * tour_.lateness() + kTurnPrice * added_.turns + missPrice_ * added_.miss;
+    return linkLength_ * tour_.lateness() + worthOf(added_.turns) + missPrice_ * added_.miss;
   }
 
-  [[nodiscard]] bool overTurns() const { return added_.turns > limit_.turns; }
-  [[nodiscard]] bool overMiss() const { return added_.miss > limit_.miss; }
-
-  // Draws joints to one side, if with any strength, and over the limits; then lets go, and keeps what came of it if it
-  // is better.
+  // Draws joints to one side; then lets go, and keeps what came of it if it is better.
   void sweep(Vec2f along, double strength) {
     if (run_.cancelled() || workLeft_ <= 0) return;
     const double before = score();
     const std::size_t done = done_.size();
-    const Toll limit = limit_;
-    for (int s = 0; s < static_cast<int>(pull_.size()); ++s)
-      pull_[s] = strength * static_cast<double>(dot(middleOf(s), along));
-    limit_ = {static_cast<int>(kSlack * limit.turns), kSlack * limit.miss};
-    const std::int64_t rest = workLeft_ / 2;  // to come back within the limits
-    workLeft_ -= rest;
-    lookAtJoints();
-    takeGains();
-    workLeft_ += rest;
-    limit_ = limit;
-    std::fill(pull_.begin(), pull_.end(), 0.0);
-    settle();
-    if (score() > before - kLeastGain || overTurns() || overMiss() || !withinLimits()) undoFrom(done);
-  }
-
-  // Makes what is over its limit dearer until it is no more.
-  void settle() {
-    for (int k = 0; k < kTries; ++k) {
+    const auto turned = [&](double by) {
+      for (std::size_t s = 0; s < pull_.size(); ++s) pull_[s] = by * static_cast<double>(dot(middles_[s], along));
       lookAtJoints();
       takeGains();
-      if (overTurns()) turnWeight_ *= kDearer;
-      if (overMiss()) missWeight_ *= kDearer;
-      if (!overTurns() && !overMiss()) break;
+    };
+    turned(strength);
+    turned(0);
+    if (score() > before - kLeastGain) undoFrom(done);
+  }
+
+  // Keeps this order in mind if it is the most even so far of those within the limits.
+  void remember() {
+    const double late = linkLength_ * tour_.lateness();
+    if (done_.size() == seen_ || late >= least_) return;
+    seen_ = done_.size();
+    const Figures now = figuresOfPath();
+    const auto within = [&](double share, int turns, int first) {
+      return turns <= first + 1 + static_cast<int>(share * atFirst_.turns);
+    };
+    const double cost = late + kTurnPrice * std::max(0, now.turns - atFirst_.turns);
+    if (now.misaligned > atFirst_.misaligned + kMostMisaligned) {
+      missPrice_ *= kDearer;
+    } else if (within(kMostTurns, now.turns, atFirst_.turns) && within(kMostInField, now.inField, atFirst_.inField) &&
+               cost < least_) {
+      least_ = cost;
+      best_ = done_.size();
     }
-    turnWeight_ = missWeight_ = 1;
   }
 
   void undoFrom(std::size_t first) {
@@ -263,13 +283,22 @@ class Search {
     const std::vector<int> next = nextToLookAt();
     std::vector<char> blocked;
     for (const Switch& one : switches_) blocked.push_back(joining_.blocked(one.joint) ? 1 : 0);
+    sides_.clear();
+    for (int s = 0; s < static_cast<int>(switches_.size()); ++s) {
+      const auto [low, high] = cutsOf(s);
+      sides_.push_back({low, high, s});
+      sides_.push_back({high, low, s});
+    }
+    std::sort(sides_.begin(), sides_.end(),
+              [](const Side& a, const Side& b) { return std::tie(a.at, a.of) < std::tie(b.at, b.of); });
     std::vector<Move> moves(next.size());
     std::vector<std::int64_t> work(next.size());
     int looked = 0;
     while (looked < static_cast<int>(next.size()) && workLeft_ > 0 && !run_.cancelled()) {
       const int batch = std::min(kBatch, static_cast<int>(next.size()) - looked);
       parallelFor(run_, batch, 8, [&](int begin, int end) {
-        for (int k = looked + begin; k < looked + end; ++k) moves[k] = bestWith(next[k], blocked, work[k]);
+        Tour::Split::Room room;
+        for (int k = looked + begin; k < looked + end; ++k) moves[k] = bestWith(next[k], blocked, room, work[k]);
       });
       for (int k = 0; k < batch; ++k) workLeft_ -= work[looked++];
     }
@@ -282,24 +311,31 @@ class Search {
   }
 
   // Partners with the highest bounds come first, so that few need an exact gain: a third of the time.
-  [[nodiscard]] Move bestWith(int s, const std::vector<char>& blocked, std::int64_t& work) const {
+  [[nodiscard]] Move bestWith(int s, const std::vector<char>& blocked, Tour::Split::Room& room,
+                              std::int64_t& work) const {
     const auto [low, high] = cutsOf(s);
     Move best{kLeastGain, s, -1, {}};
     if (low == high) return best;
-    const Tour::Split split(tour_, low, high);
-    work += tour_.work();
     struct Partner {
       double atMost;  ///< gain of the move [mm]
       int other;
     };
     std::vector<Partner> partners;
-    for (int t = 0; t < static_cast<int>(switches_.size()); ++t) {
-      const auto [a, b] = cutsOf(t);
-      const bool interlaced = (low < a && a < high && high < b) || (a < low && low < b && b < high);
-      if (!interlaced || !mayMeet(s, t) || hopeless(s, t, blocked) || hopeless(t, s, blocked)) continue;
-      if (std::find(refused_[s].begin(), refused_[s].end(), t) != refused_[s].end()) continue;
-      const double atMost = linkLength_ * split.atMost(ends_[t].first, ends_[t].second) - costOf(s) - costOf(t);
-      if (atMost > kLeastGain) partners.push_back({atMost, t});
+    // A partner has one cut between the two of this one, and the other is not.
+    const auto first =
+        std::upper_bound(sides_.begin(), sides_.end(), low, [](int at, const Side& side) { return at < side.at; });
+    for (auto side = first; side != sides_.end() && side->at < high; ++side) {
+      const int t = side->of;
+      if ((low <= side->other && side->other <= high) || !mayMeet(s, t)) continue;
+      if (hopeless(s, t, blocked) || hopeless(t, s, blocked)) continue;
+      if (std::find(refused_[s].begin(), refused_[s].end(), t) == refused_[s].end()) partners.push_back({0, t});
+    }
+    if (partners.empty()) return best;
+    const Tour::Split split(tour_, low, high, room);
+    work += tour_.work();
+    for (Partner& partner : partners) {
+      const auto [a, b] = ends_[partner.other];
+      partner.atMost = linkLength_ * split.atMost(a, b) - costOf(s, partner.other);
     }
     std::sort(partners.begin(), partners.end(), [](const Partner& a, const Partner& b) {
       return std::tie(b.atMost, a.other) < std::tie(a.atMost, b.other);
@@ -307,7 +343,7 @@ class Search {
     for (const Partner& partner : partners) {
       if (partner.atMost <= best.gain) break;
       const int t = partner.other;
-      const double costs = costOf(s) + costOf(t);
+      const double costs = costOf(s, t);
       const double least = (best.gain + costs) / linkLength_;
       const double gain = linkLength_ * split.gain(ends_[t].first, ends_[t].second, least, work) - costs;
       if (gain > best.gain) best = {gain, s, t, {}};
@@ -327,7 +363,7 @@ class Search {
   [[nodiscard]] bool hopeless(int s, int other, const std::vector<char>& blocked) const {
     if (blocked[s] == 0) return false;
     if (!switches_[other].joint.on) return true;
-    return length(middleOf(s) - middleOf(other)) > 4 * beads_.spacing;
+    return length(middles_[s] - middles_[other]) > 4 * beads_.spacing;
   }
 
   // Earlier moves of the round may have changed what this one gains.
@@ -336,7 +372,7 @@ class Search {
     Cuts cuts{};
     if (!cutsOf(move, cuts)) return;
     const double gain = linkLength_ * tour_.gain(cuts);
-    if (gain - costOf(move.first) - costOf(move.second) < kLeastShare * move.gain) return;
+    if (gain - costOf(move.first, move.second) < kLeastShare * move.gain) return;
     if (!toggle(move, gain)) {
       refused_[move.first].push_back(move.second);
       refused_[move.second].push_back(move.first);
@@ -344,9 +380,9 @@ class Search {
     }
     tour_.exchange(cuts);
     for (const int s : {move.first, move.second}) {
-      const Vec2f middle = middleOf(s);
+      const Vec2f middle = middles_[s];
       for (int t = 0; t < static_cast<int>(again_.size()); ++t) {
-        if (length(middleOf(t) - middle) < kAround) again_[t] = 1;
+        if (length(middles_[t] - middle) < kAround) again_[t] = 1;
       }
     }
   }
@@ -367,8 +403,7 @@ class Search {
                     made(a, static_cast<double>(switches_[move.first].miss)) +
                         made(b, static_cast<double>(switches_[move.second].miss))};
     const double pulled = made(a, pull_[move.first]) + made(b, pull_[move.second]);
-    const bool tooMuch = (toll.turns > 0 && added_.turns + toll.turns > limit_.turns) ||
-                         (toll.miss > 0 && added_.miss + toll.miss > limit_.miss);
+    const bool tooMuch = toll.miss > 0 && added_.miss + toll.miss > mostMiss_;
     if (tooMuch || gain - priceOf(toll) - pulled < kLeastGain) {
       joining_.toggle(b);
       joining_.toggle(a);
@@ -388,15 +423,23 @@ class Search {
   Tour tour_;
   double linkLength_;                      ///< [mm]
   double missPrice_;                       ///< of a unit of a joint's cost [mm]
+  double mostMiss_;                        ///< cost of joints that may be added while the order is searched
   std::vector<std::pair<int, int>> ends_;  ///< of each switch, the elements after which it cuts
+  struct Side {
+    int at, other;  ///< places of the two cuts
+    int of;         ///< switch
+  };
+  std::vector<Side> sides_;                ///< of all switches, in order of their places now
+  std::vector<Vec2f> middles_;             ///< of the switches
   std::vector<double> pull_;               ///< extra cost of a joint for its side [mm]
   std::vector<std::vector<int>> refused_;  ///< partners with which a switch could not be toggled
   std::vector<char> again_;                ///< switches to be looked at, as something near them has changed
   std::vector<Move> done_;
   Toll added_;
-  Toll limit_;
-  double turnWeight_ = 1;
-  double missWeight_ = 1;
+  double turnPrice_ = 0;  ///< of a U-turn more than at first [mm]
+  double least_;          ///< cost of the best order so far [mm]
+  std::size_t best_ = 0;  ///< moves that lead to it
+  std::size_t seen_ = 0;  ///< moves when an order was last looked at
   Figures atFirst_;
   std::int64_t workLeft_ = 0;
 };

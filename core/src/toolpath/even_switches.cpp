@@ -8,13 +8,16 @@ namespace sillon {
 namespace {
 
 constexpr int kStride = 2;         ///< points from one that looks for a joint to the next
-constexpr int kApart = 20;         ///< points from one joint to the next between two strands
+constexpr int kApart = 40;         ///< points from one joint to the next between two strands
 constexpr int kLeastLoop = 40;     ///< points that a joint within a curve splits off
-constexpr float kStraight = 0.9f;  ///< cosine over four spacings
+constexpr float kStraight = 0.7f;  ///< cosine over four spacings, from which on a joint makes two U-turns
 constexpr float kTurnCost = 0.3f;  ///< price of an added U-turn, to choose between neighbours [mm]
 constexpr float kDearest = 1.5f;   ///< joint by the usual price of misalignment [mm]
 constexpr int kMostTurns = 1;      ///< added by a joint
-constexpr int kTurnsOfRings = 2;   ///< likewise, between rings
+constexpr int kTurnsOfRings = 2;   ///< likewise, between rings and between windings
+constexpr int kFar = 1200;         ///< points along a curve from one of its windings to the next
+constexpr int kFarStride = 40;     ///< points from one that looks for a joint between windings to the next
+constexpr int kWinding = -2;       ///< Switch::ring of a joint between two windings of one curve
 
 // The point `steps` after one of the same curve, or before it.
 int stepped(const Beads& beads, const Joining& joining, int point, int steps) {
@@ -192,12 +195,14 @@ std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, con
 
   const auto look = [&](int i, int j, bool straight, std::vector<Possible>& out) {
     if (j < 0) return;
-    const int ring = straight ? rings.numberOf(joining.curveOf(i), joining.curveOf(j)) : -1;
-    if (straight && ring < 0) return;
+    int ring = straight ? rings.numberOf(joining.curveOf(i), joining.curveOf(j)) : -1;
     if (joining.curveOf(i) == joining.curveOf(j)) {
       const int apart = std::abs(i - j);
-      if (std::min(apart, beads.curves.size(joining.curveOf(i)) - apart) < kLeastLoop) return;
+      const int along = std::min(apart, beads.curves.size(joining.curveOf(i)) - apart);
+      if (along < kLeastLoop) return;
+      if (ring < 0 && straight && along > kFar && i % kFarStride == 0) ring = kWinding;
     }
+    if (straight && ring == -1) return;
     const Joint joint{std::min(i, j), std::max(i, j), kSpan};
     const float miss = joining.cost(joint.i, joint.j, kSpan);
     if (miss < dearest) out.push_back({miss, {joint, miss, 0, ring}});
@@ -205,14 +210,14 @@ std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, con
   std::vector<Possible> possible = found<Possible>((count + kStride - 1) / kStride, run, [&](int k, auto& out) {
     const int i = k * kStride;
     const bool straight = straightAround(beads, joining, i);
-    if (straight && !rings.any(joining.curveOf(i))) return;
+    if (straight && i % kFarStride != 0 && !rings.any(joining.curveOf(i))) return;
     const Sides sides = besides(beads, joining, i, 1.8f * beads.spacing,
                                 [&](int j, Vec2f t) { return dot(t, tangentOf(beads, joining, j)) <= -0.7f; });
     look(i, sides.left, straight, out);
     look(i, sides.right, straight, out);
   });
   // Turns are counted for few: that takes longer than all the rest.
-  thinOut(possible, Taken(count, kApart / 4));
+  thinOut(possible, Taken(count, kApart / 8));
   parallelFor(run, static_cast<int>(possible.size()), 64, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       Switch& made = possible[k].made;
@@ -220,8 +225,9 @@ std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, con
       possible[k].cost = price * made.miss + kTurnCost * static_cast<float>(made.turns);
     }
   });
-  std::erase_if(possible,
-                [](const Possible& one) { return one.made.turns > (one.made.ring < 0 ? kMostTurns : kTurnsOfRings); });
+  std::erase_if(possible, [](const Possible& one) {
+    return one.made.turns > (one.made.ring == -1 ? kMostTurns : kTurnsOfRings);
+  });
   thinOut(possible, taken);
   for (const Possible& one : possible) switches.push_back(one.made);
   return switches;

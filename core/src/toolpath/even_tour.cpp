@@ -154,38 +154,38 @@ std::vector<double> Tour::latenessOfBegins(const std::vector<Link>& links) const
 
 // The pair of cuts makes two rings: [low, high), and the rest from `high` on. A third and a fourth cut open each, and
 // the one is put into the other. Links within a ring depend on one of these cuts only.
-Tour::Split::Split(const Tour& tour, int low, int high)
-    : tour_(tour), low_(low), high_(high), added_(2 * tour.order_.size() + 2, 0) {
-  const int count = static_cast<int>(tour.order_.size());
+Tour::Split::Split(const Tour& tour, int low, int high, Room& room)
+    : tour_(tour), low_(low), high_(high), added_(room.added_), across_(room.across_) {
+  const std::size_t count = tour.order_.size();
   const int inside = high - low;
   const int outside = tour.size_ - inside;
+  added_.assign(2 * count + 2, 0);
+  across_.clear();
+  // Both rings begin at the first cut, so that one comparison tells in which of them an element is.
+  room.places_.resize(count);
+  for (std::size_t e = 0; e < count; ++e) {
+    const bool before = tour.begin_[e] < low;
+    room.places_[e] = {tour.begin_[e] + (before ? tour.size_ : 0),
+                       tour.rank_[e] + (before ? static_cast<int>(count) : 0)};
+  }
+  std::int64_t* const added = added_.data() + 1;
+  std::int64_t kept = 0;
   for (const Bond& bond : tour.bonds_) {
-    int a = tour.begin_[bond.a];
-    int b = tour.begin_[bond.b];
-    const bool in = a >= low && a < high;
-    if (in != (b >= low && b < high)) {
-      const int out = in ? b : a;
-      across_.push_back({in ? a : b, out < low ? out + tour.size_ : out, in ? bond.offset : -bond.offset, bond.weight});
+    const Room::Place a = room.places_[bond.a];
+    const Room::Place b = room.places_[bond.b];
+    const bool in = a.begin < high;
+    if (in != (b.begin < high)) {
+      across_.push_back({in ? a.begin : b.begin, in ? b.begin : a.begin, in ? bond.offset : -bond.offset, bond.weight});
       continue;
     }
-    int rankA = tour.rank_[bond.a];
-    int rankB = tour.rank_[bond.b];
-    if (a < low) {
-      a += tour.size_;
-      rankA += count;
-    }
-    if (b < low) {
-      b += tour.size_;
-      rankB += count;
-    }
-    const int apart = std::abs(a - b + bond.offset);
+    const int apart = std::abs(a.begin - b.begin + bond.offset);
     const int together = tour.lateRound(apart);
-    kept_ += static_cast<std::int64_t>(bond.weight) * together;
+    kept += static_cast<std::int64_t>(bond.weight) * together;
     const int cut = bond.weight * (tour.lateRound(std::max(0, (in ? inside : outside) - apart)) - together);
-    if (rankA > rankB) std::swap(rankA, rankB);
-    added_[static_cast<std::size_t>(rankA) + 1] += cut;
-    added_[static_cast<std::size_t>(rankB) + 1] -= cut;
+    added[std::min(a.rank, b.rank)] += cut;
+    added[std::max(a.rank, b.rank)] -= cut;
   }
+  kept_ = kept;
   for (std::size_t k = 1; k < added_.size(); ++k) added_[k] += added_[k - 1];
 }
 

@@ -13,6 +13,7 @@ constexpr int kMeans = 5;    ///< rounds of smoothing, after which as many turns
 // The same line in equal steps.
 void equalSteps(std::vector<Vec2f>& line, float step) {
   std::vector<Vec2f> out{line.front()};
+  out.reserve(line.size() + line.size() / 4);
   float need = step;
   for (std::size_t k = 1; k < line.size(); ++k) {
     Vec2f from = line[k - 1];
@@ -94,7 +95,7 @@ class Surroundings {
 
 }  // namespace
 
-int uTurnsOf(std::vector<Vec2f>& line, float spacing) {
+int uTurnsOf(std::vector<Vec2f>& line, float spacing, std::vector<Vec2f>* places) {
   constexpr int kApart = 6;  // steps of tau/4 between the headings that are compared
   if (line.empty()) return 0;
   equalSteps(line, 0.25f * spacing);
@@ -106,7 +107,10 @@ int uTurnsOf(std::vector<Vec2f>& line, float spacing) {
     const Vec2f u = line[k + 1] - line[k];
     const Vec2f v = line[k + kApart + 1] - line[k + kApart];
     const bool turning = dot(u, v) <= -0.5f * length(u) * length(v);
-    turns += turning && !before ? 1 : 0;
+    if (turning && !before) {
+      ++turns;
+      if (places != nullptr) places->push_back(line[k + kApart / 2]);
+    }
     before = turning;
   }
   return turns;
