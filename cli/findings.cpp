@@ -22,10 +22,12 @@ nlohmann::ordered_json findingsJson(const std::vector<sillon::GcodeFinding>& fin
 }
 
 std::string delayLine(const sillon::NeighbourDelay& delay) {
-  char line[160];
-  std::snprintf(line, sizeof line,
-                "order      %.1f %% of the visible length waits over 30 s for its neighbour, %.1f %% over 120 s\n",
-                100 * delay.over30, 100 * delay.over120);
+  char line[200];
+  std::snprintf(
+      line, sizeof line,
+      "order      %.1f %% of the visible length waits over 30 s for its neighbour, %.1f %% over 120 s; %.1f %% is "
+      "squeezed between earlier beads\n",
+      100 * delay.over30, 100 * delay.over120, 100 * delay.squeezed);
   return line;
 }
 

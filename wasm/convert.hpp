@@ -365,6 +365,7 @@ inline val toJs(const sillon::GcodeCheck& check, const std::vector<std::string>&
     delay.set("over30", check.delay->over30);
     delay.set("over120", check.delay->over120);
     delay.set("most", check.delay->most);
+    delay.set("squeezed", check.delay->squeezed);
   }
   out.set("neighbourDelay", delay);
   return out;

@@ -1283,6 +1283,8 @@ export interface NeighbourDelay {
   over120: number;
   /** 90 % of the length wait no longer [s]. */
   most: number;
+  /** Share of the length between two beads laid earlier: there the sense changes in which beads lean, and with it the shine. */
+  squeezed: number;
 }
 
 /** One rule that was broken, however often. */

@@ -104,8 +104,10 @@ std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::st
   for (const double share : check.coverage) out["coverage"].push_back(known(share));
   out["neighbourDelay"] = nullptr;
   if (check.delay) {
-    out["neighbourDelay"] = {
-        {"over30", check.delay->over30}, {"over120", check.delay->over120}, {"most", check.delay->most}};
+    out["neighbourDelay"] = {{"over30", check.delay->over30},
+                             {"over120", check.delay->over120},
+                             {"most", check.delay->most},
+                             {"squeezed", check.delay->squeezed}};
   }
   if (!check.box.empty()) {
     out["box"] = {{"min", {check.box.min.x, check.box.min.y}}, {"max", {check.box.max.x, check.box.max.y}}};

@@ -122,8 +122,9 @@ void qualityRow(const std::string& name, const sillon::Measures& m) {
 }
 
 void quality(const std::vector<std::string>& scenes, const std::string& perimeters) {
-  std::printf("%-27s %8s %8s %8s %7s %7s %7s %7s %6s %6s %6s %5s %6s %5s %6s\n", "scene", "align", "inner", "constr.",
-              "cover%", "over%", "spill%", "fill", "U-turn", "bound", "kinks", "cross", "cycles", "parts", "paths");
+  std::printf("%-27s %8s %8s %8s %7s %7s %7s %7s %6s %6s %6s %5s %6s %5s %6s %6s %6s %6s\n", "scene", "align", "inner",
+              "constr.", "cover%", "over%", "spill%", "fill", "U-turn", "bound", "kinks", "cross", "cycles", "parts",
+              "paths", ">30s%", ">120s%", "squee%");
   const RunContext run(2);
   for (const std::string& path : scenes) {
     Loaded scene;
@@ -164,6 +165,10 @@ void quality(const std::vector<std::string>& scenes, const std::string& perimete
     v.kinks = turns.value().kinks;
     v.crossings = turns.value().crossings;
     qualityRow("  as written", v);
+    if (const auto& delay = written.delay) {
+      std::printf(" %6s %5s %6s %6.1f %6.1f %6.1f", "", "", "", 100 * delay->over30, 100 * delay->over120,
+                  100 * delay->squeezed);
+    }
     std::printf("\n");
     std::fflush(stdout);
   }

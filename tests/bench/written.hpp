@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sillon/gcode/writer.hpp"
+#include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "support/gcode_check.hpp"
 
@@ -19,6 +21,7 @@ namespace bench {
 struct Written {
   sillon::Toolpath path;
   sillon::Toolpath beads;
+  std::optional<sillon::NeighbourDelay> delay;
   std::string error;  ///< why nothing was written; else empty
 };
 
@@ -45,6 +48,7 @@ inline Written writtenToolpath(const sillon::Toolpath& toolpath, const sillon::S
     written.error = summary.error().message;
     return written;
   }
+  written.delay = sillon::checkGcode(text, printer).delay;
   const double filament = std::numbers::pi / 4 * printer.filamentDiameter * printer.filamentDiameter;  // [mm²]
   const double perMm = params.flow * params.layerHeight / filament;  // of a bead 1 mm wide
   written.path.spacing = written.beads.spacing = toolpath.spacing;

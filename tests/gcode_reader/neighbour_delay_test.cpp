@@ -71,23 +71,28 @@ NeighbourDelay bruteForce(const std::string& text, double width) {
   double all = 0;
   for (const Piece& piece : pieces) {
     double sides[2] = {-1, -1};
+    bool before[2] = {false, false};
     for (const Piece& other : pieces) {
       const Vec2 to = other.at - piece.at;
       const double across = cross(piece.along, to);
       if (std::abs(dot(piece.along, to)) > 0.6 * width) continue;
       if (std::abs(across) < 0.6 * width || std::abs(across) > 1.4 * width) continue;
-      double& side = sides[across > 0 ? 1 : 0];
+      const int side = across > 0 ? 1 : 0;
       const double wait = std::abs(other.time - piece.time);
-      side = side < 0 ? wait : std::min(side, wait);
+      if (sides[side] >= 0 && sides[side] <= wait) continue;
+      sides[side] = wait;
+      before[side] = other.time < piece.time;
     }
     const double wait = std::max(sides[0], sides[1]);
     if (wait < 0) continue;
     all += piece.length;
     if (wait > 30) delay.over30 += piece.length;
     if (wait > 120) delay.over120 += piece.length;
+    if (before[0] && before[1]) delay.squeezed += piece.length;
   }
   delay.over30 /= all;
   delay.over120 /= all;
+  delay.squeezed /= all;
   return delay;
 }
 
@@ -100,6 +105,41 @@ TEST_CASE("a bead waits for the later of its two neighbours") {
   CHECK(delay->over30 == doctest::Approx(1));
   CHECK(delay->over120 == doctest::Approx(2.0 / 3));
   CHECK(delay->most == doctest::Approx(160));
+  CHECK(delay->squeezed == 0);
+}
+
+TEST_CASE("a bead is squeezed where both of its neighbours were laid before it") {
+  CHECK(neighbourDelay({beadAt(0, 0), beadAt(0.8f, 10), beadAt(0.4f, 20)})->squeezed == doctest::Approx(1.0 / 3));
+  // Laid later on both sides; and beside one bead only.
+  CHECK(neighbourDelay({beadAt(0.4f, 0), beadAt(0, 10), beadAt(0.8f, 20)})->squeezed == 0);
+  // The nearest in time on a side tells, and a bead over two others on one side leans on the later of them.
+  CHECK(neighbourDelay({beadAt(0, 0), beadAt(0.8f, 10), beadAt(0.4f, 20), beadAt(0.8f, 21)})->squeezed == 0);
+}
+
+TEST_CASE("a purge in the air is no layer that is seen") {
+  // Marked as no oriented bead, or in the start block, which may end 50 mm above the bed.
+  Project project;
+  project.builtin = BuiltinShape::Disc;
+  project.builtinSize = {10, 0};
+  project.printer.startGcode = "G28\nM190 S60\nM109 S220\nG1 Z50 F600\nG1 X20 Y20 F3000\nG1 X60 E9 F300\n";
+  const auto read = [&] {
+    const RunContext run(1);
+    const auto noFiles = [](const std::string& name, const std::string&) -> Result<InputFile> {
+      return Error{ErrorCode::InvalidFile, "there is no " + name};
+    };
+    std::string text;
+    const auto sink = [&](std::string_view piece) {
+      text += piece;
+      return true;
+    };
+    Result<Plate> plate = makePlate(project, noFiles, {}, run);
+    REQUIRE_MESSAGE(plate.ok(), plate.error().message);
+    REQUIRE_FALSE(writePlateGcode(plate.value(), {}, sink, run));
+    return *checkGcode(text, project.printer).delay;
+  };
+  const NeighbourDelay purged = read();
+  project.printer.startGcode = "G28\nM190 S60\nM109 S220\n";
+  CHECK(purged.most == doctest::Approx(read().most).epsilon(0.01));
 }
 
 TEST_CASE("beads side by side that are laid at once wait for nothing, and single ones have no neighbour") {
@@ -152,5 +192,7 @@ TEST_CASE("the delay of a file is what a comparison of all pieces with all other
     // Widths of single beads differ from the spacing, and with them which pieces count as beside one another.
     CHECK(std::abs(read->over30 - all.over30) < 0.03);
     CHECK(std::abs(read->over120 - all.over120) < 0.03);
+    CHECK(all.squeezed > 0.05);
+    CHECK(std::abs(read->squeezed - all.squeezed) < 0.03);
   }
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "gcode_reader/coverage.hpp"
 
@@ -24,6 +25,7 @@ struct Piece {
 struct Wait {
   float seconds;
   float length;
+  bool squeezed;
 };
 
 void cutUp(const LaidBead& bead, std::vector<Piece>& pieces) {
@@ -62,8 +64,8 @@ class Neighbourhood {
   }
 
   /// The longer of the waits for the neighbours on either side; infinite without any.
-  [[nodiscard]] float wait(const Piece& piece) const {
-    float left = kUnknown;
+  [[nodiscard]] Wait wait(const Piece& piece) const {
+    float left = kUnknown;  // negative: the neighbour lies there already
     float right = kUnknown;
     const int column = columnOf(piece.at);
     const int row = rowOf(piece.at);
@@ -78,11 +80,12 @@ class Neighbourhood {
         if (std::abs(dot(piece.along, to)) > kAlong * mean) continue;
         if (std::abs(across) < kNearest * mean || std::abs(across) > kFarthest * mean) continue;
         float& side = across > 0 ? left : right;
-        side = std::min(side, std::abs(other.time - piece.time));
+        const float after = other.time - piece.time;
+        if (std::abs(after) < std::abs(side)) side = after;
       }
     }
-    if (left == kUnknown || right == kUnknown) return std::min(left, right);
-    return std::max(left, right);
+    const auto [less, more] = std::minmax({std::abs(left), std::abs(right)});
+    return {more == kUnknown ? less : more, piece.length, left < 0 && right < 0};
   }
 
  private:
@@ -109,8 +112,8 @@ void addWaits(const LaidBead* begin, const LaidBead* end, std::vector<Wait>& wai
   if (pieces.empty()) return;
   const Neighbourhood neighbourhood(pieces);
   for (const Piece& piece : pieces) {
-    const float wait = neighbourhood.wait(piece);
-    if (wait != kUnknown) waits.push_back({wait, piece.length});
+    const Wait wait = neighbourhood.wait(piece);
+    if (wait.seconds != kUnknown) waits.push_back(wait);
   }
 }
 
@@ -130,7 +133,7 @@ std::optional<NeighbourDelay> neighbourDelay(const std::vector<LaidBead>& beads)
   if (waits.empty()) return std::nullopt;
   // By length, too: sums of numbers in another order may end in another digit.
   std::sort(waits.begin(), waits.end(), [](const Wait& a, const Wait& b) {
-    return a.seconds != b.seconds ? a.seconds < b.seconds : a.length < b.length;
+    return std::tie(a.seconds, a.length, a.squeezed) < std::tie(b.seconds, b.length, b.squeezed);
   });
   double all = 0;
   for (const Wait& wait : waits) all += static_cast<double>(wait.length);
@@ -142,6 +145,7 @@ std::optional<NeighbourDelay> neighbourDelay(const std::vector<LaidBead>& beads)
     sum += static_cast<double>(wait.length);
     if (wait.seconds > 30) delay.over30 += share;
     if (wait.seconds > 120) delay.over120 += share;
+    if (wait.squeezed) delay.squeezed += share;
   }
   return delay;
 }

@@ -149,7 +149,7 @@ std::string printJson(const PrintTotals& print) {
 
 std::string delayJson(const NeighbourDelay& delay) {
   return "{\"over30\": " + number(delay.over30, 4) + ", \"over120\": " + number(delay.over120, 4) +
-         ", \"most\": " + number(delay.most, 1) + "}";
+         ", \"most\": " + number(delay.most, 1) + ", \"squeezed\": " + number(delay.squeezed, 4) + "}";
 }
 
 std::string perimeterText(const ToolpathParams& params) {

@@ -48,11 +48,13 @@ inline constexpr double kNeighbourAlong = 0.6;     ///< greatest distance along 
 ///
 /// A bead that is squeezed between beads that cooled minutes ago lies higher and shines
 /// differently. Counted is the longer of the waits on its two sides, by the lengths and speeds of
-/// the moves.
+/// the moves. A bead leans on the neighbour that was there before it: one that has both is
+/// squeezed, and there the sense changes in which beads lean, and with it the shine.
 struct NeighbourDelay {
   double over30 = 0;   ///< share of the length beside a bead laid more than 30 s earlier or later
   double over120 = 0;  ///< more than 120 s
   double most = 0;     ///< 90 % of the length wait no longer [s]
+  double squeezed = 0;  ///< share of the length between two beads laid earlier
 };
 
 /// What the file does. Lengths mm, speeds mm/s.
