@@ -237,6 +237,7 @@ export const de: Translation = {
   'legend.direction': 'Richtung der Bahnen',
   'legend.first': 'Anfang',
   'legend.last': 'Ende',
+  'legend.squeezed': 'eingeklemmt',
   'files.opened': '{name}: {role}.',
   'files.sized': 'Eine Einheit fehlt; die Größe ist daher die der vorigen Platte: {width} × {height} mm.',
   'files.strip':
@@ -261,6 +262,7 @@ export const de: Translation = {
   'colour.speed': 'Tempo',
   'colour.order': 'Reihenfolge',
   'colour.delay': 'Wartezeit',
+  'colour.lean': 'Seite der Neigung',
   'view.options': 'Ansicht und Licht',
   'light.title': 'Licht',
   'light.drag': 'Lampe um die Platte ziehen',
@@ -644,6 +646,7 @@ export const de: Translation = {
   'measure.uTurns': 'Kehren',
   'measure.kinks': 'Knicke',
   'measure.order': 'Reihenfolge',
+  'measure.squeezed': 'Neigung',
   'measure.widths': 'Bahnbreiten',
   'measure.fill': 'Kunststoff',
   'measure.lost': 'Verlorene Details',
@@ -665,6 +668,10 @@ export const de: Translation = {
     'Bahnen folgen bald auf ihre Nachbarn: {percent} % liegen über zwei Minuten auseinander. Die einfache Oberseite eines Slicers hat {usual} %.',
   'verdict.order.fair':
     '{percent} % der Bahnen liegen zeitlich über zwei Minuten von einer Nachbarbahn entfernt und können anders glänzen. Die einfache Oberseite eines Slicers hat {usual} %.',
+  'verdict.squeezed.good':
+    'Fast alle Bahnen lehnen sich auf die Bahn, die vor ihnen da war; {percent} % sind zwischen zwei früheren eingeklemmt.',
+  'verdict.squeezed.fair':
+    '{percent} % der Bahnen sind zwischen zwei früheren eingeklemmt. Dort wechselt die Seite, zu der sich Bahnen neigen, und mit ihr der Glanz; „Farbe zeigt: Seite der Neigung“ zeigt die Grenzen.',
   'verdict.overlap.good': 'Die Bahnen überlappen kaum: {percent} % der Form.',
   'verdict.overlap.fair': 'Die Bahnen überlappen auf {percent} % der Form; dort kann die Oberfläche rau sein.',
   'verdict.overlap.poor': 'Die Bahnen überlappen auf {percent} % der Form. Glattere Richtungen würden helfen.',

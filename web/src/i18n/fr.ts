@@ -235,6 +235,7 @@ export const fr: Translation = {
   'legend.direction': 'Direction des cordons',
   'legend.first': 'début',
   'legend.last': 'fin',
+  'legend.squeezed': 'coincé',
   'files.opened': '{name} : {role}.',
   'files.sized': 'Il ne dit pas d’unité : il est aussi grand que l’était la plaque, {width} × {height} mm.',
   'files.strip':
@@ -259,6 +260,7 @@ export const fr: Translation = {
   'colour.speed': 'La vitesse',
   'colour.order': 'L’ordre',
   'colour.delay': 'L’attente',
+  'colour.lean': 'Le côté d’appui',
   'view.options': 'Vue et lumière',
   'light.title': 'Lumière',
   'light.drag': 'Déplacer la lampe autour de la plaque',
@@ -647,6 +649,7 @@ export const fr: Translation = {
   'measure.uTurns': 'Demi-tours',
   'measure.kinks': 'Cassures',
   'measure.order': 'Ordre',
+  'measure.squeezed': 'Appui',
   'measure.widths': 'Largeurs des cordons',
   'measure.fill': 'Matière',
   'measure.lost': 'Détails perdus',
@@ -668,6 +671,10 @@ export const fr: Translation = {
     'Les cordons suivent vite leurs voisins : {percent} % en sont séparés de plus de deux minutes. Le dessus simple d’un slicer en a {usual} %.',
   'verdict.order.fair':
     '{percent} % des cordons sont posés à plus de deux minutes d’un voisin et peuvent briller autrement. Le dessus simple d’un slicer en a {usual} %.',
+  'verdict.squeezed.good':
+    'Presque tous les cordons s’appuient sur celui qui était là avant eux ; {percent} % sont coincés entre deux plus anciens.',
+  'verdict.squeezed.fair':
+    '{percent} % des cordons sont coincés entre deux plus anciens. Là change le côté sur lequel ils s’appuient, et l’éclat avec lui ; « Colorer selon : Le côté d’appui » montre les limites.',
   'verdict.overlap.good': 'Les cordons se recouvrent à peine : {percent} % de la forme.',
   'verdict.overlap.fair': 'Les cordons se recouvrent sur {percent} % de la forme ; la surface peut y être rugueuse.',
   'verdict.overlap.poor':

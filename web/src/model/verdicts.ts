@@ -14,12 +14,13 @@ export type Measure =
   | 'lost'
   | 'crossings'
   | 'order'
+  | 'squeezed'
   | 'picture';
 export type Level = 'good' | 'fair' | 'poor';
 
 export type VerdictText =
   | `${'coverage' | 'overlap' | 'uTurns' | 'widths' | 'lost' | 'alignment' | 'picture'}.${Level}`
-  | `${'kinks' | 'fill' | 'order'}.${'good' | 'fair'}`
+  | `${'kinks' | 'fill' | 'order' | 'squeezed'}.${'good' | 'fair'}`
   | 'alignment.free'
   | 'uTurns.needed'
   | 'path.one'
@@ -129,9 +130,13 @@ export function verdictsOf(report: Report): Verdict[] {
 
 const plainTop = 0.03; // of the length, that PrusaSlicer's monotonic top of a disc of 60 mm lays over two minutes apart
 
-/** Judges whether beads are laid soon after the beads beside them. */
-export const orderVerdict = ({ over120 }: NeighbourDelay): Verdict =>
+const mostSqueezed = 0.04; // a slicer's monotonic top has 1 to 2 %
+
+/** Judges whether beads are laid soon after the beads beside them, and whether all lean to one side. */
+export const orderVerdicts = ({ over120, squeezed }: NeighbourDelay): Verdict[] => [
   judged('order', over120 <= plainTop ? 'good' : 'fair', {
     percent: round(100 * over120, 1),
     usual: round(100 * plainTop, 0),
-  });
+  }),
+  judged('squeezed', squeezed <= mostSqueezed ? 'good' : 'fair', { percent: round(100 * squeezed, 1) }),
+];

@@ -1,6 +1,6 @@
 // How a plate is looked at.
 export type ViewName = 'directions' | 'toolpath' | 'appearance' | 'quality';
-export type ColourBy = 'direction' | 'width' | 'speed' | 'order' | 'delay';
+export type ColourBy = 'direction' | 'width' | 'speed' | 'order' | 'delay' | 'lean';
 
 /** Delays between neighbouring beads from here on have one colour [s]. */
 export const mostDelay = 120;

@@ -74,9 +74,15 @@ export class Legend extends StudioElement {
       return html`<canvas class="fan" width="112" height="60" aria-hidden="true"></canvas>
         ${view === 'directions' ? html`<span>${say(words, 'legend.direction')}</span>` : nothing}`; // else it says "by" beside it
     }
+    if (colourBy === 'lean') {
+      return html`<canvas class="fan" width="112" height="112" aria-hidden="true"></canvas>
+        <span class="kind"
+          ><span class="swatch" style="background: #1f1f1f"></span>${say(words, 'legend.squeezed')}</span
+        >`;
+    }
     const spacing = result?.toolpath.spacing ?? this.state.plate.toolpath.spacing;
     const { speed } = this.state.plate.printer;
-    const ends: Record<Exclude<ColourBy, 'direction'>, readonly [string, string]> = {
+    const ends: Record<Exclude<ColourBy, 'direction' | 'lean'>, readonly [string, string]> = {
       width: [`${formatNumber(0.5 * spacing)} mm`, `${formatNumber(1.5 * spacing)} mm`],
       speed: [`${formatNumber(speed / 2)} mm/s`, `${formatNumber(speed)} mm/s`],
       order: [say(words, 'legend.first'), say(words, 'legend.last')],
@@ -103,18 +109,19 @@ function drawRamp({ width }: HTMLCanvasElement, context: CanvasRenderingContext2
   }
 }
 
-/** Half a turn of directions, each as a spoke of its colour. */
+/** Half a turn of directions, or a whole one of sides, each as a spoke of its colour. */
 function drawFan(canvas: HTMLCanvasElement, context: CanvasRenderingContext2D): void {
   canvas.style.width = `${canvas.width / 2}px`;
   const palette = directionPalette();
   const middle = canvas.width / 2;
-  const bottom = canvas.height - 4;
+  const turns = canvas.height > middle * 1.5 ? 2 : 1; // half turns
+  const bottom = turns === 2 ? middle : canvas.height - 4;
   context.clearRect(0, 0, canvas.width, canvas.height);
   context.lineWidth = 3;
-  const steps = 180;
+  const steps = 180 * turns;
   for (let k = 0; k < steps; ++k) {
-    const angle = ((k + 0.5) / steps) * Math.PI;
-    const at = 3 * (Math.round((256 * angle) / Math.PI) % 256);
+    const angle = ((k + 0.5) / 180) * Math.PI;
+    const at = 3 * (Math.round((256 * (k + 0.5)) / steps) % 256);
     context.strokeStyle = `rgb(${palette[at] ?? 0} ${palette[at + 1] ?? 0} ${palette[at + 2] ?? 0})`;
     context.beginPath();
     context.moveTo(middle + 18 * Math.cos(angle), bottom - 18 * Math.sin(angle));

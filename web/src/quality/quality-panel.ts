@@ -9,7 +9,7 @@ import { words } from '../i18n/en/quality.js';
 import { formatNumber, say, t } from '../i18n/text.js';
 import { warnedLayers } from '../model/warned.js';
 import { judgedFile } from '../model/lamp.js';
-import { orderVerdict, verdictsOf, type Verdict } from '../model/verdicts.js';
+import { orderVerdicts, verdictsOf, type Verdict } from '../model/verdicts.js';
 import { widthHistogram } from '../controls/histogram.js';
 import type { Mark } from '../model/view.js';
 import './doubts-list.js';
@@ -118,7 +118,7 @@ export class QualityPanel extends StudioElement {
     const { result, check, engine } = this.state;
     const verdicts = result === undefined || !result.measured ? [] : verdictsOf(result.report);
     const delay = check?.neighbourDelay ?? undefined; // once the file is written
-    if (verdicts.length > 0 && delay !== undefined) verdicts.push(orderVerdict(delay));
+    if (verdicts.length > 0 && delay !== undefined) verdicts.push(...orderVerdicts(delay));
     return html`
       <section aria-labelledby="quality-title">
         <h2 id="quality-title">${t('section.quality')}</h2>

@@ -16,7 +16,7 @@ import './tool-palette.js';
 /** The directions are seen in the place of the beads that follow them. */
 const tabs = ['appearance', 'toolpath', 'quality'] as const;
 const tabOf = (view: ViewName): (typeof tabs)[number] => (view === 'directions' ? 'toolpath' : view);
-const colours: readonly ColourBy[] = ['direction', 'width', 'speed', 'order', 'delay'];
+const colours: readonly ColourBy[] = ['direction', 'width', 'speed', 'order', 'delay', 'lean'];
 
 /** Parts that the first view does not need at once. */
 const loadBars = (): Promise<unknown> =>

@@ -1,6 +1,5 @@
 // The points of a path as the renderer's shaders read them, made in slices: a page that lays out a long path must not stop.
 import type { Toolpath } from 'sillon';
-import { mostDelay } from '../model/view.js';
 import { pointsToDraw } from './thinned.js';
 
 /** Floats per point, which is a texel: x, y, width, share of the print. Segments read their neighbours' points too. */
@@ -19,7 +18,7 @@ interface Run {
 export interface BeadData {
   rows: number;
   points: Float32Array;
-  /** Delays of the neighbours of the same points, as shares of mostDelay, 0..1; one value where nobody asked. */
+  /** Two values of each of the same points: the delay of its neighbours, and how it leans; one pair where nobody asked. */
   delays: Float32Array;
   runs: Run[];
 }
@@ -30,7 +29,7 @@ export const segmentsPerRun = 4096;
 const pointsPerSlice = 8192;
 
 /** @param tolerance  as of pointsToDraw
- * @param delays  of each point's neighbours [s]; left out: nobody asked */
+ * @param delays  as of `Delayed`; left out: nobody asked */
 export function* beadData(
   { cycles }: Pick<Toolpath, 'cycles'>,
   tolerance: number,
@@ -54,7 +53,7 @@ export function* beadData(
   const total = drawn.reduce((sum, { length }) => sum + length + 3, 0);
   const rows = Math.ceil(total / columns);
   const data = new Float32Array(rows * columns * stride);
-  const late = new Float32Array(delays === undefined ? 1 : rows * columns);
+  const late = new Float32Array(delays === undefined ? 2 : 2 * rows * columns);
   const all = cycles.reduce((sum, { widths }) => sum + widths.length, 0);
   const runs: Run[] = [];
   let at = 0;
@@ -70,7 +69,7 @@ export function* beadData(
       data[at * stride + 1] = points[2 * from + 1] ?? 0;
       data[at * stride + 2] = widths[from] ?? 0;
       data[at * stride + 3] = (done + (k < count ? from : widths.length)) / all;
-      if (delays !== undefined) late[at] = (delays[cycle]?.[from] ?? 0) / mostDelay;
+      if (delays !== undefined) late.set(delays[cycle]?.subarray(2 * from, 2 * from + 2) ?? [], 2 * at);
       if (k % pointsPerSlice === pointsPerSlice - 1) yield;
     }
     data[start * stride + 3] = done / all;

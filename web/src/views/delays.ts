@@ -1,11 +1,14 @@
-// Waits of beads for their neighbours, as a colour.
+// Waits of beads for their neighbours, and the sides to which they lean, as a colour.
 import type { PrinterValues, Toolpath } from 'sillon';
 import { evenSpeed, neighbours } from '../model/facts.js';
 
-/** A toolpath in short pieces, with the delay of each [s]. */
+/** Beside which beads one is laid that were there before it: it leans on them, or is squeezed between them. */
+export const leans = { onNone: 0, toTheLeft: 1, toTheRight: -1, squeezed: 2 } as const;
+
+/** A toolpath in short pieces, with the delay of each [s] and how it leans, in turns. */
 export interface Delayed {
   toolpath: Toolpath;
-  /** One array per cycle, one value per point: of the piece that begins there. */
+  /** One array per cycle, two values per point: of the piece that begins there. */
   delays: Float32Array[];
 }
 
@@ -39,8 +42,8 @@ interface Piece {
 }
 
 /**
- * Times between a bead and its neighbour, on the worse of its two sides, by the core's measure (neighbour_delay.cpp), if all
- * beads are laid at one speed. Beads without a neighbour do not wait.
+ * Times between a bead and its neighbour, on the worse of its two sides, and on which of them it leans, by the core's measure
+ * (neighbour_delay.cpp), if all beads are laid at one speed. Beads without a neighbour do not wait.
  * @param speed  of the beads [mm/s]
  */
 export function delaysOf({ cycles, ...rest }: Toolpath, speed: number): Delayed {
@@ -70,7 +73,7 @@ export function delaysOf({ cycles, ...rest }: Toolpath, speed: number): Delayed 
   }
   const waits = waitsOf(pieces);
   let first = 0;
-  const delays = cut.map(({ widths }) => waits.subarray(first, (first += widths.length)));
+  const delays = cut.map(({ widths }) => waits.subarray(first, (first += 2 * widths.length)));
   return { toolpath: { ...rest, cycles: cut }, delays };
 }
 
@@ -83,8 +86,9 @@ function waitsOf(pieces: readonly Piece[]): Float32Array {
     if (there === undefined) cells.set(cellAt(piece), [piece]);
     else there.push(piece);
   }
-  return Float32Array.from(pieces, (piece) => {
-    const sides: [number, number] = [Infinity, Infinity];
+  const waits = new Float32Array(2 * pieces.length);
+  for (const [k, piece] of pieces.entries()) {
+    const sides: [number, number] = [Infinity, Infinity]; // below 0: the neighbour is there already
     for (const row of [-1e6, 0, 1e6]) {
       for (const column of [-1, 0, 1]) {
         for (const other of cells.get(cellAt(piece) + row + column) ?? []) {
@@ -95,10 +99,15 @@ function waitsOf(pieces: readonly Piece[]): Float32Array {
           const across = alongX * dy - alongY * dx;
           if (Math.abs(across) < neighbours.nearest * mean || Math.abs(across) > neighbours.farthest * mean) continue;
           const side = across > 0 ? 0 : 1;
-          sides[side] = Math.min(sides[side], Math.abs(other.time - piece.time));
+          const later = other.time - piece.time;
+          if (Math.abs(later) < Math.abs(sides[side])) sides[side] = later;
         }
       }
     }
-    return Math.max(...sides.filter((delay) => delay < Infinity), 0);
-  });
+    const [left, right] = [sides[0] < 0, sides[1] < 0];
+    waits[2 * k] = Math.max(...sides.filter((delay) => delay < Infinity).map(Math.abs), 0);
+    waits[2 * k + 1] =
+      left && right ? leans.squeezed : Number(left) * leans.toTheLeft + Number(right) * leans.toTheRight;
+  }
+  return waits;
 }

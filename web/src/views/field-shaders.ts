@@ -98,7 +98,7 @@ float sideAt(vec2 across) {
 }
 
 vec3 beadAlong(vec2 across, float side, float relief) {
-  return colourOf(p, vec2(across.y, -across.x), side, relief, 0.5 * spacing, -1.0, -1.0);
+  return colourOf(p, vec2(across.y, -across.x), side, relief, 0.5 * spacing, -1.0, vec2(-1.0, 0.0));
 }
 
 void main() {

@@ -25,7 +25,7 @@ const cornersOfRun = Uint16Array.from(
   (_, k) => 4 * Math.floor(k / 6) + ([0, 1, 2, 1, 2, 3][k % 6] ?? 0),
 );
 
-const colourModes: Record<ColourBy, number> = { direction: 0, width: 1, speed: 2, order: 3, delay: 4 };
+const colourModes: Record<ColourBy, number> = { direction: 0, width: 1, speed: 2, order: 3, delay: 4, lean: 5 };
 
 /** How far the screen's beads may lie from the toolpath's, for fewer of them [pixels]. */
 const unseen = 0.05;
@@ -82,11 +82,11 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
 
   function upload({ rows, points, delays, runs }: BeadData, { spacing }: Toolpath, tolerance: number): Beads {
     const size = [columns, rows] as const;
-    const late = delays.length === 1 ? ([1, 1] as const) : size;
+    const late = delays.length === 2 ? ([1, 1] as const) : size;
     return {
       tolerance,
       points: dataTexture(gl, size, [gl.RGBA32F, gl.RGBA, gl.FLOAT], points),
-      delays: dataTexture(gl, late, [gl.R32F, gl.RED, gl.FLOAT], delays),
+      delays: dataTexture(gl, late, [gl.RG32F, gl.RG, gl.FLOAT], delays),
       runs,
       spacing,
     };
@@ -214,7 +214,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     const other = comparing(scene) ? zigzagOf(toolpath) : undefined;
     if (comparing(scene) && other === undefined) lazy?.(loadZigzag);
     // By powers of two, not to begin anew with every step of a zoom; what is played grows point by point.
-    const byDelay = scene.view === 'toolpath' && scene.colourBy === 'delay';
+    const byDelay = scene.view === 'toolpath' && (scene.colourBy === 'delay' || scene.colourBy === 'lean');
     const late = byDelay ? delayedOf(toolpath, scene.feed.printer) : undefined;
     if (byDelay && late === undefined) lazy?.(loadDelays);
     const whole = scene.progress < 1 || late !== undefined;

@@ -1,5 +1,6 @@
 // GLSL of the views. Lengths are mm, y up; `camera` is the screen's middle and device pixels per mm.
 import { appearance } from '../model/appearance.js';
+import { mostDelay } from '../model/view.js';
 
 export const toScreen = `
 uniform vec4 camera;
@@ -12,7 +13,7 @@ vec4 toScreen(vec2 p) { return vec4((p - camera.xy) * camera.z * 2.0 / screen, 0
 export const beadVertex = `#version 300 es
 precision highp float;
 uniform highp sampler2D points;  // x, y, width, share of the print
-uniform highp sampler2D delays;  // how late neighbours are laid, 0..1; one texel: not known
+uniform highp sampler2D delays;  // how late neighbours are laid [s], and how the bead leans; one texel: not known
 uniform int first;               // point before the first segment
 uniform float progress;
 ${toScreen}
@@ -21,7 +22,7 @@ flat out vec4 ends;      // a, b
 flat out vec4 tangents;  // at a, at b
 flat out vec2 radii;
 flat out float order;
-flat out float delay;
+flat out vec2 delay;
 
 vec2 direction(vec2 v) { float l = length(v); return l > 0.0 ? v / l : vec2(1.0, 0.0); }
 
@@ -38,9 +39,9 @@ vec4 point(int k) {
   return texelFetch(points, ivec2(k % columns, k / columns), 0);
 }
 
-float delayAt(int k) {
+vec2 delayAt(int k) {
   ivec2 size = textureSize(delays, 0);
-  return size.y * size.x == 1 ? 0.0 : texelFetch(delays, ivec2(k % size.x, k / size.x), 0).r;
+  return size.y * size.x == 1 ? vec2(0.0) : texelFetch(delays, ivec2(k % size.x, k / size.x), 0).rg;
 }
 
 void main() {
@@ -124,10 +125,10 @@ vec3 ramp(float x) {  // dark blue over green to amber, even in lightness
 }
 
 // An order and a delay below 0 are not known.
-vec3 colourOf(vec2 p, vec2 along, float side, float relief, float radius, float order, float delay) {
+vec3 colourOf(vec2 p, vec2 along, float side, float relief, float radius, float order, vec2 delay) {
   if (view == 0) return toned(look(p, along, side, relief));
   vec3 base = vec3(0.60, 0.60, 0.59);
-  float known = colourBy == 3 ? order : colourBy == 4 ? delay : 0.0;
+  float known = colourBy == 3 ? order : colourBy == 4 ? delay.x / ${mostDelay.toFixed(1)} : 0.0;
   if (view == 2) {
     float ratio = 2.0 * radius / spacing;
     base = mix(base, vec3(0.25, 0.50, 0.84), smoothstep(0.8, 0.55, ratio));
@@ -136,6 +137,11 @@ vec3 colourOf(vec2 p, vec2 along, float side, float relief, float radius, float 
   else if (colourBy == 0) base = texture(palette, vec2(atan(along.y, along.x) / 3.14159265 + 0.5 / 256.0, 0.5)).rgb;
   else if (colourBy == 1) base = ramp((2.0 * radius / spacing - 0.5) / 1.0);
   else if (colourBy == 2) base = ramp(2.0 * min(1.0, feed.y / (2.0 * radius * feed.z * feed.x)) - 1.0);
+  else if (colourBy == 5) {
+    vec2 to = vec2(-along.y, along.x) * delay.y;
+    if (delay.y > 1.5) base = vec3(0.12);  // squeezed: it leans to both sides
+    else if (delay.y != 0.0) base = texture(palette, vec2(atan(to.y, to.x) / 6.28318531 + 0.5 / 256.0, 0.5)).rgb;
+  }
   else if (known >= 0.0) base = ramp(known);
   return base * (1.0 - 0.35 * relief * side * side);
 }
@@ -148,7 +154,7 @@ flat in vec4 ends;
 flat in vec4 tangents;
 flat in vec2 radii;
 flat in float order;
-flat in float delay;
+flat in vec2 delay;
 uniform vec4 camera;
 uniform float blended;  // 1: seen from too far away to tell beads apart
 out vec4 colour;

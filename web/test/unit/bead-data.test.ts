@@ -24,7 +24,7 @@ void test('a long path is laid out in steps; each segment finds its neighbours',
   assert.ok(steps >= 6, `${steps} steps`);
   const { rows, points, runs, delays } = result;
   assert.equal(points.length, 4 * columns * rows);
-  assert.equal(delays.length, 1);
+  assert.equal(delays.length, 2);
   assert.deepEqual(
     runs.map(({ segments }) => segments),
     [...Array.from({ length: 7 }, () => segmentsPerRun), 30_000 - 7 * segmentsPerRun, 3],

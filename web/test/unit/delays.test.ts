@@ -3,7 +3,7 @@ import { after, before, test } from 'node:test';
 import { createEngine, type Engine, type PrinterValues, type Toolpath } from 'sillon';
 import { printerDefaults } from '../../src/model/defaults.js';
 import { evenSpeed } from '../../src/model/facts.js';
-import { delaysOf, shownSpeed } from '../../src/views/delays.js';
+import { delaysOf, leans, shownSpeed } from '../../src/views/delays.js';
 
 let engine: Engine;
 before(async () => {
@@ -26,8 +26,8 @@ function laid(rows: number[], width = spacing): Toolpath {
   return { spacing, cycles: [{ points, widths }], shape: { page: [length, strands * spacing], paths: [] }, notes: [] };
 }
 
-/** The delay of the piece that begins in the middle of a row, or next to it. */
-function inTheMiddle(rows: number[], row: number, width = spacing): number {
+/** The delay of the piece that begins in the middle of a row, or next to it, and how it leans. */
+function middleOf(rows: number[], row: number, width = spacing): [number, number] {
   const { toolpath, delays } = delaysOf(laid(rows, width), speed);
   const { points, widths } = toolpath.cycles[0] ?? assert.fail();
   const at = [...widths.keys()].find(
@@ -35,8 +35,11 @@ function inTheMiddle(rows: number[], row: number, width = spacing): number {
       Math.abs((points[2 * k] ?? 0) - length / 2) <= width / 2 + 0.01 &&
       Math.abs((points[2 * k + 1] ?? 0) - row * spacing) < 1e-3,
   );
-  return delays[0]?.[at ?? -1] ?? assert.fail('no point in the middle');
+  const [wait, lean] = delays[0]?.subarray(2 * (at ?? -1)) ?? [];
+  return wait === undefined || lean === undefined ? assert.fail('no point in the middle') : [wait, lean];
 }
+
+const inTheMiddle = (...of: Parameters<typeof middleOf>): number => middleOf(...of)[0];
 
 test('beads of a zigzag wait for one strand', () => {
   const strand = (length + spacing) / speed;
@@ -47,6 +50,14 @@ test('a bead between others that were laid long before waits for the longer side
   // Rows 0, 2 and 4 first, and 1, 3 and 5 on the way back: row 1 comes five strands after row 0.
   const waits = inTheMiddle([0, 2, 4, 5, 3, 1], 1);
   assert.ok(Math.abs(waits - (5 * length + 8 * spacing) / speed) < 0.1, `${waits}`);
+});
+
+test('a bead leans to the side where a neighbour was before it, seen along its own sense', () => {
+  const lean = (rows: number[], row: number): number => middleOf(rows, row)[1];
+  assert.equal(lean([0, 1, 2, 3], 0), leans.onNone);
+  assert.equal(lean([0, 1, 2, 3], 1), leans.toTheLeft); // laid towards -x, so that row 0 lies at its left
+  assert.equal(lean([0, 1, 2, 3], 2), leans.toTheRight);
+  assert.equal(lean([0, 2, 1, 3], 1), leans.squeezed);
 });
 
 test('neighbours lie 0.6 to 1.4 of their own width beside a bead, as in the core, whatever the spacing', () => {
@@ -66,7 +77,7 @@ test('beads of no width or no length are passed over', () => {
     { ...laid([0]), cycles: [{ points: Float32Array.of(0, 0, 0, 0, 1, 0), widths: Float32Array.of(0, 0, 0) }] },
     speed,
   );
-  assert.deepEqual([...(delays[0] ?? [])], [0, 0, 0]);
+  assert.deepEqual([...(delays[0] ?? [])], [0, 0, 0, 0, 0, 0]);
 });
 
 /** Shares of the length of beads with a neighbour that waits longer, and the longest wait of 90 % of it. */
@@ -74,12 +85,14 @@ function measured({ toolpath, delays }: ReturnType<typeof delaysOf>): {
   over30: number;
   over120: number;
   most: number;
+  squeezed: number;
 } {
   const waits = toolpath.cycles.flatMap(({ points, widths }, cycle) =>
     Array.from(widths, (_, k) => {
       const next = (k + 1) % widths.length;
       const [dx, dy] = [0, 1].map((side) => (points[2 * next + side] ?? 0) - (points[2 * k + side] ?? 0));
-      return { wait: delays[cycle]?.[k] ?? 0, length: Math.hypot(dx ?? 0, dy ?? 0) };
+      const [wait = 0, lean = 0] = delays[cycle]?.subarray(2 * k) ?? [];
+      return { wait, lean, length: Math.hypot(dx ?? 0, dy ?? 0) };
     }),
   );
   const known = waits.filter(({ wait }) => wait > 0).sort((a, b) => a.wait - b.wait);
@@ -88,7 +101,8 @@ function measured({ toolpath, delays }: ReturnType<typeof delaysOf>): {
     known.reduce((sum, { wait, length }) => sum + (wait > limit ? length : 0), 0) / all;
   let sum = 0;
   const most = known.find((one) => (sum += one.length) >= 0.9 * all)?.wait ?? 0;
-  return { over30: over(30), over120: over(120), most };
+  const squeezed = known.reduce((sum, { lean, length }) => sum + (lean === leans.squeezed ? length : 0), 0) / all;
+  return { over30: over(30), over120: over(120), most, squeezed };
 }
 
 test('the colours show the delays that the core measures in the G-code', async () => {
@@ -99,7 +113,7 @@ test('the colours show the delays that the core measures in the G-code', async (
     const { neighbourDelay } = await engine.checkGcode(gcode.blob);
     assert.ok(neighbourDelay !== null && neighbourDelay.over30 > 0.1);
     const shown = measured(delaysOf(toolpath, shownSpeed(printerDefaults)));
-    for (const key of ['over30', 'over120'] as const) {
+    for (const key of ['over30', 'over120', 'squeezed'] as const) {
       assert.ok(
         Math.abs(shown[key] - neighbourDelay[key]) < 0.007,
         `${angle} ${key}: ${shown[key]}, ${neighbourDelay[key]}`,

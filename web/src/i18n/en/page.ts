@@ -201,6 +201,7 @@ export const words = {
   'colour.speed': 'Speed',
   'colour.order': 'Order',
   'colour.delay': 'Wait',
+  'colour.lean': 'Leaning side',
   'view.options': 'View and light',
   'light.title': 'Light',
   'light.drag': 'Drag the lamp around the plate',

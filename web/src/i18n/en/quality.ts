@@ -7,6 +7,7 @@ export const words = {
   'measure.uTurns': 'U-turns',
   'measure.kinks': 'Kinks',
   'measure.order': 'Order',
+  'measure.squeezed': 'Leaning',
   'measure.widths': 'Bead widths',
   'measure.fill': 'Plastic',
   'measure.lost': 'Lost features',
@@ -33,4 +34,5 @@ export const words = {
   'legend.direction': 'Bead directions',
   'legend.first': 'first',
   'legend.last': 'last',
+  'legend.squeezed': 'squeezed',
 } as const;

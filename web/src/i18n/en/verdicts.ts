@@ -9,6 +9,10 @@ export const words = {
     'Beads follow their neighbours soon: {percent}% are laid over two minutes apart. A slicer’s plain top has {usual}%.',
   'verdict.order.fair':
     '{percent}% of the beads are laid over two minutes after or before a neighbour, and may shine differently. A slicer’s plain top has {usual}%.',
+  'verdict.squeezed.good':
+    'Nearly all beads lean on the one that was there before them; {percent}% are squeezed between two earlier ones.',
+  'verdict.squeezed.fair':
+    '{percent}% of the beads are squeezed between two earlier ones. There the side changes to which beads lean, and with it the shine; “Colour by: Leaning side” shows where.',
   'verdict.overlap.good': 'Beads hardly overlap: {percent}% of the shape.',
   'verdict.overlap.fair': 'Beads overlap on {percent}% of the shape; the surface may be rough there.',
   'verdict.overlap.poor': 'Beads overlap on {percent}% of the shape. Smoother directions would help.',
