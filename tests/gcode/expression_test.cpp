@@ -27,7 +27,8 @@ const std::vector<TemplateValue> kValues{{{"first_layer_temperature"}, {"215"}},
                                          {{"filament_type"}, {"PETG"}},
                                          {{"is_extruder_used"}, {"true", "false"}},
                                          {{"initial_tool"}, {"0"}},
-                                         {{"printer_notes"}, {"PRINTER_VENDOR_X PRINTER_MODEL_MK4"}}};
+                                         {{"printer_notes"}, {"PRINTER_VENDOR_X PRINTER_MODEL_MK4"}},
+                                         {{"bed_temperature"}, {"60", "65", "70"}}};
 
 struct Case {
   const char* expression;
@@ -70,6 +71,40 @@ const Case kCases[] = {
     {"printer_notes =~ /.*MODEL_(MK3|MK.).*/", "true"},
 };
 
+// Of PrusaSlicer 2.6 and later, as its documentation has them.
+const Case kNewer[] = {
+    {"is_nil(nil)", "true"},
+    {"is_nil(layer_height) ? 1 : 2", "2"},
+    {"is_nil(nil) ? 150 : nil", "150"},
+    {"one_of(filament_type[0], \"PLA\", \"PETG\")", "true"},
+    {"one_of(filament_type[0], \"PLA\", /AB.*/, ~\".*FLEX\")", "false"},
+    {"one_of(filament_type[0], /AB.*/, ~\"PE.*\")", "true"},
+    {"one_of(\"a\")", "false"},
+    {"one_of(7, 1, 7)", "true"},
+    {"interpolate_table(5, (0, 10), (10, 20), (20, 0))", "15"},
+    {"interpolate_table(15, (0, 10), (10, 20), (20, 0))", "10"},
+    {"interpolate_table(-1, (0, 10), (10, 20))", "10"},
+    {"interpolate_table(30, (0, 10), (10, 20))", "20"},
+    {"size(bed_temperature)", "3"},
+    {"empty(bed_temperature)", "false"},
+    {"\"a\\\"b\" + \"\\\\\"", "a\"b\\"},
+    {"\"abc\" < \"abd\" and \"b\" > \"abd\" and \"a\" <= \"a\"", "true"},
+    {"\"MK4S\" =~ /MK[0-9]S?/", "true"},
+    {"\"MK4\" =~ /MK[0-9]S?/", "true"},
+    {"\"MKX\" =~ /MK[^0-9]/", "true"},
+    {"\"MK-\" =~ /MK[0-9-]+/", "true"},
+    {"\"MK305\" =~ /MK\\d+/", "true"},
+    {"\"MK305\" =~ /MK\\d/", "false"},
+    {"\"a b_1\" =~ /\\w\\s\\w*/", "true"},
+    {"\"a/b.c\" =~ /a\\/b\\.c/", "true"},
+    {"\"axc\" =~ /a\\.c/", "false"},
+    {"\"abab\" =~ /(ab)+/", "true"},
+    {"\"aba\" =~ /(ab)+/", "false"},
+    {"\"\" =~ /(ABS)?(PC)*/", "true"},
+    {"\"PCPC\" =~ /^(ABS)?(PC)*$/", "true"},
+    {"\"a\" =~ /b|a/", "true"},
+};
+
 }  // namespace
 
 TEST_CASE("expressions of slicers have their values") {
@@ -77,7 +112,12 @@ TEST_CASE("expressions of slicers have their values") {
     CAPTURE(c.expression);
     CHECK(evaluated(c.expression, kValues) == std::string(c.value));
   }
+  for (const Case& c : kNewer) {
+    CAPTURE(c.expression);
+    CHECK(evaluated(c.expression, kValues) == std::string(c.value));
+  }
   CHECK(evaluated("is_extruder_used[1]", kValues) == "false");
+  CHECK(evaluated("first_layer_temperature[4]", kValues) == "215");  // of fewer tools the first one's counts
   CHECK(evaluated("1 == \"true\" and 0 == \"false\" and 0 != \"true\"", kValues) == "true");  // settings in files
   CHECK(evaluated("random(2, 8)", kValues) == "2");  // in its range, and the same each time
 }
@@ -85,7 +125,6 @@ TEST_CASE("expressions of slicers have their values") {
 TEST_CASE("what has no value, or is no expression, has none, unless it does not count") {
   for (const char* bad : {"",
                           "other",
-                          "first_layer_temperature[1]",
                           "first_layer_temperature[-1]",
                           "1 +",
                           "(1",
@@ -98,10 +137,21 @@ TEST_CASE("what has no value, or is no expression, has none, unless it does not 
                           "filament_type[0] + ",
                           "filament_type[0] - 1",
                           "filament_type[0] < 1",
-                          "printer_notes =~ /a*/",
-                          "printer_notes =~ /[a]/",
                           "printer_notes =~ /.*(a/",
-                          "printer_notes =~ /.*M+.*/",
+                          "printer_notes =~ /a)/",
+                          "printer_notes =~ /[a/",
+                          "printer_notes =~ /*a/",
+                          "printer_notes =~ /a{2}/",
+                          "printer_notes =~ /\\bM/",
+                          "nil",
+                          "nil + 1",
+                          "-nil",
+                          "-filament_type[0]",
+                          "is_nil(other)",
+                          "size(other)",
+                          "interpolate_table(1, (5, 1), (0, 2))",
+                          "interpolate_table(1, 2)",
+                          "one_of(1, other)",
                           "printer_notes =~ a",
                           "sqrt(4)",
                           "digits(1, 30)",
@@ -130,7 +180,8 @@ TEST_CASE("what has no value, or is no expression, has none, unless it does not 
   CHECK(evaluated("printer_notes =~ /" + std::string(100000, 'a') + "/", kValues) == std::nullopt);
   std::string slow;
   for (int k = 0; k < 20; ++k) slow += ".*(P|.)";
-  CHECK(evaluated("printer_notes =~ /" + slow + "x/", kValues) == std::nullopt);  // would take for ever
+  CHECK(evaluated("printer_notes =~ /" + slow + "x/", kValues) == "false");  // way by way it would take for ever
+  CHECK(evaluated("printer_notes =~ /((((.*)*)*)*)*x/", kValues) == "false");
   scenes::Random random(5);
   for (int round = 0; round < 5000; ++round) {
     const std::string whole = kCases[static_cast<std::size_t>(round) % std::size(kCases)].expression;
@@ -161,10 +212,38 @@ TEST_CASE("blocks keep what is chosen, line by line") {
   CHECK(expand("{if true}M1") == "error: startGcode has \"{if true}\" in line 1, which has no {endif}");
   CHECK(expand("M1\n{endif}") == "error: startGcode has \"{endif}\" in line 2, which has no {if} before it");
   CHECK(expand("{if true}{if false}M1{else}M2{endif}{else}M3{endif}") == "M2\n");
+  // Statements, and values of the block's own.
+  const std::pair<const char*, const char*> statements[] = {
+      {"{local a = 3; local b = a * 2.5}M1 S{a} P{b}", "M1 S3 P7.5\n"},
+      {"{local a = 7}{a / 2} {a = 7.0}{a / 2}", "3 3.5\n"},
+      {"{global t = (1, 2 + 3, \"x\")}{t[1]}{t[2]}{size(t)}", "5x3\n"},
+      {"{local t = repeat(3, 4)}{t[1] = 9}{t[0]},{t[1]},{t[2]}", "4,9,4\n"},
+      {"{local t = bed_temperature}{t[2]}{size(t)}", "703\n"},
+      {"{local a = (1 + 2) * 4}{a}", "12\n"},
+      {"{local a = ()}{empty(a)}", "true\n"},
+      {"{first_layer_temperature[0];;layer_height;}", "2150.2\n"},
+      {"{if layer_height > 1 then 1 elsif layer_height > 0.1 then 2 else 3 endif}", "2\n"},
+      {"{if true then local a = 5; a else other; \"}\" =~ /else/ endif}{a + 1}", "56\n"},
+      {"{if false}{other / }{else}M1{endif}", "M1\n"},
+      {"{if false then if other then 1 else 2 endif else if true}M3{endif endif}", "M3\n"},
+      {"[bed_temperature_[initial_tool]]", "60\n"},
+      {"G1 E-0.8{e_retracted[initial_tool] = 0.8; e_retracted[3] = 2}", "G1 E-0.8\nG92 E0\nG1 E0.8 F1500\n"},
+      {"{e_retracted = 1}M1", "M1\nG92 E0\nG1 E1 F1500\n"},
+      {"; {local a}\n{local a = 2}\n{a}", "; {local a}\n\n2\n"},
+  };
+  for (const auto& [text, value] : statements) {
+    CAPTURE(text);
+    CHECK(expand(text) == value);
+  }
+  for (const char* bad : {"{a = 1}", "{layer_height = 1}", "{local a = (1, 2)}{a[2] = 1}", "{local a = other}{1}",
+                          "{local a = repeat(5000, 1)}", "{local a = nil}", "{1 2}", "{if true then 1}", "{1"}) {
+    CAPTURE(bad);
+    CHECK(expand(bad).starts_with("error: "));
+  }
   scenes::Random random(6);
   const std::string whole =
       "{if layer_height < 0.25}M1{elsif false}[layer_height]{else}M2{endif} ; {x}\nG1 X{1+2} <TEMP>\n{if "
-      "true}\nM3\n{endif}";
+      "true}\nM3\n{endif}{local a = (1, 2); a[0] = 3; if a[0] =~ /[0-9]+/ then a[1] endif}";
   for (int round = 0; round < 5000; ++round) {
     const auto out = expandTemplate(scenes::damaged(whole, random, 4, 8), kValues, "startGcode");
     CHECK((out.ok() || !out.error().message.empty()));

@@ -33,11 +33,17 @@ struct FoundValue {
 std::optional<FoundValue> templateValue(std::string_view name, std::size_t index,
                                         const std::vector<TemplateValue>& values);
 
-/// The value of an expression as PrusaSlicer, OrcaSlicer and Bambu Studio write them: numbers, "texts", names with and
-/// without an index, + - * / %, comparisons, =~ with a literal text between .* and .*, and, or, not, a ? b : c, min,
-/// max, round, int, digits, zdigits, random (the least). Nothing: a name that has no value here, or what is no
-/// expression.
+/// The value of an expression as PrusaSlicer's macro language has it, and OrcaSlicer's and Bambu Studio's: numbers,
+/// "texts", names with and without an index, + - * / %, comparisons, =~ /pattern/, and, or, not, a ? b : c, min, max,
+/// round, int, digits, zdigits, random (the least), one_of, is_nil, size, empty, interpolate_table. Nothing: a name
+/// that has no value here, or what is no expression.
 std::optional<std::string> evaluated(std::string_view expression, const std::vector<TemplateValue>& values);
+
+/// An expression, or a value of the block's own: local a = 1, global a = (1, 2), a = repeat(3, 0), a[0] = 1, for which
+/// nothing is shown. \param text  begins with it; it is taken off. \param own  what the block has set so far; its names
+/// point into the text.
+std::optional<std::string> statement(std::string_view& text, const std::vector<TemplateValue>& values,
+                                     std::vector<TemplateValue>& own);
 
 // Start and end blocks of the user's: text with placeholders, as slicers have them.
 
@@ -45,10 +51,10 @@ std::optional<std::string> evaluated(std::string_view expression, const std::vec
 /// beads [mm].
 std::vector<TemplateValue> templateValues(const Printer& printer, const PrintParams& params, const Bounds& beads);
 
-/// Puts values in the place of {expression}, [name], [name[0]] and <NAME>, and leaves out what {if}, {elsif}, {else}
-/// and {endif} say. In comments what has no value stays as it is. Lines become printable ASCII without trailing blanks,
-/// each ended by LF, and as many as before. \param block  how messages call the text. \return InvalidArgument with the
-/// line and what was left in it.
+/// Puts values in the place of {expression}, [name], [name[0]] and <NAME>, runs {statement; statement}, and leaves out
+/// what {if}, {elsif}, {else} and {endif} say. In comments what has no value stays as it is. Lines become printable
+/// ASCII without trailing blanks, each ended by LF, and as many as before. \param block  how messages call the text.
+/// \return InvalidArgument with the line and what was left in it.
 Result<std::string> expandTemplate(std::string_view text, const std::vector<TemplateValue>& values,
                                    std::string_view block);
 

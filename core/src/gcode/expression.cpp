@@ -1,6 +1,7 @@
 #include "gcode/blocks.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -12,8 +13,10 @@ namespace sillon {
 namespace {
 
 constexpr int kMostNested = 100;
-constexpr int kMostSteps = 20000;  // of a pattern
+constexpr int kMostSteps = 20000;  // of a pattern, each through the whole text
 constexpr std::size_t kLongestPattern = 200;
+constexpr std::size_t kLongestMatched = 5000;
+constexpr double kMostItems = 1000;  // of a list
 constexpr double kMost = 1e9;
 constexpr int kDigits = 5;  // of numbers that are no whole ones
 
@@ -21,22 +24,24 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 struct Term {
-  enum Kind { Number, Truth, Text } kind = Number;
+  enum Kind { Number, Truth, Text, Nil } kind = Number;
   double number = 0;  ///< a truth is 0 or 1
   bool whole = true;
   std::string text;  ///< of a number: as it is written, where nothing was reckoned with it
 };
 
 Term truth(bool value) { return {Term::Truth, value ? 1.0 : 0.0, true, {}}; }
+Term number(double value, bool whole) { return {Term::Number, value, whole, {}}; }
+Term words(std::string text) { return {Term::Text, 0, false, std::move(text)}; }
 
 Term termOf(const FoundValue& value) {
   const std::string& text = value.text;
   if (text == "true" || text == "false") return truth(text == "true");
-  double number = 0;
-  if (!text.empty() && readNumber(text, number) == text.size()) {
-    return {Term::Number, number, value.whole && text.find('.') == std::string::npos, text};
+  double read = 0;
+  if (!text.empty() && readNumber(text, read) == text.size()) {
+    return {Term::Number, read, value.whole && text.find('.') == std::string::npos, text};
   }
-  return {Term::Text, 0, false, text};
+  return words(text);
 }
 
 // Operators by how tightly they bind, the loosest first.
@@ -64,16 +69,170 @@ std::string asTextBeside(const Term& other, const Term& term) {
   return answer && flag ? shown(truth(term.number != 0)) : shown(term);
 }
 
+// A regular expression: characters, sets of them, groups, bars, and * + ? behind what may stand more or less than once.
+// It goes through all places of the text at once, so that no pattern takes long.
+class Pattern {
+ public:
+  Pattern(std::string_view pattern, std::string_view text) : rest_(pattern), text_(text) {}
+
+  /// \return whether the whole text fits; nothing: the pattern is of another kind, or too long.
+  std::optional<bool> fits() {
+    if (rest_.size() > kLongestPattern || text_.size() > kLongestMatched) return std::nullopt;
+    takes('^');
+    if (rest_.ends_with('$') && !rest_.ends_with("\\$")) rest_.remove_suffix(1);
+    Places begin(text_.size() + 1, 0);
+    begin[0] = 1;
+    const bool found = anyOf(begin).back() != 0;
+    return failed_ || !rest_.empty() ? std::nullopt : std::optional(found);
+  }
+
+ private:
+  using Places = std::vector<char>;  // in the text, before each character and at its end: 1 where the pattern may be
+
+  bool takes(char sign) {
+    if (!rest_.starts_with(sign)) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+
+  static bool grows(Places& by, const Places& more) {
+    bool grew = false;
+    for (std::size_t k = 0; k < by.size(); ++k) {
+      grew = grew || more[k] > by[k];
+      by[k] |= more[k];
+    }
+    return grew;
+  }
+
+  Places anyOf(const Places& from) {
+    Places out(from.size(), 0);
+    do {
+      Places way = from;
+      while (!failed_ && !rest_.empty() && rest_[0] != '|' && rest_[0] != ')') way = repeated(way);
+      grows(out, way);
+    } while (takes('|'));
+    return out;
+  }
+
+  Places repeated(const Places& from) {
+    const std::string_view begin = rest_;
+    Places out = once(from);
+    const bool any = takes('*');
+    if (any || takes('+')) {
+      const std::string_view end = rest_;
+      for (Places more = out; !failed_;) {
+        rest_ = begin;
+        more = once(more);
+        if (!grows(out, more)) break;
+      }
+      rest_ = end;
+    }
+    if (any || takes('?')) grows(out, from);
+    return out;
+  }
+
+  Places once(const Places& from) {
+    steps_ += 1 + static_cast<int>(from.size() / 64);
+    failed_ = failed_ || steps_ > kMostSteps;
+    if (failed_) return from;
+    if (takes('(')) {
+      Places inside = anyOf(from);
+      failed_ = failed_ || !takes(')');
+      return inside;
+    }
+    Set set;
+    failed_ = std::string_view("*+?{}^$").find(rest_[0]) != std::string_view::npos;
+    if (takes('.')) {
+      set.set();
+    } else if (takes('[')) {
+      const bool other = takes('^');
+      do {
+        const int low = character(set);
+        if (rest_.size() < 2 || rest_[1] == ']' || !takes('-')) continue;
+        for (int c = character(set); c > low; --c) set.set(static_cast<std::size_t>(c));
+      } while (!failed_ && !takes(']'));
+      if (other) set.flip();
+    } else {
+      character(set);
+    }
+    Places out(from.size(), 0);
+    for (std::size_t k = 0; k < text_.size(); ++k) {
+      out[k + 1] = from[k] != 0 && set[static_cast<unsigned char>(text_[k])] ? 1 : 0;
+    }
+    return out;
+  }
+
+  using Set = std::bitset<256>;
+
+  int character(Set& set) {
+    const bool special = takes('\\');
+    if (rest_.empty()) return failed_ = true, 0;
+    const auto sign = static_cast<unsigned char>(rest_[0]);
+    rest_.remove_prefix(1);
+    if (!special || !(isLetter(static_cast<char>(sign)) || isDigit(static_cast<char>(sign)))) {
+      set.set(sign);
+      return sign;
+    }
+    failed_ = failed_ || (sign != 'd' && sign != 'w' && sign != 's');
+    for (int c = 0; c < 128; ++c) {
+      const char one = static_cast<char>(c);
+      const bool blank = one == ' ' || (one >= '\t' && one <= '\r');
+      if (sign == 's' ? blank : isDigit(one) || (sign == 'w' && isLetter(one))) set.set(static_cast<std::size_t>(c));
+    }
+    return 0;
+  }
+
+  std::string_view rest_;
+  std::string_view text_;
+  int steps_ = 0;
+  bool failed_ = false;
+};
+
 class Evaluation {
  public:
-  Evaluation(std::string_view text, const std::vector<TemplateValue>& values) : rest_(text), values_(values) {}
+  Evaluation(std::string_view text, const std::vector<TemplateValue>& values, std::vector<TemplateValue>& own)
+      : rest_(text), values_(values), own_(own) {}
 
-  std::optional<std::string> all() {
+  std::optional<std::string> all(std::string_view& text) {
     const Term term = conditional();
     skip();
-    if (failed_ || !rest_.empty() || !(std::abs(term.number) < kMost)) return std::nullopt;
+    text = rest_;
+    if (failed_ || term.kind == Term::Nil || !(std::abs(term.number) < kMost)) return std::nullopt;
     return shown(term);
   }
+
+  // A value of the block's own; nothing is shown for it.
+  bool assigns(std::string_view& text) {
+    const bool fresh = takes("local") || takes("global");
+    const std::string_view name = word();
+    const auto old =
+        std::find_if(own_.begin(), own_.end(), [&](const TemplateValue& value) { return value.names.front() == name; });
+    double index = -1;
+    if (!fresh && takes("[")) {
+      index = conditional().number;
+      if (!takes("]")) return false;
+    }
+    skip();
+    if (name.empty() || (!fresh && old == own_.end()) || rest_.starts_with("==") || !takes("=")) return false;
+    TemplateValue made{{name}, {}};
+    items(made);
+    skip();
+    text = rest_;
+    if (failed_) return true;
+    if (index >= 0) {  // of a list
+      failed_ = !(index < static_cast<double>(old->values.size())) || made.values.empty();
+      if (failed_) return true;
+      old->values[static_cast<std::size_t>(index)] = made.values.front();
+      old->whole = old->whole && made.whole;
+    } else if (old != own_.end()) {
+      *old = std::move(made);
+    } else {
+      own_.push_back(std::move(made));
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool failed() const { return failed_; }
 
  private:
   void skip() { rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size())); }
@@ -92,6 +251,69 @@ class Evaluation {
     failed_ = true;
     rest_ = {};
     return {};
+  }
+
+  std::string_view word() {
+    skip();
+    std::size_t size = 0;
+    while (size < rest_.size() && (isLetter(rest_[size]) || (size > 0 && isDigit(rest_[size])))) ++size;
+    const std::string_view name = rest_.substr(0, size);
+    rest_.remove_prefix(size);
+    return name;
+  }
+
+  [[nodiscard]] const TemplateValue* variable(std::string_view name) const {
+    for (const std::vector<TemplateValue>* list : {&std::as_const(own_), &values_}) {
+      for (const TemplateValue& value : *list) {
+        if (std::find(value.names.begin(), value.names.end(), name) != value.names.end()) return &value;
+      }
+    }
+    return nullptr;
+  }
+
+  void add(TemplateValue& list, const Term& term) {
+    if (term.kind == Term::Nil || static_cast<double>(list.values.size()) >= kMostItems) fail();
+    list.values.push_back(shown(term));
+    list.whole = list.whole && term.whole;
+  }
+
+  // One value, (several, of them), repeat(count, value), or all of another list.
+  void items(TemplateValue& out) {
+    const std::string_view begin = rest_;
+    if (takes("repeat")) {
+      const std::vector<Term> told = takes("(") ? arguments() : std::vector<Term>{};
+      if (told.size() != 2 || !(told[0].number >= 0 && told[0].number <= kMostItems)) return void(fail());
+      for (double k = 0; k < std::trunc(told[0].number); ++k) add(out, told[1]);
+      return;
+    }
+    if (takes("(")) {
+      for (const Term& term : arguments()) add(out, term);
+      if (ends()) return;
+    } else if (const TemplateValue* other = variable(word()); other != nullptr && ends()) {
+      out.values = other->values;
+      out.whole = other->whole;
+      return;
+    }
+    rest_ = begin;
+    failed_ = false;
+    out.values.clear();
+    add(out, conditional());
+  }
+
+  // Whether a statement can end here.
+  bool ends() {
+    skip();
+    return rest_.empty() || rest_[0] == ';' || rest_[0] == '}' || rest_[0] == 'e';
+  }
+
+  // Behind a bracket that opens.
+  std::vector<Term> arguments() {
+    std::vector<Term> out;
+    if (takes(")")) return out;
+    do out.push_back(conditional());
+    while (!failed_ && takes(","));
+    if (!takes(")")) fail();
+    return out;
   }
 
   Term conditional() {
@@ -126,7 +348,7 @@ class Evaluation {
       });
       if (sign == std::end(kOperators)) break;
       if (sign->sign == "=~" || sign->sign == "!~") {
-        const bool found = matches(left.text);
+        const bool found = matches(shown(left));
         left = truth(found == (sign->sign == "=~"));
         continue;
       }
@@ -137,50 +359,28 @@ class Evaluation {
     return left;
   }
 
-  // A regular expression of signs, points, .* and (one|two).
-  bool matches(std::string_view text) {
+  // Between slashes, or in a text.
+  std::string_view pattern() {
     skip();
-    const std::size_t end = rest_.starts_with('/') ? rest_.find('/', 1) : std::string_view::npos;
-    if (end == std::string_view::npos) return fail(), false;
-    const std::string_view pattern = rest_.substr(1, end - 1);
+    const char quote = rest_.empty() ? ' ' : rest_[0];
+    std::size_t end = quote == '/' || quote == '"' ? 1 : rest_.size();
+    while (end < rest_.size() && rest_[end] != quote) end += rest_[end] == '\\' ? 2 : 1;
+    if (end >= rest_.size()) return fail(), std::string_view();
+    const std::string_view found = rest_.substr(1, end - 1);
     rest_.remove_prefix(end + 1);
-    int steps = pattern.size() <= kLongestPattern ? 0 : kMostSteps;
-    const bool found = fits(pattern, text, steps);
-    if (steps >= kMostSteps) fail();
     return found;
   }
 
-  // \param steps  kMostSteps: it takes too many, or is another kind of pattern.
-  static bool fits(std::string_view pattern, std::string_view text, int& steps) {
-    if (++steps >= kMostSteps) return false;
-    if (pattern.empty()) return text.empty();
-    if (pattern.starts_with(".*")) {
-      for (std::size_t k = 0; k <= text.size() && steps < kMostSteps; ++k) {
-        if (fits(pattern.substr(2), text.substr(k), steps)) return true;
-      }
-      return false;
-    }
-    const char sign = pattern[0];
-    if (sign == '(') {
-      const std::size_t close = pattern.find(')');
-      if (close == std::string_view::npos) return steps = kMostSteps, false;
-      std::string_view ways = pattern.substr(1, close - 1);
-      for (bool more = true; more && steps < kMostSteps;) {
-        const std::size_t bar = ways.find('|');
-        if (fits(std::string(ways.substr(0, bar)).append(pattern.substr(close + 1)), text, steps)) return true;
-        more = bar != std::string_view::npos;
-        ways.remove_prefix(more ? bar + 1 : ways.size());
-      }
-      return false;
-    }
-    const bool special = std::string_view("\\*+?)[]{}|^$").find(sign) != std::string_view::npos;
-    const bool repeated = pattern.size() > 1 && std::string_view("*+?{").find(pattern[1]) != std::string_view::npos;
-    if (special || repeated) return steps = kMostSteps, false;
-    if (text.empty() || (sign != '.' && sign != text[0])) return false;
-    return fits(pattern.substr(1), text.substr(1), steps);
+  bool matches(const std::string& text) {
+    const std::string_view wanted = pattern();
+    if (failed_) return false;
+    const std::optional<bool> found = Pattern(wanted, text).fits();
+    if (!found) fail();
+    return found.value_or(false);
   }
 
   Term applied(std::string_view sign, const Term& a, const Term& b) {
+    if (skipped_ == 0 && (a.kind == Term::Nil || b.kind == Term::Nil)) return fail();
     if (sign == "||" || sign == "or") return truth(a.number != 0 || b.number != 0);
     if (sign == "&&" || sign == "and") return truth(a.number != 0 && b.number != 0);
     if (sign == "==" || sign == "!=" || sign == "<>") {
@@ -188,7 +388,10 @@ class Evaluation {
       return truth((text ? asTextBeside(b, a) == asTextBeside(a, b) : a.number == b.number) == (sign == "=="));
     }
     if (sign == "+" && (a.kind == Term::Text || b.kind == Term::Text)) {
-      return {Term::Text, 0, false, shown(a) + shown(b)};
+      return words(shown(a) + shown(b));
+    }
+    if (a.kind == Term::Text && b.kind == Term::Text && (sign[0] == '<' || sign[0] == '>')) {
+      return applied(sign, number(a.text.compare(b.text), true), number(0, true));
     }
     if (skipped_ == 0 && (a.kind == Term::Text || b.kind == Term::Text)) return fail();
     if (sign == "<") return truth(a.number < b.number);
@@ -196,13 +399,13 @@ class Evaluation {
     if (sign == "<=") return truth(a.number <= b.number);
     if (sign == ">=") return truth(a.number >= b.number);
     const bool whole = a.whole && b.whole;
-    if (sign == "+") return {Term::Number, a.number + b.number, whole, {}};
-    if (sign == "-") return {Term::Number, a.number - b.number, whole, {}};
-    if (sign == "*") return {Term::Number, a.number * b.number, whole, {}};
+    if (sign == "+") return number(a.number + b.number, whole);
+    if (sign == "-") return number(a.number - b.number, whole);
+    if (sign == "*") return number(a.number * b.number, whole);
     if (b.number == 0) return skipped_ > 0 ? Term{} : fail();
-    if (sign == "%") return {Term::Number, std::fmod(a.number, b.number), whole, {}};
+    if (sign == "%") return number(std::fmod(a.number, b.number), whole);
     const double quotient = a.number / b.number;
-    return {Term::Number, whole ? std::trunc(quotient) : quotient, whole, {}};
+    return number(whole ? std::trunc(quotient) : quotient, whole);
   }
 
   Term unary() {
@@ -210,7 +413,8 @@ class Evaluation {
     Term term;
     if (takes("-")) {
       term = unary();
-      term = {Term::Number, -term.number, term.whole, {}};
+      if (skipped_ == 0 && (term.kind == Term::Text || term.kind == Term::Nil)) return fail();
+      term = number(-term.number, term.whole);
     } else if (takes("+")) {
       term = unary();
     } else if (takes("not") || takes("!")) {
@@ -230,60 +434,102 @@ class Evaluation {
     }
     if (rest_.empty()) return fail();
     if (rest_[0] == '"') {
-      const std::size_t end = rest_.find('"', 1);
-      if (end == std::string_view::npos) return fail();
-      Term term{Term::Text, 0, false, std::string(rest_.substr(1, end - 1))};
-      rest_.remove_prefix(end + 1);
-      return term;
+      std::string text;
+      const std::string_view inside = pattern();
+      for (std::size_t k = 0; k < inside.size(); ++k) {
+        const bool special = inside[k] == '\\' && k + 1 < inside.size();
+        if (special) ++k;
+        text += special && inside[k] == 'n' ? '\n' : inside[k];
+      }
+      return words(std::move(text));
     }
     if (isDigit(rest_[0]) || rest_[0] == '.') {
-      double number = 0;
-      const std::size_t size = readNumber(rest_, number);
+      double value = 0;
+      const std::size_t size = readNumber(rest_, value);
       if (size == 0) return fail();
       const bool whole = rest_.substr(0, size).find('.') == std::string_view::npos;
       rest_.remove_prefix(size);
-      return {Term::Number, number, whole, {}};
+      return number(value, whole);
     }
-    std::size_t size = 0;
-    while (size < rest_.size() && (isLetter(rest_[size]) || isDigit(rest_[size]))) ++size;
-    if (size == 0) return fail();
-    const std::string_view name = rest_.substr(0, size);
-    rest_.remove_prefix(size);
+    std::string_view name = word();
+    if (name.empty()) return fail();
     if (name == "true" || name == "false") return truth(name == "true");
+    if (name == "nil") return {Term::Nil, 0, false, {}};
     if (takes("(")) return called(name);
     double index = 0;
     if (takes("[")) {
+      if (name.ends_with('_')) name.remove_suffix(1);  // [temperature_[tool]]
       index = conditional().number;
       if (!takes("]")) return fail();
     }
-    const std::optional<FoundValue> value =
-        index >= 0 && index < 1000 ? templateValue(name, static_cast<std::size_t>(index), values_) : std::nullopt;
+    const bool counts = index >= 0 && index < kMostItems;
+    std::optional<FoundValue> value;
+    for (const std::vector<TemplateValue>* list : {&std::as_const(own_), &values_}) {
+      if (counts && !value) value = templateValue(name, static_cast<std::size_t>(index), *list);
+    }
     if (value) return termOf(*value);
     return skipped_ > 0 ? Term{} : fail();
   }
 
   Term called(std::string_view name) {
-    std::vector<Term> arguments;
-    do {
-      arguments.push_back(conditional());
-      if (skipped_ == 0 && arguments.back().kind == Term::Text) return fail();
-    } while (!failed_ && takes(","));
-    if (!takes(")")) return fail();
-    Term& first = arguments.front();
-    if ((name == "min" || name == "max") && arguments.size() == 2) {
-      const Term& other = arguments.back();
-      const bool whole = first.whole && other.whole;
-      return {Term::Number,
-              name == "min" ? std::min(first.number, other.number) : std::max(first.number, other.number),
-              whole,
-              {}};
+    if (name == "size" || name == "empty") {
+      const TemplateValue* list = variable(word());
+      if (list == nullptr || !takes(")")) return fail();
+      const std::size_t count = list->values.size();
+      return name == "size" ? number(static_cast<double>(count), true) : truth(count == 0);
     }
-    if (name == "random" && arguments.size() == 2) return first;  // any between the two will do; always the same
-    if ((name == "digits" || name == "zdigits") && (arguments.size() == 2 || arguments.size() == 3)) {
-      return padded(arguments, name == "zdigits" ? '0' : ' ');
+    if (name == "one_of") return oneOf();
+    if (name == "interpolate_table") return interpolated();
+    const std::vector<Term> told = arguments();
+    if (failed_ || told.empty()) return fail();
+    const Term& first = told.front();
+    if (name == "is_nil" && told.size() == 1) return truth(first.kind == Term::Nil);
+    for (const Term& term : told) {
+      if (skipped_ == 0 && (term.kind == Term::Text || term.kind == Term::Nil)) return fail();
     }
-    if (arguments.size() != 1 || (name != "int" && name != "round")) return fail();
-    return {Term::Number, name == "int" ? std::trunc(first.number) : std::round(first.number), true, {}};
+    if ((name == "min" || name == "max") && told.size() == 2) {
+      const Term& other = told.back();
+      const bool larger = other.number > first.number;
+      return number(larger == (name == "max") ? other.number : first.number, first.whole && other.whole);
+    }
+    if (name == "random" && told.size() == 2) return first;  // any between the two will do; always the same
+    if ((name == "digits" || name == "zdigits") && (told.size() == 2 || told.size() == 3)) {
+      return padded(told, name == "zdigits" ? '0' : ' ');
+    }
+    if (told.size() != 1 || (name != "int" && name != "round")) return fail();
+    return number(name == "int" ? std::trunc(first.number) : std::round(first.number), true);
+  }
+
+  // one_of(value, other, /pattern/, ~"pattern")
+  Term oneOf() {
+    const Term value = conditional();
+    bool found = false;
+    while (!failed_ && takes(",")) {
+      skip();
+      const bool regular = takes("~") || rest_.starts_with('/');
+      const bool same = regular ? matches(shown(value)) : applied("==", value, conditional()).number != 0;
+      found = found || same;
+    }
+    return takes(")") ? truth(found) : fail();
+  }
+
+  // interpolate_table(x, (x0, y0), (x1, y1)): straight between the points, and level before and behind them.
+  Term interpolated() {
+    const double x = conditional().number;
+    double beforeX = 0, beforeY = 0, value = 0;
+    for (bool first = true; !failed_ && takes(","); first = false) {
+      const std::vector<Term> point = takes("(") ? arguments() : std::vector<Term>{};
+      if (point.size() != 2 || (!first && !(point[0].number > beforeX))) return fail();
+      const double nowX = point[0].number, nowY = point[1].number;
+      if (first || x >= nowX) {
+        value = nowY;
+      } else if (x > beforeX) {
+        value = beforeY + (x - beforeX) * (nowY - beforeY) / (nowX - beforeX);
+      }
+      beforeX = nowX;
+      beforeY = nowY;
+    }
+    return takes(")") ? number(value, false) : fail();
   }
 
   // digits(value, signs at least, digits behind the point)
@@ -295,11 +541,12 @@ class Evaluation {
     const std::size_t at = filler == '0' && text.starts_with('-') ? 1 : 0;
     const auto least = static_cast<std::size_t>(width);
     if (text.size() < least) text.insert(at, least - text.size(), filler);
-    return {Term::Text, 0, false, text};
+    return words(std::move(text));
   }
 
   std::string_view rest_;
   const std::vector<TemplateValue>& values_;
+  std::vector<TemplateValue>& own_;
   int nested_ = 0;
   int skipped_ = 0;  // parts around this one that do not count
   bool failed_ = false;
@@ -321,12 +568,21 @@ std::optional<FoundValue> templateValue(std::string_view name, std::size_t index
     index = static_cast<std::size_t>(name.back() - '0');
     found = find(name.substr(0, line));
   }
-  if (found == values.end() || index >= found->values.size()) return std::nullopt;
-  return FoundValue{found->values[index], found->whole};
+  if (found == values.end() || found->values.empty()) return std::nullopt;
+  return FoundValue{found->values[index < found->values.size() ? index : 0], found->whole};  // as PrusaSlicer has it
 }
 
 std::optional<std::string> evaluated(std::string_view expression, const std::vector<TemplateValue>& values) {
-  return Evaluation(expression, values).all();
+  std::vector<TemplateValue> own;
+  const std::optional<std::string> value = statement(expression, values, own);
+  return expression.empty() ? value : std::nullopt;
+}
+
+std::optional<std::string> statement(std::string_view& text, const std::vector<TemplateValue>& values,
+                                     std::vector<TemplateValue>& own) {
+  Evaluation assignment(text, values, own);
+  if (assignment.assigns(text)) return assignment.failed() ? std::nullopt : std::optional(std::string());
+  return Evaluation(text, values, own).all(text);
 }
 
 }  // namespace sillon

@@ -25,12 +25,16 @@ std::string printable(std::string_view text) {
 class Expansion {
  public:
   Expansion(std::string_view text, const std::vector<TemplateValue>& values, std::string_view block)
-      : text_(text), values_(values), block_(block) {}
+      : text_(text), values_(values), block_(block) {
+    own_.push_back({{"e_retracted"}, std::vector<std::string>(16, "0"), false});
+  }
 
   Result<std::string> all() {
     while (at_ < text_.size() && !error_) next();
     if (!error_ && !branches_.empty()) refuse(branches_.back().begin, "has no {endif}");
     if (error_) return *error_;
+    // The block has left the filament drawn back, and tells its slicer to push it forward; ours begins primed.
+    if (const std::string& pulled = own_[0].values[0]; pulled != "0") out_ += "\nG92 E0\nG1 E" + pulled + " F1500";
     return std::move(out_);
   }
 
@@ -83,36 +87,67 @@ class Expansion {
     at_ = end + 1;
   }
 
+  // Statements between semicolons, and branches; several may stand in one pair of braces.
   void braces() {
-    std::size_t end = at_ + 1;
-    for (bool quoted = false; end < text_.size() && (quoted || text_[end] != '}'); ++end) {
-      if (text_[end] == '"') quoted = !quoted;
+    std::string_view rest = text_.substr(at_ + 1);
+    if (rest.starts_with('}')) return leave(at_ + 2);
+    for (;;) {
+      rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n;"), rest.size()));
+      if (rest.empty() && comment_) return leave(at_ + 1);
+      if (rest.empty()) return refuse(at_, "stands for no value here; put the value itself there");
+      if (rest[0] == '}') break;
+      const std::string_view head = branchWord(rest);
+      rest.remove_prefix(head.size());
+      if (!head.empty()) {
+        branch(head, rest);
+        if (error_) return;
+      } else if (!shown()) {
+        skip(rest);
+      } else {
+        const std::optional<std::string> value = statement(rest, values_, own_);
+        if (!value || !ends(rest)) return leave(at_ + 1);
+        out_ += *value;
+      }
     }
-    if (end == text_.size()) {
-      if (comment_) return leave(at_ + 1);
-      return refuse(at_, "stands for no value here; put the value itself there");
-    }
-    const std::string_view inside = trimmed(text_.substr(at_ + 1, end - at_ - 1));
-    const std::size_t word = std::min(inside.find_first_not_of("abcdefghijklmnopqrstuvwxyz"), inside.size());
-    const std::string_view head = inside.substr(0, word);
-    if (head == "if" || head == "elsif" || head == "else" || head == "endif") {
-      branch(head, inside.substr(word));
-    } else {
-      const std::optional<std::string> value = shown() ? evaluated(inside, values_) : std::string();
-      if (!value) return leave(end + 1);
-      put(*value);
-    }
-    if (error_) return;
+    const std::size_t end = text_.size() - rest.size();
     for (; at_ <= end; ++at_) {
       if (text_[at_] == '\n') out_ += '\n';  // so that lines keep their numbers
     }
   }
 
-  void branch(std::string_view head, std::string_view condition) {
+  static std::string_view branchWord(std::string_view text) {
+    const std::size_t size = std::min(text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789"), text.size());
+    const std::string_view word = text.substr(0, size);
+    const bool known = word == "if" || word == "then" || word == "elsif" || word == "else" || word == "endif";
+    return known ? word : std::string_view();
+  }
+
+  static bool ends(std::string_view text) {
+    return text.empty() || text[0] == '}' || text[0] == ';' || !branchWord(text).empty();
+  }
+
+  // What does not count, up to the next statement or branch. Texts and patterns may hold anything.
+  static void skip(std::string_view& rest) {
+    for (char before = ' '; !ends(rest);) {
+      const char c = rest[0];
+      std::size_t size = 1;
+      if (c == '"' || (c == '/' && (before == '~' || before == ','))) {
+        while (size < rest.size() && rest[size] != c) size += rest[size] == '\\' ? 2 : 1;
+        ++size;
+      } else if (c >= 'a' && c <= 'z') {
+        size = rest.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789");
+      }
+      if (c > ' ') before = c;
+      rest.remove_prefix(std::min(size, rest.size()));
+    }
+  }
+
+  void branch(std::string_view head, std::string_view& rest) {
+    if (head == "then") return;
     if (head == "if") {
       const bool around = shown();
       branches_.push_back({at_, false, !around});
-      if (around) choose(condition);
+      around ? choose(rest) : skip(rest);
       return;
     }
     if (branches_.empty()) return refuse(at_, "has no {if} before it");
@@ -121,17 +156,18 @@ class Expansion {
       branches_.pop_back();
     } else if (now.done) {
       now.shown = false;
+      if (head == "elsif") skip(rest);
     } else if (head == "else") {
       now.shown = now.done = true;
     } else {
-      choose(condition);
+      choose(rest);
     }
   }
 
-  void choose(std::string_view condition) {
-    const std::optional<std::string> value = evaluated(condition, values_);
+  void choose(std::string_view& rest) {
+    const std::optional<std::string> value = statement(rest, values_, own_);
     const bool yes = value == "true" || value == "1";
-    if (!yes && value != "false" && value != "0") {
+    if ((!yes && value != "false" && value != "0") || !ends(rest)) {
       return refuse(at_, "cannot be evaluated here; keep only the branch that applies");
     }
     branches_.back().shown = branches_.back().done = yes;
@@ -155,6 +191,7 @@ class Expansion {
   std::size_t at_ = 0;
   bool comment_ = false;
   std::vector<Branch> branches_;
+  std::vector<TemplateValue> own_;  // e_retracted, and what the block sets: {local ...}
   std::string out_;
   std::optional<Error> error_;
 };
@@ -200,6 +237,8 @@ std::vector<TemplateValue> templateValues(const Printer& printer, const PrintPar
       {{"print_bed_size"}, pair(printer.bedMax - printer.bedMin), false},
       {{"travel_speed"}, number(printer.travelSpeed), false},
       {{"z_offset"}, number(printer.zOffset), false},
+      {{"zhop"}, {"0"}, false},  // at the beginning of a block
+      {{"filament_max_volumetric_speed"}, number(printer.maxFlow), false},
   };
 }
 

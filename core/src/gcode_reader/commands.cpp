@@ -515,6 +515,7 @@ class Judge {
       return;
     }
     if (head.letter == 0) return;
+    if (head.is('M', 106) && holds(head.rest, " N")) return;  // Prusa's fans of a chamber: M106 P3 N76 G3
     for (std::size_t at = 1; at < head.rest.size(); ++at) {
       const char letter = head.rest[at];
       if (letter == '"') {

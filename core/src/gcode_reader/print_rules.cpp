@@ -178,6 +178,7 @@ void PrintRules::onCommand(std::string_view code) {
   noteMotion(command, words, name);
   noteFan(command, words, name);
   judgeWait(command, words, name);
+  homed_ = homed_ || (custom_ && layers_ > 0 && homesZ(command));  // then only the printer knows where the nozzle is
   judgeEnd();
 }
 
@@ -230,7 +231,7 @@ void PrintRules::judgeWait(const GcodeCommand& command, const GcodeWords& words,
 
 // Our own end blocks begin above the plate; those of others may leave the lift to a macro.
 void PrintRules::judgeEnd() {
-  if (!ours_ || !custom_ || layers_ == 0) return;
+  if (!ours_ || !custom_ || layers_ == 0 || homed_) return;
   if (standsOnPrint()) tell("rests-on-print", true);
 }
 

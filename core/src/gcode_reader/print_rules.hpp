@@ -64,6 +64,7 @@ class PrintRules final : public Rules {
   std::vector<Change> pending_;              // since the last bead
   std::vector<Change> changes_;
   bool laying_ = false;  // a bead of a layer was laid
+  bool homed_ = false;   // by the end block
 
   // Facts that the file tells of itself, perhaps only at its end.
   std::vector<double> temperatures_;

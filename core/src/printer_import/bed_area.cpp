@@ -17,15 +17,19 @@ std::vector<Vec2> cornersOf(std::string_view text) {
   return readCorners(list);
 }
 
-// Four corners each; of another count the box around all. Empty: something is wrong with them.
+// Four corners each; of another count the box around all. A line that goes back to where it began between two boxes, as
+// Qidi draws it, begins with that place twice. Empty: something is wrong with them.
 std::vector<Bounds> boxesOf(const std::vector<Vec2>& corners) {
   if (corners.size() < 3) return {};
+  const bool returns = corners[0] == corners[1];
   const std::size_t each = corners.size() % 4 == 0 ? 4 : corners.size();
-  std::vector<Bounds> boxes(corners.size() / each);
+  std::vector<Bounds> boxes;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     if (std::max(std::abs(corners[k].x), std::abs(corners[k].y)) > kFarthest) return {};
-    boxes[k / each].add(corners[k]);
+    if (returns ? corners[k] == corners[0] : k % each == 0) boxes.emplace_back();
+    if (!returns || !(corners[k] == corners[0])) boxes.back().add(corners[k]);
   }
+  boxes.erase(std::remove_if(boxes.begin(), boxes.end(), [](const Bounds& box) { return box.empty(); }), boxes.end());
   return boxes;
 }
 
@@ -88,6 +92,30 @@ bool takeStrip(const Bounds& box, Bounds& bed) {
   return true;
 }
 
+// One of several boxes, which lies at an edge, where the bed loses least. \return whether it does.
+bool cutOff(const Bounds& box, Bounds& bed) {
+  const double losses[] = {box.max.x - bed.min.x, bed.max.x - box.min.x, box.max.y - bed.min.y, bed.max.y - box.min.y};
+  const double* const least = std::min_element(std::begin(losses), std::end(losses));
+  const bool atEdge =
+      box.min.x <= bed.min.x || box.max.x >= bed.max.x || box.min.y <= bed.min.y || box.max.y >= bed.max.y;
+  if (!atEdge) return false;
+  const double loss = std::max(*least, 0.0);
+  switch (least - losses) {
+    case 0:
+      bed.min.x += loss;
+      break;
+    case 1:
+      bed.max.x -= loss;
+      break;
+    case 2:
+      bed.min.y += loss;
+      break;
+    default:
+      bed.max.y -= loss;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool reachByAll(std::string_view text, BedArea& area) {
@@ -113,7 +141,7 @@ bool exclude(std::string_view text, BedArea& area) {
     }
   }
   for (const Bounds& box : boxes) {
-    if (takeStrip(box, area.bed)) continue;
+    if (takeStrip(box, area.bed) || (boxes.size() > 1 && cutOff(box, area.bed))) continue;
     area.excluded.add(box.min);
     area.excluded.add(box.max);
   }

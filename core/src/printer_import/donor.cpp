@@ -212,6 +212,7 @@ class Donor {
   int tool_ = 0;          // of its first bead
   int chosen_ = 0;        // tool, at the end of the start block
   Bounds beads_;
+  Bounds purged_;         // beads of the start block
   double advance_ = 0;    // [s], of the start block
   std::string flowLine_;  // that leaves another flow than 100 %, in the start block
 };
@@ -394,6 +395,7 @@ void Donor::scan(std::string_view text) {
   Filament filament;
   Vec2 nozzle;
   bool placed = false;
+  bool relative = false;
   int tool = 0;
   for (std::string_view rest = text; !rest.empty();) {
     const std::size_t at = text.size() - rest.size();
@@ -417,16 +419,18 @@ void Donor::scan(std::string_view text) {
       lastBead_ = text.size() - rest.size();
       end_ = filament;
     }
-    if (firstLayer_ == std::string_view::npos || !isMove(line)) continue;
-    if (bead && beads_.empty()) tool_ = tool;
-    if (bead && placed) beads_.add(nozzle);
+    if (isCommand(line, "G91") || isCommand(line, "G90")) relative = isCommand(line, "G91");
+    if (!isMove(line) || relative) continue;
+    Bounds& laid = firstLayer_ == std::string_view::npos ? purged_ : beads_;
+    if (bead && laid.empty() && &laid == &beads_) tool_ = tool;
+    if (bead && placed) laid.add(nozzle);
     for (double* const place : {&nozzle.x, &nozzle.y}) {
       const auto value = numberOf(line, place == &nozzle.x ? 'X' : 'Y');
       if (!value) continue;
       *place = *value;
       placed = true;
     }
-    if (bead) beads_.add(nozzle);
+    if (bead) laid.add(nozzle);
   }
 }
 
@@ -459,7 +463,13 @@ std::optional<Error> Donor::guessBed() {
   Printer& p = out_.printer;
   const auto [least, most] = beads_;
   if (std::min(least.x, least.y) >= -kPurged) {
-    p.bedMax = {std::max(p.bedMax.x, std::ceil(most.x)), std::max(p.bedMax.y, std::ceil(most.y))};
+    // A purge line of its own lies on the bed, too.
+    const Vec2 purged = purged_.empty() ? most : purged_.max;
+    p.bedMax = {std::ceil(std::max({p.bedMax.x, most.x, purged.x})),
+                std::ceil(std::max({p.bedMax.y, most.y, purged.y}))};
+    for (ImportNote& note : out_.notRead) {
+      if (note.code == "BedUnknown") note = bedUnknown(p);
+    }
     return std::nullopt;
   }
   if (!(least.x < 0 && least.y < 0 && most.x > 0 && most.y > 0)) {

@@ -19,10 +19,32 @@ constexpr std::size_t npos = std::string_view::npos;
 
 bool isName(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; }
 
-bool isChamber(std::string_view name) {
-  return name == "chamber_temperature" || name == "overall_chamber_temperature" || name == "chamber_temperatures" ||
-         name == "activate_chamber_temp_control";
-}
+// What blocks ask for and a file may leave out, because its slicer knows it: PrusaSlicer's defaults. Ours heat no
+// chamber, which a printer's settings alone do not tell.
+constexpr std::pair<std::string_view, std::string_view> kDefaults[] = {
+    {"chamber_temperature", "0"},
+    {"overall_chamber_temperature", "0"},
+    {"chamber_temperatures", "0"},
+    {"activate_chamber_temp_control", "0"},
+    {"chamber_minimal_temperature", "0"},
+    {"filament_abrasive", "0"},
+    {"nozzle_high_flow", "0"},
+    {"filament_multitool_ramming", "0"},
+    {"idle_temperature", "nil"},
+    {"standby_temperature_delta", "-5"},
+    {"retract_length_toolchange", "10"},
+    {"parking_pos_retraction", "92"},
+    {"extra_loading_move", "-2"},
+    {"max_fan_speed", "100"},
+    {"filament_notes", ""},
+    {"printer_notes", ""},
+    {"filament_settings_id", ""},
+    {"printer_settings_id", ""},
+    {"physical_printer_preset", ""},
+    {"printer_preset", ""},
+    {"start_filament_gcode", ""},
+    {"end_filament_gcode", ""},
+};
 
 void replaceAll(std::string& text, std::string_view what, std::string_view by) {
   for (std::size_t at = text.find(what); at != npos && text.size() < kMostBytes; at = text.find(what, at + by.size())) {
@@ -33,6 +55,7 @@ void replaceAll(std::string& text, std::string_view what, std::string_view by) {
 // As it stands in an expression; empty: it cannot.
 std::string literalOf(std::string_view name, const std::string& value) {
   double number = 0;
+  if (value == "nil") return value;
   if (!value.empty() && readNumber(value, number) == value.size()) {
     const bool whole =
         value.find('.') != std::string::npos || name.find("temperature") != npos || value == "0" || value == "1";
@@ -104,7 +127,7 @@ class Folding {
       block.remove_prefix(close + 1);
       std::string_view rest = trimmed(inside);
       const std::optional<std::string> alone = valueAt(rest);
-      if (alone && rest.empty()) {
+      if (alone && rest.empty() && *alone != "nil") {
         out += depth < kMostNested && ++blocks_ < kMostBlocks ? folded(*alone, depth + 1) : *alone;
       } else if (braces) {
         out.append("{").append(expression(inside)).append("}");
@@ -122,10 +145,11 @@ class Folding {
     while (size < text.size() && isName(text[size])) ++size;
     const std::string_view name = text.substr(0, size);
     if (name.empty() || templateValue(name, 0, job_)) return std::nullopt;
-    const auto found = settings_.find(name);
-    // A printer's settings alone do not tell the filament's chamber. Ours heat none.
-    const bool cold = found == settings_.end() && isChamber(name);
-    if (!cold && (found == settings_.end() || found->second == "nil")) return std::nullopt;
+    const auto told = settings_.find(name);
+    const auto* const known = std::find_if(std::begin(kDefaults), std::end(kDefaults),
+                                           [&](const auto& entry) { return entry.first == name; });
+    if (told == settings_.end() && known == std::end(kDefaults)) return std::nullopt;
+    const std::string_view value = told != settings_.end() ? std::string_view(told->second) : known->second;
     std::string_view rest = text.substr(size);
     std::size_t index = 0;
     if (rest.starts_with('[')) {
@@ -140,9 +164,7 @@ class Folding {
       rest.remove_prefix(close + 1);
     }
     text = rest;
-    if (cold) return "0";
-    const bool block = name.ends_with("gcode");
-    return block ? unescaped(found->second) : itemOf(found->second, index);
+    return name.ends_with("gcode") ? unescaped(value) : itemOf(value, index);
   }
 
   [[nodiscard]] std::string expression(std::string_view inside) const {

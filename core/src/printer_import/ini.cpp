@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "printer_import/notes.hpp"
 
@@ -16,8 +17,8 @@ Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, st
 
 struct Bundle {
   std::map<std::string, SlicerSettings, std::less<>>
-      sections;  // "printer:NAME", "filament:NAME", "presets"; "" if flat
-  std::string lastPrinter;
+      sections;                       // "printer:NAME", "filament:NAME", "presets"; "" if flat
+  std::vector<std::string> printers;  // that are none to inherit from
 };
 
 Bundle readBundle(std::string_view text) {
@@ -28,7 +29,9 @@ Bundle readBundle(std::string_view text) {
     if (line.empty() || line[0] == '#' || line[0] == ';') continue;
     if (line.front() == '[' && line.back() == ']') {
       section = std::string(trimmed(line.substr(1, line.size() - 2)));
-      if (section.starts_with("printer:") && !section.starts_with("printer:*")) bundle.lastPrinter = section.substr(8);
+      if (section.starts_with("printer:") && !section.starts_with("printer:*")) {
+        bundle.printers.push_back(section.substr(8));
+      }
       continue;
     }
     std::string_view key;
@@ -71,7 +74,7 @@ Result<ImportedPrinter> importIni(std::string_view text, std::string_view name) 
   ImportedPrinter out;
   out.source = "PrusaSlicer settings";
   SlicerSettings settings;
-  if (const auto flat = bundle.sections.find(""); flat != bundle.sections.end() && bundle.lastPrinter.empty()) {
+  if (const auto flat = bundle.sections.find(""); flat != bundle.sections.end() && bundle.printers.empty()) {
     settings = flat->second;
     if (const auto parents = settings.find("inherits"); parents != settings.end() && !parents->second.empty()) {
       addNote(out.notRead, importNote("InheritedElsewhere", {{"name", shown(parents->second)}}));
@@ -84,22 +87,33 @@ Result<ImportedPrinter> importIni(std::string_view text, std::string_view name) 
       return found == active->second.end() ? std::string() : found->second;
     };
     std::string printer = name.empty() ? chosen("printer") : std::string(name);
-    if (printer.empty()) printer = bundle.lastPrinter;
+    if (bundle.sections.empty()) {
+      return invalidFile(
+          "the file is neither G-code nor settings of a slicer; .ini, .json, .orca_printer and .3mf are read");
+    }
+    if (bundle.printers.empty()) return invalidFile("the file has no section of a printer");
+    if (printer.empty() && bundle.printers.size() == 1) printer = bundle.printers.front();
     if (!bundle.sections.contains("printer:" + printer)) {
       std::string known;
-      for (const auto& [section, values] : bundle.sections) {
-        if (!section.starts_with("printer:") || section.starts_with("printer:*") || known.size() > 300) continue;
-        known += (known.empty() ? "" : ", ") + shown(section.substr(8));
+      for (const std::string& other : bundle.printers) {
+        if (known.size() > 300) continue;
+        known += (known.empty() ? "" : ", ") + shown(other);
       }
-      if (known.empty()) return invalidFile("the file has no section of a printer");
-      return Error{ErrorCode::InvalidArgument, "the file has no printer " + shown(printer) + "; it has " + known};
+      const std::string count = std::to_string(bundle.printers.size());
+      return Error{ErrorCode::InvalidArgument,
+                   (printer.empty() ? "the file has " + count + " printers, and none is chosen"
+                                    : "the file has no printer " + shown(printer)) +
+                       "; name one of " + known};
     }
     int budget = kMaxInherited;
     inherit(bundle, "printer:", printer, 0, budget, settings, out.notRead);
+    if (const auto kind = settings.find("printer_technology"); kind != settings.end() && kind->second == "SLA") {
+      return invalidFile("the printer " + shown(printer) + " hardens resin; G-code is made for printers with a nozzle");
+    }
     if (!settings.contains("printer_model")) settings["printer_model"] = printer;
     std::string filament = chosen("filament");
     if (filament.empty() && settings.contains("default_filament_profile")) {
-      filament = unescaped(settings["default_filament_profile"]);
+      filament = itemOf(settings["default_filament_profile"], 0);
     }
     if (bundle.sections.contains("filament:" + filament)) {
       inherit(bundle, "filament:", filament, 0, budget, settings, out.notRead);

@@ -2,11 +2,43 @@
 #include <utility>
 
 #include "base/json.hpp"
+#include "base/numbers.hpp"
 #include "printer_import/notes.hpp"
 #include "printer_import/slicer_files.hpp"
 #include "sillon/project/project.hpp"
 
 namespace sillon {
+namespace {
+
+// A definition of a machine that Cura reads: what it says otherwise than its parent.
+SlicerSettings settingsOfCura(const Json& root) {
+  SlicerSettings settings;
+  for (const auto& item : root["overrides"].items()) {
+    const Json& told = item.value();
+    if (!told.is_object()) continue;
+    const Json* value = told.contains("value")           ? &told["value"]
+                        : told.contains("default_value") ? &told["default_value"]
+                                                         : nullptr;
+    if (value == nullptr || value->is_structured() || value->is_null()) continue;
+    std::string text = value->is_string() ? value->get<std::string>() : value->dump();
+    settings.insert_or_assign(item.key(), std::move(text));
+  }
+  const auto width = settings.find("machine_width");
+  const auto depth = settings.find("machine_depth");
+  if (width == settings.end() || depth == settings.end()) return settings;
+  const double x = firstNumber(width->second).value_or(0);
+  const double y = firstNumber(depth->second).value_or(0);
+  const bool centred = settings["machine_center_is_zero"] == "true";
+  std::string area;
+  for (const Vec2 corner : {Vec2{0, 0}, Vec2{x, 0}, Vec2{x, y}, Vec2{0, y}}) {
+    const Vec2 place = centred ? corner - Vec2{x / 2, y / 2} : corner;
+    area += (area.empty() ? "" : ",") + decimal(place.x, 3) + "x" + decimal(place.y, 3);
+  }
+  settings["printable_area"] = area;
+  return settings;
+}
+
+}  // namespace
 
 Result<ImportedPrinter> importJson(std::string_view text) {
   const Json root = parseJson(text);
@@ -27,8 +59,14 @@ Result<ImportedPrinter> importJson(std::string_view text) {
     judgeBlocks(out);
     return out;
   }
-  out.source = "Orca settings";
-  SlicerSettings settings;
+  const auto kind = root.contains("type") && root["type"].is_string() ? root["type"].get<std::string>() : std::string();
+  if (kind == "process" || kind == "filament") {
+    return Error{ErrorCode::InvalidFile,
+                 "the preset is of a " + kind + " and not of a printer; export the printer, or a project"};
+  }
+  const bool cura = root.contains("overrides") && root["overrides"].is_object();
+  out.source = cura ? "Cura definition" : "Orca settings";
+  SlicerSettings settings = cura ? settingsOfCura(root) : SlicerSettings();
   for (const auto& item : root.items()) {
     const Json& value = item.value();
     const Json* first = value.is_array() && !value.empty() ? &value[0] : &value;
@@ -47,6 +85,7 @@ Result<ImportedPrinter> importJson(std::string_view text) {
   if (inherits) addNote(out.notRead, importNote("InheritedElsewhere", {{"name", shown(parent->second)}}));
   Result<ImportedPrinter> made = printerOfSettings(settings, std::move(out));
   // Ours would take their place, which are of another machine.
+  if (made && cura) made.value().printer.roundBed = settings["machine_shape"] == "elliptic";
   const bool lacks = !settings.contains("printable_area") || !settings.contains("machine_start_gcode");
   if (made && inherits && lacks && made.value().profile.empty()) {
     return Error{ErrorCode::InvalidFile,

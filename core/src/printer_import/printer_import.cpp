@@ -27,13 +27,16 @@ bool looksLikeGcode(std::string_view text) {
   return false;
 }
 
-// A project of Orca or Bambu Studio that is not sliced, or a printer that Orca exported: where its settings lie.
+// A project that is not sliced, of PrusaSlicer, Orca or Bambu Studio, or a printer that Orca exported: where its
+// settings lie.
+constexpr std::string_view kPrusaProject = "Metadata/Slic3r_PE.config";
+
 std::optional<ZipEntry> packedSettings(std::string_view zip) {
   const Result<ZipDirectory> directory = readZip(zip);
   std::optional<ZipEntry> found;
   if (!directory) return found;
   for (const ZipEntry& entry : directory.value().entries) {
-    const bool project = entry.name == "Metadata/project_settings.config";
+    const bool project = entry.name == "Metadata/project_settings.config" || entry.name == kPrusaProject;
     const bool preset = entry.name.starts_with("printer/") && entry.name.ends_with(".json");
     if (entry.name.ends_with(".gcode")) return std::nullopt;
     if ((project || preset) && !found) found = entry;
@@ -46,9 +49,16 @@ std::optional<ZipEntry> packedSettings(std::string_view zip) {
 Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view name) {
   if (isPackedGcode(bytes)) {
     if (const auto entry = packedSettings(bytes)) {
-      const Result<std::string> json = unpackEntry(bytes, *entry, kMaxSettingsBytes);
-      if (!json) return Error{json.error().code, "the file " + json.error().message};
-      return importJson(json.value());
+      const Result<std::string> settings = unpackEntry(bytes, *entry, kMaxSettingsBytes);
+      if (!settings) return Error{settings.error().code, "the file " + settings.error().message};
+      if (entry->name != kPrusaProject) return importJson(settings.value());
+      std::string lines;  // as comments at the end of its G-code
+      for (std::string_view rest = settings.value(); !rest.empty();) {
+        std::string_view line = nextLine(rest);
+        line.remove_prefix(line.starts_with(';') ? 1 : 0);
+        lines.append(line).append("\n");
+      }
+      return importIni(lines, {});
     }
     const Result<std::string> gcode = unpackGcode(std::string(bytes));
     if (!gcode) return gcode.error();

@@ -50,6 +50,9 @@ using SlicerSettings = std::map<std::string, std::string, std::less<>>;  ///< re
 /// Lays what is known of the settings over out.printer, and lists what was read and what could not be.
 void takeSettings(const SlicerSettings& settings, ImportedPrinter& out);
 
+/// The note that a bed was assumed, with its size.
+ImportNote bedUnknown(const Printer& printer);
+
 /// Keeps one tool's value of lists with a value for each filament, such as "PLA;PETG".
 void chooseTool(SlicerSettings& settings, std::size_t tool);
 

@@ -158,8 +158,7 @@ void SettingsReader::bed() {
       }
     }
   } else if (out_.profile.empty()) {
-    const Vec2 size = p_.bedMax - p_.bedMin;
-    addNote(out_.notRead, importNote("BedUnknown", {{"width", decimal(size.x, 0)}, {"depth", decimal(size.y, 0)}}));
+    addNote(out_.notRead, bedUnknown(p_));
   }
   BedArea area{{p_.bedMin, p_.bedMax}, {}};
   if (const std::string* text = find({"extruder_printable_area"}); text != nullptr && reachByAll(*text, area)) took();
@@ -176,7 +175,7 @@ void SettingsReader::bed() {
 }
 
 void SettingsReader::numbers() {
-  number({"max_print_height", "printable_height"}, 1, 5000, p_.maxZ);
+  number({"max_print_height", "printable_height", "machine_height"}, 1, 5000, p_.maxZ);
   number({"z_offset", "adhesion_z_offset"}, -2, 2, p_.zOffset);  // the second one is of Cura's Z offset plugin
   number({"nozzle_diameter", "machine_nozzle_size"}, 0.05, 2, p_.nozzle);
   number({"filament_diameter", "material_diameter"}, 0.5, 5, p_.filamentDiameter);
@@ -233,7 +232,7 @@ void SettingsReader::flavor() {
   if (const std::string* text = find({"gcode_flavor", "machine_gcode_flavor"})) {
     std::string word = *text;
     for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    if (word.starts_with("marlin")) {
+    if (word.find("marlin") != std::string::npos) {               // Cura: RepRap (Marlin/Sprinter)
       if (out_.profile.empty()) p_.flavor = GcodeFlavor::Marlin;  // what slicers say for want of a better word
     } else if (word == "klipper") {
       p_.flavor = GcodeFlavor::Klipper;
@@ -263,7 +262,10 @@ void SettingsReader::block(Keys keys, std::string& out) {
   std::string lines;
   for (std::string_view rest = *text; !rest.empty();) {
     const std::string_view line = nextLine(rest);
-    if (!isLayerMark(trimmed(line))) lines.append(line).append("\n");  // the first layer's, of its slicer
+    const std::string_view plain = trimmed(line);
+    // The first layer's mark, and the name of its slicer: the file is not that slicer's.
+    const bool foreign = isLayerMark(plain) || (plain.starts_with(';') && plain.find("enerated by") != plain.npos);
+    if (!foreign) lines.append(line).append("\n");
   }
   if (!text->ends_with('\n') && !lines.empty()) lines.pop_back();
   out = withSettings(lines, settings_, templateValues(p_, {}, {}));
@@ -275,6 +277,11 @@ void SettingsReader::block(Keys keys, std::string& out) {
 }
 
 }  // namespace
+
+ImportNote bedUnknown(const Printer& printer) {
+  const Vec2 size = printer.bedMax - printer.bedMin;
+  return importNote("BedUnknown", {{"width", decimal(size.x, 0)}, {"depth", decimal(size.y, 0)}});
+}
 
 void takeSettings(const SlicerSettings& settings, ImportedPrinter& out) { SettingsReader(settings, out).all(); }
 
