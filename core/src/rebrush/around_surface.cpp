@@ -9,6 +9,7 @@ namespace sillon {
 namespace {
 
 constexpr double kShortWipe = 1;  // [mm] without plastic behind the last bead
+constexpr double kAside = 10;     // [mm] of a relative way, drawn back: end blocks step aside from wherever they are
 constexpr int kLookAhead = 500;   // lines after a block
 
 // The commands that replace an earlier one altogether: of the same name, that set the same, for the same tool.
@@ -91,11 +92,12 @@ void keepCommand(std::string_view line, KeptPlaces& places, SurfaceBlock& block)
 
 void lookAhead(std::string_view gcode, bool byCura, SurfaceBlock& block) {
   MachineState machine = block.after;
-  bool done = false;
+  std::optional<Vec2> aside;  // a short way of Cura, which is a wipe if the nozzle draws back behind it
+  std::size_t asideEnd = 0;
   int lines = 0;
   std::string_view rest = gcode.substr(block.surface.end);
   std::size_t offset = block.surface.end;
-  while (!rest.empty() && !done && lines++ < kLookAhead) {
+  while (!rest.empty() && lines++ < kLookAhead) {
     const std::size_t lineFeed = rest.find('\n');
     const std::size_t size = lineFeed == std::string_view::npos ? rest.size() : lineFeed + 1;
     const GcodeParts parts = partsOf(trimmed(rest.substr(0, size - (lineFeed == std::string_view::npos ? 0 : 1))));
@@ -109,6 +111,14 @@ void lookAhead(std::string_view gcode, bool byCura, SurfaceBlock& block) {
     if (command.is('G', 92) && (words.has('X') || words.has('Y'))) return leaveSurface(block, LeftBecause::Travel);
     const auto move = runCommand(machine, command, words);
     if (!move || !move->xy) continue;
+    const bool tight = machine.firmwareRetracted || machine.retracted > block.after.retracted + 0.05;
+    if (aside && !tight) {
+      block.wipes.clear();
+      block.next = aside;
+      block.nextEnd = asideEnd;
+      return;
+    }
+    if (tight && !machine.absolute && move->e <= 0 && move->length < kAside) continue;
     if (!machine.absolute || move->arc || machine.inches || move->e > 0)
       return leaveSurface(block, LeftBecause::Travel);
     if (move->e < 0) {
@@ -118,15 +128,17 @@ void lookAhead(std::string_view gcode, bool byCura, SurfaceBlock& block) {
     }
     // A wipe may leave out a coordinate that does not change; a travel must name its place.
     if (!words.has('X') || !words.has('Y')) return leaveSurface(block, LeftBecause::Travel);
-    if (byCura && block.wipes.empty() && !move->toldF && move->length < kShortWipe && block.after.at == move->from &&
-        move->z == move->zFrom) {
+    if (byCura && block.wipes.empty() && !(move->toldF && tight) && move->length < kShortWipe &&
+        block.after.at == move->from && move->z == move->zFrom) {
       block.wipes.push_back({begin, offset, move->length});
+      if (move->toldF) aside = move->to;
+      asideEnd = offset;
       continue;
     }
     block.next = move->to;
     block.nextEnd = offset;
-    block.tightBefore = machine.firmwareRetracted || machine.retracted > block.after.retracted + 0.05;
-    done = true;
+    block.tightBefore = tight;
+    return;
   }
 }
 
