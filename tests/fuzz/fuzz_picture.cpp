@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const sillon::Image& picture = image.value();
   const std::int64_t pixels = static_cast<std::int64_t>(picture.width) * picture.height;
-  if (pixels < 1 || pixels > sillon::kMaxImagePixels) std::abort();
+  if (pixels < 1 || pixels > sillon::kMaxReadSamples / 3) std::abort();
   if (picture.channels < 1 || picture.channels > 4) std::abort();
   if (picture.samples.size() != static_cast<std::size_t>(pixels * picture.channels)) std::abort();
   return 0;

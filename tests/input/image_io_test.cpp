@@ -440,9 +440,22 @@ TEST_CASE("gigantic dimensions are refused before anything is decoded") {
   const auto wide = decodeImage(pngOf(40000, 1, 8, 0, little), "wide");
   CHECK(says(wide, "40000 x 1"));
   CHECK(wide.error().code == ErrorCode::TooLarge);
-  CHECK(says(decodeImage(pngOf(32768, 32768, 8, 0, little), "large"), "100 million"));
+  CHECK(says(decodeImage(pngOf(32768, 32768, 8, 0, little), "large"), "133 million"));
+  CHECK(says(decodeImage(pngOf(12000, 9000, 8, 6, little), "large"), "100 million with transparency"));
+  CHECK(says(decodeImage(pngOf(12000, 9000, 8, 2, little), "phone"), "cut off"));  // its size would do
   CHECK(decodeImage(pngOf(0x7fffffff, 0x7fffffff, 8, 0, little), "endless").error().code == ErrorCode::TooLarge);
   CHECK_FALSE(decodeImage(pngOf(0, 5, 8, 0, little), "nothing").ok());
+}
+
+TEST_CASE("a picture of 108 million pixels, as phones make them, is read") {
+  constexpr int kWidth = 12000, kHeight = 9000, kRun = 128;  // grey, of packets of 128 pixels
+  Bytes tga{0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, kWidth & 255, kWidth >> 8, kHeight & 255, kHeight >> 8, 8, 32};
+  for (int k = 0; k < kWidth * kHeight / kRun; ++k) append(tga, {255, static_cast<std::uint8_t>(k)});
+  const auto phone = decodeImage(tga, "phone");
+  REQUIRE_MESSAGE(phone.ok(), phone.error().message);
+  CHECK(phone.value().width == kWidth);
+  CHECK(phone.value().samples.size() == std::size_t{kWidth} * kHeight);
+  CHECK(phone.value().at(kRun, 0, 0) == 257);
 }
 
 TEST_CASE("a file too small for its dimensions is refused before memory is taken for them") {

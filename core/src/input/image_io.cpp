@@ -229,26 +229,33 @@ Facts inspectJpeg(Bytes bytes) {
   return facts;
 }
 
-/// Turns and mirrors the picture so that EXIF orientation `orientation` becomes 1.
-Image uprighted(Image image, int orientation) {
-  if (orientation <= 1) return image;
-  Image upright;
+/// Stored pixels as 16-bit samples, turned and mirrored so that EXIF orientation `orientation` becomes 1.
+/// \param image  its size and channels, as they are stored.
+Image uprighted(const void* stored, bool deep, int orientation, Image image) {
+  const int width = image.width, height = image.height, channels = image.channels;
   const bool swapped = orientation >= 5;
-  upright.width = swapped ? image.height : image.width;
-  upright.height = swapped ? image.width : image.height;
-  upright.channels = image.channels;
-  upright.samples.reserve(image.samples.size());
+  if (swapped) std::swap(image.width, image.height);
   const bool mirrorX = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
   const bool mirrorY = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
-  for (int y = 0; y < upright.height; ++y) {
-    for (int x = 0; x < upright.width; ++x) {
-      const int sx = swapped ? y : x, sy = swapped ? x : y;
-      const int storedX = mirrorX ? image.width - 1 - sx : sx;
-      const int storedY = mirrorY ? image.height - 1 - sy : sy;
-      for (int c = 0; c < image.channels; ++c) upright.samples.push_back(image.at(storedX, storedY, c));
+  const auto place = [&](int x, int y) {
+    if (swapped) std::swap(x, y);
+    const std::ptrdiff_t row = mirrorY ? height - 1 - y : y;
+    return (row * width + (mirrorX ? width - 1 - x : x)) * channels;
+  };
+  const auto* bytes = static_cast<const std::uint8_t*>(stored);
+  const auto* pairs = static_cast<const std::uint16_t*>(stored);
+  image.samples.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                        static_cast<std::size_t>(channels));
+  for (int y = 0; y < image.height; ++y) {
+    std::ptrdiff_t at = place(0, y);
+    const std::ptrdiff_t step = place(1, y) - at;
+    for (int x = 0; x < image.width; ++x, at += step) {
+      for (int c = 0; c < channels; ++c) {
+        image.samples.push_back(deep ? pairs[at + c] : static_cast<std::uint16_t>(bytes[at + c] * 257));
+      }
     }
   }
-  return upright;
+  return image;
 }
 
 // ---- BMP ----
@@ -333,8 +340,9 @@ Error unreadable(const std::string& name, Format format, const std::string& reas
 
 Error tooLarge(const std::string& name, const std::string& size) {
   return {ErrorCode::TooLarge, name + " has " + size + " pixels; at most " + std::to_string(kMaxImageSide) +
-                                   " per side and " + std::to_string(kMaxImagePixels / 1'000'000) +
-                                   " million in all are allowed"};
+                                   " per side and " + std::to_string(kMaxReadSamples / 3'000'000) +
+                                   " million in all are allowed, " + std::to_string(kMaxReadSamples / 4'000'000) +
+                                   " million with transparency"};
 }
 
 using Decoded = std::unique_ptr<void, void (*)(void*)>;
@@ -354,7 +362,8 @@ Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format,
   }
   image.height = std::abs(image.height);  // negative: a BMP whose first row is the top one
   const std::int64_t pixels = static_cast<std::int64_t>(image.width) * image.height;
-  if (image.width > kMaxImageSide || image.height > kMaxImageSide || pixels > kMaxImagePixels) {
+  if (image.width > kMaxImageSide || image.height > kMaxImageSide ||
+      pixels * std::max(image.channels, 3) > kMaxReadSamples) {
     return tooLarge(name, std::to_string(image.width) + " x " + std::to_string(image.height));
   }
   if (pixels / kPixelsPerByte[static_cast<int>(format)] > size) return unreadable(name, format, "it is cut off");
@@ -370,21 +379,12 @@ Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format,
       stbi_image_free);
   if (!decoded) return unreadable(name, format, stbi_failure_reason());
 
-  const std::size_t samples = static_cast<std::size_t>(pixels) * static_cast<std::size_t>(image.channels);
-  if (deep) {
-    const auto* stored = static_cast<const std::uint16_t*>(decoded.get());
-    image.samples.assign(stored, stored + samples);
-  } else {
-    const auto* stored = static_cast<const std::uint8_t*>(decoded.get());
-    image.samples.resize(samples);
-    std::transform(stored, stored + samples, image.samples.begin(),
-                   [](std::uint8_t s) { return static_cast<std::uint16_t>(s * 257); });
-  }
+  image = uprighted(decoded.get(), deep, orientation, std::move(image));
   // The fourth byte of such pixels means nothing.
   if (format == Format::Tga && image.channels == 4 && (bytes[17] & 15u) == 0) {
     for (std::size_t k = 3; k < image.samples.size(); k += 4) image.samples[k] = 65535;
   }
-  return uprighted(std::move(image), orientation);
+  return image;
 }
 
 std::string big(std::uint32_t v) {

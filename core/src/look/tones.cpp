@@ -1,3 +1,4 @@
+#include "sillon/input/image_io.hpp"
 #include "sillon/look/inversion.hpp"
 
 #include <algorithm>
@@ -90,14 +91,22 @@ const std::vector<float>& lightOfSamples() {
 /// \param grey  of the samples of red, green and blue; pictures without colours have theirs.
 template <class Grey>
 Tones greysOf(const Image& image, Grey&& grey) {
-  Tones tones{image.width, image.height, {}};
-  tones.value.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-  const std::uint16_t* pixel = image.samples.data();
-  for (float& value : tones.value) {
-    const float solid = image.channels % 2 == 0 ? codeOfSample(pixel[image.channels - 1]) : 1;
-    const float code = image.channels < 3 ? codeOfSample(pixel[0]) : grey(pixel);
-    value = code * solid + (1 - solid);
-    pixel += image.channels;
+  // Of the largest pictures four pixels become one tone: all of them would take as much memory as the picture.
+  const bool large = static_cast<std::int64_t>(image.width) * image.height > kMaxImagePixels;
+  const int halved = large ? 1 : 0;
+  Tones tones{image.width >> halved, image.height >> halved, {}};
+  tones.value.resize(static_cast<std::size_t>(tones.width) * static_cast<std::size_t>(tones.height));
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (int y = 0; y < tones.height << halved; ++y) {
+    const std::uint16_t* pixel =
+        &image.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) * channels];
+    float* const row = &tones.value[static_cast<std::size_t>(y >> halved) * static_cast<std::size_t>(tones.width)];
+    for (int x = 0; x < tones.width << halved; ++x, pixel += channels) {
+      const float solid = channels % 2 == 0 ? codeOfSample(pixel[channels - 1]) : 1;
+      const float code = channels < 3 ? codeOfSample(pixel[0]) : grey(pixel);
+      const float tone = code * solid + (1 - solid);
+      row[x >> halved] += large ? tone / 4 : tone;
+    }
   }
   return tones;
 }

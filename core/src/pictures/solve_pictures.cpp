@@ -87,9 +87,9 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
   if (layer == nullptr) return pictures;
   std::vector<LitPicture> lit = unlit(layer->pictures, params.lampSize);
   for (std::size_t k = 0; k < lit.size(); ++k) {
-    const Result<Image> image = readPicture(read, layer->pictures[k].file, "picture");
+    Result<Image> image = readPicture(read, layer->pictures[k].file, "picture");
     if (!image) return image.error();
-    lit[k].tones = tonesOf(cropped(image.value(), *layer));
+    lit[k].tones = tonesOf(cropped(std::move(image).value(), *layer));
   }
   const Vec2 page = input.shape.page;
   const double spacing = project.toolpath.spacing;

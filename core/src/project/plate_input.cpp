@@ -232,9 +232,9 @@ Result<LowestField> fieldOf(const Project& project, const ReadInput& read, std::
   if (ground == nullptr) return LowestField{uniformDirection(0).value(), uniformMode(DirectionMode::Constrained)};
   auto directions = uniformDirection(ground->kind() == LayerKind::Direction ? ground->as<LayerAngle>()->angle : 0);
   if (const MapLayer* const map = ground->as<MapLayer>()) {
-    const Result<Image> decoded = readPicture(read, map->file, "direction picture");
+    Result<Image> decoded = readPicture(read, map->file, "direction picture");
     if (!decoded) return decoded.error();
-    lines = cropped(decoded.value(), *map);
+    lines = cropped(std::move(decoded).value(), *map);
     directions = directionMap(*lines, map->encoding);
     if (!directions) return named("direction picture", map->file, directions.error());
   }
@@ -275,9 +275,9 @@ Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read,
   const PictureLayer* const lit = ground == nullptr ? nullptr : ground->as<PictureLayer>();
   const bool open = project.builtin == BuiltinShape::None || project.builtinSize.y == 0;
   if (lit != nullptr && open && project.shapeFile.empty()) {
-    const Result<Image> decoded = readPicture(read, lit->pictures.at(0).file, "picture");
+    Result<Image> decoded = readPicture(read, lit->pictures.at(0).file, "picture");
     if (!decoded) return decoded.error();
-    lines = cropped(decoded.value(), *lit);
+    lines = cropped(std::move(decoded).value(), *lit);
   }
   Result<Shape> shape = project.shapeFile.empty() ? builtinShape(project, read, lines) : shapeFromFile(project, read);
   shape = finished(std::move(shape), project, run);

@@ -13,8 +13,11 @@
 
 namespace sillon {
 
-inline constexpr int kMaxImageSide = 32768;  ///< pixels
-inline constexpr std::int64_t kMaxImagePixels = 100'000'000;
+inline constexpr int kMaxImageSide = 32768;                   ///< pixels
+inline constexpr std::int64_t kMaxImagePixels = 100'000'000;  ///< of those that are made
+/// Values of a picture that is read, so that it takes 1.6 GB at most while it is decoded: 133
+/// million pixels, or 100 million with transparency.
+inline constexpr std::int64_t kMaxReadSamples = 400'000'000;
 
 /// Decodes PNG, JPEG, BMP or TGA. Stored values as they are: no gamma, no colour profile; 16-bit
 /// PNGs keep their bits. The EXIF orientation of a JPEG or PNG is applied.
