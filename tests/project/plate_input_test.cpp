@@ -3,12 +3,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "geometry/parts.hpp"
 #include "sillon/geometry/outline.hpp"
 #include "sillon/input/image_io.hpp"
+#include "sillon/report/input_note.hpp"
 
 using namespace sillon;
 
@@ -148,6 +150,27 @@ TEST_CASE("a plate without shape has the proportions of the part that is used of
   // One that lies somewhere, or that is hidden, is no ground.
   project.layers[0].size = {10, 10};
   CHECK(readPlateInput(project, files.reader()).error().message.find("there is no shape") == 0);
+}
+
+TEST_CASE("a picture with a transparent ground is told where it lends a plate its proportions") {
+  const auto noted = [](std::uint16_t clear, const std::string& shape = "") {
+    std::vector<std::uint16_t> samples(200, 65535);  // grey and alpha
+    samples[1] = clear;
+    Files files;
+    files.byName = {{"badge", Image{10, 10, 2, samples}}};
+    Project project;
+    project.shapeFile = shape;
+    PictureLayer lit;
+    lit.pictures = {{"badge", std::nullopt}};
+    project.layers.emplace_back().contents = lit;
+    const auto read = readPlateInput(project, files.reader());
+    REQUIRE_MESSAGE(read.ok(), read.error().message);
+    const std::vector<InputNote> notes = inputNotes(project, read.value().shape.drawing);
+    return std::any_of(notes.begin(), notes.end(), [](const InputNote& note) { return note.code == "CutOut"; });
+  };
+  CHECK(noted(0));
+  CHECK_FALSE(noted(40000));
+  CHECK_FALSE(noted(0, "badge"));
 }
 
 TEST_CASE("another surface has the directions of the lowest layer, and no picture lends it anything") {

@@ -220,6 +220,15 @@ Result<PaintedFile> readPainted(const ReadInput& read, const std::string& name, 
 
 namespace {
 
+// A hundredth of it is seen through.
+bool isCutOut(const Image& image) {
+  if (image.channels % 2 != 0) return false;
+  std::size_t clear = 0;
+  const auto step = static_cast<std::size_t>(image.channels);
+  for (std::size_t k = step - 1; k < image.samples.size(); k += step) clear += image.samples[k] < 0x8000 ? 1 : 0;
+  return 100 * clear >= image.samples.size() / step;
+}
+
 /// Directions and modes of the lowest layer.
 struct LowestField {
   DirectionMap directions;
@@ -274,14 +283,17 @@ Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read,
   const Layer* const ground = groundOf(project.layers);
   const PictureLayer* const lit = ground == nullptr ? nullptr : ground->as<PictureLayer>();
   const bool open = project.builtin == BuiltinShape::None || project.builtinSize.y == 0;
+  bool cutOut = false;
   if (lit != nullptr && open && project.shapeFile.empty()) {
     Result<Image> decoded = readPicture(read, lit->pictures.at(0).file, "picture");
     if (!decoded) return decoded.error();
     lines = cropped(std::move(decoded).value(), *lit);
+    cutOut = isCutOut(*lines);
   }
   Result<Shape> shape = project.shapeFile.empty() ? builtinShape(project, read, lines) : shapeFromFile(project, read);
   shape = finished(std::move(shape), project, run);
   if (!shape) return named("shape", project.shapeFile, shape.error());
+  shape.value().drawing.cutOut = cutOut;
   return PlateInput{std::move(shape).value(), std::move(field.value().directions), std::move(field.value().modes)};
 }
 

@@ -22,6 +22,9 @@ constexpr Sentence kSentences[] = {
      "pictures in the drawing are left out ({n} <image>); convert them to paths in the program that made the drawing"},
     {"SeveralColours",
      "the drawing has several colours, all printed as one solid; the studio gives each a direction of its own"},
+    {"CutOut",
+     "the picture has a transparent ground, which is printed, too; the same file as shape.file (--shape) prints its "
+     "opaque part alone"},
     {"LinesAsShape",
      "nothing in the drawing is filled, so its lines are the shape; shape.paint ignore (--paint ignore) fills them"},
 };
@@ -51,6 +54,7 @@ std::vector<InputNote> inputNotes(const Project& project, const DrawingFacts& dr
     add(notes, "NoSize", {{"setting", std::string(project.shapeFile.empty() ? "shape.size" : "shape.pageWidth")}});
   }
   addLost(drawing, notes);
+  if (drawing.cutOut) add(notes, "CutOut");
   if (drawing.linesOnly) add(notes, "LinesAsShape");
   return notes;
 }

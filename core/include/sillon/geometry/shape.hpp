@@ -44,6 +44,7 @@ struct DrawingFacts {
   bool unpainted = false;       ///< nothing is painted: outlines were taken whatever their paint
   bool linesOnly = false;       ///< nothing is filled: strokes alone are the shape
   bool severalColours = false;  ///< painted, of which the shape shows nothing
+  bool cutOut = false;          ///< a picture with a transparent ground lends the shape no more than its proportions
   double offPage = 0;           ///< painted, but cut off at the page's edges [mm²]
   /// What is shown and not read beside texts and images: "<marker>", "CSS \"r\"", ...; at most 8.
   std::vector<std::string> unread = {};
