@@ -23,6 +23,7 @@ struct Arguments {
   std::optional<double> width;  ///< of the page [mm]; unset: as drawn
   bool ignorePaint = false;
   bool json = false;
+  bool outline = false;
 };
 
 using Json = nlohmann::ordered_json;
@@ -30,8 +31,25 @@ using Json = nlohmann::ordered_json;
 struct Description {
   sillon::Vec2 page;
   double area = 0;
-  std::vector<std::string> notes;
+  Json notes = Json::array();  ///< code and message of each
+  std::string outline;         ///< where asked for
 };
+
+/// Path data of SVG: in mm from the page's upper left corner, to be filled by nonzero winding.
+std::string pathOf(const sillon::Shape& shape) {
+  std::string path;
+  for (const sillon::FilledPath& part : shape.paths) {
+    for (const sillon::Ring& ring : part.rings) {
+      for (const sillon::Vec2& p : ring) {
+        char text[64];
+        std::snprintf(text, sizeof text, "%c%.3f %.3f", &p == ring.data() ? 'M' : 'L', p.x, shape.page.y - p.y);
+        path += text;
+      }
+      path += 'Z';
+    }
+  }
+  return path;
+}
 
 sillon::Result<Description> describe(const std::string& file, const Arguments& arguments) {
   sillon::Project project;
@@ -42,12 +60,18 @@ sillon::Result<Description> describe(const std::string& file, const Arguments& a
   if (!input) return input.error();
   const auto outline = sillon::resolveOutline(input.value().shape);
   if (!outline) return outline.error();
-  Description out{input.value().shape.page, outline.value().area, {}};
-  for (const sillon::InputNote& note : sillon::inputNotes(project, input.value().shape.drawing)) {
-    out.notes.push_back(note.message);
+  const sillon::DrawingFacts& drawing = input.value().shape.drawing;
+  Description out{input.value().shape.page, outline.value().area};
+  if (arguments.outline) {
+    const auto body = sillon::unitedOnGrid(input.value().shape);
+    if (!body) return body.error();
+    out.outline = pathOf(body.value());
   }
-  for (const sillon::Warning& warning : sillon::drawingWarnings(input.value().shape.drawing)) {
-    out.notes.push_back(warning.message);
+  for (const sillon::InputNote& note : sillon::inputNotes(project, drawing)) {
+    out.notes.push_back({{"code", note.code}, {"message", note.message}});
+  }
+  for (const sillon::Warning& warning : sillon::drawingWarnings(drawing)) {
+    out.notes.push_back({{"code", sillon::warningName(warning.code)}, {"message", warning.message}});
   }
   return out;
 }
@@ -58,14 +82,16 @@ std::string line(const std::string& file, const sillon::Result<Description>& rea
   std::snprintf(text, sizeof text, "\n  page %.2f x %.2f mm, area %.2f mm2\n", read.value().page.x, read.value().page.y,
                 read.value().area);
   std::string out = file + text;
-  for (const std::string& note : read.value().notes) out += "  note: " + note + "\n";
+  for (const Json& note : read.value().notes) out += "  note: " + note["message"].get<std::string>() + "\n";
   return out;
 }
 
 Json jsonOf(const std::string& file, const sillon::Result<Description>& read) {
   if (!read) return {{"file", file}, {"error", read.error().message}};
   const Description& shape = read.value();
-  return {{"file", file}, {"page", {shape.page.x, shape.page.y}}, {"areaMm2", shape.area}, {"notes", shape.notes}};
+  Json json{{"file", file}, {"page", {shape.page.x, shape.page.y}}, {"areaMm2", shape.area}, {"notes", shape.notes}};
+  if (!shape.outline.empty()) json["outline"] = shape.outline;
+  return json;
 }
 
 /// Each file, one after the other, however many of them fail.
@@ -95,6 +121,7 @@ Action add(Options& options) {
                        {{"shown", false}, {"ignore", true}},
                        [arguments](bool ignore) { arguments->ignorePaint = ignore; });
   options.flag("--json", "print one line of JSON for each file", arguments->json);
+  options.flag("--outline", "with --json: add the outline, as path data of SVG in mm", arguments->outline);
   return [arguments] { return run(*arguments); };
 }
 
@@ -103,7 +130,7 @@ Action add(Options& options) {
 const Command shapeCommand{"shape",
                            "show how a drawing or mask is read: page, area, notes",
                            "FILE...",
-                           "--size --paint --json",
+                           "--size --paint --json --outline",
                            "Examples:\n"
                            "  sillon shape badge.svg --size 60",
                            add};
