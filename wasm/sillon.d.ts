@@ -636,6 +636,8 @@ export interface Layer {
   text: string;
   /** A built-in font, or a TTF or OTF file. Default "Nunito", of text, pattern. */
   font: string;
+  /** Weight of the letters, where the font is a variable one; 0 is the font’s own. 0..1000, default 0, of text, pattern. */
+  weight: number;
   /** Height of capitals, where the size is 0. 1..1000 mm, default 10, of text, pattern. */
   textSize: number;
   /** Radius of the circle that letters stand on; 0: straight; below 0: along the lower side, to be read from inside. -5000..5000 mm, default 0, of text, pattern. */

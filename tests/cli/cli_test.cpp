@@ -698,7 +698,7 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
   folder.picture("two.png", 40, 40, [](int column, int) { return column < 20 ? 64 : 191; });
   folder.write("text.svg",
                "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm'><rect width='9' "
-               "height='9'/><text><textPath>a</textPath></text></svg>");
+               "height='9'/><flowRoot>a</flowRoot></svg>");
   const Run told = folder.run("zones --shape text.svg --angle 30 -o told.3mf");
   CHECK(has(told.out, "note   text in the drawing is left out (1 <text>)"));
   CHECK(has(told.out, "off    0.0 degrees on average"));
@@ -1485,7 +1485,7 @@ TEST_CASE("what is taken for granted of a file, or left out of it, is said") {
   const Folder folder;
   folder.write(
       "a.svg",
-      R"(<svg viewBox="0 0 60 40"><rect width="60" height="40"/><path d="M9 9h9v9z" fill="#fff"/><text><textPath>a</textPath></text><text y="9" font-family="Arial">b</text><image width="3" height="3"/></svg>)");
+      R"(<svg viewBox="0 0 60 40"><rect width="60" height="40"/><path d="M9 9h9v9z" fill="#fff"/><flowRoot>a</flowRoot><text y="9" font-family="Arial">b</text><image width="3" height="3"/></svg>)");
   folder.picture("l.png", 8, 8, [](int, int) { return 255; });
   const std::string coarse = " --spacing 2 --nozzle 1";
   const Run drawn = folder.run("generate --shape a.svg" + coarse);

@@ -586,7 +586,7 @@ TEST_CASE("files that are no SVG are refused by name") {
   checkRefused("hello", bad, {"XML"});
   checkRefused("<!-- only -->", bad, {"<svg>"});
   checkRefused("<html><body/></html>", bad, {"html", "<svg>"});
-  checkRefused("\x1f\x8b\x08 zipped", bad, {"svgz"});
+  checkRefused("\x1f\x8b\x08 zipped", bad, {".gz", "cut off"});
   checkRefused(std::string("<\0s\0v\0g\0", 8), bad, {"UTF-8"});
   checkRefused("<svg width=\"1mm\" height=\"1mm\">\n<g>", bad, {"XML", "line"});
   checkRefused("<svg>\n</g>", bad, {"XML", "line 2"});
@@ -606,7 +606,7 @@ TEST_CASE("pages without a sensible size are refused with the value") {
     return "<svg " + attributes + "><rect width=\"1\" height=\"1\"/></svg>";
   };
   const auto bad = ErrorCode::InvalidFile;
-  checkRefused(page(""), bad, {"size", "viewBox"});
+  checkRefused("<svg><g/></svg>", bad, {"size", "viewBox"});
   checkRefused(page("width=\"5mm\""), bad, {"size"});
   checkRefused(page("width=\"0\" height=\"5\""), bad, {"width", "\"0\"", "100000 mm"});
   checkRefused(page("width=\"5\" height=\"-5mm\""), bad, {"height", "-5mm"});
@@ -900,12 +900,57 @@ TEST_CASE("what is not painted is not there, as long as something is") {
              300);
 }
 
+TEST_CASE("outlines without paint are joined, and alternate between solid and hole") {
+  const auto area = [](const std::string& content) {
+    return resolveOutline(read(page("<g fill='none'>" + content + "</g>"), kOutlines)).value().area;
+  };
+  const auto square = [](int from, int side) {
+    return "<rect x='" + std::to_string(from) + "' y='" + std::to_string(from) + "' width='" + std::to_string(side) +
+           "' height='" + std::to_string(side) + "'/>";
+  };
+  for (int depth = 1; depth <= 6; ++depth) {
+    std::string nested;
+    double expected = 0;
+    for (int k = depth; k-- > 0;) {  // the innermost first
+      nested += square(5 * k, 90 - 10 * k);
+      expected += (k % 2 == 0 ? 1 : -1) * (90.0 - 10 * k) * (90 - 10 * k);
+    }
+    CHECK(area(nested) == doctest::Approx(expected));
+  }
+  CHECK(area(square(10, 20) + square(20, 20)) == doctest::Approx(700));  // crossing ones are one body
+  CHECK(area(square(10, 20) + square(10, 20)) == doctest::Approx(400));  // and so are equal ones
+  CHECK(area(square(10, 20) + square(50, 20)) == doctest::Approx(800));
+
+  // A circle of 628 pieces of 0.2, whose ends are up to 0.02 apart, in any order and way.
+  std::vector<std::string> pieces;
+  for (int k = 0; k < 628; ++k) {
+    const auto end = [&](int n, double off) {
+      const double angle = n * 2 * std::numbers::pi / 628;
+      return std::to_string(50 + off + 20 * std::cos(angle)) + " " + std::to_string(50 - off + 20 * std::sin(angle));
+    };
+    const std::string from = end(k, 0.005 * (k % 3)), to = end(k + 1, -0.005 * (k % 2));
+    pieces.push_back("<path d='M" + (k % 2 == 0 ? from + "L" + to : to + "L" + from) + "'/>");
+  }
+  std::string forwards, mixed;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    forwards += pieces[k];
+    mixed += pieces[k * 5 % pieces.size()];
+  }
+  CHECK(area(forwards) == doctest::Approx(400 * std::numbers::pi).epsilon(0.002));
+  CHECK(area(mixed) == doctest::Approx(400 * std::numbers::pi).epsilon(0.002));
+  CHECK(area(mixed + square(60, 1)) == doctest::Approx(400 * std::numbers::pi - 1).epsilon(0.002));
+  // What ends somewhere spans what it did alone.
+  CHECK(area("<path d='M10 10H20V20'/><path d='M20 20V30'/>") == doctest::Approx(50));
+}
+
 TEST_CASE("nothing painted is said, and its outlines are the shape") {
   const Shape shape = read(page("<g fill='none'>" + kSquare + "</g>"));
   CHECK(shape.drawing.unpainted);
   CHECK(ringArea(shape) == doctest::Approx(100));
   CHECK_FALSE(read(page(kSquare)).drawing.unpainted);
   CHECK_FALSE(read(page("<g fill='none'>" + kSquare + "</g>"), kOutlines).drawing.unpainted);
+  CHECK(read(page("<style>rect:first-child{fill:red}</style><g fill='none'>" + kSquare + "</g>")).drawing.unread ==
+        std::vector<std::string>{"CSS \"rect:first-child\""});
   // Text is painted, and cannot be read: its frame must not stand for it.
   checkRefused(page("<g fill='none'>" + kSquare + "</g><text>a</text>"), ErrorCode::EmptyShape, {"text"});
 }

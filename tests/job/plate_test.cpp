@@ -35,7 +35,7 @@ Result<InputFile> readFile(const std::string& name, const std::string& /*what*/)
   if (name == "text.svg") {
     return InputFile(std::string(
         R"(<svg viewBox="0 0 60 60"><rect width="60" height="60"/><text y="30" font-family="Arial">a</text>)"
-        R"(<text><textPath>b</textPath></text></svg>)"));
+        R"(<flowRoot>b</flowRoot></svg>)"));
   }
   if (name == "lacking.svg") {
     return InputFile(std::string(R"(<svg width="10mm" height="10mm" viewBox="0 0 10 10"><text y="8" font-size="8">)"
@@ -44,7 +44,7 @@ Result<InputFile> readFile(const std::string& name, const std::string& /*what*/)
   if (name == "spaced.svg") {
     return InputFile(
         std::string(R"(<svg width="10mm" height="10mm" viewBox="0 0 10 10"><rect width="12" height="9" fill="red"/>)"
-                    R"(<circle r="3"/><text y="8" textLength="9">a</text></svg>)"));
+                    R"(<circle r="3"/><text y="8" writing-mode="tb">a</text></svg>)"));
   }
   return Error{ErrorCode::InvalidFile, "there is no " + name};
 }
@@ -408,7 +408,7 @@ TEST_CASE("drawings and masks of visible layers tell what that of the shape woul
   REQUIRE(warned.size() == 2);
   CHECK(has(warned[0], "layer 2: "));
   CHECK(has(warned[0], "lie off its page"));
-  CHECK(has(warned[1], "layer 2: these parts of the drawing are not read: textLength"));
+  CHECK(has(warned[1], "layer 2: these parts of the drawing are not read: writing-mode"));
   const std::string report = reportJson(plate.report());
   CHECK(
       has(report, R"("notes": [{"code":"SeveralColours","values":{"layer":2.0},"message":"layer 2: the drawing has)"));

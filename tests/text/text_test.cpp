@@ -201,6 +201,34 @@ TEST_CASE("a letter of which a font has no outline is one that it lacks") {
                         shapeLine(kNoFiles, "Nunito", "o").value().capHeight));
 }
 
+TEST_CASE("a variable font is as heavy as asked") {
+  std::ifstream file(SILLON_SOURCE_DIR "/tests/data/field/boxes-weight.ttf", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const ReadInput read = [&](const std::string&, const std::string&) { return Result<InputFile>(InputFile(bytes)); };
+  // A bar of 100 units by 700, which grows to 500 between the weights of 100 and 900.
+  for (const auto& [weight, width] : {std::pair(0, 100.0), {100, 100.0}, {500, 300.0}, {900, 500.0}, {1000, 500.0}}) {
+    CAPTURE(weight);
+    Lettering lettering{"H", "own.ttf", 7};
+    lettering.weight = weight;
+    const auto shape = textShape(lettering, read);
+    REQUIRE(shape.ok());
+    CHECK(shape.value().page.x == doctest::Approx(width / 100));
+    CHECK(shape.value().page.y == doctest::Approx(7));
+  }
+  Lettering plain{"H", "Nunito", 7}, heavy = plain;
+  heavy.weight = 900;
+  CHECK(textShape(plain, kNoFiles).value() == textShape(heavy, kNoFiles).value());
+}
+
+TEST_CASE("a name that is no font's is refused with those that there are") {
+  for (const char* name : {"Arial", "nunito"}) {
+    const auto line = shapeLine(kNoFiles, name, "A");
+    REQUIRE_FALSE(line.ok());
+    for (const std::string_view font : builtinFonts()) CHECK(line.error().message.find(font) != std::string::npos);
+  }
+  CHECK(shapeLine(kNoFiles, "mine.WOFF2", "A").error().message.find("Nunito") == std::string::npos);
+}
+
 TEST_CASE("letters on a circle stand on it, above or below") {
   for (const double circle : {30.0, -30.0}) {
     CAPTURE(circle);

@@ -38,15 +38,16 @@ async function maker(): Promise<(name: string) => string> {
     fonts.set(name, font);
     return font;
   };
-  const shaped = (font: string, line: string): Shaped => {
-    const own = shapeLine(line, fontOf(font));
+  const shaped = (font: string, weight: number, line: string): Shaped => {
+    const file = { ...fontOf(font), weight };
+    const own = shapeLine(line, file);
     const others = [...fontFiles.keys()].filter((name) => name !== font);
-    return own.lacks === true ? shapeLine(line, fontOf(font), others.map(fontOf)) : own;
+    return own.lacks === true ? shapeLine(line, file, others.map(fontOf)) : own;
   };
   /** @param name  as core/src/text asks for it */
   return (name) => {
-    const { kind, key, text } = lettersOf(name);
-    if (kind === 'line') return JSON.stringify(shaped(key, text));
+    const { kind, key, weight, text } = lettersOf(name);
+    if (kind === 'line') return JSON.stringify(shaped(key, weight, text));
     const code = qrModules(text, key as Parameters<typeof qrModules>[1]);
     return code === undefined
       ? ''

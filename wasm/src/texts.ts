@@ -4,7 +4,7 @@ import { usualCorrection, usualFont } from './facts.js';
 import { fontFiles } from './fonts.js';
 import type { Platform } from './platform.js';
 import type { EngineFiles, Files } from './protocol.js';
-import { lettersOf, nameOf } from './letter-names.js';
+import { keyOf, lettersOf, nameOf } from './letter-names.js';
 import type { FontFile } from './text/text.js';
 
 type Tools = typeof import('./text/text.js');
@@ -14,6 +14,7 @@ interface Lettering {
   kind?: unknown;
   text?: unknown;
   font?: unknown;
+  weight?: unknown;
   correction?: unknown;
 }
 
@@ -21,8 +22,9 @@ const latin = new TextDecoder('latin1');
 
 /** Tells whether bytes are a drawing with <text>. Photographs, which may be large, are told by their first bytes. */
 const hasText = (bytes: Uint8Array): boolean =>
-  /^[\s\u00EF\u00BB\u00BF]*</.test(latin.decode(bytes.subarray(0, 256))) &&
-  /<(?:[\w-]+:)?text[\s>]/.test(latin.decode(bytes));
+  (bytes[0] === 0x1f && bytes[1] === 0x8b) || // packed
+  (/^[\s\u00EF\u00BB\u00BF]*</.test(latin.decode(bytes.subarray(0, 256))) &&
+    /<(?:[\w-]+:)?text[\s>]/.test(latin.decode(bytes)));
 
 /** Lines that drawings ask for. A Blob cannot change, so that each is read once. */
 const linesOfBlobs = new WeakMap<Blob, string[]>();
@@ -75,11 +77,12 @@ export class Texts {
    * @throws SillonError LoadFailed, InvalidFile */
   async addTo(files: Files, sections: Record<string, unknown>): Promise<void> {
     for (const layer of lettersIn(sections)) {
-      const { kind, text, font = usualFont, correction = usualCorrection } = layer;
+      const { kind, text, font = usualFont, weight, correction = usualCorrection } = layer;
       if (typeof text !== 'string' || text === '') continue;
       if (kind === 'code') await this.#addCode(files, text, correction);
       if (kind === 'code' || typeof font !== 'string') continue;
-      for (const line of text.split('\n')) await this.#addLine(files, font, line.replace(/\r$/, ''));
+      for (const line of text.split('\n'))
+        await this.#addLine(files, font, line.replace(/\r$/, ''), Number(weight ?? 0));
     }
     for (const drawing of drawingsIn(sections, files)) await this.#addLinesOf(files, drawing);
   }
@@ -107,12 +110,12 @@ export class Texts {
     files[nameOf('qr', correction, text)] = { number: 0, value };
   }
 
-  async #addLine(files: Files, font: string, line: string): Promise<void> {
-    const name = nameOf('line', font, line);
+  async #addLine(files: Files, font: string, line: string, weight = 0): Promise<void> {
+    const name = nameOf('line', keyOf(font, weight), line);
     if (name in files) return;
     const bytes = await this.#fontOf(files, font);
     const shaped = JSON.stringify(
-      bytes === undefined ? { unknownFont: true } : await this.#shaped({ name: font, bytes }, line),
+      bytes === undefined ? { unknownFont: true } : await this.#shaped({ name: font, bytes, weight }, line),
     );
     files[name] = { number: 0, value: new TextEncoder().encode(shaped) };
   }

@@ -242,8 +242,8 @@ describe('results', () => {
       offPage: 0,
       unpainted: false,
     });
-    const onPath = '<text><textPath href="#a">a</textPath></text>';
-    const { texts, images } = await st.readShape({ file: svg.replace('</svg>', `${onPath}${onPath}<image/></svg>`) });
+    const flowing = '<flowRoot>a</flowRoot>';
+    const { texts, images } = await st.readShape({ file: svg.replace('</svg>', `${flowing}${flowing}<image/></svg>`) });
     assert.deepEqual([texts, images], [2, 1]);
     const lines = svg.replace(/<(path|rect|polygon)/, '<$1 fill="none"');
     assert.notEqual(lines, svg);

@@ -16,6 +16,9 @@ constexpr Sentence kReasons[] = {
      "the print head would touch them"},
     {reason::kNoBeadFits,
      "no bead fits into this shape at a toolpath.spacing of {spacing} mm; use a smaller one or a larger shape"},
+    {reason::kLinesTooThin,
+     "nothing in the drawing is filled, and no bead fits into its lines at a toolpath.spacing of {spacing} mm; "
+     "shape.paint ignore (--paint ignore) fills what they enclose"},
     {reason::kHoleOutside,
      "hole {n} at {x}, {y} mm, {diameter} mm wide, lies outside the shape, which reaches from {left}, {bottom} to "
      "{right}, {top} mm; move it onto the shape, or leave it out"},

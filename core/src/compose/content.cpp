@@ -40,8 +40,9 @@ Shape onItsInk(Shape shape) {
 
 std::optional<Error> readText(const Layer& layer, const ReadInput& read, LayerContent& content) {
   const LayerLetters& letters = *layer.as<LayerLetters>();
-  Result<Shape> shape =
-      textShape({layer.as<LayerWords>()->text, letters.font, letters.textSize, letters.circle, letters.align}, read);
+  Result<Shape> shape = textShape(
+      {layer.as<LayerWords>()->text, letters.font, letters.textSize, letters.circle, letters.align, letters.weight},
+      read);
   if (!shape) return shape.error();
   content.shape = std::move(shape).value();
   const Vec2 drawn = content.shape->page;

@@ -277,7 +277,7 @@ Result<GcodeContainer> readGcodeContainer(std::string file) {
     return container;
   }
   if (isGzip(bytes)) {
-    Result<std::string> text = unzipped(bytes);
+    Result<std::string> text = unzipped(bytes, kMostGcodeBytes);
     if (!text) return text.error();
     container.kind = GcodeContainerKind::Gzip;
     container.gcode = std::move(text).value();

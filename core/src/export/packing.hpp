@@ -1,4 +1,4 @@
-// Packed files: bytes, checksums, gzip, limits, and Prusa's binary G-code.
+// Packed files: checksums, facts of G-code, and Prusa's binary G-code.
 #pragma once
 
 #include <cstddef>
@@ -8,29 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "input/gzip.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
 
 namespace sillon {
-
-// Numbers in files, lowest byte first.
-
-/// Appends a number's `bytes` lowest bytes; more than 8 bytes end in zeros.
-inline void append(std::string& out, std::uint64_t value, int bytes) {
-  for (int k = 0; k < bytes; ++k) {
-    out += static_cast<char>(value & 0xFF);
-    value >>= 8;
-  }
-}
-
-/// The number of `count` bytes from `at`, which the caller knows to be there.
-inline std::uint64_t number(std::string_view bytes, std::size_t at, int count) {
-  std::uint64_t value = 0;
-  for (int k = count - 1; k >= 0; --k) {
-    value = value << 8 | static_cast<std::uint8_t>(bytes[at + static_cast<std::size_t>(k)]);
-  }
-  return value;
-}
 
 // MD5, which Bambu's firmware checks.
 
@@ -39,42 +21,6 @@ std::string md5(std::string_view text);
 
 /// The same of a text in parts.
 std::string md5(const std::vector<std::string_view>& parts);
-
-// Files packed by gzip, RFC 1952.
-
-inline bool isGzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
-
-/// Unpacks a gzip file. \return InvalidFile for one that is damaged or made of several; TooLarge above 256 MiB.
-Result<std::string> unzipped(std::string_view file);
-
-/// The text behind the header of `file`, with its name and date.
-/// \return as unzipped, of the header; TooLarge above 1 GiB.
-Result<std::string> zippedLike(std::string_view file, std::string_view text);
-
-/// The text behind a header without name and date. \return TooLarge above 1 GiB.
-Result<std::string> zipped(std::string_view text);
-
-// Limits on packed files of any kind.
-
-/// Nothing that is deflated becomes smaller than this share.
-inline constexpr std::size_t kBestDeflate = 1032;
-
-/// \param size  of the G-code [bytes] \param kind  ".gz", ".bgcode", ... \return TooLarge, or nothing
-inline std::optional<Error> tooLargeToPack(std::size_t size, const char* kind) {
-  constexpr std::size_t kMostMiB = 1024;
-  if (size <= kMostMiB << 20) return std::nullopt;
-  std::string message = "the G-code is ";
-  message.append(std::to_string(size >> 20)).append(" MiB; in a ").append(kind);
-  message.append(" it must be at most ").append(std::to_string(kMostMiB));
-  return Error{ErrorCode::TooLarge, std::move(message)};
-}
-
-/// \param kind  as above. \param what  "is cut off", ...
-inline Error damagedFile(const char* kind, const char* what) {
-  std::string message = "the ";
-  message.append(kind).append(" ").append(what);
-  return {ErrorCode::InvalidFile, std::move(message)};
-}
 
 // Facts that a G-code file tells of itself in comments: figures, pictures, settings; and the box of its beads.
 

@@ -14,7 +14,8 @@ struct SvgOptions {
   /// Size of a page length without unit: 1/96 inch in SVG; the published scene files mean mm.
   bool unitlessIsMm = false;
   /// Outlines of all closed shapes count whatever their paint, strokes, clipping and the page's edges do not: how the
-  /// published scene files are meant.
+  /// published scene files and drawings of CAD are meant. Pieces whose ends meet are one outline; outlines within
+  /// others are holes, and those within holes solid.
   bool ignorePaint = false;
   double width = 0;           ///< the page is scaled to it [mm], 1e-6..1e5; 0: as drawn
   double tolerance = 0.002;   ///< largest distance between a curve and its polygon [mm], 0.0001..10
@@ -28,17 +29,18 @@ struct SvgOptions {
 ///
 /// Read: all path commands and basic shapes, transforms, viewBox and preserveAspectRatio, nested `<svg>`, `<use>`,
 /// `<symbol>`, `<switch>`, `systemLanguage` (English) and `requiredExtensions` (none); fill, stroke with width, caps,
-/// joins, miter limit, dashes and vector-effect, opacities, gradients (solid, as opaque as their most opaque stop),
-/// fill-rule, display, visibility, clip-path, mask (by luminance or alpha: black hides, all else shows), overflow,
-/// transform with transform-origin and transform-box, from attributes, `style` and `<style>` rules that select by
-/// names, classes and ids, and by what lies in what; `var()` by its fallback, namespaces, entities of the DOCTYPE; text
-/// where SvgOptions::letters draws it, with places, shifts and turns of each letter, anchors, base lines, spacing,
-/// lines along it and white space as in browsers. Not read, and told by Shape::drawing: text on paths, textLength, all
-/// else that changes or moves letters (weight, slant, small capitals, direction, ...), images, `<foreignObject>`,
-/// markers, filters, patterns (they count as solid), gradients in masks, animation, sizes of shapes in CSS, shapes of
-/// clip-path and pictures of mask in CSS, custom properties, `calc()`, transforms in space, other selectors, nested
-/// rules, `@media` and the like, `pathLength`. A broken attribute is an error that names its element and line: half a
-/// drawing would be printed unnoticed.
+/// joins, miter limit, dashes and vector-effect, opacities, gradients (solid where they have a fifth or more of their
+/// greatest opacity), context-fill and context-stroke of `<use>`, fill-rule, display, visibility, clip-path, mask (by
+/// luminance or alpha: black hides, all else shows), overflow, transform with transform-origin and transform-box, from
+/// attributes, `style` and `<style>` rules that select by names, classes and ids, and by what lies in what; `var()` by
+/// its fallback, namespaces, entities of the DOCTYPE; text where SvgOptions::letters draws it, with places, shifts and
+/// turns of each letter, anchors, base lines, spacing, slant, textLength, lines along it, white space and places on
+/// paths as in browsers; what gzip has packed. Without any size the page is the box of what is painted. Not read, and
+/// told by Shape::drawing: all else that changes or moves letters (light weights, small capitals, direction, ...),
+/// style sheets beside the file, images, `<foreignObject>`, markers, filters, patterns (they count as solid), gradients
+/// in masks, animation, sizes of shapes in CSS, shapes of clip-path and pictures of mask in CSS, custom properties,
+/// `calc()`, transforms in space, other selectors, nested rules, `@media` and the like, `pathLength`. A broken
+/// attribute is an error that names its element and line: half a drawing would be printed unnoticed.
 ///
 /// \param text  the whole file, UTF-8, up to 64 MiB; hostile input ends in an error, never in a crash or a hang.
 /// \return points in mm, y up, snapped to 1 nm so that every platform reads the same bytes.

@@ -26,7 +26,10 @@ constexpr double kPictureStitchAlignment = 4;
 /// Rounds in which lines give way to the beads and waves are aligned anew, where `directionTolerance` allows it.
 constexpr int kGivingRounds = 3;
 
-Error noBeadFits(double spacing) { return refused(ErrorCode::EmptyShape, reason::kNoBeadFits, {{"spacing", spacing}}); }
+Error noBeadFits(const Shape& shape, double spacing) {
+  const char* const why = shape.drawing.linesOnly ? reason::kLinesTooThin : reason::kNoBeadFits;
+  return refused(ErrorCode::EmptyShape, why, {{"spacing", spacing}});
+}
 
 // Asks each cell for the line across the one it got. Those along the border stay: no bead can cross it.
 void askAcross(const LineField& lines, CellConstraints& cells) {
@@ -65,7 +68,7 @@ Result<Stitched> stitchStep(ClosedCurves cycles, const ShapeFields& fields, cons
   cycles = resampledSimply(cycles, static_cast<float>(0.25 * params.spacing), making.run);
   cycles = regularizeSmallCycles(cycles, fields.border, params.spacing, making.run);
   if (making.run.cancelled()) return cancelledRun();
-  if (cycles.count() == 0) return noBeadFits(params.spacing);
+  if (cycles.count() == 0) return noBeadFits({}, params.spacing);
   making.record(&Stages::cycles, cycles);
   Result<Stitched> stitched = stitchCycles(cycles, lines, fields.border, fields.parts, params, making.run);
   if (stitched) making.record(&Stages::stitched, stitched.value());
@@ -100,7 +103,7 @@ Result<ShapeFields> shapeStep(const Shape& shape, const Making& making) {
   Result<SignedDistanceField> sdf = signedDistanceField(shape, border.value(), grid, making.run);
   if (!sdf) return sdf.error();
   Parts parts = labelParts(sdf.value(), border.value(), params.spacing, params.bridge.value_or(params.spacing));
-  if (parts.count == 0) return noBeadFits(params.spacing);
+  if (parts.count == 0) return noBeadFits(shape, params.spacing);
   making.record(&Stages::outline, outline.value());
   making.record(&Stages::border, border.value());
   making.record(&Stages::sdf, sdf.value());
@@ -172,7 +175,7 @@ Result<RelaxedPath> pathStep(const PlateInput& input, const ShapeFields& shape, 
   Result<ClosedCurves> contour = contourStep(input.shape, shape, std::move(waves.value().waves), making);
   if (!contour) return contour.error();
   seen.contourCycles = contour.value().count();
-  if (seen.contourCycles == 0) return noBeadFits(making.params.spacing);
+  if (seen.contourCycles == 0) return noBeadFits(input.shape, making.params.spacing);
 
   making.start("stitch", 0.65);
   Result<Stitched> stitched = stitchStep(std::move(contour).value(), shape, lines, input.showsPictures, making);

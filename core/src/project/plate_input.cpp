@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/parts.hpp"
+#include "input/gzip.hpp"
 #include "input/map_defect.hpp"
 #include "input/plate_size.hpp"
 #include "input/svg.hpp"
@@ -26,13 +27,14 @@ namespace {
 
 constexpr int kPaintedSide = 1024;  // of a drawing in its colours [pixels]
 
-// By its content; what is no XML and no picture either may be meant for one by its name.
+// By its content, of which no picture is packed by gzip; what is no XML and no picture either may be meant for one by
+// its name.
 bool looksLikeSvg(std::string_view bytes, std::string_view name) {
   if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (first != std::string_view::npos && bytes[first] == '<') return true;
+  if (isGzip(bytes) || (first != std::string_view::npos && bytes[first] == '<')) return true;
   const bool text = bytes.find('\0') == std::string_view::npos;
-  return text && !bytes.starts_with('\x1f') && (name.ends_with(".svg") || name.ends_with(".SVG"));
+  return text && (name.ends_with(".svg") || name.ends_with(".SVG"));
 }
 
 Result<Image> picture(InputFile file, const std::string& name) {
@@ -109,6 +111,7 @@ Error named(const char* what, const std::string& file, const Error& error) {
 /// Letters as wide as the size, or as fit into it. They are drawn once for their proportions, and again at their size.
 Result<Shape> textOf(const Project& project, const ReadInput& read, Vec2 size) {
   Lettering lettering{project.shapeText, project.shapeFont};
+  lettering.weight = project.shapeWeight;
   const Result<Shape> first = textShape(lettering, read);
   if (!first) return first.error();
   const Vec2 drawn = first.value().page;

@@ -11,6 +11,9 @@ namespace {
 constexpr Sentence kSentences[] = {
     {"DrawingInPixels",
      "the drawing is in pixels, each taken as 1/96 inch; shape.pageWidth (--size) gives it another width"},
+    {"MakersPixels",
+     "the drawing is in pixels, each taken as 1/96 inch; in {maker}, which made it, it is {width} mm wide: "
+     "shape.pageWidth (--size {width}) makes it so"},
     {"NoSize", "no size is given, so it is 80 mm wide; {setting} (--size) sets it"},
     {"TextLeftOut",
      "text in the drawing is left out ({n} <text>); convert it to paths in the program that made the drawing"},
@@ -49,7 +52,10 @@ std::span<const Sentence> inputNoteSentences() { return kSentences; }
 std::vector<InputNote> inputNotes(const Project& project, const DrawingFacts& drawing) {
   std::vector<InputNote> notes;
   const bool asDrawn = !project.shapeFile.empty() && project.pageWidth == 0;
-  if (drawing.pixels && asDrawn) add(notes, "DrawingInPixels");
+  if (drawing.pixels && asDrawn && drawing.maker.empty()) add(notes, "DrawingInPixels");
+  if (drawing.pixels && asDrawn && !drawing.maker.empty()) {
+    add(notes, "MakersPixels", {{"maker", drawing.maker}, {"width", drawing.makerWidth}});
+  }
   if (project.shapeFile.empty() ? project.builtinSize.x == 0 : asDrawn && !drawing.svg) {
     add(notes, "NoSize", {{"setting", std::string(project.shapeFile.empty() ? "shape.size" : "shape.pageWidth")}});
   }

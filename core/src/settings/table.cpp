@@ -152,6 +152,8 @@ constexpr Row kRows[] = {
       .help = "Letters of the shape \"text\", which fill its size as far as their proportions allow"}},
     {{.section = Shape, .key = "font", .type = Text, .field = at<&Project::shapeFont>, .high = kLine, .level = Basic},
      {.label = "Font", .help = "Font of these letters: a built-in one, or a TTF or OTF file"}},
+    {{.section = Shape, .key = "weight", .type = Integer, .field = at<&Project::shapeWeight>, .low = 0, .high = 1000},
+     {.label = "Weight", .help = "Weight of these letters, where their font is a variable one; 0 is the font's own"}},
     {{.section = Shape,
       .key = "pageWidth",
       .type = Number,
@@ -340,6 +342,8 @@ constexpr Row kRows[] = {
       .help = "Letters, in one or several lines, what a QR code says, or what an echo without a file follows"}},
     {{.section = Layers, .key = "font", .type = Text, .field = at<&LayerLetters::font>, .high = kLine, .level = Basic},
      {.label = "Font", .help = "A built-in font, or a TTF or OTF file"}},
+    {{.section = Layers, .key = "weight", .type = Integer, .field = at<&LayerLetters::weight>, .low = 0, .high = 1000},
+     {.label = "Weight", .help = "Weight of the letters, where the font is a variable one; 0 is the font's own"}},
     {{.section = Layers,
       .key = "textSize",
       .type = Number,
@@ -1423,8 +1427,12 @@ constexpr auto kWords = [] {
 }  // namespace
 
 bool isFontFile(std::string_view font) {
-  const std::string_view end = font.substr(font.size() - std::min<std::size_t>(4, font.size()));
-  return end == ".ttf" || end == ".otf" || end == ".TTF" || end == ".OTF";
+  for (const std::string_view end : {".ttf", ".otf", ".ttc", ".woff", ".woff2"}) {
+    const std::string_view own = font.substr(font.size() - std::min(end.size(), font.size()));
+    const auto same = [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a + 32 == b); };
+    if (std::equal(own.begin(), own.end(), end.begin(), end.end(), same)) return true;
+  }
+  return false;
 }
 
 const Layer* groundOf(const std::vector<Layer>& layers) {

@@ -59,8 +59,8 @@ std::vector<std::string> linesOfDrawing(std::string_view svg) {
   SvgOptions options;
   options.letters.choose = fontOfDrawing;
   options.letters.shape = [&](const DrawingFont& font, const std::string& line) -> Result<ShapedLine> {
-    lines.push_back(nameOfLine(font.name, line));  // each is asked for once
-    ShapedLine shown;                              // a drawing that shows nothing would be read again
+    lines.push_back(nameOfLine(font.name, 0, line));  // each is asked for once
+    ShapedLine shown;                                 // a drawing that shows nothing would be read again
     shown.letters.emplace_back();
     shown.outlines.emplace_back("M0 0H1V1Z");
     return shown;

@@ -19,10 +19,14 @@ Error unknownFont(const std::string& font) {
           "the font is " + inQuotes(font) + "; it must be a file that is handed over, or one of " + known};
 }
 
-std::string nameOfLine(const std::string& font, const std::string& line) { return "line:" + font + "\n" + line; }
+std::string nameOfLine(const std::string& font, int weight, const std::string& line) {
+  return "line:" + font + (weight > 0 ? '\t' + std::to_string(weight) : std::string()) + '\n' + line;
+}
 
 Error noFont(const std::string& font) {
-  return {ErrorCode::InvalidFile, inQuotes(font) + " is no font; it must be a TrueType or OpenType file (.ttf, .otf)"};
+  return {ErrorCode::InvalidFile, inQuotes(font) +
+                                      " is no font; it must be a TrueType or OpenType file (.ttf, .otf), of which web "
+                                      "fonts (.woff, .woff2) are packed copies"};
 }
 
 Error tooDetailed(const std::string& font, std::size_t most) {

@@ -17,7 +17,7 @@ inline constexpr std::size_t kMostDrawnBytes = std::size_t{16} << 20;
 /// \param font  neither built in nor a file that was handed over.
 Error unknownFont(const std::string& font);
 /// The name under which engines in browsers ask for a shaped line.
-std::string nameOfLine(const std::string& font, const std::string& line);
+std::string nameOfLine(const std::string& font, int weight, const std::string& line);
 Error noFont(const std::string& font);
 /// \param most  bytes of path data.
 Error tooDetailed(const std::string& font, std::size_t most = kMostPathBytes);

@@ -10,8 +10,8 @@
 
 namespace sillon {
 
-Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, const std::string& line) {
-  const Result<InputFile> given = read(nameOfLine(font, line), "shaped line");
+Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, const std::string& line, int weight) {
+  const Result<InputFile> given = read(nameOfLine(font, weight, line), "shaped line");
   if (!given) return given.error();
   const auto* text = std::get_if<std::string>(&given.value());
   const Json json = text != nullptr ? parseJson(*text) : Json();

@@ -18,6 +18,7 @@
 
 #include "base/json.hpp"
 #include "sillon/base/words.hpp"
+#include "sillon/settings/table.hpp"
 #include "sillon/text/text.hpp"
 #include "text/fonts.hpp"
 #include "text/letters.hpp"
@@ -169,8 +170,8 @@ struct OpenFont {
   std::map<hb_codepoint_t, std::size_t> outlines;  ///< by glyph: index in ShapedLine::outlines
 };
 
-/// \return nothing for what is no font.
-std::optional<OpenFont> opened(const std::string& name, std::string_view bytes) {
+/// \param weight  0: the font's own. \return nothing for what is no font.
+std::optional<OpenFont> opened(const std::string& name, std::string_view bytes, int weight = 0) {
   const Blob blob(
       hb_blob_create(bytes.data(), static_cast<unsigned>(bytes.size()), HB_MEMORY_MODE_READONLY, nullptr, nullptr));
   OpenFont open;
@@ -178,6 +179,8 @@ std::optional<OpenFont> opened(const std::string& name, std::string_view bytes) 
   open.face.reset(hb_face_create(blob.get(), 0));
   if (hb_face_get_glyph_count(open.face.get()) == 0) return std::nullopt;
   open.font.reset(hb_font_create(open.face.get()));
+  const hb_variation_t variation{HB_TAG('w', 'g', 'h', 't'), static_cast<float>(weight)};
+  if (weight > 0) hb_font_set_variations(open.font.get(), &variation, 1);
   open.em = hb_face_get_upem(open.face.get());
   open.capHeight = capHeightOf(open.font.get(), open.em);
   return open;
@@ -364,18 +367,18 @@ class LineSetter {
 
 }  // namespace
 
-Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, const std::string& line) {
+Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, const std::string& line, int weight) {
   std::string file;
   std::optional<std::string_view> bytes = builtinFont(font);
   if (!bytes) {
     Result<InputFile> given = read(font, "font");
-    if (!given) return given.error();
+    if (!given) return isFontFile(font) ? given.error() : unknownFont(font);
     auto* content = std::get_if<std::string>(&given.value());
     if (content == nullptr) return noFont(font);
     file = std::move(*content);
     bytes = file;
   }
-  std::optional<OpenFont> own = opened(font, *bytes);
+  std::optional<OpenFont> own = opened(font, *bytes, weight);
   if (!own) return noFont(font);
   return LineSetter(line, std::move(*own)).set();
 }

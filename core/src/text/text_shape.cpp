@@ -145,7 +145,7 @@ Result<Shape> textShape(const Lettering& lettering, const ReadInput& read) {
   std::string_view rest = lettering.text;
   while (!rest.empty()) {
     const std::string line(nextLine(rest));
-    Result<ShapedLine> shaped = shapeLine(read, lettering.font, line);
+    Result<ShapedLine> shaped = shapeLine(read, lettering.font, line, lettering.weight);
     if (!shaped) return shaped.error();
     lines.push_back(std::move(shaped).value());
     const ShapedLine& known = lines.back();

@@ -87,9 +87,9 @@ function keptPath(open: OpenFont, glyph: number): string {
 }
 
 /** Objects in HarfBuzz's memory. JavaScript's collector frees them, and a memory whose start was undone: all
- * lines share one buffer, and each file is opened once. */
-let held = { fonts: new WeakMap<Uint8Array, OpenFont | undefined>() } as {
-  fonts: WeakMap<Uint8Array, OpenFont | undefined>;
+ * lines share one buffer, and each file is opened once for each weight. */
+let held = { fonts: new WeakMap<Uint8Array, Map<number, OpenFont | undefined>>() } as {
+  fonts: WeakMap<Uint8Array, Map<number, OpenFont | undefined>>;
   buffer?: hb.Buffer;
   writer?: hb.DrawFuncs;
 };
@@ -100,15 +100,18 @@ export function forget(): void {
   held = { fonts: new WeakMap() };
 }
 
-function opened(file: Uint8Array): OpenFont | undefined {
-  if (held.fonts.has(file)) return held.fonts.get(file);
+function opened(file: Uint8Array, weight: number): OpenFont | undefined {
+  const known = held.fonts.get(file) ?? new Map<number, OpenFont | undefined>();
+  held.fonts.set(file, known);
+  if (known.has(weight)) return known.get(weight);
   const face = new hb.Face(new hb.Blob(file));
   // No font has no glyphs; HarfBuzz makes an empty face of anything.
   const none = face.referenceTable('maxp') === undefined || face.referenceTable('cmap') === undefined;
   const font = new hb.Font(face);
+  if (weight > 0) font.setVariations([new hb.Variation('wght', weight)]);
   const capHeight = capHeightOf(font, face.upem);
   const open = none ? undefined : { font, em: face.upem, capHeight, paths: new Map(), room: mostPathBytes };
-  held.fonts.set(file, open);
+  known.set(weight, open);
   return open;
 }
 
@@ -268,6 +271,8 @@ class LineSetter {
 export interface FontFile {
   name: string;
   bytes: Uint8Array;
+  /** Of a variable font; 0: the font's own. */
+  weight?: number;
 }
 
 /** A shaped line as core/src/text/shape_line_elsewhere.cpp reads it, and more. */
@@ -280,8 +285,8 @@ export interface Shaped {
 /** A shaped line.
  * @param others  have letters that the line's own font lacks */
 export function shapeLine(line: string, own: FontFile, others: readonly FontFile[] = []): Shaped {
-  const fonts = [own, ...others].flatMap(({ name, bytes }) => {
-    const open = opened(bytes);
+  const fonts = [own, ...others].flatMap(({ name, bytes, weight = 0 }) => {
+    const open = opened(bytes, weight);
     return open === undefined ? [] : [{ name, open }];
   });
   const first = fonts[0];

@@ -1420,6 +1420,8 @@ export const de: Translation = {
   'reason.CopiesTooHigh.hint': 'Weniger Schichten drucken oder eine Platte nach der anderen.',
   'reason.NoBeadFits':
     'In diese Form passt bei einer „Linienbreite“ von {spacing} mm keine Bahn; sie kleiner oder die Form größer wählen.',
+  'reason.LinesTooThin':
+    'In der Zeichnung ist nichts gefüllt, und in ihre Linien passt bei einer „Linienbreite“ von {spacing} mm keine Bahn; „Umrisse“ statt „Sichtbares“ füllt, was sie umschließen.',
   'reason.HoleOutside':
     'Loch {n} bei {x}, {y} mm mit Ø {diameter} mm liegt außerhalb der Form, die von {left}, {bottom} bis {right}, {top} mm reicht; es muss auf die Form oder weg.',
   'reason.OffsetTooDeep':
@@ -1631,6 +1633,8 @@ export const de: Translation = {
   'help.layers.text': 'Buchstaben, auch in mehreren Zeilen, oder was ein QR-Code sagt.',
   'setting.layers.font': 'Schrift',
   'help.layers.font': 'Eine der eingebauten Schriften oder eine eigene Datei (TTF, OTF).',
+  'setting.layers.weight': 'Strichstärke',
+  'help.layers.weight': 'Strichstärke der Buchstaben, wenn die Schrift variabel ist; 0 ist die der Schrift.',
   'setting.layers.textSize': 'Buchstabenhöhe',
   'help.layers.textSize': 'Höhe der Großbuchstaben.',
   'setting.layers.circle': 'Kreis',

@@ -1434,6 +1434,8 @@ export const fr: Translation = {
   'reason.CopiesTooHigh.hint': 'Imprimez moins de couches, ou une plaque à la fois.',
   'reason.NoBeadFits':
     'Aucun cordon n’entre dans cette forme avec une « Largeur de ligne » de {spacing} mm ; prenez-la plus petite ou la forme plus grande.',
+  'reason.LinesTooThin':
+    'Rien n’est rempli dans le dessin, et aucun cordon n’entre dans ses lignes avec une « Largeur de ligne » de {spacing} mm ; « Contours » au lieu de « Visible » remplit ce qu’elles entourent.',
   'reason.HoleOutside':
     'Le trou {n} à {x}, {y} mm, de Ø {diameter} mm, est hors de la forme, qui va de {left}, {bottom} à {right}, {top} mm ; placez-le sur la forme ou supprimez-le.',
   'reason.OffsetTooDeep':
@@ -1644,6 +1646,8 @@ export const fr: Translation = {
   'help.layers.text': 'Des lettres, sur une ou plusieurs lignes, ou le contenu du code QR.',
   'setting.layers.font': 'Police',
   'help.layers.font': 'Une police intégrée, ou votre propre fichier (TTF, OTF).',
+  'setting.layers.weight': 'Graisse',
+  'help.layers.weight': 'Graisse des lettres, si la police est variable ; 0 est celle de la police.',
   'setting.layers.textSize': 'Hauteur des lettres',
   'help.layers.textSize': 'Hauteur des capitales.',
   'setting.layers.circle': 'Cercle',

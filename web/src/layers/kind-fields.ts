@@ -11,7 +11,7 @@ import { groundOf } from '../model/fills.js';
 import { uncropped } from '../model/layer-changes.js';
 import { layerSettingOf } from '../model/layer-settings.js';
 import { builtInFonts } from '../model/fonts.js';
-import { withoutLayer } from '../model/layer-list.js';
+import { isFontFile, withoutLayer } from '../model/layer-list.js';
 import { hasFill, needsFile, needsMask, type LayerKey, type LayerKind } from '../model/layers.js';
 import { modeChoices, type PlateLayer, type SourceFile } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
@@ -28,7 +28,7 @@ type Content = TemplateResult | typeof nothing;
 
 /** In the order of a hand that makes one. */
 const keysOf: Record<LayerKind, readonly LayerKey[]> = {
-  text: ['text', 'font', 'textSize', 'fill', 'angle', 'circle'],
+  text: ['text', 'font', 'weight', 'textSize', 'fill', 'angle', 'circle'],
   picture: ['pictures', 'cropMin'],
   drawing: ['file', 'fill', 'angle'],
   code: ['text', 'correction', 'angle'],
@@ -74,6 +74,8 @@ function counts(key: LayerKey, layer: PlateLayer): boolean {
       return by === 'colours';
     case 'file':
       return needsFile(layer);
+    case 'weight':
+      return isFontFile(layer.font); // those that come with the studio have one weight
     default:
       return true;
   }

@@ -12,6 +12,7 @@ export const kindsOf: Readonly<Record<string, string>> = {
   cropMax: 'map picture tones',
   text: 'text code pattern',
   font: 'text pattern',
+  weight: 'text pattern',
   textSize: 'text pattern',
   circle: 'text pattern',
   align: 'text pattern',

@@ -16,6 +16,7 @@ const controls: Record<KeyOf<'number' | 'integer' | 'pair'>, Span> = {
   ground: { step: 1 },
   cropMin: { step: 0.01 },
   cropMax: { step: 0.01 },
+  weight: { step: 50, usual: [100, 900] },
   textSize: { step: 0.1, usual: [2, 40] },
   circle: { step: 0.5, usual: [-60, 60] },
   waveLength: { step: 0.5, usual: [2, 60] },

@@ -20,6 +20,7 @@ export const layerTable = {
   cropMax: { type: 'pair', level: 'basic', default: [1,1], low: 0, high: 1 },
   text: { type: 'block', level: 'basic', default: '', maxBytes: 4096 },
   font: { type: 'text', level: 'basic', default: 'Nunito', maxBytes: 1024 },
+  weight: { type: 'integer', level: 'advanced', default: 0, low: 0, high: 1000 },
   textSize: { type: 'number', level: 'basic', default: 10, unit: 'mm', low: 1, high: 1000 },
   circle: { type: 'number', level: 'basic', default: 0, unit: 'mm', low: -5000, high: 5000 },
   align: { type: 'choice', level: 'basic', default: 'middle', choices: ['left','middle','right'] },

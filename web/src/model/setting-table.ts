@@ -122,6 +122,7 @@ export const shapeTable = {
   inner: { default: 0, low: 0, high: 10000 },
   text: { default: '', maxBytes: 4096 },
   font: { default: 'Nunito', maxBytes: 1024 },
+  weight: { default: 0, low: 0, high: 1000 },
   offset: { default: 0, low: -20, high: 50 },
   holes: { default: [], most: 16 },
 } as const;

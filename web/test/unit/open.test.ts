@@ -479,9 +479,9 @@ test('what of a drawing is not in its shape is told, and where a printer’s fil
   };
   const drawing = (content: string): File =>
     text('a.svg', `<svg viewBox="0 0 40 30"><rect width="40" height="30"/>${content}</svg>`);
-  const onPath = '<text><textPath href="#a">a</textPath></text>';
+  const flowing = '<flowRoot>a</flowRoot>';
   const inArial = '<text y="20" font-family="Arial">a</text>';
-  for (const content of ['', onPath, `<defs>${onPath}</defs>`, '<image/>', '<text y="20">a</text>', inArial]) {
+  for (const content of ['', flowing, `<defs>${flowing}</defs>`, '<image/>', '<text y="20">a</text>', inArial]) {
     const { opened } = await identify([drawing(content)], newPlate(), engine);
     await withFiles(newPlate(), opened, engine, tell);
   }

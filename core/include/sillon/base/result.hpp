@@ -99,6 +99,8 @@ inline constexpr char kTooHigh[] = "TooHigh";
 inline constexpr char kCopiesTooHigh[] = "CopiesTooHigh";
 /// No bead fits anywhere: `spacing` [mm].
 inline constexpr char kNoBeadFits[] = "NoBeadFits";
+/// The same of a drawing in which nothing is filled: `spacing` [mm].
+inline constexpr char kLinesTooThin[] = "LinesTooThin";
 /// A hole that cuts nothing: `n`, counted from 1; `x`, `y` and `diameter` [mm]; `left`, `bottom`,
 /// `right` and `top` of the shape [mm].
 inline constexpr char kHoleOutside[] = "HoleOutside";

@@ -50,6 +50,8 @@ struct DrawingFacts {
   std::vector<std::string> unread = {};
   /// Painted at half opacity or less beside what is not [mm²]; 0 below 0.5 % of the shape
   double faintMm2 = 0;
+  std::string maker = {};  ///< program whose pixels are others than 1/96 inch; empty: none is known
+  double makerWidth = 0;   ///< of the page, in its pixels [mm]
 
   friend bool operator==(const DrawingFacts&, const DrawingFacts&) = default;
 };

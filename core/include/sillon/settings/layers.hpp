@@ -160,7 +160,8 @@ struct LayerWords {
 
 /// The look of letters.
 struct LayerLetters {
-  std::string font = "Nunito";  ///< a built-in one, or a file that ends in .ttf or .otf
+  std::string font = "Nunito";  ///< a built-in one, or a file for which isFontFile holds
+  int weight = 0;               ///< of a variable font, 1..1000; 0: the font's own
   double textSize = 10;         ///< height of capitals, where the layer's size is 0 [mm]
   /// Radius of the line that letters stand on [mm]; below 0: they read along its lower side
   double circle = 0;

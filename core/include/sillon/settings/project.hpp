@@ -310,6 +310,7 @@ struct Project {
   double builtinInner = 0;  ///< diameter of the hole of a ring or a tag [mm]; 0: its usual one
   std::string shapeText;    ///< letters of the shape Text; lines between line feeds
   std::string shapeFont = "Nunito";  ///< as Layer::font
+  int shapeWeight = 0;               ///< as Layer::weight
   double pageWidth = 0;              ///< scales the shape to this page width [mm]; 0: as drawn
   bool unitlessIsMm = false;         ///< scene files: SVG lengths without unit mean mm
   bool ignorePaint = false;  ///< scene files: outlines count whatever their paint, see SvgOptions

@@ -32,9 +32,10 @@ inline constexpr int kMostLackedTold = 8;
 /// senses in one line by the Unicode bidirectional algorithm. Tabs are spaces. What the font lacks
 /// comes, letter by letter, from the first built-in font that has it, at the same height of
 /// capitals; what none has is left out. \param font  one of builtinFonts(), or a file that `read`
-/// hands over. \return InvalidFile for what is no font.
+/// hands over. \param weight  as Layer::weight. \return InvalidFile for what is no font;
+/// InvalidArgument for a name that is neither.
 Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font,
-                             const std::string& line);
+                             const std::string& line, int weight = 0);
 
 /// The built-in font that families name first, or else one that looks alike.
 /// \param families  as in CSS's `font-family`.
@@ -55,6 +56,7 @@ struct Lettering {
   double capHeight = 10;  ///< [mm]
   double circle = 0;      ///< as Layer::circle
   TextAlign align = TextAlign::Middle;
+  int weight = 0;  ///< as Layer::weight
 };
 
 /// The outlines of a text. Straight lines lie on a page as large as their ink; on a circle, the

@@ -2,14 +2,17 @@
 #include "input/svg.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <rapidxml/rapidxml.hpp>
 
+#include "input/gzip.hpp"
 #include "input/svg/svg_node.hpp"
 #include "input/svg/svg_reader.hpp"
 
@@ -32,6 +35,15 @@ std::string placeOf(const Node& node, std::string_view text, const char* buffer)
   return place + "> in line " + std::to_string(lineAt(text, static_cast<std::size_t>(node.name() - buffer))) + ": ";
 }
 
+// Programs that count other pixels than CSS does.
+void tellMaker(std::string_view text, Shape& shape) {
+  const auto has = [&](std::string_view part) { return text.find(part) != std::string_view::npos; };
+  const bool inkscape = has("inkscape:version=\"0.4") || has("inkscape:version=\"0.91");
+  if (!inkscape && !has("Adobe Illustrator")) return;
+  shape.drawing.maker = inkscape ? "Inkscape" : "Illustrator";
+  shape.drawing.makerWidth = std::round(shape.page.x * 960 / (inkscape ? 90 : 72)) / 10;
+}
+
 }  // namespace
 
 Result<Shape> readSvg(std::string_view text, const SvgOptions& options) {
@@ -50,11 +62,16 @@ Result<SvgPainting> readSvgPainting(std::string_view text, const SvgOptions& opt
   if (text.size() > kMaxBytes) {
     return Error{ErrorCode::TooLarge, "The SVG file is larger than 64 MiB"};
   }
-  std::string buffer, expanded, spaced;
+  std::string unpacked, buffer, expanded, spaced;
   const auto document = std::make_unique<rapidxml::xml_document<>>();  // 64 KiB: too large for small stacks
   const Node* current = nullptr;
   try {
-    if (startsWith(text, "\x1f\x8b")) refuse("the file is compressed (svgz); save it as plain SVG");
+    if (isGzip(text)) {
+      Result<std::string> plain = unzipped(text, kMaxBytes);
+      if (!plain) throw Refused{plain.error().code, plain.error().message};
+      unpacked = std::move(plain).value();
+      text = unpacked;
+    }
     if (text.find('\0') != std::string_view::npos) refuse("the file is not UTF-8 text");
     expanded = withEntities(text, kMaxBytes);
     if (!expanded.empty()) text = expanded;
@@ -65,7 +82,13 @@ Result<SvgPainting> readSvgPainting(std::string_view text, const SvgOptions& opt
     Node* root = document->first_node();
     if (!root) refuse("the file holds no <svg> element");
     resolveNamespaces(*root);
-    return drawElements(*root, options, current);
+    SvgPainting painting = drawElements(*root, options, current);
+    DrawingFacts& facts = painting.shape.drawing;
+    if (text.find("<?xml-stylesheet") != std::string_view::npos && facts.unread.size() < kMostUnread) {
+      facts.unread.emplace_back("<?xml-stylesheet?>");
+    }
+    if (facts.pixels) tellMaker(text, painting.shape);
+    return painting;
   } catch (const Refused& refused) {
     const std::string place = current ? placeOf(*current, text, buffer.data()) : std::string();
     return Error{refused.code, "SVG: " + place + refused.problem};

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -80,7 +81,7 @@ class Drawing {
   SvgPainting read(const Node& root) {
     current_ = &root;
     collect(root);
-    const std::optional<ViewBox> box = viewBoxOf(root);
+    std::optional<ViewBox> box = viewBoxOf(root);
     const Vec2 page = pageSize(root, box);
     // Curves and strokes are made as they are printed: scaled later, they would have too few points.
     const double scale = options_.width > 0 ? options_.width / page.x : 1;
@@ -104,12 +105,16 @@ class Drawing {
       drawRoot(root, state, box);
     }
     current_ = nullptr;
+    if (reading_ == Reading::Outlines) {
+      joinLoose(loose_, layers_);
+      alternateNested(layers_);
+    }
     if (layers_.empty()) {
       throw Refused{ErrorCode::EmptyShape,
                     painted_ ? "all that is painted lies off the page or is clipped away; \"paint\": \"ignore\" takes "
                                "outlines whatever their paint and place"
                              : "the drawing has no area to fill; it needs paths, basic shapes, lines with a stroke or "
-                               "text that can be set in a built-in font (images and text on a path do not count)"};
+                               "text that can be set in a built-in font (images do not count)"};
     }
     shape_.drawing.faintMm2 = reading_ == Reading::Painted ? faintArea() : 0;
     std::vector<PathPaint> paints;
@@ -143,7 +148,7 @@ class Drawing {
   }
 
   // [mm]; a missing side follows from the viewBox.
-  Vec2 pageSize(const Node& root, const std::optional<ViewBox>& box) {
+  Vec2 pageSize(const Node& root, std::optional<ViewBox>& box) {
     shape_.drawing.svg = true;
     shape_.drawing.pixels = !options_.unitlessIsMm;
     const auto side = [&](const char* name) -> std::optional<double> {
@@ -156,6 +161,7 @@ class Drawing {
     };
     const std::optional<double> width = side("width"), height = side("height");
     if (width && height) return {*width, *height};
+    if (!box && !width && !height) box = drawnBox(root);
     if (!box) refuse("the size of the drawing is unknown; <svg> needs width and height, or a viewBox");
     Vec2 page = box->size * units_.mm;
     if (width) page = {*width, *width * box->size.y / box->size.x};
@@ -163,6 +169,28 @@ class Drawing {
     checkPageSide("the width by the viewBox", page.x, attribute(root, "viewBox").value_or(""));
     checkPageSide("the height by the viewBox", page.y, attribute(root, "viewBox").value_or(""));
     return page;
+  }
+
+  // Around all that is painted, or else around all outlines.
+  std::optional<ViewBox> drawnBox(const Node& root) {
+    const std::int64_t points = pointsLeft_, letters = lettersLeft_;
+    State state;
+    state.paint = initialPaint();
+    state.viewport = {300, 150};  // as browsers have it
+    page_ = {{}, {{-kMaxCoordinate, -kMaxCoordinate}, {kMaxCoordinate, kMaxCoordinate}}, true};
+    Bounds drawn;
+    for (const Reading reading : {reading_, Reading::Outlines}) {
+      if (!drawn.empty()) break;
+      for (const Layer& layer : drawnAs(reading, [&] { drawRoot(root, state, std::nullopt); })) {
+        const Bounds box = boxOf(layer.path.rings);
+        drawn.add(box.min);
+        drawn.add(box.max);
+      }
+    }
+    std::tie(pointsLeft_, lettersLeft_) = std::tie(points, letters);
+    loose_.clear();
+    current_ = &root;
+    return drawn.empty() ? std::nullopt : std::optional(ViewBox{drawn.min, drawn.size()});
   }
 
   static void checkPageSide(const std::string& what, double mm, std::string_view text) {
@@ -218,9 +246,8 @@ class Drawing {
 
   // Tells once of what viewers show and we do not.
   void note(const std::string& what) {
-    constexpr std::size_t kMost = 8;
     std::vector<std::string>& unread = shape_.drawing.unread;
-    if (reading_ == Reading::Outlines || unread.size() == kMost) return;
+    if (reading_ == Reading::Outlines || unread.size() == kMostUnread) return;
     if (std::find(unread.begin(), unread.end(), what) == unread.end()) unread.push_back(what);
   }
 
@@ -283,12 +310,11 @@ class Drawing {
     if (const auto space = attribute(node, "xml:space")) paint.letters.keepsSpaces = *space == "preserve";
     apply(style, context, paint);
     const std::string_view name = elementName(node);
-    if (name == "text" || name == "tspan") raiseLetters(style, context, paint.letters);
+    if (name == "text" || name == "tspan" || name == "textPath") raiseLetters(style, context, paint.letters);
   }
 
   void drawRoot(const Node& root, State state, const std::optional<ViewBox>& box) {
     shape_.drawing.texts = shape_.drawing.images = 0;
-    shape_.drawing.unread.clear();
     if (!styleSheet_.unread().empty()) note("CSS " + styleSheet_.unread());
     if (!enter(root, state)) return;
     if (box) {
@@ -371,17 +397,26 @@ class Drawing {
     drawChildren(node, state);
   }
 
-  void drawUse(const Node& node, State state) {
-    const std::optional<std::string_view> href = hrefOf(node);
-    if (!href) return;
+  // The element that a <use> names; null: it names none.
+  const Node* usedBy(const Node& use) {
+    const std::optional<std::string_view> href = hrefOf(use);
+    if (!href) return nullptr;
     const std::string_view target = trimmed(*href);
     if (!startsWith(target, "#")) refuse("href is " + quoted(target) + "; it must name an element of this file by #id");
     const auto found = byId_.find(target.substr(1));
     if (found == byId_.end()) refuse("href is " + quoted(target) + ", but no element has this id");
-    const Node& shown = *found->second;
-    if (std::find(uses_.begin(), uses_.end(), &shown) != uses_.end()) {
-      refuse("href is " + quoted(target) + ", which shows itself again");
+    return found->second;
+  }
+
+  void drawUse(const Node& node, State state) {
+    const Node* const used = usedBy(node);
+    if (!used) return;
+    const Node& shown = *used;
+    if (std::find(uses_.begin(), uses_.end(), used) != uses_.end()) {
+      refuse("href is " + quoted(*hrefOf(node)) + ", which shows itself again");
     }
+    state.paint.outerFill = state.paint.fill;
+    state.paint.outerStroke = state.paint.stroke;
     const double x = unitsOf(state.paint).of(node, "x", state.viewport.x, 0);
     const double y = unitsOf(state.paint).of(node, "y", state.viewport.y, 0);
     state.toWorld = state.toWorld * shifted(x, y);
@@ -408,7 +443,9 @@ class Drawing {
   // Letters that cannot be drawn are told as text that is left out.
   void drawText(const Node& node, const State& state) {
     LetterRuns letters(lettersLeft_);
-    if (!options_.letters.shape || !collectLetters(node, state, letters)) return noteMedium(false, state);
+    if (!options_.letters.shape) return noteMedium(false, state);
+    std::vector<State> states;
+    collectLetters(node, state, letters, states);
     const std::vector<LetterRun> runs = letters.take(state.viewport);
     const Result<std::vector<PlacedLetter>> placed = placeLetters(runs, letters.styles(), shaper_);
     if (!placed) return noteMedium(false, state);
@@ -416,28 +453,65 @@ class Drawing {
     for (const PlacedLetter& letter : placed.value()) {
       Outliner out(state.toWorld * letter.place, options_.tolerance, pointsLeft_);
       drawPath(out, *letter.outline);
-      paint(out, letters.styles()[letter.style], state);
+      paint(out, letters.styles()[letter.style], states[letter.style]);
     }
     shape_.drawing.otherFont = shape_.drawing.otherFont || shaper_.tookOtherFont();
   }
 
-  // False where a part of the text lies on a path.
-  bool collectLetters(const Node& node, const State& state, LetterRuns& letters) {
-    if (attribute(node, "textLength")) note("textLength");
+  /// \param states  receives one for each of letters.styles().
+  void collectLetters(const Node& node, const State& state, LetterRuns& letters, std::vector<State>& states) {
+    const double length = unitsOf(state.paint).ofStyle(attribute(node, "textLength").value_or(""), state.viewport.x);
+    const bool glyphs = attribute(node, "lengthAdjust").value_or("") == "spacingAndGlyphs";
+    std::shared_ptr<const Stretch> around;
+    if (length > 0) around = letters.setStretch(std::make_shared<const Stretch>(Stretch{length, glyphs}));
+    if (around) note("textLength");  // of letters that another one is of, too
     letters.open(node, unitsOf(state.paint));
     for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
       if (child->type() == rapidxml::node_data || child->type() == rapidxml::node_cdata) {
         letters.add({child->value(), child->value_size()}, state.paint);
+        states.resize(letters.styles().size(), state);
       } else if (child->type() == rapidxml::node_element) {
         const std::string_view name = elementName(*child);
-        if (name == "textPath") return false;
-        if ((name != "tspan" && name != "a") || !isMeant(*child)) continue;
+        if ((name != "tspan" && name != "a" && name != "textPath") || !isMeant(*child)) continue;
         State inside = state;
-        if (enter(*child, inside) && !collectLetters(*child, inside, letters)) return false;
+        if (!enter(*child, inside)) continue;
+        if (name != "textPath") {
+          collectLetters(*child, inside, letters, states);
+        } else if (auto path = elementName(node) == "textPath" ? nullptr : textPathOf(*child, inside)) {
+          letters.setPath(std::move(path));
+          collectLetters(*child, inside, letters, states);
+          letters.setPath(nullptr);
+        }
       }
     }
     letters.close();
-    return true;
+    if (length > 0) letters.setStretch(std::move(around));
+  }
+
+  // Null: it names no outline, and shows nothing.
+  std::shared_ptr<const TextPath> textPathOf(const Node& node, const State& state) {
+    const std::string_view target = trimmed(hrefOf(node).value_or(""));
+    const auto found = startsWith(target, "#") ? byId_.find(target.substr(1)) : byId_.end();
+    const auto data = attribute(node, "path");
+    if (!data && (found == byId_.end() || elementName(*found->second) != "path")) return nullptr;
+    const Node& shape = data ? node : *found->second;
+    if (std::abs(state.toWorld.linear().determinant()) < 1e-30) return nullptr;
+    const Matrix own = data ? Matrix::Identity() : transformOf(shape, styleSheet_.styleOf(shape, work_), state);
+    Outliner out(state.toWorld * own, options_.tolerance, pointsLeft_);
+    drawPath(out, data ? *data : attribute(shape, "d").value_or(""));
+    current_ = &node;
+    const Matrix back = state.toWorld.inverse();
+    const auto user = [&](Vec2 p) {
+      const Eigen::Vector2d at = back * Eigen::Vector2d(p.x, p.y);
+      return Vec2{at.x(), at.y()};
+    };
+    TextPath path;
+    for (const Line& line : out.lines()) {
+      for (std::size_t k = 1; k < line.points.size(); ++k) path.add(user(line.points[k - 1]), user(line.points[k]));
+      if (line.closed) path.add(user(line.points.back()), user(line.points.front()));
+    }
+    path.start = unitsOf(state.paint).of(node, "startOffset", path.length(), 0);
+    return std::make_shared<const TextPath>(std::move(path));
   }
 
   void noteLetters(const PaintState& style) {
@@ -448,7 +522,12 @@ class Drawing {
 
   // Shows an outline as its paint says.
   void paint(const Outliner& out, const PaintState& paint, const State& state) {
-    if (reading_ == Reading::Outlines) return show({out.rings(), paint.fillRule}, state);
+    if (reading_ == Reading::Outlines) {
+      const std::size_t before = loose_.size();
+      FilledPath path{out.rings(&loose_), paint.fillRule};
+      for (std::size_t k = before; k < loose_.size(); ++k) loose_[k].layer = layers_.size();
+      return show(std::move(path), state);
+    }
     if (reading_ == Reading::Clip) {
       if (paint.visible) show({out.rings(), paint.clipRule}, state);
       return;
@@ -484,6 +563,9 @@ class Drawing {
     if (reading_ == Reading::Painted) painted_ = true;
     std::vector<const Limit*> limits;
     for (const auto& limit : state.limits) limits.push_back(limit.get());
+    std::shared_ptr<const Limit> seen;
+    if (paint.fading) seen = seenOf(*paint.fading, state, boxOf(path.rings));
+    if (seen) limits.push_back(seen.get());
     path = within(std::move(path), limits, work_);
     if (reading_ == Reading::Painted) path = onPage(std::move(path));
     if (path.rings.empty()) return;
@@ -492,6 +574,15 @@ class Drawing {
       shape_.drawing.severalColours = shape_.drawing.severalColours || paint.colour != colour_;
     }
     layers_.push_back({std::move(path), !hides, {static_cast<std::uint32_t>(paint.colour & 0xFFFFFF), alpha}});
+  }
+
+  // What is seen of a gradient; null: all of it.
+  std::shared_ptr<const Limit> seenOf(const Node& gradient, const State& state, const Bounds& around) {
+    const Node* const node = current_;
+    const GradientPlace place{state.toWorld, userBox(*node, state), state.viewport, unitsOf(state.paint), around};
+    current_ = node;
+    std::optional<FilledPath> seen = seenOfGradient(gradient, place, byId_, styleSheet_, work_);
+    return seen ? limitOf(*std::move(seen)) : nullptr;
   }
 
   // As DrawingFacts says. Shadows on or along what is painted firmly are no second tone.
@@ -559,7 +650,11 @@ class Drawing {
     state.limits.clear();
     const std::int64_t points = pointsLeft_;
     const int texts = shape_.drawing.texts;
-    const std::vector<Layer> layers = drawnAs(Reading::Outlines, [&] { drawContent(node, state); });
+    const std::size_t loose = loose_.size();
+    const Node* shown = &node;  // a part of a text has the box of all of it
+    while (elementName(*shown) == "tspan" || elementName(*shown) == "textPath") shown = shown->parent();
+    const std::vector<Layer> layers = drawnAs(Reading::Outlines, [&] { drawContent(*shown, state); });
+    loose_.resize(loose);
     pointsLeft_ = points;
     shape_.drawing.texts = texts;
     Bounds box;
@@ -599,9 +694,9 @@ class Drawing {
   }
 
   // For what is inside of <clipPath> or <mask>.
-  State stateInside(const Node& limit, const Matrix& units, const State& state) {
+  State stateInside(const Node& limit, const State& state) {
     State inside;
-    inside.toWorld = state.toWorld * units;
+    inside.toWorld = state.toWorld;
     inside.viewport = state.viewport;
     inside.paint = inheritedBy(limit, state);
     inside.depth = state.depth + 1;
@@ -610,15 +705,17 @@ class Drawing {
   }
 
   void addClip(const Node& clip, const Node& node, State& state) {
-    State inside = stateInside(clip, unitsOf(clip, "clipPathUnits", false, node, state), state);
+    State inside = stateInside(clip, state);
     uses_.push_back(&clip);
     const Style style = styleSheet_.styleOf(clip, work_);
     addLimits(clip, style, inside);
-    inside.toWorld = inside.toWorld * transformOf(clip, style, inside);
+    inside.toWorld =
+        inside.toWorld * transformOf(clip, style, inside) * unitsOf(clip, "clipPathUnits", false, node, state);
     const std::vector<Layer> layers = drawnAs(Reading::Clip, [&] {
       for (const Node* child = clip.first_node(); child; child = child->next_sibling()) {
-        const std::string_view name = elementName(*child);
-        if (name == "use" || name == "text" || isShape(name)) draw(*child, inside);
+        const Node* const target = elementName(*child) == "use" ? usedBy(*child) : child;  // groups do not count
+        const std::string_view name = target ? elementName(*target) : std::string_view();
+        if (name == "text" || isShape(name)) draw(*child, inside);
       }
     });
     uses_.pop_back();
@@ -633,7 +730,8 @@ class Drawing {
     const UserUnits units = unitsOf(state.paint);
     const Vec2 corner{units.of(mask, "x", full.x, -0.1 * full.x), units.of(mask, "y", full.y, -0.1 * full.y)};
     const Vec2 size{units.of(mask, "width", full.x, 1.2 * full.x), units.of(mask, "height", full.y, 1.2 * full.y)};
-    State inside = stateInside(mask, unitsOf(mask, "maskContentUnits", false, node, state), state);
+    State inside = stateInside(mask, state);
+    inside.toWorld = state.toWorld * unitsOf(mask, "maskContentUnits", false, node, state);
     uses_.push_back(&mask);
     const Style style = styleSheet_.styleOf(mask, work_);
     addLimits(mask, style, inside);
@@ -654,6 +752,7 @@ class Drawing {
   Matrix toPage_ = Matrix::Identity();  // from the page's units to mm
   Shape shape_;
   std::vector<Layer> layers_;
+  std::vector<LoosePiece> loose_;
   Limit page_;
   Shape offPage_;
   bool painted_ = false;  // something is, be it off the page

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace sillon::svg {
@@ -11,23 +12,23 @@ namespace {
 constexpr std::size_t kNoStyle = static_cast<std::size_t>(-1);
 const std::string kSquare = "M0 0H1V1H0Z";
 constexpr double kLineWidth = 0.1;  // of lines under, through and above letters, as browsers draw them [em]
+constexpr double kSlant = 0.25;     // of letters that are to be italic, whose font is not: as browsers slant them
 
-/// Calls body(index, value) for the numbers of an attribute, in user units.
-template <class Body>
-void forLengths(const Node& node, const char* name, double full, const UserUnits& units, const Body& body) {
-  std::size_t index = 0;
+/// The numbers of an attribute, in user units.
+std::vector<double> lengthsOf(const Node& node, const char* name, double full, const UserUnits& units) {
+  std::vector<double> lengths;
   std::string_view rest = attribute(node, name).value_or("");
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find_first_of(", \t\r\n"), rest.size());
     if (end > 0) {
-      const double length = units.ofStyle(rest.substr(0, end), full);
-      if (!std::isfinite(length)) {
+      lengths.push_back(units.ofStyle(rest.substr(0, end), full));
+      if (!std::isfinite(lengths.back())) {
         refuse(std::string(name) + " is " + quoted(*attribute(node, name)) + "; it must be lengths");
       }
-      body(index++, length);
     }
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
+  return lengths;
 }
 
 std::size_t bytesOfLetter(std::string_view text) {
@@ -92,9 +93,10 @@ std::optional<double> sizeOf(std::string_view value, const PaintContext& context
 
 /// Tells whether a word is a property's initial value.
 bool isPlain(const std::string& word) {
-  constexpr std::array<std::string_view, 13> kPlain{"normal", "none", "auto", "initial", "unset",
-                                                    "revert", "ltr",  "lr",   "lr-tb",   "horizontal-tb",
-                                                    "solid",  "100%", "400"};
+  // Most built-in fonts are bold.
+  constexpr std::array<std::string_view, 19> kPlain{
+      "normal", "none", "auto", "initial", "unset",  "revert", "ltr", "lr",  "lr-tb", "horizontal-tb",
+      "solid",  "100%", "400",  "bold",    "bolder", "600",    "700", "800", "900"};
   return std::find(kPlain.begin(), kPlain.end(), word) != kPlain.end();
 }
 
@@ -108,9 +110,8 @@ void setUnread(Property property, const std::string& word, std::uint32_t& unread
 /// `font: italic bold 12px/1.4 Arial, sans-serif`. \return the families.
 std::string_view setFont(std::string_view value, const PaintContext& context, LetterStyle& letters) {
   std::uint32_t unread = letters.unread;
-  for (const Property property : {Property::FontStyle, Property::FontVariant, Property::FontWeight}) {
-    setUnread(property, "normal", unread);
-  }
+  for (const Property property : {Property::FontVariant, Property::FontWeight}) setUnread(property, "normal", unread);
+  bool slanted = false;
   while (!(value = trimmed(value)).empty()) {
     const std::size_t end = std::min(value.find_first_of(" \t\r\n"), value.size());
     const std::string token = lowered(value.substr(0, end));
@@ -122,13 +123,12 @@ std::string_view setFont(std::string_view value, const PaintContext& context, Le
     if (size) {
       letters.size = *size;
       letters.unread = unread;
+      letters.slanted = slanted;
       return trimmed(value);
     }
-    const bool slanted = token == "italic" || token == "oblique";
-    setUnread(slanted                 ? Property::FontStyle
-              : token == "small-caps" ? Property::FontVariant
-                                      : Property::FontWeight,
-              token, unread);
+    const bool slants = token == "italic" || token == "oblique";
+    slanted = slanted || slants;
+    if (!slants) setUnread(token == "small-caps" ? Property::FontVariant : Property::FontWeight, token, unread);
   }
   return {};
 }
@@ -186,8 +186,14 @@ void setDecoration(const Style& style, LetterStyle& letters) {
 struct LaidRun {
   const LetterShaper::Line* line = nullptr;  ///< null: it shows nothing
   double scale = 0;                          ///< from font units to user units
+  double wide = 1;                           ///< the same across, besides
+  double spacing = 0;                        ///< added to letters
   Vec2 at;                                   ///< of its pen
   double width = 0;
+
+  [[nodiscard]] double advance(const ShapedLine::Letter& letter) const {
+    return letter.advance == 0 ? 0 : letter.advance * scale * wide + spacing;
+  }
 };
 
 /// Shifts the runs that belong together, so that they begin, end or have their middle at their place.
@@ -207,22 +213,94 @@ void place(const LaidRun& run, const LetterRun& of, const LetterStyle& style, st
   const double scale = run.scale;
   const double y = run.at.y - style.raise - style.raiseInHeights * (line.ascent + line.descent) / line.em +
                    heightOf(style.aligned.value_or(style.baseLine), line) * scale;
-  const Matrix turned = shifted(run.at.x, y) * rotation(of.turn) * shifted(-run.at.x, -y);
-  const auto add = [&](const std::string& outline, const Matrix& at) {
-    placed.push_back({&outline, of.turn == 0 ? at : turned * at, of.style});
+  // Where a part of the run begins: all of it, or one letter of those that stand on a path.
+  const auto frameAt = [&](double pen, double width) -> std::optional<Matrix> {
+    std::optional<Matrix> frame = shifted(pen, y);
+    if (of.path) frame = of.path->at(pen + width / 2);
+    if (frame) frame = *frame * rotation(of.turn);
+    if (frame && of.path) frame = *frame * shifted(-width / 2, y);
+    return frame;
+  };
+  const auto add = [&](const std::string& outline, const std::optional<Matrix>& frame, const Matrix& at) {
+    if (frame) placed.push_back({&outline, *frame * at, of.style});
   };
   const double thick = kLineWidth * style.size;
-  const auto addLine = [&](double top) { add(kSquare, matrix(run.width, 0, 0, thick, run.at.x, y + top)); };
+  const auto addLine = [&](double top) {
+    if (!of.path) return add(kSquare, frameAt(run.at.x, run.width), matrix(run.width, 0, 0, thick, 0, top));
+    double pen = run.at.x;
+    for (const ShapedLine::Letter& letter : line.letters) {
+      const double width = run.advance(letter);
+      if (width > 0) add(kSquare, frameAt(pen, width), matrix(width, 0, 0, thick, 0, top));
+      pen += width;
+    }
+  };
   if (style.underlined) addLine(thick / 2);
   if (style.overlined) addLine(-line.ascent * scale - thick);
-  double pen = run.at.x;
+  const std::optional<Matrix> whole = frameAt(run.at.x, run.width);
+  const double slant = style.slanted ? kSlant * scale : 0;
+  double pen = 0;
   for (std::size_t k = 0; k < line.letters.size(); ++k) {
     const ShapedLine::Letter& letter = line.letters[k];
-    add(*run.line->outlines[k],
-        matrix(scale, 0, 0, -scale, pen + letter.offset.x * scale, y - letter.offset.y * scale));
-    if (letter.advance != 0) pen += letter.advance * scale + style.spacing;
+    const double advance = run.advance(letter);
+    const double from = of.path ? 0 : pen;
+    add(*run.line->outlines[k], of.path ? frameAt(run.at.x + pen, advance) : whole,
+        matrix(scale * run.wide, 0, slant, -scale, from + letter.offset.x * scale * run.wide,
+               -letter.offset.y * scale));
+    pen += advance;
   }
   if (style.struckThrough) addLine(-line.ascent * scale / 3 - thick / 2);
+}
+
+/// Kerns between the runs of one element that follow each other: letters may be moved one by one.
+std::optional<Error> kern(const std::vector<LetterRun>& runs, const std::vector<PaintState>& styles,
+                          LetterShaper& shaper, std::vector<LaidRun>& laid) {
+  for (std::size_t k = 0; k + 1 < runs.size(); ++k) {
+    const LetterStyle& style = styles[runs[k].style].letters;
+    const LetterRun& next = runs[k + 1];
+    if (next.x || next.y || laid[k].line == nullptr || next.style != runs[k].style) continue;
+    std::size_t begin = runs[k].text.size() - 1;
+    while (begin > 0 && (static_cast<unsigned char>(runs[k].text[begin]) & 0xC0) == 0x80) --begin;
+    const std::string_view one = std::string_view(runs[k].text).substr(begin);
+    const std::string_view other = std::string_view(next.text).substr(0, bytesOfLetter(next.text));
+    // The width of both together, less that of each.
+    double width = 0;
+    std::string text = std::string(one) + std::string(other);
+    for (const int part : {0, 1, 2}) {
+      if (part > 0) text = part == 1 ? one : other;
+      const Result<const LetterShaper::Line*> line = shaper.of(style.font, text);
+      if (!line) return line.error();
+      for (const ShapedLine::Letter& letter : line.value()->line.letters) width += (part > 0 ? -1 : 1) * letter.advance;
+    }
+    laid[k].width += width * laid[k].scale;
+  }
+  return std::nullopt;
+}
+
+/// Sets runs apart, or makes them wider, as `textLength` says.
+void stretch(const std::vector<LetterRun>& runs, std::vector<LaidRun>& laid) {
+  for (std::size_t first = 0, end = 0; first < runs.size(); first = end) {
+    const Stretch* const wanted = runs[first].stretch.get();
+    double width = 0, letters = 0;
+    for (end = first; end < runs.size() && runs[end].stretch.get() == wanted; ++end) {
+      width += laid[end].width + (end > first ? runs[end].shift.x : 0);
+      if (laid[end].line == nullptr) continue;
+      for (const ShapedLine::Letter& letter : laid[end].line->line.letters) letters += letter.advance == 0 ? 0 : 1;
+    }
+    if (!wanted || !(width > 0) || (letters < 2 && !wanted->glyphs)) continue;
+    const double apart = wanted->glyphs ? 0 : (wanted->length - width) / (letters - 1);
+    for (std::size_t k = first; k < end; ++k) {
+      LaidRun& run = laid[k];
+      if (wanted->glyphs) {
+        run.wide = wanted->length / width;
+        run.spacing *= run.wide;
+        run.width *= run.wide;
+      } else if (run.line != nullptr) {
+        run.spacing += apart;
+        for (const ShapedLine::Letter& letter : run.line->line.letters) run.width += letter.advance == 0 ? 0 : apart;
+      }
+    }
+    laid[end - 1].width -= apart;
+  }
 }
 
 }  // namespace
@@ -236,18 +314,26 @@ void applyLetters(const Style& style, const PaintContext& context, LetterStyle& 
   } else if (!inFont.empty()) {
     letters.font = context.font(inFont);
   }
+  const std::string slant = style.word(Property::FontStyle);
+  if (slant == "normal") letters.slanted = false;
+  if (startsWith(slant, "italic") || startsWith(slant, "oblique")) letters.slanted = true;
   const std::string anchor = style.word(Property::TextAnchor);
   if (anchor == "start") letters.anchor = 0;
   if (anchor == "middle") letters.anchor = 0.5;
   if (anchor == "end") letters.anchor = 1;
   const auto setSpacing = [&](Property property, double& spacing) {
     if (style.word(property) == "normal") spacing = 0;
-    if (const double length = context.length(style.value(property)); std::isfinite(length)) spacing = length;
+    const std::string& value = style.value(property);
+    std::string_view unit;
+    const std::optional<double> number = leadingNumber(value, unit);
+    const double length = number && unit == "%" ? *number / 100 * letters.size : context.length(value);
+    if (std::isfinite(length)) spacing = length;
   };
   setSpacing(Property::LetterSpacing, letters.spacing);
   setSpacing(Property::WordSpacing, letters.wordSpacing);
   if (const auto line = baseLineOf(style.word(Property::DominantBaseline))) letters.baseLine = *line;
-  letters.aligned = baseLineOf(style.word(Property::AlignmentBaseline));
+  const std::string aligned = style.word(Property::AlignmentBaseline);
+  if (aligned != "inherit") letters.aligned = baseLineOf(aligned);
   const std::string space = style.word(Property::WhiteSpace);
   if (!space.empty() && space != "inherit") {
     letters.keepsSpaces = space == "pre" || space == "pre-wrap" || space == "break-spaces";
@@ -282,6 +368,22 @@ std::vector<std::string_view> unreadOf(const LetterStyle& letters) {
   return names;
 }
 
+void TextPath::add(Vec2 from, Vec2 to) {
+  const double size = std::sqrt(dot(to - from, to - from));
+  if (!(size > 0)) return;
+  sides_.push_back({length_, from, (to - from) * (1 / size)});
+  length_ += size;
+}
+
+std::optional<Matrix> TextPath::at(double distance) const {
+  if (sides_.empty() || distance < 0 || distance > length_) return std::nullopt;
+  const auto next = std::upper_bound(sides_.begin(), sides_.end(), distance,
+                                     [](double at, const Side& side) { return at < side.begin; });
+  const Side& side = *(next - 1);
+  const Vec2 p = side.from + side.along * (distance - side.begin);
+  return matrix(side.along.x, side.along.y, -side.along.y, side.along.x, p.x, p.y);
+}
+
 void LetterRuns::open(const Node& node, const UserUnits& units) {
   inside_.push_back(elements_.size());
   elements_.push_back({&node, units, letters_.size(), letters_.size(), kNoStyle});
@@ -309,7 +411,7 @@ void LetterRuns::add(std::string_view text, const PaintState& paint) {
       element.style = styles_.size();
       styles_.push_back(paint);
     }
-    letters_.push_back({text_.size(), element.style, {}, {}, {}, 0});
+    letters_.push_back({text_.size(), element.style, {}, {}, {}, 0, path_, stretch_});
     const std::optional<std::string> shown = recased(letter, style.letterCase);
     if (!shown) setUnread(Property::TextTransform, "capitals", styles_[element.style].letters.unread);
     text_ += space ? " " : shown ? *shown : std::string(letter);
@@ -318,23 +420,24 @@ void LetterRuns::add(std::string_view text, const PaintState& paint) {
 
 void LetterRuns::place(const Element& element, Vec2 viewport) {
   if (elementName(*element.node) == "a") return;
-  const auto count = std::min(element.end, letters_.size()) - std::min(element.begin, letters_.size());
+  const bool onPath = elementName(*element.node) == "textPath";
+  const auto count = onPath ? 0 : std::min(element.end, letters_.size()) - std::min(element.begin, letters_.size());
   Letter* const own = letters_.data() + element.begin;
-  const auto forOwn = [&](const char* name, double full, const auto& body) {
-    forLengths(*element.node, name, full, element.units, [&](std::size_t k, double length) {
-      if (k < count) body(own[k], length);
-    });
-  };
-  forOwn("x", viewport.x, [](Letter& letter, double length) { letter.x = length; });
-  forOwn("y", viewport.y, [](Letter& letter, double length) { letter.y = length; });
-  forOwn("dx", viewport.x, [](Letter& letter, double length) { letter.shift.x = length; });
-  forOwn("dy", viewport.y, [](Letter& letter, double length) { letter.shift.y = length; });
-  std::size_t turned = 0;
-  forOwn("rotate", 1, [&](Letter& letter, double degrees) {
-    letter.turn = degrees;
-    turned = static_cast<std::size_t>(&letter - own) + 1;
-  });
-  for (; turned > 0 && turned < count; ++turned) own[turned].turn = own[turned - 1].turn;  // the last one goes on
+  for (const char* const name : {"x", "y", "dx", "dy", "rotate"}) {
+    const bool across = std::string_view(name).ends_with('x'), turns = name[0] == 'r';
+    const std::string_view text = attribute(*element.node, name).value_or("");
+    if (turns && text.find_first_not_of("0123456789+-.eE, \t\r\n") != std::string_view::npos) continue;
+    const std::vector<double> list = lengthsOf(*element.node, name, across ? viewport.x : viewport.y, element.units);
+    for (std::size_t k = 0; k < count && !list.empty(); ++k) {
+      if (turns) {
+        own[k].turn = list[std::min(k, list.size() - 1)];  // the last one goes on
+      } else if (k < list.size() && name[0] == 'd') {
+        (across ? own[k].shift.x : own[k].shift.y) = list[k];
+      } else if (k < list.size()) {
+        (across ? own[k].x : own[k].y) = list[k];
+      }
+    }
+  }
 }
 
 std::vector<LetterRun> LetterRuns::take(Vec2 viewport) {
@@ -355,8 +458,10 @@ std::vector<LetterRun> LetterRuns::take(Vec2 viewport) {
     const auto before = std::string_view(text_).substr(0, letter.begin);
     const bool apart = (style.wordSpacing != 0 && endsWord(before)) ||
                        (style.spacing != 0 && before.ends_with('f') && std::string_view("fijlt").find(text[0]) < 5);
-    if (runs.empty() || placed || apart || letter.style != runs.back().style || runs.back().turn != 0) {
-      runs.push_back({{}, letter.style, letter.x, letter.y, letter.shift, letter.turn});
+    const bool goesOn = !runs.empty() && letter.style == runs.back().style && letter.path == runs.back().path &&
+                        letter.stretch == runs.back().stretch && runs.back().turn == 0;
+    if (!goesOn || placed || apart) {
+      runs.push_back({{}, letter.style, letter.x, letter.y, letter.shift, letter.turn, letter.path, letter.stretch});
     }
     runs.back().text += text;
   }
@@ -384,30 +489,45 @@ Result<const LetterShaper::Line*> LetterShaper::of(const DrawingFont& font, cons
 Result<std::vector<PlacedLetter>> placeLetters(const std::vector<LetterRun>& runs,
                                                const std::vector<PaintState>& styles, LetterShaper& shaper) {
   std::vector<LaidRun> laid(runs.size());
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const LetterStyle& style = styles[runs[k].style].letters;
+    if (style.size > 0) {
+      const Result<const LetterShaper::Line*> line = shaper.of(style.font, runs[k].text);
+      if (!line) return line.error();
+      laid[k].line = line.value();
+      laid[k].scale = style.size / line.value()->line.em;
+      laid[k].spacing = style.spacing;
+      for (const ShapedLine::Letter& letter : line.value()->line.letters) laid[k].width += laid[k].advance(letter);
+    }
+    if (style.wordSpacing != 0 && endsWord(runs[k].text)) laid[k].width += style.wordSpacing;
+  }
+  if (const std::optional<Error> error = kern(runs, styles, shaper, laid)) return *error;
+  stretch(runs, laid);
+
   Vec2 pen;
   std::size_t first = 0;
   const auto anchorFrom = [&](std::size_t end) {
     if (first < end) anchor(&laid[first], laid.data() + end, styles[runs[first].style].letters.anchor);
     first = end;
   };
+  const TextPath* path = nullptr;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const LetterRun& run = runs[k];
-    const LetterStyle& style = styles[run.style].letters;
-    if (run.x || run.y) anchorFrom(k);
-    pen = Vec2{run.x.value_or(pen.x), run.y.value_or(pen.y)} + run.shift;
+    const bool begins = run.path.get() != path;
+    if (run.x || run.y || begins) anchorFrom(k);
+    if (begins && run.path) pen = {run.path->start, 0};
+    if (begins && !run.path) {  // behind the path, where that ends
+      const Eigen::Vector2d end = path->at(path->length()).value_or(Matrix::Identity()).translation();
+      pen = {end.x(), end.y()};
+    }
+    path = run.path.get();
+    if (path != nullptr) {
+      pen.x = run.x ? path->start + *run.x : pen.x;
+    } else {
+      pen = Vec2{run.x.value_or(pen.x), run.y.value_or(pen.y)};
+    }
+    pen = pen + run.shift;
     laid[k].at = pen;
-    if (style.size > 0) {
-      const Result<const LetterShaper::Line*> line = shaper.of(style.font, run.text);
-      if (!line) return line.error();
-      laid[k].line = line.value();
-      laid[k].scale = style.size / line.value()->line.em;
-      for (const ShapedLine::Letter& letter : line.value()->line.letters) {
-        if (letter.advance != 0) laid[k].width += letter.advance * laid[k].scale + style.spacing;
-      }
-    }
-    if (style.wordSpacing != 0 && endsWord(run.text)) {
-      laid[k].width += style.wordSpacing;
-    }
     pen.x += laid[k].width;
   }
   anchorFrom(runs.size());

@@ -4,11 +4,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "input/svg/svg_path.hpp"
@@ -18,6 +20,31 @@ namespace sillon::svg {
 
 inline constexpr std::int64_t kMaxLetters = 100'000;  ///< bytes of them in a drawing, which <use> may repeat
 
+/// A path that letters stand on, in user units.
+class TextPath {
+ public:
+  void add(Vec2 from, Vec2 to);
+
+  double start = 0;  ///< where letters begin
+  [[nodiscard]] double length() const { return length_; }
+  /// From the place of a letter to user units: x along the path, y down from it. Nothing beyond its ends.
+  [[nodiscard]] std::optional<Matrix> at(double distance) const;
+
+ private:
+  struct Side {
+    double begin;
+    Vec2 from, along;  // a unit vector
+  };
+  std::vector<Side> sides_;
+  double length_ = 0;
+};
+
+/// What `textLength` makes of letters.
+struct Stretch {
+  double length = 0;
+  bool glyphs = false;  ///< they are as wide as that takes, not set apart
+};
+
 /// Letters of one style, at a place of their own or behind the run before them.
 struct LetterRun {
   std::string text;
@@ -25,6 +52,8 @@ struct LetterRun {
   std::optional<double> x, y;  ///< [user units]
   Vec2 shift;                  ///< dx and dy [user units]
   double turn = 0;             ///< about the place of its one letter [degrees]
+  std::shared_ptr<const TextPath> path;
+  std::shared_ptr<const Stretch> stretch;  ///< of all runs that have the same one
 };
 
 /// The outline of a letter, or of a line under, through or above letters, in the element's user units.
@@ -44,6 +73,16 @@ class LetterRuns {
   /// \param units  with the em of the element.
   void open(const Node& node, const UserUnits& units);
   void close();
+  /// What stands on a path up to the next call, which may end it; null: nothing. \return the one before.
+  std::shared_ptr<const TextPath> setPath(std::shared_ptr<const TextPath> path) {
+    std::swap(path, path_);
+    return path;
+  }
+  /// The same of what is stretched.
+  std::shared_ptr<const Stretch> setStretch(std::shared_ptr<const Stretch> stretch) {
+    std::swap(stretch, stretch_);
+    return stretch;
+  }
   /// Adds text of the innermost open element. Throws Refused: the drawing has too many letters.
   void add(std::string_view text, const PaintState& paint);
   /// The runs without the space at the end. \param viewport  what percentages refer to. Throws Refused.
@@ -59,6 +98,8 @@ class LetterRuns {
     std::optional<double> x, y;
     Vec2 shift;
     double turn = 0;
+    std::shared_ptr<const TextPath> path;
+    std::shared_ptr<const Stretch> stretch;
   };
   struct Element {
     const Node* node;
@@ -75,6 +116,8 @@ class LetterRuns {
   std::vector<Element> elements_;    // those around before those within
   std::vector<std::size_t> inside_;  // which of them are open, outermost first
   std::vector<PaintState> styles_;
+  std::shared_ptr<const TextPath> path_;
+  std::shared_ptr<const Stretch> stretch_;
   bool afterSpace_ = true;  // a further space shows nothing
 };
 

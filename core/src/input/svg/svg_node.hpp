@@ -57,6 +57,8 @@ std::string checkNesting(std::string_view text);
 
 // The elements of a drawing, from the root downwards, as areas.
 
+inline constexpr std::size_t kMostUnread = 8;  ///< of DrawingFacts::unread
+
 /// \param[out] current  the element that was being read when reading stopped; null outside of elements.
 /// Throws Refused.
 SvgPainting drawElements(const Node& root, const SvgOptions& options, const Node*& current);

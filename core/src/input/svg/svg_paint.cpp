@@ -77,8 +77,7 @@ Paint functionColor(std::string_view text) {
 // Nothing: no colour. "inherit", "unset" and "revert" are none, and inherit as all that cannot be read does.
 std::optional<Paint> colorOf(std::string_view value, const Paint& current) {
   const std::string text = lowered(trimmed(value));
-  // No marker is drawn, whose context these would be.
-  if (text == "none" || text == "transparent" || text == "context-fill" || text == "context-stroke") return Paint{0};
+  if (text == "none" || text == "transparent") return Paint{0};
   if (text == "currentcolor") return current;
   if (startsWith(text, "#"))
     return hexColor(std::string_view(text).substr(1, text.find(' ') - 1));  // "#123 icc-color()"
@@ -139,6 +138,9 @@ void setDashes(std::string_view value, const PaintContext& context, Stroke::Dash
     const std::vector<double> again = read;
     read.insert(read.end(), again.begin(), again.end());
   }
+  bool gaps = false;
+  for (std::size_t k = 1; k < read.size(); k += 2) gaps = gaps || read[k] > 0;
+  if (!gaps) read.clear();  // joins and caps are those of a solid line
   dashes = read.empty() ? nullptr : std::make_shared<const std::vector<double>>(std::move(read));
 }
 
@@ -192,12 +194,18 @@ std::string_view urlOf(std::string_view value) {
 
 void apply(const Style& style, const PaintContext& context, PaintState& state) {
   state.strokeScales = true;
-  state.letters.aligned.reset();
+  if (style.word(Property::AlignmentBaseline) != "inherit") state.letters.aligned.reset();
   if (style.empty()) return;
   if (style.setsLetters()) applyLetters(style, context, state.letters);  // the others may be in ems
   setPaint(style.value(Property::Color), context, state.color, Paint{}, state.color);
-  setPaint(style.value(Property::Fill), context, state.color, Paint{}, state.fill);
-  setPaint(style.value(Property::Stroke), context, state.color, Paint{0}, state.stroke);
+  const auto setFillOrStroke = [&](Property property, const Paint& initial, Paint& paint) {
+    const std::string word = style.word(property);
+    if (word == "context-fill") paint = state.outerFill;
+    if (word == "context-stroke") paint = state.outerStroke;
+    setPaint(style.value(property), context, state.color, initial, paint);
+  };
+  setFillOrStroke(Property::Fill, Paint{}, state.fill);
+  setFillOrStroke(Property::Stroke, Paint{0}, state.stroke);
   setShare(style.value(Property::FillOpacity), state.fillOpacity);
   setShare(style.value(Property::StrokeOpacity), state.strokeOpacity);
   double opacity = 1;

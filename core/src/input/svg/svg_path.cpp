@@ -134,12 +134,15 @@ void Outliner::close() {
   end();
 }
 
-std::vector<Ring> Outliner::rings() const {
+std::vector<Ring> Outliner::rings(std::vector<LoosePiece>* loose) const {
   std::vector<Ring> rings;
   for (const Line& line : lines_) {
     Ring ring = line.points;
     while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
-    if (hasArea(ring)) rings.push_back(std::move(ring));
+    const bool area = hasArea(ring);
+    const bool open = !line.closed && ring.size() == line.points.size() && ring.size() > 1;
+    if (loose != nullptr && open) loose->push_back({ring, 0, area ? rings.size() : kNoRing});
+    if (area) rings.push_back(std::move(ring));
   }
   return rings;
 }

@@ -69,6 +69,15 @@ struct Line {
   bool closed = false;       ///< the last point may repeat the first
 };
 
+inline constexpr std::size_t kNoRing = static_cast<std::size_t>(-1);
+
+/// A part of a path that stays open.
+struct LoosePiece {
+  Ring points;
+  std::size_t layer = 0;       ///< that shows it, closed by a straight line
+  std::size_t ring = kNoRing;  ///< of that layer; none: the piece spans no area
+};
+
 /// Polygons of one element. Takes curves in the element's coordinates, keeps points in mm, y up, on a grid of 1 nm.
 /// Throws Refused for points that lie too far away, or are too many.
 class Outliner {
@@ -87,8 +96,8 @@ class Outliner {
   void end();             ///< of a part that stays open
   void close();           ///< its end joins its beginning
   [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
-  /// The parts that span an area, closed.
-  [[nodiscard]] std::vector<Ring> rings() const;
+  /// The parts that span an area, closed. \param[out] loose  receives those that were open.
+  std::vector<Ring> rings(std::vector<LoosePiece>* loose = nullptr) const;
 
  private:
   [[nodiscard]] int pieces(double bend) const;
@@ -191,6 +200,14 @@ struct Layer {
   bool adds = true;
   PathPaint paint = {};
 };
+
+// Outlines without paint.
+
+/// Adds the rings that pieces make whose ends meet, and takes the pieces out of their own layers.
+void joinLoose(const std::vector<LoosePiece>& pieces, std::vector<Layer>& layers);
+/// Makes outlines within others holes, and those within holes solid. Outlines that cross are one body.
+/// Throws Refused: they are too many.
+void alternateNested(std::vector<Layer>& layers);
 
 std::shared_ptr<const Limit> limitOf(FilledPath area);
 /// Tells whether nothing of `box` is cut off.

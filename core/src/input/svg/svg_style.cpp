@@ -48,7 +48,7 @@ constexpr bool isOfLetters(Property property) {
     std::array<bool, kPropertyNames.size()> of{};
     for (const Property read :
          {Property::AlignmentBaseline, Property::BaselineShift, Property::DominantBaseline, Property::Font,
-          Property::FontFamily, Property::FontSize, Property::LetterSpacing, Property::TextAnchor,
+          Property::FontFamily, Property::FontSize, Property::FontStyle, Property::LetterSpacing, Property::TextAnchor,
           Property::TextDecoration, Property::TextDecorationLine, Property::WhiteSpace, Property::WordSpacing}) {
       of[static_cast<std::size_t>(read)] = true;
     }

@@ -280,6 +280,7 @@ struct Paint {
   std::uint64_t colour = 0;  ///< 0xRRGGBB, and above it another number for each gradient and all else that is no colour
   bool pattern = false;
   bool gradient = false;
+  const Node* fading = nullptr;  ///< gradient that becomes too faint to be seen somewhere
 
   [[nodiscard]] bool black() const { return colour == 0; }
 };
@@ -298,7 +299,6 @@ inline constexpr std::array kUnreadOfLetters{Property::Direction,
                                              Property::FontKerning,
                                              Property::FontSizeAdjust,
                                              Property::FontStretch,
-                                             Property::FontStyle,
                                              Property::FontVariant,
                                              Property::FontVariantAlternates,
                                              Property::FontVariantCaps,
@@ -335,6 +335,7 @@ struct LetterStyle {
   double raiseInHeights = 0;        ///< the same, where it is in heights of a font whose em is 1
   LetterCase letterCase = LetterCase::AsWritten;
   bool keepsSpaces = false;
+  bool slanted = false;
   bool underlined = false, overlined = false, struckThrough = false;
   std::uint32_t unread = 0;  ///< bits, in the order of kUnreadOfLetters
 };
@@ -344,6 +345,7 @@ struct PaintState {
   Paint color;  ///< currentColor
   Paint fill;
   Paint stroke{0};
+  Paint outerFill{0}, outerStroke{0};  ///< context-fill and context-stroke: of the <use> around
   double fillOpacity = 1;
   double strokeOpacity = 1;
   double opacity = 1;
@@ -390,5 +392,19 @@ using Ids = std::unordered_map<std::string_view, const Node*>;
 /// \param current  currentColor. Throws Refused: too much.
 std::optional<Paint> serverPaint(std::string_view id, const Ids& ids, const StyleSheet& styles, const Paint& current,
                                  Work& work);
+
+/// Where a fading gradient lies.
+struct GradientPlace {
+  Matrix toWorld;  ///< from user units to mm
+  Bounds box;      ///< of the element it paints, in user units
+  Vec2 viewport;   ///< what percentages refer to, in user units
+  UserUnits units;
+  Bounds around;  ///< where it matters [mm]
+};
+
+/// The area in which a gradient is seen, as far as `around` reaches: a fifth or more of its greatest opacity. Nothing
+/// where that cannot be told; then all of it counts. Throws Refused: too much.
+std::optional<FilledPath> seenOfGradient(const Node& gradient, const GradientPlace& place, const Ids& ids,
+                                         const StyleSheet& styles, Work& work);
 
 }  // namespace sillon::svg

@@ -20,6 +20,7 @@ export const words = {
   'setting.layers.cropMax': "Crop to",
   'setting.layers.text': "Text",
   'setting.layers.font': "Font",
+  'setting.layers.weight': "Weight",
   'setting.layers.textSize': "Letter height",
   'setting.layers.circle': "Circle",
   'setting.layers.align': "Alignment",

@@ -5,6 +5,7 @@ export const words = {
   'reason.TooHigh': "With the lift of the nozzle the print is {height} mm high; this printer reaches {most} mm.",
   'reason.CopiesTooHigh': "These plates are {height} mm high; several on one bed, printed one after the other, may be at most {most} mm, or the print head would touch them.",
   'reason.NoBeadFits': "No bead fits into this shape at a “Line width” of {spacing} mm; use a smaller one or a larger shape.",
+  'reason.LinesTooThin': "Nothing in the drawing is filled, and no bead fits into its lines at a “Line width” of {spacing} mm; “Paint” ignore (--paint ignore) fills what they enclose.",
   'reason.HoleOutside': "Hole {n} at {x}, {y} mm, {diameter} mm wide, lies outside the shape, which reaches from {left}, {bottom} to {right}, {top} mm; move it onto the shape, or leave it out.",
   'reason.OffsetTooDeep': "An offset of {offset} mm leaves nothing of the shape, whose deepest place is {depth} mm from the outline; use an offset that is nearer to 0.",
   'reason.MissingLetter': "No font has a letter for {letter}; take a font that has it, or leave it out.",

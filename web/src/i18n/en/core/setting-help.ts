@@ -20,6 +20,7 @@ export const words = {
   'help.layers.cropMax': "Upper right corner of that part.",
   'help.layers.text': "Letters, in one or several lines, what a QR code says, or what an echo without a file follows.",
   'help.layers.font': "A built-in font, or a TTF or OTF file.",
+  'help.layers.weight': "Weight of the letters, where the font is a variable one; 0 is the font’s own.",
   'help.layers.textSize': "Height of capitals, where the size is 0.",
   'help.layers.circle': "Radius of the circle that letters stand on; 0: straight; below 0: along the lower side, to be read from inside.",
   'help.layers.align': "Place of shorter lines in the box.",

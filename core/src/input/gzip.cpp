@@ -1,4 +1,4 @@
-#include "export/packing.hpp"
+#include "input/gzip.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -7,7 +7,6 @@
 
 #include "base/checksums.hpp"
 #include "input/inflate.hpp"
-#include "sillon/export/gcode_archive.hpp"
 
 namespace sillon {
 namespace {
@@ -46,14 +45,15 @@ Result<std::string> packed(std::string header, std::string_view text) {
 
 }  // namespace
 
-Result<std::string> unzipped(std::string_view file) {
+Result<std::string> unzipped(std::string_view file, std::size_t most) {
   const std::size_t begin = endOfHeader(file);
   if (begin == 0) return damaged("is cut off, or packed in an unknown way");
   const auto size = static_cast<std::size_t>(number(file, file.size() - 4, 4));
   const std::string_view data = file.substr(begin, file.size() - kTrailer - begin);
-  if (size > kMostGcodeBytes) {
-    return Error{ErrorCode::TooLarge,
-                 "the .gz holds " + std::to_string(size >> 20) + " MiB of text, or is cut off; it must be at most 256"};
+  if (size > most) {
+    return Error{ErrorCode::TooLarge, "the .gz holds " + std::to_string(size >> 20) +
+                                          " MiB of text, or is cut off; it must be at most " +
+                                          std::to_string(most >> 20)};
   }
   if (size > data.size() * kBestDeflate) return damaged("is damaged: its size does not fit");
   // stb_image's inflate looks 4 bytes beyond the end; the trailer follows there.
