@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/checksums.hpp"
+#include "base/deflate.hpp"
 #include "input/inflate.hpp"
 
 namespace sillon {

@@ -12,7 +12,4 @@ namespace sillon {
 /// \return nothing if the data is damaged or of another size.
 std::optional<std::string> inflated(std::string_view data, std::size_t size);
 
-/// The same the other way. \param data  less than 2 GiB.
-std::string deflated(std::string_view data);
-
 }  // namespace sillon
