@@ -229,6 +229,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
     text = packed(std::move(text).value(), paths);
     if (!text) return text.error();
     files.push_back({paths.gcode, std::move(text).value()});
+    run.report(paths.preview.empty() ? 1 : 0.25);
   }
   if (!paths.svg.empty()) {
     Result<std::string> svg = sillon::toolpathSvg(plate.toolpath(), plate.input.shape.page);

@@ -72,9 +72,19 @@ Result<Outcome> prepare(const Arguments& arguments, sillon::Project project, Job
   options.measure = !outputs.report.empty() || !outputs.gcode.empty() || !arguments.quiet;
   options.countDislocations = !outputs.report.empty();  // shown there alone
   options.judgePictures = outputs.gcode.empty();
+  // Shares of the progress, in the time of a path. A preview takes the same whatever the plate's size.
+  constexpr double kGcode = 0.35;
+  constexpr double kPreview = 1.2;
+  const double paths = sillon::pathsFor(project);
+  const double writing = (outputs.gcode.empty() ? 0 : kGcode) + (outputs.preview.empty() ? 0 : kPreview);
+  const double made = paths / (paths + writing);
+  const sillon::ProgressShare whole(run, 0, 1);
+  std::optional<sillon::ProgressShare> part(std::in_place, run, 0, made);
   Result<sillon::Plate> plate = sillon::makePlate(std::move(project), readInputFile, options, run);
   if (!plate) return plate.error();
   job.plate = std::move(plate).value();
+  part.emplace(run, made, 1);
+  run.beginStage("files", 0, 1);
   auto files = makeOutputs(job, outputs, run);
   run.onProgress({});
   if (!files) return files.error();

@@ -16,7 +16,7 @@ namespace {
 
 // Times of the parts of a job, in times of one toolpath (wave, one thread, in a browser).
 constexpr double kTrials = 0.7;  // three plates of a hundred beads, which choose a lamp
-constexpr double kMeasures = 1.5;
+constexpr double kMeasures = 0.15;
 
 /// The progress of a job whose parts are known by their weights.
 class Parts {

@@ -78,7 +78,7 @@ struct Session::State {
     std::optional<Dislocations>& known = path->path.seen.dislocations;
     if (known) return std::nullopt;
     const SignedDistanceField& sdf = shape->fields.sdf;
-    making.run.beginStage("phases", 0, 0.35);  // told as such, but not among the times of the path
+    making.run.beginStage("phases", 0, 0.195);  // told as such, but not among the times of the path
     const Making unclocked{making.params, making.run};
     const Result<WaveFields> waves = waveStep(input, sdf, BeadLines::Asked, unclocked);
     if (!waves) return waves.error();

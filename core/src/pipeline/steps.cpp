@@ -90,13 +90,13 @@ std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& p
 
 Result<ShapeFields> shapeStep(const Shape& shape, const Making& making) {
   const ToolpathParams& params = making.params;
-  making.start("outline", 0.02);
+  making.start("outline", 0.005);
   const Result<Outline> outline = resolveOutline(shape);
   if (!outline) return outline.error();
   const Vec2 size = outline.value().bounds.size();
   if (auto error = plateTooLarge(size, params.spacing, making.run.memory())) return *error;
 
-  making.start("distance", 0.06);
+  making.start("distance", 0.055);
   const Grid grid = makeGrid(outline.value().bounds, params.spacing);
   Result<BorderIndex> border = buildBorderIndex(outline.value(), grid, making.run);
   if (!border) return border.error();
@@ -116,7 +116,7 @@ Result<WaveFields> waveStep(const PlateInput& input, const SignedDistanceField& 
   const ToolpathParams& params = making.params;
   const RunContext& run = making.run;
   // Sec. 5.1: a line per cell.
-  making.start("lines", 0.12);
+  making.start("lines", 0.075);
   Result<CellConstraints> cells = cellConstraints(sdf, input.directions, input.modes, input.shape.page, params, run);
   if (!cells) return cells.error();
   Result<LineField> lines = lineField(sdf, cells.value(), params, run);
@@ -131,7 +131,7 @@ Result<WaveFields> waveStep(const PlateInput& input, const SignedDistanceField& 
   release(cells.value().mapLine);  // memory peaks in the alignment
 
   // Sec. 5.2 and 5.3: waves along the lines, aligned with each other.
-  making.start("phases", 0.35);
+  making.start("phases", 0.195);
   Result<std::vector<float>> frequency = spacingField(lines.value(), cells.value(), params, run);
   if (!frequency) return frequency.error();
   making.record(&Stages::frequency, frequency.value());
@@ -171,13 +171,13 @@ Result<RelaxedPath> pathStep(const PlateInput& input, const ShapeFields& shape, 
     seen.dislocations = found.value();
   }
 
-  making.start("contour", 0.5);
+  making.start("contour", 0.25);
   Result<ClosedCurves> contour = contourStep(input.shape, shape, std::move(waves.value().waves), making);
   if (!contour) return contour.error();
   seen.contourCycles = contour.value().count();
   if (seen.contourCycles == 0) return noBeadFits(input.shape, making.params.spacing);
 
-  making.start("stitch", 0.65);
+  making.start("stitch", 0.71);
   Result<Stitched> stitched = stitchStep(std::move(contour).value(), shape, lines, input.showsPictures, making);
   if (!stitched) return stitched.error();
   seen.parts = stitched.value().parts;
@@ -188,7 +188,7 @@ Result<RelaxedPath> pathStep(const PlateInput& input, const ShapeFields& shape, 
   seen.stitchWork = stitched.value().work;
 
   // Sec. 5.6: even gaps, beads of pictures along their lines.
-  making.start("relaxation", 0.88);
+  making.start("relaxation", 0.89);
   Result<Relaxed> relaxed = relaxSpacing(std::move(stitched.value().curves), shape.border, making.params, making.run,
                                          input.showsPictures ? &lines : nullptr);
   if (!relaxed) return relaxed.error();
@@ -200,7 +200,7 @@ Result<RelaxedPath> pathStep(const PlateInput& input, const ShapeFields& shape, 
 Result<ToolpathResult> widthStep(const RelaxedPath& path, const BorderIndex& border, const Making& making) {
   const ClosedCurves& curves = path.relaxed.curves;
   // Eq. 16.
-  making.start("width", 0.95);
+  making.start("width", 0.965);
   const Result<BeadWidths> widths = beadWidths(curves, path.relaxed.gaps, border, making.params, making.run);
   if (!widths) return widths.error();
   making.record(&Stages::widths, widths.value());
