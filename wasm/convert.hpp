@@ -355,7 +355,6 @@ inline val toJs(const sillon::GcodeCheck& check, const std::vector<std::string>&
     out.set("box", box);
   }
   out.set("top", check.top);
-  out.set("noise", check.noise < 0 ? val::null() : val(check.noise));
   val coverage = val::array();
   for (const double share : check.coverage) coverage.call<void>("push", share < 0 ? val::null() : val(share));
   out.set("coverage", coverage);

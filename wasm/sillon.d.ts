@@ -783,13 +783,13 @@ export interface PrinterValues {
   maxNozzleTemperature: number;
   /** Highest bed temperature that the printer is made for. 0..120 °C, default 120. */
   maxBedTemperature: number;
-  /** For experts: allows nozzle temperatures of 0 to 500 °C and bed temperatures of up to 200, whatever the limits are. Default false. */
+  /** For experts: allows nozzle temperatures of 0 to 300 °C and bed temperatures of up to 120, whatever the limits are; check refuses more. Default false. */
   anyTemperature: boolean;
-  /** Nozzle temperature, as on the filament’s label; 170 to the printer’s limit unless any temperature is allowed. 0..500 °C, default 215. */
+  /** Nozzle temperature, as on the filament’s label; 170 to the printer’s limit unless any temperature is allowed. 0..300 °C, default 215. */
   nozzleTemperature: number;
-  /** Nozzle temperature of the first layer, often slightly higher for adhesion; 170 to the printer’s limit unless any temperature is allowed. 0..500 °C, default 220. */
+  /** Nozzle temperature of the first layer, often slightly higher for adhesion; 170 to the printer’s limit unless any temperature is allowed. 0..300 °C, default 220. */
   firstLayerNozzleTemperature: number;
-  /** Bed temperature, as on the filament’s label; at most the printer’s limit unless any temperature is allowed. 0..200 °C, default 60. */
+  /** Bed temperature, as on the filament’s label; at most the printer’s limit unless any temperature is allowed. 0..120 °C, default 60. */
   bedTemperature: number;
   /** Printing speed; slow and constant gives the cleanest reflection. 5..1000 mm/s, default 50. */
   speed: number;
@@ -1268,8 +1268,6 @@ export interface GcodeCheck {
   box: { min: [number, number]; max: [number, number] } | null;
   /** Of the highest bead, mm. */
   top: number;
-  /** 99 % of the vertices of oriented beads zigzag by no more, mm; null: there are none. */
-  noise: number | null;
   /** Share of the base that each oriented layer of a file of ours covers; null where there is no base. */
   coverage: (number | null)[];
   /** How long the beads of the visible layers wait for their neighbours; null: no oriented bead has one, or the file is

@@ -53,10 +53,6 @@ std::string checkText(const sillon::GcodeCheck& check, const std::vector<std::st
                   check.slowedMm / 1000);
     out += line;
   }
-  if (check.noise >= 0) {
-    std::snprintf(line, sizeof line, "noise      %.1f um in 99 %% of the oriented path\n", 1000 * check.noise);
-    out += line;
-  }
   const std::vector<double>& shares = check.coverage;
   if (const auto least = std::min_element(shares.begin(), shares.end()); least != shares.end() && *least >= 0) {
     std::snprintf(line, sizeof line, "coverage   %.1f %% of the base by %s\n", 100 * *least,
@@ -99,7 +95,6 @@ std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::st
                                 {"printer", check.printer},
                                 {"box", nullptr},
                                 {"top", check.top},
-                                {"noise", known(check.noise)},
                                 {"coverage", nlohmann::ordered_json::array()}};
   for (const double share : check.coverage) out["coverage"].push_back(known(share));
   out["neighbourDelay"] = nullptr;

@@ -25,8 +25,8 @@ Json words() {
   for (const auto& [kind, sentences] :
        {std::pair("warnings", sillon::warningSentences()), std::pair("inputNotes", sillon::inputNoteSentences()),
         std::pair("importNotes", sillon::importNoteSentences()), std::pair("findings", sillon::findingSentences()),
-        std::pair("surfaces", sillon::surfaceSentences()), std::pair("reasons", sillon::reasonSentences()),
-        std::pair("hints", sillon::errorHints())}) {
+        std::pair("printFindings", sillon::printFindingSentences()), std::pair("surfaces", sillon::surfaceSentences()),
+        std::pair("reasons", sillon::reasonSentences()), std::pair("hints", sillon::errorHints())}) {
     for (const sillon::Sentence& sentence : sentences) all[kind][sentence.code] = sentence.text;
   }
   return all;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -134,37 +133,6 @@ TEST_CASE("the slowed length is that below the fastest oriented bead of each lay
   CHECK(checkGcode(kStart + slow + kEnd).slowedMm == Approx(20));
   CHECK(checkGcode(kStart + slow + kSquare + kEnd).slowedMm == Approx(20));
   CHECK(checkGcode(kStart + slow + ";TYPE:Solid infill\nG1 X60 E0.33260 F300\n" + kEnd).slowedMm == Approx(20));
-}
-
-TEST_CASE("noise is the amplitude of a zigzag; lines, circles and corners have none") {
-  const auto noiseOf = [](const std::function<Vec2(int)>& at) {
-    std::string text = kStart + ";LAYER_CHANGE\n;TYPE:Top solid infill\n";
-    for (int k = 0; k <= 400; ++k) {
-      const Vec2 p = at(k);
-      char line[80];
-      std::snprintf(line, sizeof line, "G1 X%.3f Y%.3f%s F1800\n", p.x, p.y, k > 0 ? " E0.01" : "");
-      text += line;
-    }
-    return checkGcode(text + kEnd).noise;
-  };
-  const auto zigzag = [](double amplitude, double step) {
-    return [=](int k) { return Vec2{10 + k * step, 50 + (k % 2 == 0 ? amplitude : -amplitude)}; };
-  };
-  CHECK(noiseOf(zigzag(0.02, 0.2)) == about(0.02, 0.01));
-  CHECK(noiseOf(zigzag(0.005, 0.1)) == about(0.005, 0.01));  // turns of 11 degrees
-  CHECK(noiseOf(zigzag(0.005, 0.2)) == 0);                   // 6 degrees: nothing brakes
-  CHECK(noiseOf(zigzag(0, 0.2)) == 0);
-  CHECK(noiseOf(zigzag(0.5, 1.2)) == 0);  // longer legs are meant
-  CHECK(noiseOf([](int k) { return Vec2{50 + 20 * std::cos(k * 0.0157), 50 + 20 * std::sin(k * 0.0157)}; }) < 0.0011);
-  // Serpentines of right angles: corners turn twice to the same side.
-  CHECK(noiseOf([](int k) { return Vec2{10 + (k / 2) * 0.4, 50 + ((k + 1) / 2 % 2) * 0.4}; }) == 0);
-  CHECK(checkGcode(kStart).noise == -1);
-  std::string text = kStart + ";LAYER_CHANGE\n;TYPE:Top solid infill\nG1 X10 Y50 F1800\n";
-  for (int k = 1; k < 300; ++k) {
-    text += "G1 X" + std::to_string(10 + k * 0.2).substr(0, 6) + (k % 2 == 0 ? " Y50.02" : " Y49.98") + " E0.01\n";
-  }
-  CHECK(finding(checkGcode(text + kEnd), "noise").message ==
-        "the path zigzags by 20 um; above 5 um printers slow down for it");
 }
 
 TEST_CASE("coverage is the share of the base that an oriented layer fills") {

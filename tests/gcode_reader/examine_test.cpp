@@ -280,7 +280,6 @@ const std::string kDoubtful[] = {
     "UPDATE_DELAYED_GCODE ID=x DURATION=1",
     "TEST_RESONANCES AXIS=X",
     "BED_MESH_PROFILE SAVE=x",
-    "M118 //action:cancel",
 };
 
 // Start and end blocks as makers write them, shortened, by the commands that their documentation names.

@@ -131,6 +131,10 @@ TEST_CASE("layers lie where their marks tell, and on each other") {
   const std::string high = moved(print(), "G1 Z0.600000", "G1 Z0.7");
   CHECK(codes(kOurs + high) == "!off-layer ");
   CHECK(codes(high) == "!off-layer ");
+  // The third layer as a spiral, with a piece too short to rise.
+  const std::string spiral =
+      moved(moved(print(), "G1 Z0.600000", "G1 Z0.4"), " E0.33260 F1800", " Z0.45 E0.33260 F1800");
+  CHECK(codes(spiral) == "");
   const std::string low = moved(print(), "G1 Z0.600000", "G1 Z0.45");
   CHECK(codes(kOurs + low) == "!off-layer ");
   CHECK(codes(low) == "!off-layer ");

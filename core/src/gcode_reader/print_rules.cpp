@@ -114,6 +114,8 @@ bool pauses(const GcodeCommand& command, const GcodeWords& words, const std::str
 
 }  // namespace
 
+std::span<const Sentence> printFindingSentences() { return kSentences; }
+
 PrintRules::PrintRules(FileSettings settings, bool ours, const std::optional<Printer>& machine)
     : Rules(std::move(settings), ours), profile_(machine) {
   now_.fill(-1);
@@ -337,7 +339,8 @@ void PrintRules::onMove(const MachineMove& move) {
 
 // The mark's height, as far as the file tells one; else steps from layer to layer.
 void PrintRules::judgeHeight(const MachineMove& move) {
-  if (move.z != move.zFrom) return;
+  if (move.z != move.zFrom) climbs_ = true;
+  if (climbs_) return;  // a spiral, which has level pieces only where heights are rounded
   if (told_ >= 0) {
     if (ours_ || !(height_ > 0)) return;  // our own files are judged with the other rules
     const double off = move.z - told_ - settings_.zOffset;
@@ -378,7 +381,7 @@ void PrintRules::judgeSpeed(const MachineMove& move) {
 void PrintRules::onLayer() {
   told_ = -1;
   height_ = 0;
-  heightTold_ = stepJudged_ = false;
+  heightTold_ = stepJudged_ = climbs_ = false;
   if (box_.empty()) return;
   const double rise = boxZ_ - belowZ_;
   if (!below_.empty() && rise > 0 && rise < 2) {

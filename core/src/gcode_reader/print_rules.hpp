@@ -93,6 +93,7 @@ class PrintRules final : public Rules {
   double usualStep_ = 0;  // [mm], by a header that tells the layers' height once
   double lastZ_ = -1;     // of the last layer without a mark of its own
   bool stepJudged_ = false;
+  bool climbs_ = false;  // the layer has a bead that rises
 
   bool aside_ = false;  // skirts and brims
   Bounds box_;          // of this layer's beads

@@ -15,15 +15,10 @@
 namespace sillon {
 namespace {
 
-constexpr double kRounding = 0.0015;   // [mm], coordinates have 3 decimals
-constexpr double kLongTravel = 2;      // [mm], shorter ones draw no thread
-constexpr double kCoast = 1.01;        // [mm], travel at a path's end that still belongs to it
-constexpr double kLongestPrime = 50;   // [mm of filament], Klipper's max_extrude_only_distance
-constexpr double kLongNoise = 1;       // [mm], a zigzag of longer legs is meant
-constexpr double kNoiseStep = 0.0001;  // [mm]
-// The tangent of 10 degrees: with Marlin's junction deviation of 0.013 mm, 1000 mm/s2 pass it at 58 mm/s.
-constexpr double kBrakingTurn = 0.1763;
-constexpr double kMostNoise = 0.005;           // [mm], more makes planners brake
+constexpr double kRounding = 0.0015;           // [mm], coordinates have 3 decimals
+constexpr double kLongTravel = 2;              // [mm], shorter ones draw no thread
+constexpr double kCoast = 1.01;                // [mm], travel at a path's end that still belongs to it
+constexpr double kLongestPrime = 50;           // [mm of filament], Klipper's max_extrude_only_distance
 constexpr std::size_t kLongestOverlap = 4096;  // [moves]
 constexpr double kLeastCovered = 0.9;          // of the base
 constexpr std::size_t kMostBeads = 4000000;    // whose coverage is judged, in 100 MB
@@ -409,8 +404,6 @@ void Rules::bead(const MachineMove& move, double e) {
     pathHead_.clear();
     overlap_ = -1;
     windowed_ = 0;
-    trail_.clear();
-    if (oriented_) follow(from);
   } else if (coasted_ > 0) {
     if (ours_ && !block()) found("gap", pathOriented_);  // other slicers go short ways without retraction
   }
@@ -420,7 +413,6 @@ void Rules::bead(const MachineMove& move, double e) {
   followOverlap(to);
   const double speed = machine_.speed;
   if (oriented_ && !block()) {
-    follow(to);
     if (speed > layerFastest_) {
       layerFastest_ = speed;
       layerSlowedMm_ += layerAtFastestMm_;
@@ -469,26 +461,6 @@ void Rules::checkHot() {
   }
 }
 
-// Noise is a zigzag: three turns in a row, left and right in turn. Its amplitude is half the middle's distance from the
-// line between its neighbours, so that curves and corners, which turn to one side, have none. Turns too small to make a
-// planner brake do not count; otherwise S-curves made of long moves would look noisy.
-void Rules::follow(Vec2 p) {
-  trail_.push_back(p);
-  if (trail_.size() < 5) return;
-  const auto turn = [&](std::size_t k) { return cross(trail_[k] - trail_[k - 1], trail_[k + 1] - trail_[k]); };
-  const Vec2 before = trail_[2] - trail_[1];
-  const Vec2 after = trail_[3] - trail_[2];
-  double amplitude = 0;
-  if (turn(1) * turn(2) < 0 && turn(2) * turn(3) < 0 && length(before) <= kLongNoise && length(after) <= kLongNoise) {
-    const double chord = length(before + after);
-    if (chord > 0) amplitude = std::abs(turn(2)) / chord / 2;
-  }
-  if (std::abs(turn(2)) < kBrakingTurn * dot(before, after)) amplitude = 0;
-  const double step = std::min(amplitude / kNoiseStep, static_cast<double>(zigzags_.size() - 1));
-  ++zigzags_[static_cast<std::size_t>(step)];
-  trail_.erase(trail_.begin());
-}
-
 void Rules::lay(Vec2 from, Vec2 to, double section, double seconds) {
   if (layerHeight_ <= 0 || beads_.size() >= kMostBeads) return;
   const double flow = settings_.filamentFlow * (base_ ? baseFlow_ : flow_);
@@ -504,20 +476,10 @@ void Rules::endLayer() {
 }
 
 void Rules::judgeLayers() {
-  std::int64_t all = 0;
-  for (const std::int64_t count : zigzags_) all += count;
-  std::int64_t rest = all;
-  for (std::size_t k = 0; k < zigzags_.size() && all > 0; ++k) {
-    rest -= zigzags_[k];
-    if (rest * 100 > all) continue;
-    check_.noise = static_cast<double>(k) * kNoiseStep;
-    break;
-  }
   const auto whole = [&](std::string_view code, FindingValues values) {
     check_.findings.push_back(makeFinding(code, false, std::move(values)));
     check_.findings.back().count = 1;
   };
-  if (check_.noise > kMostNoise) whole("noise", {{"um", decimal(1000 * check_.noise, 1)}});
   if (beads_.size() >= kMostBeads) return;
   check_.coverage = orientedCoverage(beads_);
   check_.delay = neighbourDelay(beads_);

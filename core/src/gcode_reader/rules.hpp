@@ -34,7 +34,8 @@ const char* wordFault(const GcodeWords& words);
 /// The values of the finding about offsets that were added up: empty if they are well.
 FindingValues offsetFault(const Offsets::Axes& sum);
 
-inline constexpr double kHottestNozzle = 300;  ///< [degrees Celsius] without anyTemperature
+inline constexpr double kHottestNozzle =
+    300;  ///< [degrees Celsius] where no printer tells less, or with anyTemperature
 inline constexpr double kHottestBed = 120;
 inline constexpr double kBeyondBed = 10;  ///< [mm], how far makers' blocks go over the bed's edge to wipe and purge
 
@@ -80,7 +81,6 @@ class Rules {
   void checkHeight(const MachineMove& move);
   void checkBeadHeight(double z);
   void checkRate(double seconds);
-  void follow(Vec2 p);
   void followOverlap(Vec2 to);
   void lay(Vec2 from, Vec2 to, double section, double seconds);
   void judgeLayers();
@@ -128,8 +128,6 @@ class Rules {
   double coasted_ = 0;
   std::array<double, kWindow> window_{};  // [s] of the last moves of a path
   std::size_t windowed_ = 0;
-  std::vector<Vec2> trail_;                   // of an oriented path, the last five points
-  std::array<std::int64_t, 1000> zigzags_{};  // vertices by amplitude, in steps of kNoiseStep
   std::vector<LaidBead> beads_;
   double clock_ = 0;         // [s] of all moves in the plane, at their speeds
   double layerFastest_ = 0;  // of its oriented beads

@@ -451,7 +451,7 @@ export const de: Translation = {
   'help.printer.machineSpeed': 'Die Grenze der Maschine; kein Tempo liegt darüber. 0: nicht bekannt.',
   'setting.printer.anyTemperature': 'Jede Temperatur erlauben',
   'help.printer.anyTemperature':
-    'Erlaubt Düsen unter 170 oder über 300 °C und Druckbetten über 120 °C, die sonst abgelehnt werden.',
+    'Für Fachleute: erlaubt Düsen von 0 bis 300 °C und Druckbetten bis 120 °C, auch über den Grenzen des Druckers.',
   'setting.printer.cornerSpeed': 'Tempo in Ecken',
   'help.printer.cornerSpeed': 'Die „Square Corner Velocity“ von Klipper; die Hälfte des „Jerk“ von Marlin.',
   'setting.printer.machineCornerSpeed': 'Tempo in Ecken, Maschine',
@@ -1305,7 +1305,6 @@ export const de: Translation = {
   'finding.gap': 'Eine Lücke mit Leerfahrt in einem Weg.',
   'finding.open-cycle': 'Ein Umlauf, der sich nicht schließt: Er endet {mm} mm daneben.',
   'finding.coverage': 'Eine Deckschicht deckt {percent} % der Schichten darunter.',
-  'finding.noise': 'Der Weg zittert um {um} µm; über 5 µm bremsen Drucker deswegen.',
   'finding.outlives': '{command} überdauert den Druck.',
   'finding.filament-total': 'Die Datei nennt {told} mm Filament; ihre Bewegungen brauchen {counted}.',
   'finding.layer-total': 'Die Datei nennt {told} Schichten; {counted} sind markiert.',

@@ -452,7 +452,7 @@ export const fr: Translation = {
     'La limite de la machine, à laquelle toutes les vitesses sont ramenées. 0 : elle n’est pas connue.',
   'setting.printer.anyTemperature': 'Autoriser toute température',
   'help.printer.anyTemperature':
-    'Pour qui sait pourquoi : permet une buse sous 170 ou au-dessus de 300 °C et un plateau à plus de 120 °C, refusés sinon.',
+    'Pour qui sait pourquoi : permet une buse de 0 à 300 °C et un plateau jusqu’à 120 °C, même au-delà des limites de l’imprimante.',
   'setting.printer.cornerSpeed': 'Vitesse dans les angles',
   'help.printer.cornerSpeed': 'Le « square corner velocity » de Klipper ; la moitié du « jerk » de Marlin.',
   'setting.printer.machineCornerSpeed': 'Vitesse dans les angles, machine',
@@ -1318,7 +1318,6 @@ export const fr: Translation = {
   'finding.gap': 'Un déplacement à vide au milieu d’un trajet.',
   'finding.open-cycle': 'Un circuit qui ne se ferme pas : il finit {mm} mm à côté.',
   'finding.coverage': 'Une couche du dessus couvre {percent} % des couches au-dessous.',
-  'finding.noise': 'Le trajet zigzague de {um} µm ; au-delà de 5 µm, les imprimantes freinent.',
   'finding.outlives': '{command} survit à l’impression.',
   'finding.filament-total': 'Le fichier annonce {told} mm de filament ; ses mouvements en prennent {counted}.',
   'finding.layer-total': 'Le fichier annonce {told} couches ; {counted} sont marquées.',

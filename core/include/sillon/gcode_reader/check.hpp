@@ -20,10 +20,10 @@ namespace sillon {
 
 /// One rule that was broken, however often.
 struct GcodeFinding {
-  /// One of findingSentences(), such as too-hot
+  /// One of findingSentences() or printFindingSentences(), such as too-hot
   std::string code;
   /// Group of rules: commands, grammar, homing, heating, modes, bounds, height, extrusion, flow,
-  /// speed, rate, retraction, cycle, coverage, noise, settings, totals, layers, end
+  /// speed, rate, retraction, cycle, coverage, settings, totals, layers, end
   std::string rule;
   bool error = false;      ///< the print or the machine is at risk; else worth knowing
   std::int64_t line = 0;   ///< the first, from 1; 0: the file as a whole
@@ -35,6 +35,8 @@ struct GcodeFinding {
 
 /// The sentence of each code.
 std::span<const Sentence> findingSentences();
+/// Those that checkPrint alone tells.
+std::span<const Sentence> printFindingSentences();
 
 // Reads any G-code as a printer would and says what would go wrong. Shares nothing with the writer
 // but the grammar.
@@ -77,8 +79,6 @@ struct GcodeCheck {
   double slowedMm = 0;   ///< of oriented beads slower than the fastest of their layer
   double mostFlow = 0;   ///< [mm³/s]
   double mostMoves = 0;  ///< [1/s], over any 8 moves
-  /// 99 % of the vertices of oriented beads zigzag by no more [mm]; -1: there are none
-  double noise = -1;
   /// Share of the base that each oriented layer covers, in a file of ours; -1 where there is no
   /// base. The outline is in no file; what the base layers fill is taken for it.
   std::vector<double> coverage;

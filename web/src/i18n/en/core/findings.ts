@@ -63,7 +63,6 @@ export const words = {
   'finding.gap': "A gap of travel inside a path.",
   'finding.open-cycle': "A cycle that does not close: it ends {mm} mm off.",
   'finding.coverage': "A top layer covers {percent}% of the layers below it.",
-  'finding.noise': "The path zigzags by {um} µm; above 5 µm printers slow down for it.",
   'finding.outlives': "{command} outlives the print.",
   'finding.filament-total': "The file states {told} mm of filament; its moves take {counted}.",
   'finding.layer-total': "The file states {told} layers; {counted} are marked.",
