@@ -547,14 +547,16 @@ TEST_CASE("thumbnails are in the header, in base64 of the length their first lin
 
 // ---- placement
 
-TEST_CASE("whoever knows why may print colder and hotter") {
+TEST_CASE("whoever knows why may print colder and hotter than the printer's own limits") {
   Job job = plate();
   job.printer.anyTemperature = true;
-  job.printer.nozzleTemperature = job.printer.firstLayerNozzleTemperature = 420;
-  job.printer.bedTemperature = 160;
+  job.printer.maxNozzleTemperature = 240;
+  job.printer.maxBedTemperature = 60;
+  job.printer.nozzleTemperature = job.printer.firstLayerNozzleTemperature = 290;
+  job.printer.bedTemperature = 110;
   const Written written = job.write();
   REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
-  CHECK(written.text.find("M109 S420") != std::string::npos);
+  CHECK(written.text.find("M109 S290") != std::string::npos);
   CHECK(checkGcode(written.text, job.printer).errors() == 0);
   job.printer.anyTemperature = false;
   CHECK(checkGcode(written.text, job.printer).errors() > 0);
@@ -609,15 +611,15 @@ TEST_CASE("bad input is refused by name before a byte is written") {
          j.printer.maxZ = 100;
        },
        ErrorCode::DoesNotFit},
-      {"nozzleTemperature is 501 degrees Celsius; it must be 0 to 500",
+      {"nozzleTemperature is 301 degrees Celsius; it must be 0 to 300",
        [](Job& j) {
          j.printer.anyTemperature = true;
-         j.printer.nozzleTemperature = 501;
+         j.printer.nozzleTemperature = 301;
        }},
-      {"bedTemperature is 201",
+      {"bedTemperature is 121",
        [](Job& j) {
          j.printer.anyTemperature = true;
-         j.printer.bedTemperature = 201;
+         j.printer.bedTemperature = 121;
        }},
       {"machineSpeed is 4 mm/s; it must be 5 to 1000, or 0", [](Job& j) { j.printer.machineSpeed = 4; }},
       {"; strict refuses that",

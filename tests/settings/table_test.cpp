@@ -308,10 +308,12 @@ TEST_CASE("what temperatures are allowed depends on anyTemperature") {
         "printer.nozzleTemperature is 320 degrees Celsius; it must be 170 to 300");
   CHECK(toldReason(*invalidSettings(printer, {})) ==
         "SettingOutOfRange setting=printer.nozzleTemperature value=320 low=170 high=300");
-  printer.anyTemperature = true;
+  printer.anyTemperature = true;  // hotter than that is refused by `check`, which knows no printer
+  CHECK(has(wrongSettings(printer, PrintParams{}), "it must be 0 to 300"));
+  printer.nozzleTemperature = 20;
   CHECK(!invalidSettings(printer, {}));
-  printer.bedTemperature = 201;
-  CHECK(has(wrongSettings(printer, PrintParams{}), "it must be 0 to 200"));
+  printer.bedTemperature = 121;
+  CHECK(has(wrongSettings(printer, PrintParams{}), "it must be 0 to 120"));
 }
 
 TEST_CASE("a printer's own limits of temperature hold below the general ones, unless any is allowed") {

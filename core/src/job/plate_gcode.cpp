@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include "gcode/read_back.hpp"
@@ -35,7 +37,15 @@ std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& opti
 
 std::optional<Error> checkPlateGcode(Plate& plate, std::string_view gcode, const RunContext& run) {
   const Project& project = plate.project;
-  GcodeCheck check = checkGcode(gcode, project.printer);
+  // By no more than the file tells, as `check` has it: whoever gets the file must come to the same verdict.
+  GcodeCheck check = checkPrint(gcode).check;
+  const auto fault = std::find_if(check.findings.begin(), check.findings.end(),
+                                  [](const GcodeFinding& finding) { return finding.error; });
+  if (fault != check.findings.end()) {
+    return Error{ErrorCode::InvalidArgument, "the G-code would be refused by `check`: " + fault->message + " (line " +
+                                                 std::to_string(fault->line) +
+                                                 " of the file); change the start or end code, or the settings of it"};
+  }
   plate.findings = std::move(check.findings);
   plate.delay = check.delay;
   if (!plate.composition.showsPictures() || !plate.measures) return std::nullopt;

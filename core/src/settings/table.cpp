@@ -1153,15 +1153,15 @@ constexpr Row kRows[] = {
      {.label = "Bed temperature limit", .help = "Highest bed temperature that the printer is made for"}},
     {{.section = Section::Printer, .key = "anyTemperature", .type = Flag, .field = at<&Printer::anyTemperature>},
      {.label = "Allow any temperature",
-      .help = "For experts: allows nozzle temperatures of 0 to 500 degrees Celsius and bed temperatures of up to 200, "
-              "whatever the limits are"}},
+      .help = "For experts: allows nozzle temperatures of 0 to 300 degrees Celsius and bed temperatures of up to 120, "
+              "whatever the limits are; check refuses more"}},
     {{.section = Section::Printer,
       .key = "nozzleTemperature",
       .type = Number,
       .field = at<&Printer::nozzleTemperature>,
       .unit = "degrees Celsius",
       .low = 0,
-      .high = 500,
+      .high = 300,
       .level = Basic},
      {.label = "Nozzle temperature",
       .help = "Nozzle temperature, as on the filament's label; 170 to the printer's limit unless any temperature is "
@@ -1172,7 +1172,7 @@ constexpr Row kRows[] = {
       .field = at<&Printer::firstLayerNozzleTemperature>,
       .unit = "degrees Celsius",
       .low = 0,
-      .high = 500},
+      .high = 300},
      {.label = "Nozzle, first layer",
       .help = "Nozzle temperature of the first layer, often slightly higher for adhesion; 170 to the printer's limit "
               "unless any temperature is allowed"}},
@@ -1182,7 +1182,7 @@ constexpr Row kRows[] = {
       .field = at<&Printer::bedTemperature>,
       .unit = "degrees Celsius",
       .low = 0,
-      .high = 200,
+      .high = 120,
       .level = Basic},
      {.label = "Bed temperature",
       .help = "Bed temperature, as on the filament's label; at most the printer's limit unless any temperature is "

@@ -35,11 +35,11 @@ const spoof = {
 const hot = {
   name: 'MK4S',
   anyTemperature: true,
-  nozzleTemperature: 500,
-  firstLayerNozzleTemperature: 500,
-  bedTemperature: 200,
+  nozzleTemperature: 300,
+  firstLayerNozzleTemperature: 300,
+  bedTemperature: 120,
 };
-const hotMarks = /M10[49] .*S(4[0-9]{2}|500)|M1[49]0 .*S200/;
+const hotMarks = /M10[49] .*S300|M1[49]0 .*S120/;
 
 const giftWith = (printer) => `/${linkOf({ ...named('gift'), printer })}`;
 const projectOf = (printer) =>
@@ -67,7 +67,7 @@ const draw = async (visit, name) => {
 
 for (const [what, printer, says] of [
   ['commands', spoof, /“MK4S”, 11 lines of start G-code, 3 lines of end G-code/],
-  ['heat', hot, /“MK4S”, nozzle 500 °C, bed 200 °C, no temperature limits/],
+  ['heat', hot, /“MK4S”, nozzle 300 °C, bed 120 °C, no temperature limits/],
 ]) {
   test(`a link with ${what} under the name of a printer of ours changes nothing of the file`, { skip }, async () => {
     const visit = await bench.open({ path: giftWith(printer) });

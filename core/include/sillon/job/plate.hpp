@@ -106,7 +106,8 @@ std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& opti
 /// Reads the plate's G-code as a printer would. Where the plate was measured, its pictures are
 /// judged by the beads that the file lays. Fills Plate::findings and Plate::shown.
 /// \param gcode  the whole text that writePlateGcode wrote.
-/// \return the errors of readBack and measurePictures.
+/// \return the errors of readBack and measurePictures, or what checkPrint finds to be an error in
+/// it.
 std::optional<Error> checkPlateGcode(Plate& plate, std::string_view gcode, const RunContext& run);
 
 }  // namespace sillon

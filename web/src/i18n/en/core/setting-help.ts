@@ -101,7 +101,7 @@ export const words = {
   'help.printer.filamentType': "Filament type, written into the G-code.",
   'help.printer.maxNozzleTemperature': "Highest nozzle temperature that the hot end is made for, such as 240 with a PTFE tube down to the nozzle.",
   'help.printer.maxBedTemperature': "Highest bed temperature that the printer is made for.",
-  'help.printer.anyTemperature': "For experts: allows nozzle temperatures of 0 to 500 °C and bed temperatures of up to 200, whatever the limits are.",
+  'help.printer.anyTemperature': "For experts: allows nozzle temperatures of 0 to 300 °C and bed temperatures of up to 120, whatever the limits are; check refuses more.",
   'help.printer.nozzleTemperature': "Nozzle temperature, as on the filament’s label; 170 to the printer’s limit unless any temperature is allowed.",
   'help.printer.firstLayerNozzleTemperature': "Nozzle temperature of the first layer, often slightly higher for adhesion; 170 to the printer’s limit unless any temperature is allowed.",
   'help.printer.bedTemperature': "Bed temperature, as on the filament’s label; at most the printer’s limit unless any temperature is allowed.",
