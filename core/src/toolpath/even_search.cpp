@@ -217,14 +217,15 @@ class Search {
       takeGains();
     };
     turned(strength);
-    turned(0);
+    if (done_.size() > done) turned(0);
+    std::fill(pull_.begin(), pull_.end(), 0.0);
     if (score() > before - kLeastGain) undoFrom(done);
   }
 
   // Keeps this order in mind if it is the most even so far of those within the limits.
   void remember() {
     const double late = linkLength_ * tour_.lateness();
-    if (done_.size() == seen_ || late >= least_) return;
+    if (done_.size() == seen_ || late > least_ - kLeastGain) return;
     seen_ = done_.size();
     const Figures now = figuresOfPath();
     const auto within = [&](double share, int turns, int first) {
