@@ -288,7 +288,7 @@ TEST_CASE("the sentences of warnings, notes, findings and refusals are listed by
   const Folder folder;
   CHECK(has(folder.run("words").out, "\n  SkirtLeftOut: the skirt does not fit the bed and was left out"));
   const Json kinds = Json::parse(folder.run("words --json").out, nullptr, false);
-  REQUIRE(kinds.size() == 7);
+  REQUIRE(kinds.size() == 8);
   CHECK(kinds["warnings"].size() == static_cast<std::size_t>(sillon::WarningCode::WidthHeld) + 1);
   CHECK(kinds["findings"]["too-hot"] == "hotter than {limit} degrees: {degrees}");
   for (const auto& [kind, sentences] : kinds.items()) {
