@@ -530,6 +530,8 @@ export type ShapeInput = ShapeChanges &
         /** Letters of the shape `text`, as wide as its size, and their font: a built-in one, or a file's bytes. */
         text?: string;
         font?: string | Bytes;
+        /** Of these letters, where their font is a variable one: 1..1000; 0 is the font's own. */
+        weight?: number;
       }
     /** SVG, or a mask picture whose bright, opaque pixels are inside. `pageWidth` 0: as drawn, 80 mm for a mask.
      * `paint`: a drawing is what it shows (default), or all its outlines, whatever their paint. */
@@ -947,9 +949,10 @@ export interface Project {
     offset: number;
     holes: RoundHole[];
     keepThin: boolean;
-    /** Letters of the shape `text`, and their font. */
+    /** Letters of the shape `text`, their font, and their weight where it is a variable one. */
     text: string;
     font: string;
+    weight: number;
   };
   /** Left out: none. */
   layers?: (Partial<Layer> & Pick<Layer, 'kind'>)[];

@@ -61,7 +61,9 @@ sillon::Result<Description> describe(const std::string& file, const Arguments& a
   const auto outline = sillon::resolveOutline(input.value().shape);
   if (!outline) return outline.error();
   const sillon::DrawingFacts& drawing = input.value().shape.drawing;
-  Description out{input.value().shape.page, outline.value().area};
+  Description out;
+  out.page = input.value().shape.page;
+  out.area = outline.value().area;
   if (arguments.outline) {
     const auto body = sillon::unitedOnGrid(input.value().shape);
     if (!body) return body.error();

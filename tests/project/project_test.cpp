@@ -57,7 +57,7 @@ std::vector<Layer> unusualLayers() {
     if (auto* part = layer.as<LayerFilled>()) part->fill = LayerFill::Along;
     if (auto* part = layer.as<LayerGround>()) part->ground = 100;
     if (auto* part = layer.as<LayerWords>()) part->text = "two\nlines";
-    if (auto* part = layer.as<LayerLetters>()) *part = {"own.ttf", 4, -20, TextAlign::Right};
+    if (auto* part = layer.as<LayerLetters>()) *part = {"own.ttf", 350, 4, -20, TextAlign::Right};
   };
   add(DirectionLayer());
   MapLayer map;
@@ -104,6 +104,7 @@ Project unusualProject() {
   p.layers = unusualLayers();
   p.shapeText = "ABC";
   p.shapeFont = "Caveat";
+  p.shapeWeight = 350;
   p.shapeFile = "shapes/leaf \xC3\xA9.svg";
   p.builtinSize = {120.25, 80.5};
   p.builtinRadius = 1.0 / 3.0;

@@ -38,16 +38,17 @@ async function maker(): Promise<(name: string) => string> {
     fonts.set(name, font);
     return font;
   };
-  const shaped = (font: string, weight: number, line: string): Shaped => {
-    const file = { ...fontOf(font), weight };
+  const shaped = (key: string, line: string): Shaped => {
+    const [font = '', weight = 0] = key.split('\t');
+    const file = { ...fontOf(font), weight: +weight };
     const own = shapeLine(line, file);
     const others = [...fontFiles.keys()].filter((name) => name !== font);
     return own.lacks === true ? shapeLine(line, file, others.map(fontOf)) : own;
   };
   /** @param name  as core/src/text asks for it */
   return (name) => {
-    const { kind, key, weight, text } = lettersOf(name);
-    if (kind === 'line') return JSON.stringify(shaped(key, weight, text));
+    const { kind, key, text } = lettersOf(name);
+    if (kind === 'line') return JSON.stringify(shaped(key, text));
     const code = qrModules(text, key as Parameters<typeof qrModules>[1]);
     return code === undefined
       ? ''

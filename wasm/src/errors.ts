@@ -16,7 +16,7 @@ const hints: Record<api.ErrorCode, string> = {
   Internal: 'Please report it, with the input that led to it.',
 };
 
-const aboutPictures = 'Shapes are SVG, PNG, JPEG, BMP or TGA; draw other formats to a canvas and hand over its pixels.';
+const aboutPictures = 'Shapes are SVG, PNG, JPEG, BMP or TGA; draw others to a canvas.';
 const readers: Call['name'][] = [
   'generateToolpath',
   'readShape',

@@ -19,8 +19,7 @@ export interface EngineSettings {
 export type CallOptions = api.GenerateOptions & api.GcodeOptions & api.BodyOptions;
 
 const fileKinds = 'SVG text, bytes (an ArrayBuffer or a view of one), a Blob or a Picture';
-const fileHint =
-  'An ImageData becomes { width, height, channels: 4, samples: data }; draw other pictures to a canvas to get one.';
+const fileHint = 'An ImageData becomes { width, height, channels: 4, samples: data }.';
 const maxDepth = 64; // as project files
 
 // --- Words for messages --------------------------------------------------------------------------------------------------
@@ -90,7 +89,7 @@ function plain(value: unknown, path: string, depth = 0): unknown {
   if (typeof value === 'string') return text(value, path);
   if (typeof value === 'number') {
     if (Number.isInteger(value) && !Number.isSafeInteger(value)) {
-      throw mustBe(path, value, `a number up to ${Number.MAX_SAFE_INTEGER}, beyond which whole numbers are not exact`);
+      throw mustBe(path, value, `a number up to ${Number.MAX_SAFE_INTEGER}`);
     }
     return finite(value, path);
   }
@@ -164,7 +163,7 @@ function file(value: unknown, path: string): Files[string] {
     if (drawings.test(path) && /^\uFEFF?\s*(<|$)/.test(value))
       return { number: 0, value: new TextEncoder().encode(value) };
     const what = drawings.test(path) ? fileKinds : fileKinds.replace('SVG text, ', '');
-    throw mustBe(path, value, what, 'Names of files are not opened here: hand over their content.');
+    throw mustBe(path, value, what, 'Hand over the content of files.');
   }
   const content = bytes(value, path);
   if (content !== undefined) {

@@ -61,7 +61,7 @@ function ownFiles(): EngineFiles {
     // Bundles that are plain scripts have no import.meta.url, or an empty one.
     throw new SillonError(
       'LoadFailed',
-      'this script does not know its own address, so the option assetBase must be that of the folder sillon/dist/engine',
+      'this script does not know its own address, so assetBase must be the folder sillon/dist/engine',
     );
   }
   return addressed(beside);
@@ -146,7 +146,7 @@ export const browser: Platform = {
 
   obstacleToThreads() {
     if (self.crossOriginIsolated) return '';
-    return 'this page is not cross-origin isolated (headers COOP and COEP), so threads cannot share memory';
+    return 'this page is not cross-origin isolated (headers COOP and COEP)';
   },
 
   forget(files, threads) {

@@ -4,7 +4,7 @@ import { usualCorrection, usualFont } from './facts.js';
 import { fontFiles } from './fonts.js';
 import type { Platform } from './platform.js';
 import type { EngineFiles, Files } from './protocol.js';
-import { keyOf, lettersOf, nameOf } from './letter-names.js';
+import { lettersOf, nameOf } from './letter-names.js';
 import type { FontFile } from './text/text.js';
 
 type Tools = typeof import('./text/text.js');
@@ -22,7 +22,7 @@ const latin = new TextDecoder('latin1');
 
 /** Tells whether bytes are a drawing with <text>. Photographs, which may be large, are told by their first bytes. */
 const hasText = (bytes: Uint8Array): boolean =>
-  (bytes[0] === 0x1f && bytes[1] === 0x8b) || // packed
+  bytes[0] === 0x1f || // packed
   (/^[\s\u00EF\u00BB\u00BF]*</.test(latin.decode(bytes.subarray(0, 256))) &&
     /<(?:[\w-]+:)?text[\s>]/.test(latin.decode(bytes)));
 
@@ -81,8 +81,8 @@ export class Texts {
       if (typeof text !== 'string' || text === '') continue;
       if (kind === 'code') await this.#addCode(files, text, correction);
       if (kind === 'code' || typeof font !== 'string') continue;
-      for (const line of text.split('\n'))
-        await this.#addLine(files, font, line.replace(/\r$/, ''), Number(weight ?? 0));
+      const key = weight ? `${font}\t${weight as number}` : font;
+      for (const line of text.split('\n')) await this.#addLine(files, key, line.replace(/\r$/, ''));
     }
     for (const drawing of drawingsIn(sections, files)) await this.#addLinesOf(files, drawing);
   }
@@ -104,18 +104,19 @@ export class Texts {
   }
 
   async #addCode(files: Files, text: string, correction: unknown): Promise<void> {
-    if (correction !== 'low' && correction !== 'medium' && correction !== 'quartile' && correction !== 'high') return;
+    if (!/^(low|medium|quartile|high)$/.test(correction as string)) return;
     const { qrModules } = await this.#start();
-    const value = qrModules(text, correction) ?? new Uint8Array(1); // bytes are no picture: the engine says that it is too long
-    files[nameOf('qr', correction, text)] = { number: 0, value };
+    const value = qrModules(text, correction as Parameters<typeof qrModules>[1]) ?? new Uint8Array(1); // bytes are no picture: the engine says that it is too long
+    files[nameOf('qr', correction as string, text)] = { number: 0, value };
   }
 
-  async #addLine(files: Files, font: string, line: string, weight = 0): Promise<void> {
-    const name = nameOf('line', keyOf(font, weight), line);
+  async #addLine(files: Files, key: string, line: string): Promise<void> {
+    const name = nameOf('line', key, line);
     if (name in files) return;
+    const [font = '', weight = 0] = key.split('\t');
     const bytes = await this.#fontOf(files, font);
     const shaped = JSON.stringify(
-      bytes === undefined ? { unknownFont: true } : await this.#shaped({ name: font, bytes, weight }, line),
+      bytes === undefined ? { unknownFont: true } : await this.#shaped({ name: font, bytes, weight: +weight }, line),
     );
     files[name] = { number: 0, value: new TextEncoder().encode(shaped) };
   }

@@ -124,6 +124,15 @@ const ZipEntry* plateOf(const ZipDirectory& directory) {
   return best;
 }
 
+Error holdsNoPlate(const ZipDirectory& directory) {
+  const auto& parts = directory.entries;
+  const bool package =
+      std::any_of(parts.begin(), parts.end(), [](const ZipEntry& part) { return part.name.ends_with(".model"); });
+  if (package) return damaged("holds no .gcode; slice the plate before it is exported");
+  return {ErrorCode::InvalidFile,
+          "the file is an archive (ZIP) without G-code in it; export the G-code from your slicer"};
+}
+
 int widthOfPng(std::string_view png) {
   if (!png.starts_with("\x89PNG") || png.size() < 24) return 0;
   int width = 0;
@@ -291,14 +300,7 @@ Result<GcodeContainer> readGcodeContainer(std::string file) {
   const Result<ZipDirectory> directory = readZip(bytes);
   if (!directory) return directory.error();
   const ZipEntry* plate = plateOf(directory.value());
-  if (plate == nullptr) {
-    const auto& parts = directory.value().entries;
-    const bool package =
-        std::any_of(parts.begin(), parts.end(), [](const ZipEntry& part) { return part.name.ends_with(".model"); });
-    return package ? damaged("holds no .gcode; slice the plate before it is exported")
-                   : Error{ErrorCode::InvalidFile,
-                           "the file is an archive (ZIP) without G-code in it; export the G-code from your slicer"};
-  }
+  if (plate == nullptr) return holdsNoPlate(directory.value());
   Result<std::string> text = unpackEntry(bytes, *plate, kMostGcodeBytes);
   if (!text) return text.error();
   container.kind = GcodeContainerKind::Package3mf;
@@ -347,14 +349,7 @@ std::optional<Error> writeGcodeContainer(const GcodeContainer& container, const 
   const Result<ZipDirectory> directory = readZip(file);
   if (!directory) return directory.error();
   const ZipEntry* plate = plateOf(directory.value());
-  if (plate == nullptr) {
-    const auto& parts = directory.value().entries;
-    const bool package =
-        std::any_of(parts.begin(), parts.end(), [](const ZipEntry& part) { return part.name.ends_with(".model"); });
-    return package ? damaged("holds no .gcode; slice the plate before it is exported")
-                   : Error{ErrorCode::InvalidFile,
-                           "the file is an archive (ZIP) without G-code in it; export the G-code from your slicer"};
-  }
+  if (plate == nullptr) return holdsNoPlate(directory.value());
 
   const std::string_view path = plate->name.substr(0, plate->name.size() - 6);          // Metadata/plate_1
   const std::string_view folder = path.substr(0, path.rfind('/') + 1);                  // Metadata/

@@ -36,6 +36,12 @@ std::size_t endOfHeader(std::string_view file) {
   return at + kTrailer <= file.size() ? at : 0;
 }
 
+// Tells whether the data are those of an empty text, as gzip, zlib and this program write it: inflating needs a size,
+// and a file that is cut off among zeros has none.
+bool isEmpty(std::string_view data) {
+  return data == std::string_view("\3\0", 2) || data == std::string_view("\1\0\0\xff\xff", 5) || data == deflated({});
+}
+
 Result<std::string> packed(std::string header, std::string_view text) {
   if (const auto problem = tooLargeToPack(text.size(), ".gz")) return *problem;
   header += deflated(text);
@@ -58,7 +64,12 @@ Result<std::string> unzipped(std::string_view file, std::size_t most) {
   }
   if (size > data.size() * kBestDeflate) return damaged("is damaged: its size does not fit");
   // stb_image's inflate looks 4 bytes beyond the end; the trailer follows there.
-  std::optional<std::string> text = size == 0 ? std::string() : inflated(file.substr(begin, data.size() + 4), size);
+  std::optional<std::string> text;
+  if (size > 0) {
+    text = inflated(file.substr(begin, data.size() + 4), size);
+  } else if (isEmpty(data)) {
+    text.emplace();
+  }
   if (!text || crc32(*text) != number(file, file.size() - kTrailer, 4)) {
     return damaged("is damaged, or made of several parts: its checksum does not fit");
   }

@@ -669,9 +669,9 @@ export const de: Translation = {
   'verdict.order.fair':
     '{percent} % der Bahnen liegen zeitlich über zwei Minuten von einer Nachbarbahn entfernt und können anders glänzen. Die einfache Oberseite eines Slicers hat {usual} %.',
   'verdict.squeezed.good':
-    'Fast alle Bahnen lehnen sich auf die Bahn, die vor ihnen da war; {percent} % sind zwischen zwei früheren eingeklemmt.',
+    'Fast alle Bahnen lehnen sich auf die Bahn, die vor ihnen da war; {percent} % sind zwischen zwei früheren eingeklemmt.',
   'verdict.squeezed.fair':
-    '{percent} % der Bahnen sind zwischen zwei früheren eingeklemmt. Dort wechselt die Seite, zu der sich Bahnen neigen, und mit ihr der Glanz; „Farbe zeigt: Seite der Neigung“ zeigt die Grenzen.',
+    '{percent} % der Bahnen sind zwischen zwei früheren eingeklemmt. Dort wechselt die Seite, zu der sich Bahnen neigen, und mit ihr der Glanz; „Farbe zeigt: Seite der Neigung“ zeigt die Grenzen.',
   'verdict.overlap.good': 'Die Bahnen überlappen kaum: {percent} % der Form.',
   'verdict.overlap.fair': 'Die Bahnen überlappen auf {percent} % der Form; dort kann die Oberfläche rau sein.',
   'verdict.overlap.poor': 'Die Bahnen überlappen auf {percent} % der Form. Glattere Richtungen würden helfen.',
@@ -1420,7 +1420,7 @@ export const de: Translation = {
   'reason.NoBeadFits':
     'In diese Form passt bei einer „Linienbreite“ von {spacing} mm keine Bahn; sie kleiner oder die Form größer wählen.',
   'reason.LinesTooThin':
-    'In der Zeichnung ist nichts gefüllt, und in ihre Linien passt bei einer „Linienbreite“ von {spacing} mm keine Bahn; „Umrisse“ statt „Sichtbares“ füllt, was sie umschließen.',
+    'In der Zeichnung ist nichts gefüllt, und in ihre Linien passt bei einer „Linienbreite“ von {spacing} mm keine Bahn; „Umrisse“ statt „Sichtbares“ füllt, was sie umschließen.',
   'reason.HoleOutside':
     'Loch {n} bei {x}, {y} mm mit Ø {diameter} mm liegt außerhalb der Form, die von {left}, {bottom} bis {right}, {top} mm reicht; es muss auf die Form oder weg.',
   'reason.OffsetTooDeep':

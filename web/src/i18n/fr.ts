@@ -672,9 +672,9 @@ export const fr: Translation = {
   'verdict.order.fair':
     '{percent} % des cordons sont posés à plus de deux minutes d’un voisin et peuvent briller autrement. Le dessus simple d’un slicer en a {usual} %.',
   'verdict.squeezed.good':
-    'Presque tous les cordons s’appuient sur celui qui était là avant eux ; {percent} % sont coincés entre deux plus anciens.',
+    'Presque tous les cordons s’appuient sur celui qui était là avant eux ; {percent} % sont coincés entre deux plus anciens.',
   'verdict.squeezed.fair':
-    '{percent} % des cordons sont coincés entre deux plus anciens. Là change le côté sur lequel ils s’appuient, et l’éclat avec lui ; « Colorer selon : Le côté d’appui » montre les limites.',
+    '{percent} % des cordons sont coincés entre deux plus anciens. Là change le côté sur lequel ils s’appuient, et l’éclat avec lui ; « Colorer selon : Le côté d’appui » montre les limites.',
   'verdict.overlap.good': 'Les cordons se recouvrent à peine : {percent} % de la forme.',
   'verdict.overlap.fair': 'Les cordons se recouvrent sur {percent} % de la forme ; la surface peut y être rugueuse.',
   'verdict.overlap.poor':
@@ -1434,7 +1434,7 @@ export const fr: Translation = {
   'reason.NoBeadFits':
     'Aucun cordon n’entre dans cette forme avec une « Largeur de ligne » de {spacing} mm ; prenez-la plus petite ou la forme plus grande.',
   'reason.LinesTooThin':
-    'Rien n’est rempli dans le dessin, et aucun cordon n’entre dans ses lignes avec une « Largeur de ligne » de {spacing} mm ; « Contours » au lieu de « Visible » remplit ce qu’elles entourent.',
+    'Rien n’est rempli dans le dessin, et aucun cordon n’entre dans ses lignes avec une « Largeur de ligne » de {spacing} mm ; « Contours » au lieu de « Visible » remplit ce qu’elles entourent.',
   'reason.HoleOutside':
     'Le trou {n} à {x}, {y} mm, de Ø {diameter} mm, est hors de la forme, qui va de {left}, {bottom} à {right}, {top} mm ; placez-le sur la forme ou supprimez-le.',
   'reason.OffsetTooDeep':
@@ -1646,7 +1646,7 @@ export const fr: Translation = {
   'setting.layers.font': 'Police',
   'help.layers.font': 'Une police intégrée, ou votre propre fichier (TTF, OTF).',
   'setting.layers.weight': 'Graisse',
-  'help.layers.weight': 'Graisse des lettres, si la police est variable ; 0 est celle de la police.',
+  'help.layers.weight': 'Graisse des lettres, si la police est variable ; 0 est celle de la police.',
   'setting.layers.textSize': 'Hauteur des lettres',
   'help.layers.textSize': 'Hauteur des capitales.',
   'setting.layers.circle': 'Cercle',

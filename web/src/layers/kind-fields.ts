@@ -11,7 +11,7 @@ import { groundOf } from '../model/fills.js';
 import { uncropped } from '../model/layer-changes.js';
 import { layerSettingOf } from '../model/layer-settings.js';
 import { builtInFonts } from '../model/fonts.js';
-import { isFontFile, withoutLayer } from '../model/layer-list.js';
+import { withoutLayer } from '../model/layer-list.js';
 import { hasFill, needsFile, needsMask, type LayerKey, type LayerKind } from '../model/layers.js';
 import { modeChoices, type PlateLayer, type SourceFile } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
@@ -75,7 +75,7 @@ function counts(key: LayerKey, layer: PlateLayer): boolean {
     case 'file':
       return needsFile(layer);
     case 'weight':
-      return isFontFile(layer.font); // those that come with the studio have one weight
+      return typeof layer.font !== 'string'; // those that come with the studio have one weight
     default:
       return true;
   }

@@ -26,6 +26,7 @@ const shapeSettings = (unitless: Unitless = 'px'): ShapeSettings => ({
   holes: [],
   text: '',
   font: shapeTable.font.default,
+  weight: shapeTable.weight.default,
   unitless,
   paint: usualPaint(unitless),
   keepThin: false,

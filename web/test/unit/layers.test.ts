@@ -133,7 +133,7 @@ test('a layer hands over what its kind has, and nothing else', () => {
     Object.keys(layerInput({ ...newLayer(newPlate(), kind, given), id: 1 }, ({ name }) => name)).sort();
   const all = ['at', 'kind', 'mask', 'mirror', 'mode', 'modeFile', 'rotation', 'size', 'soft', 'visible'];
   const crop = ['cropMax', 'cropMin'];
-  const letters = ['align', 'circle', 'font', 'text', 'textSize'];
+  const letters = ['align', 'circle', 'font', 'text', 'textSize', 'weight'];
   const own: Record<LayerKind, string[]> = {
     direction: ['angle'],
     map: ['encoding', 'file', ...crop],

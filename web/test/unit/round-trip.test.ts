@@ -121,7 +121,7 @@ const projects: Record<string, Sections> = {
       holes: [{ x: 13.5, y: 10, diameter: 2 }],
     },
   },
-  letters: { shape: { builtin: 'text', size: [24, 18.5], text: 'Ab', font: 'Bebas Neue' } },
+  letters: { shape: { builtin: 'text', size: [24, 18.5], text: 'Ab', font: 'Bebas Neue', weight: 300 } },
   ring: { shape: { builtin: 'ring', size: [24, 24], inner: 9.5 } },
   pictures: { shape: { builtin: 'rectangle', size: [24, 18.5] } },
 };

@@ -510,6 +510,7 @@ const unchanged = {
   holes: [],
   text: '',
   font: 'Nunito',
+  weight: 0,
   keepThin: false,
 };
 

@@ -415,8 +415,7 @@ class Drawing {
     if (std::find(uses_.begin(), uses_.end(), used) != uses_.end()) {
       refuse("href is " + quoted(*hrefOf(node)) + ", which shows itself again");
     }
-    state.paint.outerFill = state.paint.fill;
-    state.paint.outerStroke = state.paint.stroke;
+    state.paint.outer = std::make_shared<const std::pair<Paint, Paint>>(state.paint.fill, state.paint.stroke);
     const double x = unitsOf(state.paint).of(node, "x", state.viewport.x, 0);
     const double y = unitsOf(state.paint).of(node, "y", state.viewport.y, 0);
     state.toWorld = state.toWorld * shifted(x, y);

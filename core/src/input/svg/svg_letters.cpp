@@ -252,7 +252,7 @@ void place(const LaidRun& run, const LetterRun& of, const LetterStyle& style, st
 }
 
 /// Kerns between the runs of one element that follow each other: letters may be moved one by one.
-std::optional<Error> kern(const std::vector<LetterRun>& runs, const std::vector<PaintState>& styles,
+std::optional<Error> kern(const std::vector<LetterRun>& runs, const std::deque<PaintState>& styles,
                           LetterShaper& shaper, std::vector<LaidRun>& laid) {
   for (std::size_t k = 0; k + 1 < runs.size(); ++k) {
     const LetterStyle& style = styles[runs[k].style].letters;
@@ -422,7 +422,7 @@ void LetterRuns::place(const Element& element, Vec2 viewport) {
   if (elementName(*element.node) == "a") return;
   const bool onPath = elementName(*element.node) == "textPath";
   const auto count = onPath ? 0 : std::min(element.end, letters_.size()) - std::min(element.begin, letters_.size());
-  Letter* const own = letters_.data() + element.begin;
+  const auto own = letters_.begin() + static_cast<std::ptrdiff_t>(element.begin);
   for (const char* const name : {"x", "y", "dx", "dy", "rotate"}) {
     const bool across = std::string_view(name).ends_with('x'), turns = name[0] == 'r';
     const std::string_view text = attribute(*element.node, name).value_or("");
@@ -447,6 +447,7 @@ std::vector<LetterRun> LetterRuns::take(Vec2 viewport) {
   }
   for (const Element& element : elements_) place(element, viewport);
   std::vector<LetterRun> runs;
+  runs.reserve(std::min(letters_.size(), styles_.size() * 2));  // most elements have one
   for (std::size_t k = 0; k < letters_.size(); ++k) {
     const Letter& letter = letters_[k];
     const std::size_t end = k + 1 < letters_.size() ? letters_[k + 1].begin : text_.size();
@@ -487,7 +488,7 @@ Result<const LetterShaper::Line*> LetterShaper::of(const DrawingFont& font, cons
 }
 
 Result<std::vector<PlacedLetter>> placeLetters(const std::vector<LetterRun>& runs,
-                                               const std::vector<PaintState>& styles, LetterShaper& shaper) {
+                                               const std::deque<PaintState>& styles, LetterShaper& shaper) {
   std::vector<LaidRun> laid(runs.size());
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const LetterStyle& style = styles[runs[k].style].letters;

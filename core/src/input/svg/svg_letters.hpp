@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -88,7 +89,7 @@ class LetterRuns {
   /// The runs without the space at the end. \param viewport  what percentages refer to. Throws Refused.
   std::vector<LetterRun> take(Vec2 viewport);
   /// One for each element that has letters.
-  [[nodiscard]] const std::vector<PaintState>& styles() const { return styles_; }
+  [[nodiscard]] const std::deque<PaintState>& styles() const { return styles_; }
 
  private:
   // A letter that attributes can place.
@@ -112,10 +113,10 @@ class LetterRuns {
 
   std::int64_t& lettersLeft_;
   std::string text_;
-  std::vector<Letter> letters_;
+  std::deque<Letter> letters_;  // vectors hold up to three times as much while they grow
   std::vector<Element> elements_;    // those around before those within
   std::vector<std::size_t> inside_;  // which of them are open, outermost first
-  std::vector<PaintState> styles_;
+  std::deque<PaintState> styles_;
   std::shared_ptr<const TextPath> path_;
   std::shared_ptr<const Stretch> stretch_;
   bool afterSpace_ = true;  // a further space shows nothing
@@ -145,7 +146,7 @@ class LetterShaper {
 
 /// Lays the runs out. \return an error of `shaper`.
 Result<std::vector<PlacedLetter>> placeLetters(const std::vector<LetterRun>& runs,
-                                               const std::vector<PaintState>& styles, LetterShaper& shaper);
+                                               const std::deque<PaintState>& styles, LetterShaper& shaper);
 
 /// Properties that change or move letters and are not read.
 std::vector<std::string_view> unreadOf(const LetterStyle& letters);

@@ -200,8 +200,8 @@ void apply(const Style& style, const PaintContext& context, PaintState& state) {
   setPaint(style.value(Property::Color), context, state.color, Paint{}, state.color);
   const auto setFillOrStroke = [&](Property property, const Paint& initial, Paint& paint) {
     const std::string word = style.word(property);
-    if (word == "context-fill") paint = state.outerFill;
-    if (word == "context-stroke") paint = state.outerStroke;
+    if (word == "context-fill") paint = state.outer ? state.outer->first : Paint{0};
+    if (word == "context-stroke") paint = state.outer ? state.outer->second : Paint{0};
     setPaint(style.value(property), context, state.color, initial, paint);
   };
   setFillOrStroke(Property::Fill, Paint{}, state.fill);

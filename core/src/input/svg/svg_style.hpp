@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -345,7 +346,8 @@ struct PaintState {
   Paint color;  ///< currentColor
   Paint fill;
   Paint stroke{0};
-  Paint outerFill{0}, outerStroke{0};  ///< context-fill and context-stroke: of the <use> around
+  /// context-fill and context-stroke: those of the <use> around, which all within share. Null: none is around.
+  std::shared_ptr<const std::pair<Paint, Paint>> outer;
   double fillOpacity = 1;
   double strokeOpacity = 1;
   double opacity = 1;
