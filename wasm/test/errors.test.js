@@ -202,7 +202,7 @@ const cases = {
     [withDirections(goodPng.subarray(0, goodPng.length - 20)), 'InvalidFile', /layers\[0\]\.file/],
     [withDirections(noise), 'InvalidFile', /layers\[0\]\.file/],
     [withDirections(goodPng, { modeFile: noise }), 'InvalidFile', /layers\[0\]\.modeFile/],
-    [() => engine.importPrinter(noise), 'InvalidFile', /no section of a printer/],
+    [() => engine.importPrinter(noise), 'InvalidFile', /neither G-code nor settings of a slicer/],
     [() => engine.importPrinter(new TextEncoder().encode('[printer:A]\na = b\n'), 'B'), 'InvalidArgument', /"B"/],
     [() => engine.importPrinter('a.ini'), 'InvalidArgument', /^file is "a\.ini"/],
     [() => engine.checkGcode(7), 'InvalidArgument', /^file is 7/],

@@ -300,7 +300,7 @@ class Evaluation {
     add(out, conditional());
   }
 
-  // Whether a statement can end here.
+  // Tells whether a statement can end here.
   bool ends() {
     skip();
     return rest_.empty() || rest_[0] == ';' || rest_[0] == '}' || rest_[0] == 'e';

@@ -126,7 +126,7 @@ class Expansion {
     return text.empty() || text[0] == '}' || text[0] == ';' || !branchWord(text).empty();
   }
 
-  // What does not count, up to the next statement or branch. Texts and patterns may hold anything.
+  // Skips what does not count, up to the next statement or branch. Texts and patterns may hold anything.
   static void skip(std::string_view& rest) {
     for (char before = ' '; !ends(rest);) {
       const char c = rest[0];

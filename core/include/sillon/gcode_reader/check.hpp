@@ -35,7 +35,7 @@ struct GcodeFinding {
 
 /// The sentence of each code.
 std::span<const Sentence> findingSentences();
-/// Those that checkPrint alone tells.
+/// Findings that checkPrint alone tells.
 std::span<const Sentence> printFindingSentences();
 
 // Reads any G-code as a printer would and says what would go wrong. Shares nothing with the writer

@@ -575,7 +575,7 @@ class Drawing {
     layers_.push_back({std::move(path), !hides, {static_cast<std::uint32_t>(paint.colour & 0xFFFFFF), alpha}});
   }
 
-  // What is seen of a gradient; null: all of it.
+  // The part of a gradient that is seen; null: all of it.
   std::shared_ptr<const Limit> seenOf(const Node& gradient, const State& state, const Bounds& around) {
     const Node* const node = current_;
     const GradientPlace place{state.toWorld, userBox(*node, state), state.viewport, unitsOf(state.paint), around};

@@ -213,7 +213,7 @@ void place(const LaidRun& run, const LetterRun& of, const LetterStyle& style, st
   const double scale = run.scale;
   const double y = run.at.y - style.raise - style.raiseInHeights * (line.ascent + line.descent) / line.em +
                    heightOf(style.aligned.value_or(style.baseLine), line) * scale;
-  // Where a part of the run begins: all of it, or one letter of those that stand on a path.
+  // The frame in which a part of the run begins: all of it, or one letter of those that stand on a path.
   const auto frameAt = [&](double pen, double width) -> std::optional<Matrix> {
     std::optional<Matrix> frame = shifted(pen, y);
     if (of.path) frame = of.path->at(pen + width / 2);
