@@ -53,9 +53,9 @@ inline constexpr double kNeighbourAlong = 0.6;     ///< greatest distance along 
 /// the moves. A bead leans on the neighbour that was there before it: one that has both is
 /// squeezed, and there the sense changes in which beads lean, and with it the shine.
 struct NeighbourDelay {
-  double over30 = 0;   ///< share of the length beside a bead laid more than 30 s earlier or later
-  double over120 = 0;  ///< more than 120 s
-  double most = 0;     ///< 90 % of the length wait no longer [s]
+  double over30 = 0;    ///< share of the length beside a bead laid more than 30 s earlier or later
+  double over120 = 0;   ///< more than 120 s
+  double most = 0;      ///< 90 % of the length wait no longer [s]
   double squeezed = 0;  ///< share of the length between two beads laid earlier
 };
 
