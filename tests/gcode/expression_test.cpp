@@ -71,7 +71,7 @@ const Case kCases[] = {
     {"printer_notes =~ /.*MODEL_(MK3|MK.).*/", "true"},
 };
 
-// Of PrusaSlicer 2.6 and later, as its documentation has them.
+// Functions and variables of PrusaSlicer 2.6 and later, as its documentation has them.
 const Case kNewer[] = {
     {"is_nil(nil)", "true"},
     {"is_nil(layer_height) ? 1 : 2", "2"},

@@ -939,7 +939,7 @@ TEST_CASE("outlines without paint are joined, and alternate between solid and ho
   CHECK(area(forwards) == doctest::Approx(400 * std::numbers::pi).epsilon(0.002));
   CHECK(area(mixed) == doctest::Approx(400 * std::numbers::pi).epsilon(0.002));
   CHECK(area(mixed + square(60, 1)) == doctest::Approx(400 * std::numbers::pi - 1).epsilon(0.002));
-  // What ends somewhere spans what it did alone.
+  // A piece that no other continues spans what it did alone.
   CHECK(area("<path d='M10 10H20V20'/><path d='M20 20V30'/>") == doctest::Approx(50));
 }
 

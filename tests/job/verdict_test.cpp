@@ -14,7 +14,7 @@ using namespace sillon;
 
 namespace {
 
-// What somebody may have in a block, from usual to mad. None is refused as a line, on every printer.
+// Lines that somebody may have in a block, from usual to mad. None is refused as a line, on every printer.
 constexpr std::string_view kEnds[] = {"G91\nG1 Z5\nG90",
                                       "G1 Z{max_print_height+0.5} F600",
                                       "M106 S0\nM84",
@@ -72,7 +72,7 @@ TEST_CASE("a plate's G-code is refused just where the check of the file finds an
       text += piece;
       return true;
     };
-    // What is refused before a file is made needs no verdict.
+    // A plate that is refused before a file is made needs no verdict.
     if (!plate.ok() || writePlateGcode(plate.value(), {}, keep, run)) continue;
     const std::optional<Error> error = checkPlateGcode(plate.value(), text, run);
     const GcodeCheck check = checkPrint(text).check;

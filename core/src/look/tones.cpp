@@ -91,7 +91,7 @@ const std::vector<float>& lightOfSamples() {
 /// \param grey  of the samples of red, green and blue; pictures without colours have theirs.
 template <class Grey>
 Tones greysOf(const Image& image, Grey&& grey) {
-  // Of the largest pictures four pixels become one tone: all of them would take as much memory as the picture.
+  // Four pixels of the largest pictures become one tone: a tone for each would take as much memory as the picture.
   const bool large = static_cast<std::int64_t>(image.width) * image.height > kMaxImagePixels;
   const int halved = large ? 1 : 0;
   Tones tones{image.width >> halved, image.height >> halved, {}};

@@ -19,7 +19,7 @@ constexpr std::size_t npos = std::string_view::npos;
 
 bool isName(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; }
 
-// What blocks ask for and a file may leave out, because its slicer knows it: PrusaSlicer's defaults. Ours heat no
+// PrusaSlicer's defaults of settings that blocks ask for and a file may leave out. Ours heat no
 // chamber, which a printer's settings alone do not tell.
 constexpr std::pair<std::string_view, std::string_view> kDefaults[] = {
     {"chamber_temperature", "0"},

@@ -94,7 +94,7 @@ class Tour {
   /// Gains of all exchanges with one pair of cuts, after some work that is done once for the pair.
   class Split {
    public:
-    /// What is kept from one split to the next, so that nothing is allocated.
+    /// Memory that one split leaves to the next, so that none is allocated.
     class Room;
     Split(const Tour& tour, int low, int high, Room& room);
     /// Bounds gain() from above, without its work. \param a,b  as there.

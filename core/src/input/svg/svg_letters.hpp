@@ -40,7 +40,7 @@ class TextPath {
   double length_ = 0;
 };
 
-/// What `textLength` makes of letters.
+/// The length that `textLength` gives to letters.
 struct Stretch {
   double length = 0;
   bool glyphs = false;  ///< they are as wide as that takes, not set apart
@@ -74,12 +74,12 @@ class LetterRuns {
   /// \param units  with the em of the element.
   void open(const Node& node, const UserUnits& units);
   void close();
-  /// What stands on a path up to the next call, which may end it; null: nothing. \return the one before.
+  /// Letters stand on this path up to the next call; null: on none. \return the path before.
   std::shared_ptr<const TextPath> setPath(std::shared_ptr<const TextPath> path) {
     std::swap(path, path_);
     return path;
   }
-  /// The same of what is stretched.
+  /// Letters are stretched so up to the next call; null: not at all. \return the stretch before.
   std::shared_ptr<const Stretch> setStretch(std::shared_ptr<const Stretch> stretch) {
     std::swap(stretch, stretch_);
     return stretch;

@@ -61,7 +61,7 @@ class Joiner {
   }
 
  private:
-  // Of a piece k the first end is 2 k, the last one 2 k + 1.
+  // The ends of piece k have the numbers 2 k and 2 k + 1.
   [[nodiscard]] Vec2 placeOf(std::size_t end) const {
     const Ring& points = pieces_[end / 2].points;
     return end % 2 == 0 ? points.front() : points.back();

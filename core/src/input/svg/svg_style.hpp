@@ -395,7 +395,7 @@ using Ids = std::unordered_map<std::string_view, const Node*>;
 std::optional<Paint> serverPaint(std::string_view id, const Ids& ids, const StyleSheet& styles, const Paint& current,
                                  Work& work);
 
-/// Where a fading gradient lies.
+/// The place of a fading gradient.
 struct GradientPlace {
   Matrix toWorld;  ///< from user units to mm
   Bounds box;      ///< of the element it paints, in user units
