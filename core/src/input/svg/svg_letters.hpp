@@ -113,7 +113,7 @@ class LetterRuns {
 
   std::int64_t& lettersLeft_;
   std::string text_;
-  std::deque<Letter> letters_;  // vectors hold up to three times as much while they grow
+  std::deque<Letter> letters_;       // vectors hold up to three times as much while they grow
   std::vector<Element> elements_;    // those around before those within
   std::vector<std::size_t> inside_;  // which of them are open, outermost first
   std::deque<PaintState> styles_;
@@ -145,8 +145,8 @@ class LetterShaper {
 };
 
 /// Lays the runs out. \return an error of `shaper`.
-Result<std::vector<PlacedLetter>> placeLetters(const std::vector<LetterRun>& runs,
-                                               const std::deque<PaintState>& styles, LetterShaper& shaper);
+Result<std::vector<PlacedLetter>> placeLetters(const std::vector<LetterRun>& runs, const std::deque<PaintState>& styles,
+                                               LetterShaper& shaper);
 
 /// Properties that change or move letters and are not read.
 std::vector<std::string_view> unreadOf(const LetterStyle& letters);
