@@ -98,13 +98,14 @@ int turnsAdded(const Beads& beads, const Joining& joining, const Joint& joint) {
   return turns;
 }
 
-// A joint that could be made, cheapest first in order.
+// A joint that could be made, cheapest first in order. Both its ends may have found it, as joints of different kinds.
 struct Possible {
   float cost;
   Switch made;
 
   bool operator<(const Possible& other) const {
-    return std::tie(cost, made.joint.i, made.joint.j) < std::tie(other.cost, other.made.joint.i, other.made.joint.j);
+    return std::tie(cost, made.joint.i, made.joint.j, made.ring) <
+           std::tie(other.cost, other.made.joint.i, other.made.joint.j, other.made.ring);
   }
 };
 
