@@ -726,6 +726,8 @@ export interface ToolpathParams {
   stitchAlignment: number;
   /** Lays neighbouring beads soon after one another, for an even shine, or joins curves wherever that costs least. Default "even". */
   order: 'even' | 'plain';
+  /** Rounds that move beads apart where they lie nearer than half a spacing (Eq. 15); 8 in 2023. 0..100, default 0. */
+  repulsionRounds: number;
   /** Rounds of relaxation, which evens out the gaps between beads: fewer kinks, slightly less exact directions. 0..100, default 2. */
   relaxationRounds: number;
   /** How far a bead moves towards its wider gap per round, as a fraction of the difference between its gaps. 0..0.5, default 0.08. */

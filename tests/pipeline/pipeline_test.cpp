@@ -240,6 +240,7 @@ TEST_CASE("parameters out of range are named with their value and range, and not
       {"borderWeight", [](auto& p) { p.borderWeight = -1; }},
       {"stitchAlignment", [](auto& p) { p.stitchAlignment = 11; }},
       {"relaxationRounds", [](auto& p) { p.relaxationRounds = -1; }},
+      {"repulsionRounds", [](auto& p) { p.repulsionRounds = 101; }},
       {"relaxationStrength", [](auto& p) { p.relaxationStrength = 0.6; }},
       {"relaxationSmoothing", [](auto& p) { p.relaxationSmoothing = 1.5; }},
       {"widthBalance", [](auto& p) { p.widthBalance = -0.1; }},

@@ -61,6 +61,7 @@ TEST_CASE("after any edit a session's toolpath is that of a run from nothing") {
       {"stitchAlignment", [](PlateInput&, ToolpathParams& p) { p.stitchAlignment = 0; }},
       {"relaxationRounds", [](PlateInput&, ToolpathParams& p) { p.relaxationRounds = 1; }},
       {"order", [](PlateInput&, ToolpathParams& p) { p.order = BeadOrder::Plain; }},
+      {"repulsionRounds", [](PlateInput&, ToolpathParams& p) { p.repulsionRounds = 4; }},
       {"relaxationStrength", [](PlateInput&, ToolpathParams& p) { p.relaxationStrength = 0.3; }},
       {"relaxationSmoothing", [](PlateInput&, ToolpathParams& p) { p.relaxationSmoothing = 0.4; }},
       {"showsPictures", [](PlateInput& i, ToolpathParams&) { i.showsPictures = true; }},

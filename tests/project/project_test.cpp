@@ -131,6 +131,7 @@ Project unusualProject() {
   p.toolpath.kernelRadius = 0.8;
   p.toolpath.borderWeight = 2.5;
   p.toolpath.stitchAlignment = 0.6;
+  p.toolpath.repulsionRounds = 8;
   p.toolpath.relaxationRounds = 4;
   p.toolpath.order = BeadOrder::Plain;
   p.toolpath.relaxationStrength = 0.2;

@@ -116,3 +116,40 @@ TEST_CASE("roots on the phase put a sine's zeros where they are") {
     CHECK(std::abs(beads - std::round(beads)) < 2e-3);  // the value ratio would be off by up to 0.02
   }
 }
+
+TEST_CASE("points nearer than half a spacing leave each other along their lattice edges (Eq. 15)") {
+  // Two level lines at a distance of 0.12 cross the vertical edges of columns 2 to 8 above and below row 4.
+  const Grid lattice{{0, 0}, 0.1, 20, 20};
+  ToolpathParams params;
+  params.spacing = 0.4;
+  ClosedCurves curves{{}, {0}};
+  for (const float y : {0.39f, 0.51f}) {
+    for (int x = 2; x < 15; ++x) curves.points.push_back({0.05f + 0.1f * static_cast<float>(x), y});
+    curves.begin.push_back(static_cast<int>(curves.points.size()));
+  }
+  CHECK(repulsed(curves, lattice, params, RunContext(1)).points == curves.points);
+  params.repulsionRounds = 1;
+  const ClosedCurves once = repulsed(curves, lattice, params, RunContext(1));
+  // The other line has points at across 0, 0.1 within a radius of 0.2: the edge meets their circles at 0.2 and 0.1732.
+  const double mean = (0.2 + 2 * std::sqrt(0.04 - 0.01)) / 3;
+  CHECK(once.points[6].x == curves.points[6].x);
+  CHECK(static_cast<double>(once.points[6].y) == about(0.5 * (0.39 + 0.51 - mean), 1e-6));
+  CHECK(static_cast<double>(once.points[19].y) == about(0.5 * (0.51 + 0.39 + mean), 1e-6));
+  params.repulsionRounds = 100;
+  for (const Vec2f p : repulsed(curves, lattice, params, RunContext(1)).points) {
+    CHECK((p.y > 0.35f && p.y < 0.45f) != (p.y > 0.45f && p.y < 0.55f));
+  }
+}
+
+TEST_CASE("repulsion leaves curves simple, and equal for any number of threads") {
+  const ClosedCurves curves = contourOf(kGrid, [](Vec2 p) {
+    const double frame = std::min({p.x, 10.1 - p.x, p.y, 8.1 - p.y}) - 0.3;
+    return std::max(-frame, std::sin(12 * p.x + std::sin(3 * p.y)) + 0.6 * std::sin(4 * p.x * p.y));
+  });
+  ToolpathParams params;
+  params.repulsionRounds = 8;
+  const ClosedCurves one = repulsed(curves, kGrid, params, RunContext(1));
+  CHECK(one.points != curves.points);
+  CHECK(findCrossings(one, RunContext(1)).empty());
+  CHECK(repulsed(curves, kGrid, params, RunContext(3)).points == one.points);
+}

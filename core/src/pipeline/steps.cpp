@@ -54,6 +54,8 @@ Result<ClosedCurves> contourStep(const Shape& shape, const ShapeFields& fields, 
   keepThinParts(fields.parts, fields.sdf, fields.border, params.spacing, values.value());
   Result<ClosedCurves> contour = contourCycles(nodes, values.value(), distance.value(), params.spacing, making.run);
   if (!contour) return contour.error();
+  contour = repulsed(std::move(contour).value(), nodes, params, making.run);
+  if (making.run.cancelled()) return cancelledRun();
   making.record(&Stages::nodeDistance, distance.value());
   making.record(&Stages::nodeValues, values.value());
   making.record(&Stages::contour, contour.value());

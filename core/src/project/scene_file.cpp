@@ -100,7 +100,8 @@ std::string readSceneKeys(const Json& root, Project& project) {
   if (reader.integer(kIterations, iterations, 1, 4000)) project.toolpath.sweepsPerLevel = std::max(1, iterations / 4);
   reader.seed(kSeed, project.toolpath.seed);
   bool repulse = true;
-  if (reader.flag(kRepulse, repulse) && !repulse) project.toolpath.relaxationRounds = 0;
+  if (reader.flag(kRepulse, repulse) && !repulse)
+    project.toolpath.relaxationRounds = project.toolpath.repulsionRounds = 0;
   double share = 0;
   if (reader.number(kHeight, share, 0.01, 4)) project.print.layerHeight = share * project.toolpath.spacing;
   bool ignored = false;

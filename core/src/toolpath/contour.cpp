@@ -11,9 +11,6 @@
 namespace sillon {
 namespace {
 
-// Positions stay off the nodes, so that vertices of touching edges never coincide, not even on 1 µm.
-constexpr float kMinRoot = 0.03f;
-
 float rootBetween(float a, float b, bool onPhase) {
   if (onPhase) {
     a = asinApprox(a);

@@ -35,6 +35,10 @@ void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, const Bor
 
 // Zero contours of the field as disjoint closed curves: marching squares (Sec. 5.4).
 
+/// Contours stay off the ends of lattice edges by this share, so that vertices of touching edges never coincide, not
+/// even on 1 µm.
+inline constexpr float kMinRoot = 0.03f;
+
 /// One vertex per lattice edge whose ends differ in sign, zero counting as positive: at the root of the phase (arc
 /// sine) where both ends lie deeper inside than half a spacing, of the value elsewhere, and a little off both ends.
 /// Larger values lie on the left of every curve, so that neighbouring curves run in opposite senses. Order and
@@ -44,6 +48,11 @@ void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, const Bor
 /// \return TooLarge from 2^30 vertices on, or Cancelled.
 Result<ClosedCurves> contourCycles(const Grid& lattice, const std::vector<float>& values,
                                    const std::vector<float>& distance, double spacing, const RunContext& run);
+
+/// Moves the vertices of contours along their lattice edges, away from those of other beads nearer than half a spacing
+/// (Sec. 5.6, Eq. 15), in `repulsionRounds`. What lies between cells of a lattice of tau/4 moves less than in the
+/// paper, whose edges are twice as long. Sums follow the order of the points, for the same bytes with any threads.
+ClosedCurves repulsed(ClosedCurves curves, const Grid& lattice, const ToolpathParams& params, const RunContext& run);
 
 // Cycles too short to turn once round without a kink.
 

@@ -311,6 +311,9 @@ export const de: Translation = {
   'setting.toolpath.sweepsPerLevel': 'Glättungsdurchgänge',
   'help.toolpath.sweepsPerLevel':
     'Mehr Durchgänge gleichen die Wellen aus, aus denen Bahnen entstehen, und dauern länger.',
+  'setting.toolpath.repulsionRounds': 'Abstoßungsrunden',
+  'help.toolpath.repulsionRounds':
+    'Rückt Bahnen auseinander, die näher als eine halbe Bahnbreite liegen (Gl. 15); 8 im Jahr 2023.',
   'setting.toolpath.relaxationRounds': 'Ausgleichsrunden',
   'help.toolpath.relaxationRounds':
     'Gleicht Lücken zwischen Bahnen aus: weniger Knicke, etwas weniger genaue Richtungen.',

@@ -25,6 +25,7 @@ export const table = {
     borderWeight: { type: 'number', level: 'expert', default: 1, low: 0, high: 100 },
     stitchAlignment: { type: 'number', level: 'expert', default: 1.1, low: 0, high: 10 },
     order: { type: 'choice', level: 'advanced', default: 'even', choices: ['even','plain'] },
+    repulsionRounds: { type: 'integer', level: 'expert', default: 0, low: 0, high: 100 },
     relaxationRounds: { type: 'integer', level: 'expert', default: 2, low: 0, high: 100 },
     relaxationStrength: { type: 'number', level: 'expert', default: 0.08, low: 0, high: 0.5 },
     relaxationSmoothing: { type: 'number', level: 'expert', default: 0.65, low: 0, high: 1 },

@@ -107,6 +107,7 @@ const controls: Record<IdOf<'number' | 'integer' | 'pair' | 'integer pair'>, Spa
   'toolpath.seed': { step: 1, usual: [0, 99] },
   'toolpath.jitter': { step: 0.005 },
   'toolpath.sweepsPerLevel': { step: 1, usual: [1, 64] },
+  'toolpath.repulsionRounds': { step: 1, usual: [0, 12] },
   'toolpath.relaxationRounds': { step: 1, usual: [0, 12] },
   'toolpath.relaxationStrength': { step: 0.01 },
   'toolpath.relaxationSmoothing': { step: 0.05 },

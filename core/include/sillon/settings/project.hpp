@@ -201,6 +201,7 @@ struct ToolpathParams {
   double borderWeight = 1;
   /// Cost of misaligned length made by a stitch, against 0.65 of added length, 0..10
   double stitchAlignment = 1.1;
+  int repulsionRounds = 0;   ///< rounds of Eq. 15, 0..100
   int relaxationRounds = 2;  ///< rounds of spacing relaxation, 0..100
   BeadOrder order = BeadOrder::Even;
   /// Move towards the wider side per round, of the gaps' difference, 0..0.5

@@ -51,6 +51,7 @@ export const words = {
   'help.toolpath.borderWeight': "How strongly beads follow the outline where the choice is theirs, relative to a neighbour.",
   'help.toolpath.stitchAlignment': "Cost of misaligned length where two curves are joined.",
   'help.toolpath.order': "Lays neighbouring beads soon after one another, for an even shine, or joins curves wherever that costs least.",
+  'help.toolpath.repulsionRounds': "Rounds that move beads apart where they lie nearer than half a spacing (Eq. 15); 8 in 2023.",
   'help.toolpath.relaxationRounds': "Rounds of relaxation, which evens out the gaps between beads: fewer kinks, slightly less exact directions.",
   'help.toolpath.relaxationStrength': "How far a bead moves towards its wider gap per round, as a fraction of the difference between its gaps.",
   'help.toolpath.relaxationSmoothing': "How much each round of relaxation straightens a bead.",

@@ -15,6 +15,7 @@ export const words = {
   'setting.toolpath.borderWeight': "Border weight",
   'setting.toolpath.stitchAlignment': "Joint alignment",
   'setting.toolpath.order': "Bead order",
+  'setting.toolpath.repulsionRounds': "Repulsion rounds",
   'setting.toolpath.relaxationRounds': "Relaxation rounds",
   'setting.toolpath.relaxationStrength': "Relaxation strength",
   'setting.toolpath.relaxationSmoothing': "Relaxation smoothing",
