@@ -7,6 +7,7 @@
 namespace sillon {
 namespace {
 
+constexpr double kBeforeSearch = 0.3;     ///< share of the stage that joining and switches take
 constexpr std::size_t kLeastPath = 1000;  ///< points; shorter paths have no late neighbours
 
 // The paths as joined; the points of a piece that was taken out follow the joint's ends.
@@ -73,8 +74,12 @@ void chooseBegin(const Beads& beads, const PathOrder& path, const Tour& tour, Jo
 bool evenOrder(const Beads& beads, const ToolpathParams& params, Joining& joining, const RunContext& run) {
   std::vector<PathOrder> paths = pathsOf(beads, joining);
   addNeighbours(beads, params.stitchAlignment, joining, run, paths);
+  double begin = kBeforeSearch;
   for (PathOrder& path : paths) {
     if (run.cancelled()) return false;
+    path.begin = begin;
+    path.end = begin +=
+        (1 - kBeforeSearch) * static_cast<double>(path.points.size()) / static_cast<double>(beads.curves.points.size());
     if (path.points.size() < kLeastPath) continue;
     const Tour tour = searchOrder(beads, params, path, joining, run);
     chooseBegin(beads, path, tour, joining);

@@ -167,6 +167,8 @@ struct PathOrder {
   std::vector<Link> links;
   std::vector<Switch> switches;
   std::vector<Link> cuts;  ///< of each switch, the places after which it cuts
+  double begin = 0;        ///< share of the stage at which its search begins, for the progress
+  double end = 1;          ///< share at which it ends
 };
 
 /// Toggles switches of a path two by two, so that it stays one, until its order is even. \return the order then.

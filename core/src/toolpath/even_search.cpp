@@ -22,6 +22,7 @@ constexpr double kMostMisaligned = 0.0018;  ///< that may be added, as a share o
 constexpr double kMoreMiss =
     0.016;  ///< misaligned length times `stitchAlignment` that may be added while it is searched
 constexpr int kRounds = 40;
+constexpr double kSteps = 8;     ///< of improve(), for the progress of the stage
 constexpr double kWork = 100;    ///< elements looked at per point of the path
 constexpr int kBatch = 256;      ///< switches between two looks at the work that is left
 constexpr float kAround = 2.5f;  ///< reach around a move in which switches are looked at again [mm]
@@ -88,16 +89,21 @@ class Search {
   // is kept.
   void improve() {
     const Vec2f along = meanLine();
+    int steps = 0;
+    const auto endStep = [&] {
+      remember();
+      run_.report(path_.begin + (path_.end - path_.begin) * ++steps / kSteps);
+    };
     const auto search = [&](double turnPrice) {
       turnPrice_ = turnPrice;
       lookAtJoints();
       takeGains();
-      remember();
+      endStep();
     };
     const auto draw = [&](double strength) {
       sweep(along, strength);
       sweep(along, -strength);
-      remember();
+      endStep();
     };
     search(kDearTurn);
     draw(0.9);

@@ -373,7 +373,6 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
     search = wider(search);
   }
   if (run.cancelled()) return cancelledRun();
-  run.report(0.3);  // of what an even order takes, which is the rest
   const Beads beads{curves, grid, border, static_cast<float>(params.spacing)};
   if (params.order == BeadOrder::Even && !evenOrder(beads, params, joining, run)) return cancelledRun();
   stitched.curves = joining.joined();
