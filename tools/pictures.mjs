@@ -1,0 +1,317 @@
+// Draws every picture of README and docs that comes from the program: ./dev pictures. Pages then show what the program makes
+// today; site/test/pictures.test.mjs fails where a picture is old.
+//   node tools/pictures.mjs [FOLDER]   into docs/pictures, unless another folder is named
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+import { strFromU8, unzipSync } from 'fflate';
+
+const root = fileURLToPath(new URL('..', import.meta.url));
+
+/** Runs a program of the build, at the root of the source. */
+const run = (program, args) =>
+  execFileSync(join(root, 'build/release', program), args, { cwd: root, stdio: ['ignore', 'ignore', 'inherit'] });
+
+const scratch = mkdtempSync(join(tmpdir(), 'sillon-pictures-'));
+process.on('exit', () => rmSync(scratch, { recursive: true, force: true }));
+
+const layers = (...contents) => contents.flatMap((content) => ['--layer', JSON.stringify(content)]);
+
+/** A preview of `sillon COMMAND ...`: two panels as PNG, a loop of moving light as WebP. */
+const preview = (name, width, command, ...args) => ({
+  names: [name],
+  draw: (folder) => run('sillon', [command, ...args, '--preview', join(folder, name), '--preview-width', `${width}`]),
+});
+
+const plate = (name, width, ...args) => preview(name, width, 'generate', '--quiet', ...args);
+
+/** An SVG [mm] on the ground of previews, so that it can be read on light and on dark pages. */
+const drawing = (width, height, parts, scale = 4) =>
+  `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${scale * width}" height="${scale * height}" ` +
+  `font-family="sans-serif" font-size="4" text-anchor="middle" fill="#d8d4cc">\n` +
+  `<rect width="${width}" height="${height}" fill="#262422"/>\n${parts.join('\n')}\n</svg>\n`;
+
+/** The toolpath of a plate as points, and its page, in twentieths of a millimetre. */
+function pathOf(args) {
+  const file = join(scratch, 'path.svg');
+  run('sillon', ['generate', '--quiet', ...args, '--svg', file]);
+  const drawn = readFileSync(file, 'utf8');
+  const numbers = (text) => (text.match(/-?[\d.]+/g) ?? []).map(Number);
+  const points = [];
+  for (const [, start, steps] of drawn.matchAll(/class="nozzle"[^>]* d="M([^l]*)([^"]*)"/g)) {
+    let [x, y] = numbers(start);
+    const way = numbers(steps);
+    for (let k = 0; k < way.length; k += 2) {
+      x += way[k];
+      y += way[k + 1];
+      points.push([Math.round(20 * x), Math.round(20 * y)]);
+    }
+  }
+  const page = /viewBox="0 0 ([\d.]+) ([\d.]+)"/
+    .exec(drawn)
+    .slice(1)
+    .map((side) => 20 * Number(side));
+  return { page, points };
+}
+
+/** Points as path data in relative steps. */
+const lineOf = (points) =>
+  `m${points.map(([x, y], k) => (k === 0 ? `${x} ${y}` : `${x - points[k - 1][0]} ${y - points[k - 1][1]}`)).join(' ')}`.replaceAll(
+    ' -',
+    '-',
+  );
+
+const cell = 42; // [mm] of a plate in a row of several
+
+/** Plates in rows, with a word below each.
+ * @param inside  gives what is drawn of a path's points @param scale  pixels of a millimetre */
+const row = (name, columns, plates, inside, scale) => ({
+  names: [name],
+  draw(folder) {
+    const foot = 7; // [mm]
+    const parts = plates.map(({ word, args }, k) => {
+      const { page, points } = pathOf(args);
+      const [x, y] = [(k % columns) * cell, Math.floor(k / columns) * (cell + foot)];
+      const box = `x="${x + 3}" y="${y + 3}" width="${cell - 6}" height="${cell - 6}" viewBox="0 0 ${page.join(' ')}"`;
+      const label = `<text x="${x + cell / 2}" y="${y + cell + 3}">${word}</text>`;
+      return `<svg ${box} fill="none" stroke-linejoin="round">\n${inside(points)}\n</svg>\n${label}`;
+    });
+    const height = Math.ceil(plates.length / columns) * (cell + foot);
+    writeFileSync(join(folder, name), drawing(columns * cell, height, parts, scale));
+  },
+});
+
+const inGold = (points) => `<path d="${lineOf(points)}z" stroke="#e0b060" stroke-width="15"/>`;
+
+/** Once through the colours of the rainbow, from the beginning of the path to its end. */
+function inOrder(points) {
+  const pieces = 90;
+  const ways = [0];
+  for (let k = 1; k < points.length; ++k)
+    ways.push(ways[k - 1] + Math.hypot(points[k][0] - points[k - 1][0], points[k][1] - points[k - 1][1]));
+  const at = (k) => ways.findIndex((way) => way >= (k / pieces) * ways.at(-1));
+  return Array.from({ length: pieces }, (_, k) => {
+    const colour = `hsl(${Math.round((300 * k) / pieces)} 85% 55%)`;
+    return `<path d="${lineOf(points.slice(at(k), at(k + 1) + 1))}" stroke="${colour}" stroke-width="13"/>`;
+  }).join('\n');
+}
+
+/** Zones as they lie on the top of their body, hatched as a slicer lays its lines. */
+const zones = (name, side, ...args) => ({
+  names: [name],
+  draw(folder) {
+    const file = join(scratch, 'zones.3mf');
+    run('sillon', ['zones', ...args, '-o', file]);
+    const parts = unzipSync(readFileSync(file));
+    const model = strFromU8(parts['3D/3dmodel.model']);
+    const points = [...model.matchAll(/<vertex x="([^"]+)" y="([^"]+)" z="([^"]+)"/g)].map(([, ...at]) =>
+      at.map(Number),
+    );
+    const triangles = [...model.matchAll(/<triangle v1="(\d+)" v2="(\d+)" v3="(\d+)"/g)].map(
+      ([, ...corners]) => corners,
+    );
+    const volumes = strFromU8(parts['Metadata/Slic3r_PE_model.config']).matchAll(
+      /<volume firstid="(\d+)" lastid="(\d+)">(.*?)<\/volume>/gs,
+    );
+    const [left, top] = [108 - side / 2, 112 + side / 2]; // zones stand around 110, 110
+    const topOf = (first, last) => {
+      const own = triangles.slice(Number(first), Number(last) + 1).map((corners) => corners.map((k) => points[k]));
+      const height = Math.max(...own.flat().map(([, , z]) => z));
+      return own
+        .filter((corners) => corners.every(([, , z]) => z === height))
+        .map((corners) => `M${corners.map(([x, y]) => `${(x - left).toFixed(2)} ${(top - y).toFixed(2)}`).join('L')}Z`)
+        .join('');
+    };
+    const drawn = ['</g>'];
+    for (const [, first, last, settings] of volumes) {
+      const angle = /key="fill_angle" value="([^"]+)"/.exec(settings)?.[1];
+      if (angle === undefined) {
+        // The body: zones reach beyond it.
+        drawn.unshift(`<clipPath id="body"><path d="${topOf(first, last)}"/></clipPath>`, '<g clip-path="url(#body)">');
+        continue;
+      }
+      const [id, colour] = [`zone${drawn.length}`, `hsl(${Math.round(Number(angle) * 2)} 45% 62%)`];
+      drawn.splice(
+        -1,
+        0,
+        `<pattern id="${id}" width="1.2" height="1.2" patternUnits="userSpaceOnUse" patternTransform="rotate(${-angle})">` +
+          `<rect width="1.2" height="1.2" fill="#262422"/><rect width="1.2" height="0.9" fill="${colour}"/></pattern>` +
+          `<path d="${topOf(first, last)}" fill="url(#${id})"/>`,
+      );
+    }
+    writeFileSync(join(folder, name), drawing(side + 4, side + 4, drawn));
+  },
+});
+
+const stageNames = [
+  'shape',
+  'distance',
+  'asked',
+  'lines',
+  'waves',
+  'phases',
+  'field',
+  'contour',
+  'stitched',
+  'relaxed',
+  'widths',
+  'look',
+];
+const gold = ['--spool', 'goldPla'];
+const disc = ['--shape', 'disc', '--size', '36', ...gold];
+const two = (first, second) => [
+  '--picture',
+  `examples/inputs/${first}`,
+  '--lamp',
+  '70',
+  '--picture',
+  `examples/inputs/${second}`,
+  '--lamp',
+  '110',
+];
+const code = { kind: 'code', text: 'https://example.org', size: [48, 0] };
+const whirl = layers({ kind: 'pattern', pattern: 'spiral', waveLength: 40 });
+const anna = (more) => ({ kind: 'text', text: 'ANNA', ...more });
+
+export const pictures = [
+  // README
+  plate('sun-moon.webp', 330, '--shape', 'disc', '--size', '80', ...two('sun.png', 'moon.png')),
+  plate('wave.webp', 490, 'examples/paper/wave.json', ...gold),
+  plate(
+    'name.webp',
+    208,
+    '--shape',
+    'heart',
+    '--size',
+    '60',
+    '--spool',
+    'redPetg',
+    ...layers({ kind: 'pattern', angle: 90 }, anna({ textSize: 11, at: [30, 30] })),
+  ),
+  plate(
+    'code.webp',
+    208,
+    '--shape',
+    'rounded',
+    '--size',
+    '50',
+    '--angle',
+    '45',
+    ...gold,
+    '--map-filter',
+    'nearest',
+    ...layers(code),
+  ),
+  preview(
+    'rebrush.webp',
+    208,
+    'rebrush',
+    'examples/lid.gcode',
+    '--spool',
+    'clearPetg',
+    ...whirl,
+    '-o',
+    join(scratch, 'lid.gcode'),
+  ),
+  plate('two-lamps.webp', 208, '--shape', 'disc', '--size', '80', ...two('star.png', 'heart.png')),
+  // Guides
+  ...['name-sign', 'logo-coaster', 'photo-ring', 'keychain', 'qr-frame'].map((name) =>
+    plate(`layers-${name}.png`, 200, `examples/${name}.json`),
+  ),
+  plate('pattern-rings.webp', 150, ...disc, ...layers({ kind: 'pattern', angle: 90 })),
+  plate('pattern-spiral.webp', 150, ...disc, ...whirl),
+  plate('pattern-waves.webp', 150, ...disc, ...layers({ kind: 'pattern', pattern: 'waves' })),
+  plate(
+    'pattern-noise.webp',
+    150,
+    ...disc,
+    ...layers({ kind: 'pattern', pattern: 'noise', waveLength: 15, amplitude: 60, seed: 3 }),
+  ),
+  plate('pattern-echo.webp', 150, ...disc, ...layers({ kind: 'pattern', pattern: 'echo', text: 'A', size: [18, 0] })),
+  row(
+    'shapes.svg',
+    3,
+    ['rounded', 'disc', 'hexagon', 'heart', 'shield', 'star', 'ring', 'tag', 'rectangle'].map((word) => ({
+      word,
+      args: [
+        '--shape',
+        word,
+        '--size',
+        '36',
+        '--angle',
+        '30',
+        '--spacing',
+        '1',
+        ...(word === 'star' ? ['--radius', '0.5'] : []),
+      ],
+    })),
+    inGold,
+  ),
+  zones('zones.svg', 60, '--shape', 'disc', '--size', '60', '--zones', '6', ...layers({ kind: 'pattern', angle: 90 })),
+  plate('coaster.png', 240, '--shape', 'disc', '--size', '40', '--angle', '30'),
+  plate('photo.png', 330, 'examples/inputs/photo.png', '--size', '120'),
+  plate('moving-logo.webp', 230, 'examples/logo.json'),
+  plate('mode-parallel.png', 200, '--shape', 'disc', '--size', '30', '--mode', 'parallel'),
+  ...['flow', 'speed', 'fan', 'width', 'directions', 'swatch', 'coupon'].map((kind) =>
+    preview(
+      `calibrate-${kind}.png`,
+      480,
+      'calibrate',
+      kind,
+      '--filament',
+      'pla-silk',
+      '--spool',
+      'goldPla',
+      '-o',
+      join(scratch, 'calibrate.gcode'),
+    ),
+  ),
+  {
+    names: ['coupon-photograph.jpg'],
+    draw: (folder) => run('sillon_bench', ['photograph', join(folder, 'coupon-photograph.jpg')]),
+  },
+  // Internals
+  row(
+    'even-shine.svg',
+    2,
+    ['plain', 'even'].map((order) => ({
+      word: `--order ${order}`,
+      args: ['--shape', 'disc', '--size', '60', '--angle', '75', '--spacing', '0.8', '--order', order],
+    })),
+    inOrder,
+    9,
+  ),
+  {
+    names: stageNames.map((name, k) => `${String(k + 1).padStart(2, '0')}-${name}.png`),
+    draw: (folder) => run('examples/stages', ['examples/logo.json', '1.8', folder]),
+  },
+  ...Object.entries({ default: 'standard', 2023: 'paper-2023' }).map(([name, preset]) =>
+    plate(
+      `quality-${name}.png`,
+      640,
+      '--shape',
+      'disc',
+      '--size',
+      '22',
+      '--directions',
+      'examples/inputs/relief.png',
+      '--spacing',
+      '0.5',
+      '--preset',
+      preset,
+    ),
+  ),
+];
+
+/** Draws them all. */
+export function drawPictures(folder) {
+  mkdirSync(folder, { recursive: true });
+  for (const { draw } of pictures) draw(folder);
+}
+
+if (process.argv[1] !== undefined && resolve(process.argv[1]) === fileURLToPath(import.meta.url)) {
+  drawPictures(resolve(process.argv[2] ?? join(root, 'docs/pictures')));
+}
