@@ -14,15 +14,12 @@ const folder = mkdtempSync(join(tmpdir(), 'sillon-pictures-'));
 after(() => rmSync(folder, { recursive: true }));
 
 const names = pictures.flatMap(({ names }) => names);
-/** Drawn by other commands, and compared by the tests of these. */
-const others = {
-  'docs/pictures/rooms.svg': './dev generate',
-  'docs/studio.png': 'web/test/browser/screens.test.js',
-};
+/** It is drawn by ./dev generate. Pages show the studio as web/test/browser/screens.test.js compares it. */
+const others = ['docs/pictures/rooms.svg'];
 const mostBytes = { readme: 1_000_000, guide: 150_000 };
 
 test('every picture in docs is drawn by a command, and stands on a page', () => {
-  const drawn = [...names.map((name) => `docs/pictures/${name}`), ...Object.keys(others)];
+  const drawn = [...names.map((name) => `docs/pictures/${name}`), ...others];
   const there = sources('docs').filter(isPicture);
   assert.deepEqual(there.sort(), drawn.sort());
   const shown = new Set(
