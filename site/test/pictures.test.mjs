@@ -33,8 +33,9 @@ test('every picture in docs is drawn by a command, and stands on a page', () => 
   );
 });
 
-test('what README shows first is less than a megabyte', () => {
+test('README has 800 words at most, and what it shows first is less than a megabyte', () => {
   const text = readFileSync(join(root, 'README.md'), 'utf8');
+  assert.ok(text.split(/\s+/).filter((word) => word !== '').length <= 800);
   const first = text.slice(0, text.indexOf('\n## '));
   const files = [...first.matchAll(/!\[[^\]]*\]\(([^)]+)\)/g)].map(([, path]) => path);
   assert.ok(files.some((path) => path.endsWith('.webp')));
