@@ -18,15 +18,24 @@ const run = (program, args) =>
 const scratch = mkdtempSync(join(tmpdir(), 'sillon-pictures-'));
 process.on('exit', () => rmSync(scratch, { recursive: true, force: true }));
 
-const layers = (...contents) => contents.flatMap((content) => ['--layer', JSON.stringify(content)]);
+/** Words of a command, and what its plate shows, from the bottom to the top. */
+const args = (line, ...layers) => [
+  ...line.split(' '),
+  ...layers.flatMap((layer) => ['--layer', JSON.stringify(layer)]),
+];
 
-/** A preview of `sillon COMMAND ...`: two panels as PNG, a loop of moving light as WebP. */
-const preview = (name, width, command, ...args) => ({
+/** A preview of a command of sillon: two panels as PNG, a loop of moving light as WebP. */
+const preview = (name, width, line, ...layers) => ({
   names: [name],
-  draw: (folder) => run('sillon', [command, ...args, '--preview', join(folder, name), '--preview-width', `${width}`]),
+  draw: (folder) =>
+    run('sillon', [
+      ...args(line, ...layers),
+      ...(line.startsWith('generate') ? [] : ['-o', join(scratch, 'beside.gcode')]), // others write nothing without
+      ...['--preview', join(folder, name), '--preview-width', `${width}`],
+    ]),
 });
 
-const plate = (name, width, ...args) => preview(name, width, 'generate', '--quiet', ...args);
+const plate = (name, width, line, ...layers) => preview(name, width, `generate --quiet ${line}`, ...layers);
 
 /** An SVG [mm] on the ground of previews, so that it can be read on light and on dark pages. */
 const drawing = (width, height, parts, scale = 4) =>
@@ -35,9 +44,9 @@ const drawing = (width, height, parts, scale = 4) =>
   `<rect width="${width}" height="${height}" fill="#262422"/>\n${parts.join('\n')}\n</svg>\n`;
 
 /** The toolpath of a plate as points, and its page, in twentieths of a millimetre. */
-function pathOf(args) {
+function pathOf(line) {
   const file = join(scratch, 'path.svg');
-  run('sillon', ['generate', '--quiet', ...args, '--svg', file]);
+  run('sillon', [...args(`generate --quiet ${line}`), '--svg', file]);
   const drawn = readFileSync(file, 'utf8');
   const numbers = (text) => (text.match(/-?[\d.]+/g) ?? []).map(Number);
   const points = [];
@@ -72,8 +81,8 @@ const row = (name, columns, plates, inside, scale) => ({
   names: [name],
   draw(folder) {
     const foot = 7; // [mm]
-    const parts = plates.map(({ word, args }, k) => {
-      const { page, points } = pathOf(args);
+    const parts = plates.map(({ word, line }, k) => {
+      const { page, points } = pathOf(line);
       const [x, y] = [(k % columns) * cell, Math.floor(k / columns) * (cell + foot)];
       const box = `x="${x + 3}" y="${y + 3}" width="${cell - 6}" height="${cell - 6}" viewBox="0 0 ${page.join(' ')}"`;
       const label = `<text x="${x + cell / 2}" y="${y + cell + 3}">${word}</text>`;
@@ -100,11 +109,11 @@ function inOrder(points) {
 }
 
 /** Zones as they lie on the top of their body, hatched as a slicer lays its lines. */
-const zones = (name, side, ...args) => ({
+const zones = (name, side, line, ...layers) => ({
   names: [name],
   draw(folder) {
     const file = join(scratch, 'zones.3mf');
-    run('sillon', ['zones', ...args, '-o', file]);
+    run('sillon', [...args(`zones ${line}`, ...layers), '-o', file]);
     const parts = unzipSync(readFileSync(file));
     const model = strFromU8(parts['3D/3dmodel.model']);
     const points = [...model.matchAll(/<vertex x="([^"]+)" y="([^"]+)" z="([^"]+)"/g)].map(([, ...at]) =>
@@ -146,128 +155,66 @@ const zones = (name, side, ...args) => ({
   },
 });
 
+const shapeNames = ['rounded', 'disc', 'hexagon', 'heart', 'shield', 'star', 'ring', 'tag', 'rectangle'];
 const stageNames = [
-  'shape',
-  'distance',
-  'asked',
-  'lines',
-  'waves',
-  'phases',
-  'field',
-  'contour',
-  'stitched',
-  'relaxed',
-  'widths',
-  'look',
+  ...['shape', 'distance', 'asked', 'lines', 'waves', 'phases'],
+  ...['field', 'contour', 'stitched', 'relaxed', 'widths', 'look'],
 ];
-const gold = ['--spool', 'goldPla'];
-const disc = ['--shape', 'disc', '--size', '36', ...gold];
-const two = (first, second) => [
-  '--picture',
-  `examples/inputs/${first}`,
-  '--lamp',
-  '70',
-  '--picture',
-  `examples/inputs/${second}`,
-  '--lamp',
-  '110',
-];
-const code = { kind: 'code', text: 'https://example.org', size: [48, 0] };
-const whirl = layers({ kind: 'pattern', pattern: 'spiral', waveLength: 40 });
-const anna = (more) => ({ kind: 'text', text: 'ANNA', ...more });
+const disc = '--shape disc --size 36 --spool goldPla';
+const two = (first, second) =>
+  `--shape disc --size 80 --picture examples/inputs/${first} --lamp 70 --picture examples/inputs/${second} --lamp 110`;
+const rings = { kind: 'pattern', angle: 90 };
+const whirl = { kind: 'pattern', pattern: 'spiral', waveLength: 40 };
 
 export const pictures = [
   // README
-  plate('sun-moon.webp', 330, '--shape', 'disc', '--size', '80', ...two('sun.png', 'moon.png')),
-  plate('wave.webp', 490, 'examples/paper/wave.json', ...gold),
+  plate('sun-moon.webp', 330, two('sun.png', 'moon.png')),
+  plate('wave.webp', 490, 'examples/paper/wave.json --spool goldPla'),
   plate(
     'name.webp',
     208,
-    '--shape',
-    'heart',
-    '--size',
-    '60',
-    '--spool',
-    'redPetg',
-    ...layers({ kind: 'pattern', angle: 90 }, anna({ textSize: 11, at: [30, 30] })),
+    '--shape heart --size 80 --spool redPetg',
+    { ...rings, at: [40, 10] },
+    { kind: 'text', text: 'ANNA', textSize: 16, at: [40, 44] },
   ),
-  plate(
-    'code.webp',
-    208,
-    '--shape',
-    'rounded',
-    '--size',
-    '50',
-    '--angle',
-    '45',
-    ...gold,
-    '--map-filter',
-    'nearest',
-    ...layers(code),
-  ),
-  preview(
-    'rebrush.webp',
-    208,
-    'rebrush',
-    'examples/lid.gcode',
-    '--spool',
-    'clearPetg',
-    ...whirl,
-    '-o',
-    join(scratch, 'lid.gcode'),
-  ),
-  plate('two-lamps.webp', 208, '--shape', 'disc', '--size', '80', ...two('star.png', 'heart.png')),
+  plate('code.webp', 208, '--shape rounded --size 50 --angle 45 --spool goldPla --map-filter nearest', {
+    kind: 'code',
+    text: 'https://example.org',
+    size: [48, 0],
+  }),
+  preview('rebrush.webp', 208, 'rebrush examples/lid.gcode --spool clearPetg', whirl),
+  plate('two-lamps.webp', 208, two('star.png', 'heart.png')),
   // Guides
   ...['name-sign', 'logo-coaster', 'photo-ring', 'keychain', 'qr-frame'].map((name) =>
     plate(`layers-${name}.png`, 200, `examples/${name}.json`),
   ),
-  plate('pattern-rings.webp', 150, ...disc, ...layers({ kind: 'pattern', angle: 90 })),
-  plate('pattern-spiral.webp', 150, ...disc, ...whirl),
-  plate('pattern-waves.webp', 150, ...disc, ...layers({ kind: 'pattern', pattern: 'waves' })),
-  plate(
-    'pattern-noise.webp',
-    150,
-    ...disc,
-    ...layers({ kind: 'pattern', pattern: 'noise', waveLength: 15, amplitude: 60, seed: 3 }),
-  ),
-  plate('pattern-echo.webp', 150, ...disc, ...layers({ kind: 'pattern', pattern: 'echo', text: 'A', size: [18, 0] })),
+  plate('pattern-rings.webp', 150, disc, rings),
+  plate('pattern-spiral.webp', 150, disc, whirl),
+  plate('pattern-waves.webp', 150, disc, { kind: 'pattern', pattern: 'waves' }),
+  plate('pattern-noise.webp', 150, disc, {
+    kind: 'pattern',
+    pattern: 'noise',
+    waveLength: 15,
+    amplitude: 60,
+    seed: 3,
+  }),
+  plate('pattern-echo.webp', 150, disc, { kind: 'pattern', pattern: 'echo', text: 'A', size: [18, 0] }),
   row(
     'shapes.svg',
     3,
-    ['rounded', 'disc', 'hexagon', 'heart', 'shield', 'star', 'ring', 'tag', 'rectangle'].map((word) => ({
+    shapeNames.map((word) => ({
       word,
-      args: [
-        '--shape',
-        word,
-        '--size',
-        '36',
-        '--angle',
-        '30',
-        '--spacing',
-        '1',
-        ...(word === 'star' ? ['--radius', '0.5'] : []),
-      ],
+      line: `--shape ${word} --size 36 --angle 30 --spacing 1${word === 'star' ? ' --radius 0.5' : ''}`,
     })),
     inGold,
   ),
-  zones('zones.svg', 60, '--shape', 'disc', '--size', '60', '--zones', '6', ...layers({ kind: 'pattern', angle: 90 })),
-  plate('coaster.png', 240, '--shape', 'disc', '--size', '40', '--angle', '30'),
-  plate('photo.png', 330, 'examples/inputs/photo.png', '--size', '120'),
+  zones('zones.svg', 60, '--shape disc --size 60 --zones 6', rings),
+  plate('coaster.png', 240, '--shape disc --size 40 --angle 30'),
+  plate('photo.png', 330, 'examples/inputs/photo.png --size 120'),
   plate('moving-logo.webp', 230, 'examples/logo.json'),
-  plate('mode-parallel.png', 200, '--shape', 'disc', '--size', '30', '--mode', 'parallel'),
+  plate('mode-parallel.png', 200, '--shape disc --size 30 --mode parallel'),
   ...['flow', 'speed', 'fan', 'width', 'directions', 'swatch', 'coupon'].map((kind) =>
-    preview(
-      `calibrate-${kind}.png`,
-      480,
-      'calibrate',
-      kind,
-      '--filament',
-      'pla-silk',
-      '--spool',
-      'goldPla',
-      '-o',
-      join(scratch, 'calibrate.gcode'),
-    ),
+    preview(`calibrate-${kind}.png`, 480, `calibrate ${kind} --filament pla-silk --spool goldPla`),
   ),
   {
     names: ['coupon-photograph.jpg'],
@@ -279,7 +226,7 @@ export const pictures = [
     2,
     ['plain', 'even'].map((order) => ({
       word: `--order ${order}`,
-      args: ['--shape', 'disc', '--size', '60', '--angle', '75', '--spacing', '0.8', '--order', order],
+      line: `--shape disc --size 60 --angle 75 --spacing 0.8 --order ${order}`,
     })),
     inOrder,
     9,
@@ -292,16 +239,7 @@ export const pictures = [
     plate(
       `quality-${name}.png`,
       640,
-      '--shape',
-      'disc',
-      '--size',
-      '22',
-      '--directions',
-      'examples/inputs/relief.png',
-      '--spacing',
-      '0.5',
-      '--preset',
-      preset,
+      `--shape disc --size 22 --directions examples/inputs/relief.png --spacing 0.5 --preset ${preset}`,
     ),
   ),
 ];
