@@ -1,7 +1,7 @@
 // The documentation is true as far as a machine can tell: links and anchors exist, commands exist, cheap ones run.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
@@ -21,11 +21,15 @@ const run = async (line, cwd = root) => {
   return stdout + stderr;
 };
 
-// A folder with the parts of the source that the pages' commands name; what they write stays in it.
-const folder = mkdtempSync(join(tmpdir(), 'sillon-docs-'));
-after(() => rmSync(folder, { recursive: true }));
-mkdirSync(join(folder, 'out/projects'), { recursive: true });
-for (const name of ['build', 'examples', 'docs']) symlinkSync(join(root, name), join(folder, name));
+/** A folder with the parts of the source that the pages' commands name, as a stranger finds it; what they write stays in it. */
+const folders = [];
+const freshFolder = () => {
+  const folder = mkdtempSync(join(tmpdir(), 'sillon-docs-'));
+  for (const name of ['build', 'examples', 'docs']) symlinkSync(join(root, name), join(folder, name));
+  folders.push(folder);
+  return folder;
+};
+after(() => folders.forEach((folder) => rmSync(folder, { recursive: true })));
 
 test('every page is found, and holds something', () => {
   for (const page of ['README.md', 'docs/README.md', 'docs/guide/start.md', 'wasm/README.md', 'examples/README.md']) {
@@ -118,6 +122,7 @@ test('every script that a page runs exists', () => {
 test('the C++ of README compiles without warnings, and writes the G-code of a disc', async () => {
   const [code, ...others] = [...readFileSync(join(root, 'README.md'), 'utf8').matchAll(/```cpp\n(.*?)```/gs)];
   assert.deepEqual(others, []);
+  const folder = freshFolder();
   writeFileSync(join(folder, 'disc.cpp'), code[1]);
   const library = `${root}build/release/core/libsillon.a`;
   const flags = `-std=c++20 -Wall -Wextra -Werror -I '${root}core/include' -pthread`;
@@ -151,9 +156,10 @@ test('the program and the packages have one version', async () => {
 });
 
 for (const page of all.keys()) {
-  const lines = all.get(page).commands.filter((line) => line.startsWith('build/release/sillon '));
+  const lines = all.get(page).commands.filter((line) => /^(build\/release\/sillon|mkdir) /.test(line));
   if (lines.length === 0) continue;
   test(`what ${page} runs of sillon does run`, async () => {
+    const folder = freshFolder();
     for (const line of lines) await assert.doesNotReject(run(line, folder), line);
   });
 }
