@@ -15,7 +15,7 @@ const root = fileURLToPath(new URL('..', import.meta.url));
 const run = (program, args) =>
   execFileSync(join(root, 'build/release', program), args, { cwd: root, stdio: ['ignore', 'ignore', 'inherit'] });
 
-const scratch = mkdtempSync(join(tmpdir(), 'sillon-pictures-'));
+export const scratch = mkdtempSync(join(tmpdir(), 'sillon-pictures-'));
 process.on('exit', () => rmSync(scratch, { recursive: true, force: true }));
 
 /** Words of a command, and what its plate shows, from the bottom to the top. */
@@ -35,7 +35,7 @@ const preview = (name, width, line, ...layers) => ({
     ]),
 });
 
-const plate = (name, width, line, ...layers) => preview(name, width, `generate --quiet ${line}`, ...layers);
+export const plate = (name, width, line, ...layers) => preview(name, width, `generate --quiet ${line}`, ...layers);
 
 /** An SVG [mm] on the ground of previews, so that it can be read on light and on dark pages. */
 const drawing = (width, height, parts, scale = 4) =>
@@ -163,13 +163,15 @@ const stageNames = [
 const disc = '--shape disc --size 36 --spool goldPla';
 const two = (first, second) =>
   `--shape disc --size 80 --picture examples/inputs/${first} --lamp 70 --picture examples/inputs/${second} --lamp 110`;
+export const sunMoon = two('sun.png', 'moon.png');
+export const wave = 'examples/paper/wave.json --spool goldPla';
 const rings = { kind: 'pattern', angle: 90 };
 const whirl = { kind: 'pattern', pattern: 'spiral', waveLength: 40 };
 
 export const pictures = [
   // README
-  plate('sun-moon.webp', 330, two('sun.png', 'moon.png')),
-  plate('wave.webp', 490, 'examples/paper/wave.json --spool goldPla'),
+  plate('sun-moon.webp', 330, sunMoon),
+  plate('wave.webp', 490, wave),
   plate(
     'name.webp',
     208,

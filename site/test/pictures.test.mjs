@@ -6,6 +6,7 @@ import { basename, join } from 'node:path';
 import { after, test } from 'node:test';
 
 import { lacking, startChromium } from '../../wasm/test/support/browsers.js';
+import { drawCard } from '../../tools/card.mjs';
 import { drawPictures, pictures } from '../../tools/pictures.mjs';
 import { contentsOf } from '../markdown.mjs';
 import { isPicture, pages, root, sources, targetOf } from '../pages.mjs';
@@ -47,16 +48,16 @@ test('README has 800 words at most, and what it shows first is less than a megab
 const mostDifference = 1; // of 255, mean over a frame
 
 /** The greatest mean difference of a frame of two moving pictures; Infinity if their frames are not alike. */
-async function differenceOf(browser, ...files) {
+async function differenceOf(browser, type, ...files) {
   const page = await browser.newPage();
   try {
     await page.route('http://localhost/', (route) => route.fulfill({ contentType: 'text/html', body: '' }));
     await page.goto('http://localhost/'); // decoders need an origin that is trusted
     return await page.evaluate(
-      async (files) => {
+      async ({ type, files }) => {
         const frames = async (data) => {
           const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
-          const decoder = new globalThis.ImageDecoder({ data: bytes, type: 'image/webp' });
+          const decoder = new globalThis.ImageDecoder({ data: bytes, type });
           await decoder.tracks.ready;
           const all = [];
           for (let frameIndex = 0; frameIndex < decoder.tracks.selectedTrack.frameCount; ++frameIndex) {
@@ -76,7 +77,7 @@ async function differenceOf(browser, ...files) {
         });
         return Math.max(...differences);
       },
-      files.map((path) => readFileSync(path).toString('base64')),
+      { type, files: files.map((path) => readFileSync(path).toString('base64')) },
     );
   } finally {
     await page.close();
@@ -94,12 +95,24 @@ test('every picture is what the program draws today', async () => {
     if (readFileSync(kept).equals(readFileSync(now))) continue;
     if (name.endsWith('.webp') && !lacking('Chromium')) {
       browser ??= await startChromium();
-      if ((await differenceOf(browser, kept, now)) <= mostDifference) continue;
+      if ((await differenceOf(browser, 'image/webp', kept, now)) <= mostDifference) continue;
     }
     old.push(basename(name));
   }
   await browser?.close();
   assert.deepEqual(old, [], './dev pictures draws them anew; look at them');
+});
+
+test('the card of the studio is drawn of the same plates', { skip: lacking('Chromium') }, async () => {
+  const now = join(folder, 'preview.jpg');
+  await drawCard(now);
+  const browser = await startChromium();
+  try {
+    const difference = await differenceOf(browser, 'image/jpeg', join(root, 'web/public/preview.jpg'), now);
+    assert.ok(difference <= mostDifference, `${difference} of 255; ./dev pictures draws it anew`);
+  } finally {
+    await browser.close();
+  }
 });
 
 test('pictures of guides are small', () => {
