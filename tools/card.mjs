@@ -1,4 +1,4 @@
-// Draws web/public/preview.jpg, the card that messengers show for the studio's address, in Chromium: ./dev pictures.
+// ./dev pictures draws web/public/preview.jpg in Chromium: messengers show it as the card of the studio's address.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -16,7 +16,7 @@ const html = `<style>
   p { position: absolute; left: 56px; bottom: 22px; margin: 0; }
 </style><p>Sillon: pictures in one filament</p>`;
 
-/** Runs in the page: one frame of a moving picture at its place. */
+/** Runs in the page, and puts one frame of a moving picture in its place. */
 async function show({ data, share, left, top, width, height }) {
   const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
   const decoder = new globalThis.ImageDecoder({ data: bytes, type: 'image/webp' });
@@ -30,7 +30,7 @@ async function show({ data, share, left, top, width, height }) {
   document.body.append(canvas);
 }
 
-/** A moving picture, drawn as large as it is shown here. */
+/** Draws a moving picture as large as the card shows it. */
 function drawn(name, width, line) {
   plate(name, width, line).draw(scratch);
   return readFileSync(join(scratch, name)).toString('base64');

@@ -1,5 +1,5 @@
-// Draws every picture of README and docs that comes from the program: ./dev pictures. Pages then show what the program makes
-// today; site/test/pictures.test.mjs fails where a picture is old.
+// ./dev pictures draws every picture of README and docs that comes from the program, so that pages show what it makes today.
+// site/test/pictures.test.mjs fails where a picture is old.
 //   node tools/pictures.mjs [FOLDER]   into docs/pictures, unless another folder is named
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -18,32 +18,32 @@ const run = (program, args) =>
 export const scratch = mkdtempSync(join(tmpdir(), 'sillon-pictures-'));
 process.on('exit', () => rmSync(scratch, { recursive: true, force: true }));
 
-/** Words of a command, and what its plate shows, from the bottom to the top. */
+/** Gives the words of a command, and its layers from the bottom to the top. */
 const args = (line, ...layers) => [
   ...line.split(' '),
   ...layers.flatMap((layer) => ['--layer', JSON.stringify(layer)]),
 ];
 
-/** A preview of a command of sillon: two panels as PNG, a loop of moving light as WebP. */
+/** A command of sillon draws its preview: two panels as PNG, a loop of moving light as WebP. */
 const preview = (name, width, line, ...layers) => ({
   names: [name],
   draw: (folder) =>
     run('sillon', [
       ...args(line, ...layers),
-      ...(line.startsWith('generate') ? [] : ['-o', join(scratch, 'beside.gcode')]), // others write nothing without
+      ...(line.startsWith('generate') ? [] : ['-o', join(scratch, 'beside.gcode')]), // others need an output
       ...['--preview', join(folder, name), '--preview-width', `${width}`],
     ]),
 });
 
 export const plate = (name, width, line, ...layers) => preview(name, width, `generate --quiet ${line}`, ...layers);
 
-/** An SVG [mm] on the ground of previews, so that it can be read on light and on dark pages. */
+/** The ground is that of previews, so that an SVG [mm] can be read on light and on dark pages. */
 const drawing = (width, height, parts, scale = 4) =>
   `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${scale * width}" height="${scale * height}" ` +
   `font-family="sans-serif" font-size="4" text-anchor="middle" fill="#d8d4cc">\n` +
   `<rect width="${width}" height="${height}" fill="#262422"/>\n${parts.join('\n')}\n</svg>\n`;
 
-/** The toolpath of a plate as points, and its page, in twentieths of a millimetre. */
+/** Gives the toolpath of a plate as points, and its page, in twentieths of a millimetre: finer steps are not seen. */
 function pathOf(line) {
   const file = join(scratch, 'path.svg');
   run('sillon', [...args(`generate --quiet ${line}`), '--svg', file]);
@@ -66,7 +66,7 @@ function pathOf(line) {
   return { page, points };
 }
 
-/** Points as path data in relative steps. */
+/** Gives path data in relative steps, which take fewer bytes. */
 const lineOf = (points) =>
   `m${points.map(([x, y], k) => (k === 0 ? `${x} ${y}` : `${x - points[k - 1][0]} ${y - points[k - 1][1]}`)).join(' ')}`.replaceAll(
     ' -',
@@ -75,7 +75,7 @@ const lineOf = (points) =>
 
 const cell = 42; // [mm] of a plate in a row of several
 
-/** Plates in rows, with a word below each.
+/** Plates stand in rows, with a word below each.
  * @param inside  gives what is drawn of a path's points @param scale  pixels of a millimetre */
 const row = (name, columns, plates, inside, scale) => ({
   names: [name],
@@ -95,7 +95,7 @@ const row = (name, columns, plates, inside, scale) => ({
 
 const inGold = (points) => `<path d="${lineOf(points)}z" stroke="#e0b060" stroke-width="15"/>`;
 
-/** Once through the colours of the rainbow, from the beginning of the path to its end. */
+/** Colours go through the rainbow once, from the beginning of the path to its end. */
 function inOrder(points) {
   const pieces = 90;
   const ways = [0];
@@ -108,7 +108,7 @@ function inOrder(points) {
   }).join('\n');
 }
 
-/** Zones as they lie on the top of their body, hatched as a slicer lays its lines. */
+/** Zones lie on the top of their body, and are hatched as a slicer lays its lines. */
 const zones = (name, side, line, ...layers) => ({
   names: [name],
   draw(folder) {
@@ -138,7 +138,7 @@ const zones = (name, side, line, ...layers) => ({
     for (const [, first, last, settings] of volumes) {
       const angle = /key="fill_angle" value="([^"]+)"/.exec(settings)?.[1];
       if (angle === undefined) {
-        // The body: zones reach beyond it.
+        // This is the body, and zones reach beyond it.
         drawn.unshift(`<clipPath id="body"><path d="${topOf(first, last)}"/></clipPath>`, '<g clip-path="url(#body)">');
         continue;
       }
@@ -169,7 +169,7 @@ const rings = { kind: 'pattern', angle: 90 };
 const whirl = { kind: 'pattern', pattern: 'spiral', waveLength: 40 };
 
 export const pictures = [
-  // README
+  // README shows these.
   plate('sun-moon.webp', 330, sunMoon),
   plate('wave.webp', 490, wave),
   plate(
@@ -186,7 +186,7 @@ export const pictures = [
   }),
   preview('rebrush.webp', 208, 'rebrush examples/lid.gcode --spool clearPetg', whirl),
   plate('two-lamps.webp', 208, two('star.png', 'heart.png')),
-  // Guides
+  // Guides show these.
   ...['name-sign', 'logo-coaster', 'photo-ring', 'keychain', 'qr-frame'].map((name) =>
     plate(`layers-${name}.png`, 200, `examples/${name}.json`),
   ),
@@ -222,7 +222,7 @@ export const pictures = [
     names: ['coupon-photograph.jpg'],
     draw: (folder) => run('sillon_bench', ['photograph', join(folder, 'coupon-photograph.jpg')]),
   },
-  // Internals
+  // Pages of internals show these.
   row(
     'even-shine.svg',
     2,

@@ -21,7 +21,7 @@ const run = async (line, cwd = root) => {
   return stdout + stderr;
 };
 
-/** A folder with the parts of the source that the pages' commands name, as a stranger finds it; what they write stays in it. */
+/** Each page gets a folder with the parts of the source that its commands name, as a stranger finds them. */
 const folders = [];
 const freshFolder = () => {
   const folder = mkdtempSync(join(tmpdir(), 'sillon-docs-'));

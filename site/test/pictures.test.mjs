@@ -44,10 +44,10 @@ test('README has 800 words at most, and what it shows first is less than a megab
   assert.ok(bytes < mostBytes.readme, `${bytes} bytes`);
 });
 
-/** Pictures that are compressed with losses are compared as they are seen: libwebp's versions write other bytes. */
+/** Moving pictures are compared as they are seen, because each version of libwebp writes other bytes. */
 const mostDifference = 1; // of 255, mean over a frame
 
-/** The greatest mean difference of a frame of two moving pictures; Infinity if their frames are not alike. */
+/** Gives the greatest mean difference of a frame; Infinity if the pictures have not the same frames. */
 async function differenceOf(browser, type, ...files) {
   const page = await browser.newPage();
   try {
