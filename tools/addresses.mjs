@@ -62,11 +62,12 @@ function between(text, name, inside) {
 }
 
 function readme(text, addresses) {
-  const { studio, documentation, downloads, source } = linksOf(addresses);
+  const { studio, downloads, source } = linksOf(addresses);
   const link = (words, address) => (address === '' ? [] : [`[${words}](${address})`]);
   const first = [
     ...link('**Open the studio**', studio),
-    ...link('Documentation', documentation),
+    ...link('Gallery', studio === '' ? '' : `${studio}gallery/`),
+    ...link('Tests', source === '' ? '' : `${source}/actions/workflows/ci.yml`),
     ...link('Downloads', downloads),
     ...(addresses.package === '' ? [] : [`[\`npm install sillon\`](${addresses.package})`]),
   ];

@@ -50,10 +50,9 @@ Made makeScene(const fs::path& path, const std::string& preset = "standard") {
 
 TEST_CASE("published scenes become one simple toolpath per part, without spill and with the figures of the README") {
   const fs::path folder = scenesFolder();
-  const std::map<std::string, Figures> figures = {{"brain", {-0.938, 96.5, 0.6}},
-                                                  {"wave", {-0.966, 97.8, 0.5}},
-                                                  {"tiles_square", {-0.972, 98.4, 0.6}},
-                                                  {"teaser", {0, 98.0, 0.6}}};
+  const std::map<std::string, Figures> figures = {
+      {"brain", {-0.938, 96.5, 0.6}}, {"wave", {-0.966, 97.8, 0.5}},   {"tiles_square", {-0.972, 98.4, 0.6}},
+      {"teaser", {0, 98.0, 0.6}},     {"people", {-0.936, 97.3, 0.6}}, {"ani_to_iso", {-0.957, 97.8, 0.6}}};
   std::vector<fs::path> scenes;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".json") scenes.push_back(entry.path());
