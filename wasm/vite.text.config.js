@@ -1,4 +1,4 @@
-// Builds dist/engine/text.js, one file with HarfBuzz's glue and the maker of QR codes in it. HarfBuzz would fetch its module
+// Builds dist/engine/text.js, one file with HarfBuzz's glue and the maker of QR codes in it, and unpack-font.js. HarfBuzz would fetch its module
 // while it is imported, from an address that bundlers do not follow; here start(wasm) takes it, and may be called again.
 import { copyFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -40,7 +40,11 @@ export default {
     outDir: at('dist/engine'),
     emptyOutDir: false,
     target: 'es2022',
-    lib: { entry: at('src/text/text.ts'), formats: ['es'], fileName: () => 'text.js' },
+    lib: {
+      entry: { text: at('src/text/text.ts'), 'unpack-font': at('src/text/unpack-font.ts') },
+      formats: ['es'],
+      fileName: (_, name) => `${name}.js`,
+    },
     rollupOptions: { external: ['module', 'fs', 'path', 'url'] },
   },
 };

@@ -220,6 +220,36 @@ TEST_CASE("a variable font is as heavy as asked") {
   CHECK(textShape(plain, kNoFiles).value() == textShape(heavy, kNoFiles).value());
 }
 
+TEST_CASE("web fonts are the fonts inside them, or refused") {
+  const auto fileOf = [](const std::string& name) {
+    std::ifstream file(SILLON_SOURCE_DIR "/tests/fuzz/seeds/font/" + name, std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  };
+  const auto shaped = [](const std::string& bytes) {
+    const ReadInput read = [&](const std::string&, const std::string&) { return Result<InputFile>(InputFile(bytes)); };
+    return textShape({"fiAV\u00c9H", "own", 7}, read);
+  };
+  const auto plain = shaped(fileOf("kerned.ttf"));
+  REQUIRE(plain.ok());
+  for (const char* name : {"kerned.woff", "kerned.woff2"}) {
+    CAPTURE(name);
+    const std::string bytes = fileOf(name);
+    const auto packed = shaped(bytes);
+    REQUIRE(packed.ok());
+    CHECK(packed.value() == plain.value());
+    for (std::size_t size = 4; size < bytes.size(); ++size) {
+      const auto cut = shaped(bytes.substr(0, size));
+      if (!cut) CHECK(cut.error().message.find("plain or packed") != std::string::npos);
+    }
+    CHECK_FALSE(shaped(bytes.substr(0, bytes.size() / 2)).ok());
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+      std::string other = bytes;
+      other[at] = static_cast<char>(~other[at]);
+      (void)shaped(other);  // it ends
+    }
+  }
+}
+
 TEST_CASE("a name that is no font's is refused with those that there are") {
   for (const char* name : {"Arial", "nunito"}) {
     const auto line = shapeLine(kNoFiles, name, "A");

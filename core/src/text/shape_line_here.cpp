@@ -23,6 +23,7 @@
 #include "text/fonts.hpp"
 #include "text/letters.hpp"
 #include "text/text_runs.hpp"
+#include "text/unpack_font.hpp"
 
 namespace sillon {
 namespace {
@@ -375,7 +376,9 @@ Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, con
     if (!given) return isFontFile(font) ? given.error() : unknownFont(font);
     auto* content = std::get_if<std::string>(&given.value());
     if (content == nullptr) return noFont(font);
-    file = std::move(*content);
+    std::optional<std::string> unpacked = unpackedFont(std::move(*content));
+    if (!unpacked) return noFont(font);
+    file = std::move(*unpacked);
     bytes = file;
   }
   std::optional<OpenFont> own = opened(font, *bytes, weight);
