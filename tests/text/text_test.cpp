@@ -250,6 +250,24 @@ TEST_CASE("web fonts are the fonts inside them, or refused") {
   }
 }
 
+TEST_CASE("a letter of a font in colour is the union of its parts") {
+  const auto outlineOf = [](const std::string& name) {
+    std::ifstream file(SILLON_SOURCE_DIR "/tests/fuzz/seeds/font/" + name, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const ReadInput read = [&](const std::string&, const std::string&) { return Result<InputFile>(InputFile(bytes)); };
+    const ShapedLine line = shapeLine(read, "own.ttf", "H").value();
+    CHECK(line.lacked.empty());
+    return line.outlines.at(line.letters.at(0).outline);
+  };
+  const std::string bars =
+      "M0.0 0.0 L0.0 700.0 L150.0 700.0 L150.0 0.0 L0.0 0.0 ZM450.0 0.0 L450.0 700.0 L600.0 700.0 L600.0 0.0 L450.0 "
+      "0.0 "
+      "ZM0.0 280.0 L0.0 420.0 L600.0 420.0 L600.0 280.0 L0.0 280.0 Z";
+  CHECK(outlineOf("layers.ttf") == bars);
+  // A square of 100 units, half as high again and moved.
+  CHECK(outlineOf("painted.ttf") == bars + "M250.0 500.0 L250.0 650.0 L350.0 650.0 L350.0 500.0 L250.0 500.0 Z");
+}
+
 TEST_CASE("a name that is no font's is refused with those that there are") {
   for (const char* name : {"Arial", "nunito"}) {
     const auto line = shapeLine(kNoFiles, name, "A");

@@ -83,6 +83,15 @@ test('web fonts make the plate of the fonts inside them everywhere, and damaged 
   }
 });
 
+test('letters of fonts in colour are the same everywhere', async () => {
+  for (const name of ['layers.ttf', 'painted.ttf']) {
+    copyFileSync(join(root, 'tests/fuzz/seeds/font', name), join(folder, name));
+    const { native, here } = await both(name, 'HT');
+    assert.match(native, /^[0-9a-f]+$/);
+    assert.equal(here, native, name);
+  }
+});
+
 test('a font that makes of each letter as many as it can is one thing everywhere', async () => {
   copyFileSync(join(root, 'tests/fuzz/seeds/font/growing.ttf'), join(folder, 'growing.ttf'));
   for (const text of ['A', 'HAB', 'A'.repeat(40)]) {
