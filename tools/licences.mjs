@@ -165,7 +165,7 @@ const fonts = () =>
       return part(`font ${name.replace('-LICENSE.txt', '')}`, licence, text);
     });
 
-/** In dist/engine/text.js and unpack-font.js, which hold them though they are no dependencies of the package. */
+/** In dist/engine/text.js and unpack.js, which hold them though they are no dependencies of the package. */
 const textPackages = ['bidi-js', 'fflate', 'harfbuzzjs', 'nayuki-qr-code-generator', 'woff2-encoder'];
 const onlyNamed = (names) => npmPackages(names).filter(({ name }) => names.includes(name));
 

@@ -1,4 +1,4 @@
-// Builds dist/engine/text.js, one file with HarfBuzz's glue and the maker of QR codes in it, and unpack-font.js. HarfBuzz would fetch its module
+// Builds dist/engine/text.js, one file with HarfBuzz's glue and the maker of QR codes in it, and unpack.js. HarfBuzz would fetch its module
 // while it is imported, from an address that bundlers do not follow; here start(wasm) takes it, and may be called again.
 import { copyFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -41,7 +41,7 @@ export default {
     emptyOutDir: false,
     target: 'es2022',
     lib: {
-      entry: { text: at('src/text/text.ts'), 'unpack-font': at('src/text/unpack-font.ts') },
+      entry: { text: at('src/text/text.ts'), unpack: at('src/text/unpack.ts') },
       formats: ['es'],
       fileName: (_, name) => `${name}.js`,
     },

@@ -6,13 +6,11 @@ import { workerData, type MessagePort } from 'node:worker_threads';
 import { messageOf } from './errors.js';
 import { fontFiles } from './fonts.js';
 import { lettersOf } from './letter-names.js';
-import { isPackedFont } from './packed-font.js';
 import type { FontFile, Shaped } from './text/text.js';
 
 const engine = (name: string): string => fileURLToPath(new URL(`./engine/${name}`, import.meta.url));
 
 type Tools = typeof import('./text/text.js');
-type Unpacking = typeof import('./text/unpack-font.js');
 
 /** Port and flag that the thread that asks shares with this one. */
 export interface Asking {
@@ -24,13 +22,8 @@ export type Answer = { made: string } | { problem: string };
 
 const script = (name: string): string => new URL(`./engine/${name}`, import.meta.url).href;
 
-async function unpacked(bytes: Uint8Array): Promise<Uint8Array> {
-  if (!isPackedFont(bytes)) return bytes;
-  return ((await import(script('unpack-font.js'))) as Unpacking).unpackedFont(bytes);
-}
-
 async function maker(): Promise<(name: string) => Promise<string>> {
-  const { start, shapeLine, qrModules } = (await import(script('text.js'))) as Tools;
+  const { start, plainFont, shapeLine, qrModules } = (await import(script('text.js'))) as Tools;
   await start(() => readFile(engine('harfbuzz.wasm')));
 
   const fonts = new Map<string, FontFile>();
@@ -39,7 +32,8 @@ async function maker(): Promise<(name: string) => Promise<string>> {
     if (font !== undefined) return font;
     const file = fontFiles.get(name);
     try {
-      font = { name, bytes: await unpacked(readFileSync(file === undefined ? name : engine(file))) };
+      const bytes = readFileSync(file === undefined ? name : engine(file));
+      font = { name, bytes: await plainFont(bytes, script('unpack.js')) };
     } catch {
       font = { name, bytes: new Uint8Array() }; // no font, as the program then says
     }

@@ -10,7 +10,7 @@ export interface EngineFiles {
   mt: ModuleFiles & { threadScript: string };
   text: ModuleFiles;
   /** What unpacks web fonts. */
-  unpackFont: string;
+  unpack: string;
   /** By the names of their files. */
   fonts: Record<string, string>;
 }

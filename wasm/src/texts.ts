@@ -5,20 +5,9 @@ import { fontFiles } from './fonts.js';
 import type { Platform } from './platform.js';
 import type { EngineFiles, Files } from './protocol.js';
 import { lettersOf, nameOf } from './letter-names.js';
-import { isPackedFont } from './packed-font.js';
 import type { FontFile } from './text/text.js';
 
 type Tools = typeof import('./text/text.js');
-type Unpacking = typeof import('./text/unpack-font.js');
-
-/** @throws SillonError LoadFailed */
-async function load<T>(script: string): Promise<T> {
-  try {
-    return (await import(/* @vite-ignore */ /* webpackIgnore: true */ script)) as T;
-  } catch (problem) {
-    throw new SillonError('LoadFailed', `${script} could not be started: ${messageOf(problem)}`);
-  }
-}
 
 /** The fields of a layer or a shape that are read here. */
 interface Lettering {
@@ -161,27 +150,19 @@ export class Texts {
     }
     const given = files[font];
     const value = given?.value;
-    if (given === undefined || !(value instanceof Blob || value instanceof Uint8Array)) return undefined;
-    const key = value instanceof Blob ? value : given;
+    if (!(value instanceof Blob || value instanceof Uint8Array)) return undefined;
+    const key = value instanceof Blob ? value : (given as object);
     let bytes = this.#ownFonts.get(key);
-    if (bytes === undefined) {
-      bytes = this.#unpacked(value);
-      bytes.catch(() => this.#ownFonts.delete(key)); // the next call tries again
-      this.#ownFonts.set(key, bytes);
-    }
+    if (bytes === undefined)
+      this.#ownFonts.set(key, (bytes = this.#start().then((tools) => tools.plainFont(value, this.#files.unpack))));
+    bytes.catch(() => this.#ownFonts.delete(key)); // the next call tries again
     return bytes;
-  }
-
-  async #unpacked(file: Blob | Uint8Array): Promise<Uint8Array> {
-    const bytes = file instanceof Blob ? new Uint8Array(await file.arrayBuffer()) : file.subarray();
-    if (!isPackedFont(bytes)) return bytes;
-    return (await load<Unpacking>(this.#files.unpackFont)).unpackedFont(bytes);
   }
 
   async #start(): Promise<Tools> {
     const { script, wasm } = this.#files.text;
-    const tools = await load<Tools>(script);
     try {
+      const tools = (await import(/* @vite-ignore */ /* webpackIgnore: true */ script)) as Tools;
       await tools.start(() => this.#platform.read(wasm));
       return tools;
     } catch (problem) {

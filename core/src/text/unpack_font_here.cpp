@@ -1,5 +1,5 @@
 // Unpacks web fonts: https://www.w3.org/TR/WOFF/ and https://www.w3.org/TR/WOFF2/. Engines in browsers have
-// wasm/src/text/unpack-font.ts instead.
+// wasm/src/text/unpack.ts instead.
 #include <brotli/decode.h>
 
 #include <algorithm>

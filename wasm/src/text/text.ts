@@ -309,6 +309,17 @@ class LineSetter {
   }
 }
 
+type Unpacking = typeof import('./unpack.js');
+
+/** The bytes of a font; of a web font, wOFF or wOF2, those inside it: none where it is damaged.
+ * @param script  address of unpack.js, which only web fonts load */
+export async function plainFont(file: Blob | Uint8Array, script: string): Promise<Uint8Array> {
+  const bytes = file instanceof Blob ? new Uint8Array(await file.arrayBuffer()) : file.subarray();
+  if (!/^wOF[F2]/.test(String.fromCharCode(...bytes.subarray(0, 4)))) return bytes;
+  const { unpackedFont } = (await import(/* @vite-ignore */ script)) as Unpacking;
+  return unpackedFont(bytes);
+}
+
 export interface FontFile {
   name: string;
   bytes: Uint8Array;

@@ -1,5 +1,5 @@
 // Web fonts as they were before they were packed: core/src/text/unpack_font_here.cpp does the same. Built into one file of its
-// own (dist/engine/unpack-font.js), which only such a font loads.
+// own (dist/engine/unpack.js), which only such a font loads.
 import { unzlibSync } from 'fflate';
 import unpackedWoff2 from 'woff2-encoder/decompress';
 
