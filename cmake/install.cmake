@@ -21,7 +21,7 @@ install(FILES ${PROJECT_BINARY_DIR}/sillonConfig.cmake ${PROJECT_BINARY_DIR}/sil
 file(RELATIVE_PATH SILLON_PC_TO_PREFIX /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 set(SILLON_PC_PRIVATE "")
 if(SILLON_TEXT)
-  set(SILLON_PC_PRIVATE "-lqrcodegencpp -licuuc -licudata")
+  set(SILLON_PC_PRIVATE "-lqrcodegencpp -licuuc -licudata -lbrotlidec -lbrotlicommon")
   if(NOT SILLON_HARFBUZZ_INSIDE)
     string(PREPEND SILLON_PC_PRIVATE "-lharfbuzz ")
   endif()

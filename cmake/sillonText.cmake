@@ -1,5 +1,5 @@
 # The target sillon::text: HarfBuzz, which shapes letters, where it is no part of the library (SILLON_HARFBUZZ_INSIDE), ICU,
-# which orders the runs of a line, and libqrcodegen, which makes QR codes. Packages of vcpkg bring CMake files; Debian's do not.
+# which orders the runs of a line, Brotli, which unpacks web fonts, and libqrcodegen, which makes QR codes. Packages of vcpkg bring CMake files; Debian's do not.
 if(NOT TARGET sillon::text)
   add_library(sillon::text INTERFACE IMPORTED GLOBAL)
 
@@ -33,6 +33,11 @@ if(NOT TARGET sillon::text)
   endif()
   sillon_text_library(nayuki-qr-code-generator nayuki-qr-code-generator::nayuki-qr-code-generator qrcodegen.hpp qrcodegencpp
                       qrcodegen nayuki-qr-code-generator)
+  sillon_text_library(unofficial-brotli unofficial::brotli::brotlidec brotli/decode.h brotlidec)
+  if(NOT TARGET unofficial::brotli::brotlidec)
+    sillon_text_archive(brotlicommon_library brotlicommon)
+    target_link_libraries(sillon::text INTERFACE ${brotlicommon_library})
+  endif()
   # Archives of ICU give a program of ours what it asks for, 0.2 MB, and it needs none of the 31 MB of data. CMake's own module finds
   # ICU, and its targets would be unknown outside this folder.
   function(sillon_text_icu)

@@ -73,7 +73,7 @@ function harfbuzz() {
 }
 
 /** What shapes texts and makes codes and moving pictures natively; JavaScript packages of their own do it elsewhere. */
-const nativeLibraries = ['harfbuzz', 'icu', 'libwebp', 'nayuki-qr-code-generator'];
+const nativeLibraries = ['brotli', 'harfbuzz', 'icu', 'libwebp', 'nayuki-qr-code-generator'];
 
 function libraries({ program, native = false }) {
   const { dependencies, features } = JSON.parse(read(at('vcpkg.json')));
@@ -131,6 +131,14 @@ const within = {
   '@jsquash/webp': ['codec/LICENSE.codec.md'],
 };
 
+/** Holders of MIT licences of libraries inside a package, which names none of them. */
+const holders = {
+  'woff2-encoder': [
+    'Copyright (c) 2013-2017 by the WOFF2 Authors.',
+    'Copyright (c) 2009, 2010, 2013-2016 by the Brotli Authors.',
+  ],
+};
+
 function npmPackages(more = []) {
   const { packages } = JSON.parse(read(at('package-lock.json')));
   return Object.entries(packages)
@@ -141,7 +149,8 @@ function npmPackages(more = []) {
       const purl = `pkg:npm/${name.replace('@', '%40')}@${version}`;
       const own = file ? read(at(join(path, file))) : elsewhere[name]?.();
       const inside = (within[name] ?? []).map((one) => read(at(join(path, one))));
-      return part(name, license, [own, ...inside].filter(Boolean).join('\n\n'), { version, purl });
+      const known = (holders[name] ?? []).map(mit);
+      return part(name, license, [own, ...inside, ...known].filter(Boolean).join('\n\n'), { version, purl });
     });
 }
 
@@ -156,8 +165,8 @@ const fonts = () =>
       return part(`font ${name.replace('-LICENSE.txt', '')}`, licence, text);
     });
 
-/** In dist/engine/text.js, which holds them though they are no dependencies of the package. */
-const textPackages = ['bidi-js', 'harfbuzzjs', 'nayuki-qr-code-generator'];
+/** In dist/engine/text.js and unpack.js, which hold them though they are no dependencies of the package. */
+const textPackages = ['bidi-js', 'fflate', 'harfbuzzjs', 'nayuki-qr-code-generator', 'woff2-encoder'];
 const onlyNamed = (names) => npmPackages(names).filter(({ name }) => names.includes(name));
 
 // --- Products --------------------------------------------------------------------------------------------------------------

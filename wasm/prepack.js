@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 const folder = dirname(fileURLToPath(import.meta.url));
 const { files } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
 const engines = ['st', 'mt'].flatMap((name) => [`dist/engine/sillon-${name}.js`, `dist/engine/sillon-${name}.wasm`]);
-const texts = ['dist/engine/text.js', 'dist/engine/harfbuzz.wasm', 'dist/engine/nunito.ttf'];
+const texts = ['dist/engine/text.js', 'dist/engine/harfbuzz.wasm', 'dist/engine/unpack.js', 'dist/engine/nunito.ttf'];
 const program = ['dist/sillon.js', 'dist/cli/sillon.cjs', 'dist/cli/sillon.wasm'];
 const elements = ['dist/elements/sillon-studio.js', 'dist/elements/sillon-view.js'];
 const missing = [...files, ...engines, ...texts, ...program, ...elements].filter((name) => {

@@ -1355,6 +1355,8 @@ export type ErrorReason =
   | 'MissingLetter'
   /** A text: `letter` of which its `font` has a picture alone. */
   | 'PictureLetter'
+  /** A printer's file: `count` printers of which none is chosen, and their `names` in quotes. */
+  | 'WhichPrinter'
   /** Oriented layers lie on the bed, where no rim can stand: `rim` [layers]. */
   | 'RimBelow'
   /** More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at which it would do,

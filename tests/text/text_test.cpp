@@ -220,6 +220,54 @@ TEST_CASE("a variable font is as heavy as asked") {
   CHECK(textShape(plain, kNoFiles).value() == textShape(heavy, kNoFiles).value());
 }
 
+TEST_CASE("web fonts are the fonts inside them, or refused") {
+  const auto fileOf = [](const std::string& name) {
+    std::ifstream file(SILLON_SOURCE_DIR "/tests/fuzz/seeds/font/" + name, std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  };
+  const auto shaped = [](const std::string& bytes) {
+    const ReadInput read = [&](const std::string&, const std::string&) { return Result<InputFile>(InputFile(bytes)); };
+    return textShape({"fiAV\u00c9H", "own", 7}, read);
+  };
+  const auto plain = shaped(fileOf("kerned.ttf"));
+  REQUIRE(plain.ok());
+  for (const char* name : {"kerned.woff", "kerned.woff2"}) {
+    CAPTURE(name);
+    const std::string bytes = fileOf(name);
+    const auto packed = shaped(bytes);
+    REQUIRE(packed.ok());
+    CHECK(packed.value() == plain.value());
+    for (std::size_t size = 4; size < bytes.size(); ++size) {
+      const auto cut = shaped(bytes.substr(0, size));
+      if (!cut) CHECK(cut.error().message.find("plain or packed") != std::string::npos);
+    }
+    CHECK_FALSE(shaped(bytes.substr(0, bytes.size() / 2)).ok());
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+      std::string other = bytes;
+      other[at] = static_cast<char>(~other[at]);
+      (void)shaped(other);  // it ends
+    }
+  }
+}
+
+TEST_CASE("a letter of a font in colour is the union of its parts") {
+  const auto outlineOf = [](const std::string& name) {
+    std::ifstream file(SILLON_SOURCE_DIR "/tests/fuzz/seeds/font/" + name, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const ReadInput read = [&](const std::string&, const std::string&) { return Result<InputFile>(InputFile(bytes)); };
+    const ShapedLine line = shapeLine(read, "own.ttf", "H").value();
+    CHECK(line.lacked.empty());
+    return line.outlines.at(line.letters.at(0).outline);
+  };
+  const std::string bars =
+      "M0.0 0.0 L0.0 700.0 L150.0 700.0 L150.0 0.0 L0.0 0.0 ZM450.0 0.0 L450.0 700.0 L600.0 700.0 L600.0 0.0 L450.0 "
+      "0.0 "
+      "ZM0.0 280.0 L0.0 420.0 L600.0 420.0 L600.0 280.0 L0.0 280.0 Z";
+  CHECK(outlineOf("layers.ttf") == bars);
+  // A square of 100 units, half as high again and moved.
+  CHECK(outlineOf("painted.ttf") == bars + "M250.0 500.0 L250.0 650.0 L350.0 650.0 L350.0 500.0 L250.0 500.0 Z");
+}
+
 TEST_CASE("a name that is no font's is refused with those that there are") {
   for (const char* name : {"Arial", "nunito"}) {
     const auto line = shapeLine(kNoFiles, name, "A");

@@ -20,35 +20,38 @@ export interface Asking {
 }
 export type Answer = { made: string } | { problem: string };
 
-async function maker(): Promise<(name: string) => string> {
-  const script = new URL('./engine/text.js', import.meta.url).href;
-  const { start, shapeLine, qrModules } = (await import(script)) as Tools;
+const script = (name: string): string => new URL(`./engine/${name}`, import.meta.url).href;
+
+async function maker(): Promise<(name: string) => Promise<string>> {
+  const { start, plainFont, shapeLine, qrModules } = (await import(script('text.js'))) as Tools;
   await start(() => readFile(engine('harfbuzz.wasm')));
 
   const fonts = new Map<string, FontFile>();
-  const fontOf = (name: string): FontFile => {
+  const fontOf = async (name: string): Promise<FontFile> => {
     let font = fonts.get(name);
     if (font !== undefined) return font;
     const file = fontFiles.get(name);
     try {
-      font = { name, bytes: readFileSync(file === undefined ? name : engine(file)) };
+      const bytes = readFileSync(file === undefined ? name : engine(file));
+      font = { name, bytes: await plainFont(bytes, script('unpack.js')) };
     } catch {
       font = { name, bytes: new Uint8Array() }; // no font, as the program then says
     }
     fonts.set(name, font);
     return font;
   };
-  const shaped = (key: string, line: string): Shaped => {
+  const shaped = async (key: string, line: string): Promise<Shaped> => {
     const [font = '', weight = 0] = key.split('\t');
-    const file = { ...fontOf(font), weight: +weight };
+    const file = { ...(await fontOf(font)), weight: +weight };
     const own = shapeLine(line, file);
+    if (own.lacks !== true) return own;
     const others = [...fontFiles.keys()].filter((name) => name !== font);
-    return own.lacks === true ? shapeLine(line, file, others.map(fontOf)) : own;
+    return shapeLine(line, file, await Promise.all(others.map(fontOf)));
   };
   /** @param name  as core/src/text asks for it */
-  return (name) => {
+  return async (name) => {
     const { kind, key, text } = lettersOf(name);
-    if (kind === 'line') return JSON.stringify(shaped(key, text));
+    if (kind === 'line') return JSON.stringify(await shaped(key, text));
     const code = qrModules(text, key as Parameters<typeof qrModules>[1]);
     return code === undefined
       ? ''
@@ -61,7 +64,7 @@ let make: ReturnType<typeof maker> | undefined;
 
 async function answer(name: string): Promise<Answer> {
   try {
-    return { made: (await (make ??= maker()))(name) };
+    return { made: await (await (make ??= maker()))(name) };
   } catch (problem) {
     return { problem: messageOf(problem) };
   }

@@ -49,6 +49,7 @@ function ownFiles(): EngineFiles {
         script: new URL('./engine/text.js', import.meta.url).href,
         wasm: new URL('./engine/harfbuzz.wasm', import.meta.url).href,
       },
+      unpack: new URL('./engine/unpack.js', import.meta.url).href,
       fonts: {
         'nunito.ttf': new URL('./engine/nunito.ttf', import.meta.url).href,
         'bebas-neue.ttf': new URL('./engine/bebas-neue.ttf', import.meta.url).href,

@@ -28,6 +28,7 @@ export const filesIn = (at: (name: string) => string): EngineFiles => ({
   st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
   mt: { script: at('sillon-mt.js'), wasm: at('sillon-mt.wasm'), threadScript: at('sillon-mt.worker.js') },
   text: { script: at('text.js'), wasm: at('harfbuzz.wasm') },
+  unpack: at('unpack.js'),
   fonts: Object.fromEntries(Array.from(fontFiles.values(), (name) => [name, at(name)])),
 });
 

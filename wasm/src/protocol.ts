@@ -9,6 +9,8 @@ export interface EngineFiles {
   st: ModuleFiles;
   mt: ModuleFiles & { threadScript: string };
   text: ModuleFiles;
+  /** What unpacks web fonts. */
+  unpack: string;
   /** By the names of their files. */
   fonts: Record<string, string>;
 }

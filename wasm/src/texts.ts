@@ -150,16 +150,12 @@ export class Texts {
     }
     const given = files[font];
     const value = given?.value;
-    if (given === undefined || !(value instanceof Blob || value instanceof Uint8Array)) return undefined;
-    const key = value instanceof Blob ? value : given;
+    if (!(value instanceof Blob || value instanceof Uint8Array)) return undefined;
+    const key = value instanceof Blob ? value : (given as object);
     let bytes = this.#ownFonts.get(key);
-    if (bytes === undefined) {
-      bytes =
-        value instanceof Blob
-          ? value.arrayBuffer().then((all) => new Uint8Array(all))
-          : Promise.resolve(value.subarray());
-      this.#ownFonts.set(key, bytes);
-    }
+    if (bytes === undefined)
+      this.#ownFonts.set(key, (bytes = this.#start().then((tools) => tools.plainFont(value, this.#files.unpack))));
+    bytes.catch(() => this.#ownFonts.delete(key)); // the next call tries again
     return bytes;
   }
 

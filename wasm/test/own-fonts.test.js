@@ -70,6 +70,28 @@ for (const [name, text] of Object.entries(brought)) {
   });
 }
 
+test('web fonts make the plate of the fonts inside them everywhere, and damaged ones none', async () => {
+  const seeds = join(root, 'tests/fuzz/seeds/font');
+  for (const name of ['kerned.ttf', 'kerned.woff', 'kerned.woff2']) copyFileSync(join(seeds, name), join(folder, name));
+  const plain = await both('kerned.ttf', 'fiAV HÉ');
+  for (const name of ['kerned.woff', 'kerned.woff2']) {
+    assert.deepEqual(await both(name, 'fiAV HÉ'), { native: plain.native, here: plain.native }, name);
+    writeFileSync(join(folder, `cut-${name}`), readFileSync(join(seeds, name)).subarray(0, 900));
+    const { native, here } = await both(`cut-${name}`, 'A');
+    assert.match(native, /is no font/);
+    assert.equal(here, native, name);
+  }
+});
+
+test('letters of fonts in colour are the same everywhere', async () => {
+  for (const name of ['layers.ttf', 'painted.ttf']) {
+    copyFileSync(join(root, 'tests/fuzz/seeds/font', name), join(folder, name));
+    const { native, here } = await both(name, 'HT');
+    assert.match(native, /^[0-9a-f]+$/);
+    assert.equal(here, native, name);
+  }
+});
+
 test('a font that makes of each letter as many as it can is one thing everywhere', async () => {
   copyFileSync(join(root, 'tests/fuzz/seeds/font/growing.ttf'), join(folder, 'growing.ttf'));
   for (const text of ['A', 'HAB', 'A'.repeat(40)]) {

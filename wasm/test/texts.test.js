@@ -79,6 +79,7 @@ test('an error of the library is told with the font, and the next call starts it
     export let started = 0, forgotten = 0;
     export const start = () => void (started = Math.max(started, forgotten + 1));
     export const forget = () => void ++forgotten;
+    export const plainFont = (file) => file.arrayBuffer().then((bytes) => new Uint8Array(bytes));
     export const shapeLine = (line) => {
       if (line === 'B') throw new RangeError('memory access out of bounds');
       return { started };

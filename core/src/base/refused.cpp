@@ -28,6 +28,7 @@ constexpr Sentence kReasons[] = {
     {reason::kMissingLetter, "no font has a letter for {letter}; take a font that has it, or leave it out"},
     {reason::kPictureLetter,
      "the font {font} has {letter} only as a picture; take a font that has its outline, or leave it out"},
+    {reason::kWhichPrinter, "the file has {count} printers, and none is chosen; name one of {names}"},
     {reason::kRimBelow,
      "print.rim is {rim}, but what shows lies on the bed; print.showSide must be up for a rim, or print.rim 0"},
     {reason::kLinesNumbered, "its lines are numbered, as hosts send them; take the file that the slicer wrote"},

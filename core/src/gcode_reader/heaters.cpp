@@ -36,7 +36,7 @@ std::vector<int> Heaters::otherHotTools(int tool) const {
   return hot;
 }
 
-void Heaters::run(const GcodeCommand& command, const GcodeWords& words, int tool) {
+void Heaters::run(const GcodeCommand& command, const GcodeWords& words, int tool, bool klipper) {
   if (command.letter == 0) return runNamed(command);
   if (command.is('M', 116)) {  // waits for all
     std::for_each(nozzles_.begin(), nozzles_.end(), await);
@@ -58,10 +58,11 @@ void Heaters::run(const GcodeCommand& command, const GcodeWords& words, int tool
     return tell(toIndex(words.at(letter)));
   };
   if (command.is('M', 568) && words.has('A') && words.at('A') < 1) return ask(heater(), 0);
-  const char degrees = words.has('S') || ofTool ? 'S' : 'R';
-  if (!words.has(degrees)) return;
+  const bool off = klipper && (nozzle || bed);  // without S, as Klipper reads no R
+  const char degrees = words.has('S') || ofTool || off ? 'S' : 'R';
+  if (!words.has(degrees) && !off) return;
   Heater& told = heater();
-  ask(told, std::max(0.0, words.at(degrees)));
+  ask(told, words.has(degrees) ? std::max(0.0, words.at(degrees)) : 0.0);
   if (command.code == 109 || command.code == 190 || command.code == 191) await(told);
 }
 

@@ -56,8 +56,8 @@ class Heaters {
  public:
   /// Runs M104, M109, M140, M190, M141, M191, RepRapFirmware's G10, M568 and M116, and Klipper's TURN_OFF_HEATERS,
   /// SET_HEATER_TEMPERATURE and TEMPERATURE_WAIT; others change nothing. Less than 0 degrees switch off.
-  /// \param tool  the current one.
-  void run(const GcodeCommand& command, const GcodeWords& words, int tool);
+  /// \param tool  the current one. \param klipper  which reads S alone: heaters that are told without it go off.
+  void run(const GcodeCommand& command, const GcodeWords& words, int tool, bool klipper);
 
   /// For what heats in ways of its own, as start macros do.
   void setNozzle(double degrees) { tell(told_) = {degrees, degrees}; }

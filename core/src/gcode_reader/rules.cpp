@@ -232,7 +232,7 @@ void Rules::run(const GcodeCommand& command, const GcodeWords& words) {
     check_.homesPlane = machine_.homed(kPlane);
   }
   if (command.letter == 'G' && command.code <= 3) return;  // most lines
-  heaters_.run(command, words, machine_.tool);
+  heaters_.run(command, words, machine_.tool, klipper());
   noteHeat();
 }
 
@@ -440,8 +440,10 @@ void Rules::bead(const MachineMove& move, double e) {
   const bool untold = block() && !machine_.told(kAxisZ) && move.z == 0;
   if (move.z <= 0 && !untold) found("bead-in-bed", true, {{"mm", decimal(move.z, 3)}});
   // Makers' blocks purge thick lines. Klipper stops there, too, unless the printer's configuration allows more.
-  if (settings_.nozzle > 0 && sure > 4 * settings_.nozzle * settings_.nozzle && (klipper() || !block())) {
-    found("too-thick", !block() && (ours_ || klipper()), {{"area", decimal(section, 3)}});
+  const double thickest = 4 * settings_.nozzle * settings_.nozzle;
+  if (settings_.nozzle > 0 && sure > thickest && (klipper() || !block())) {
+    const bool heap = e - thickest * move.length / area_ > kMostPushed;  // it does not matter that the nozzle moves
+    found("too-thick", !block() && (ours_ || klipper() || heap), {{"area", decimal(section, 3)}});
   }
   if (settings_.printer && !block() && sure * speed > settings_.printer->maxFlow * 1.0001) {
     found("flow", true, {{"flow", decimal(sure * speed, 2)}});

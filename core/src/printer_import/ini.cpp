@@ -5,12 +5,14 @@
 #include <utility>
 #include <vector>
 
+#include "base/refused.hpp"
 #include "printer_import/notes.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr int kMaxInherited = 1000;  // sections of a bundle in one printer
+constexpr std::size_t kMostNames = 4000;  // bytes of the names that are offered
+constexpr int kMaxInherited = 1000;       // sections of a bundle in one printer
 constexpr int kDeepestInherited = 32;
 
 Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
@@ -96,14 +98,15 @@ Result<ImportedPrinter> importIni(std::string_view text, std::string_view name) 
     if (!bundle.sections.contains("printer:" + printer)) {
       std::string known;
       for (const std::string& other : bundle.printers) {
-        if (known.size() > 300) continue;
+        if (known.size() > kMostNames) continue;
         known += (known.empty() ? "" : ", ") + shown(other);
       }
-      const std::string count = std::to_string(bundle.printers.size());
-      return Error{ErrorCode::InvalidArgument,
-                   (printer.empty() ? "the file has " + count + " printers, and none is chosen"
-                                    : "the file has no printer " + shown(printer)) +
-                       "; name one of " + known};
+      if (!printer.empty()) {
+        return Error{ErrorCode::InvalidArgument,
+                     "the file has no printer " + shown(printer) + "; name one of " + known};
+      }
+      const NamedValue count("count", static_cast<double>(bundle.printers.size()));
+      return refused(ErrorCode::InvalidArgument, reason::kWhichPrinter, {count, {"names", known}});
     }
     int budget = kMaxInherited;
     inherit(bundle, "printer:", printer, 0, budget, settings, out.notRead);

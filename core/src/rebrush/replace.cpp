@@ -256,7 +256,7 @@ std::string stateDifference(std::string_view before, std::string_view after, con
       if (parts.code.empty()) continue;
       const GcodeCommand command = commandOf(parts.code);
       const GcodeWords words = readsWords(command) ? wordsOf(command.rest) : GcodeWords{};
-      heaters.run(command, words, machine.tool);
+      heaters.run(command, words, machine.tool, false);
       const auto move = runCommand(machine, command, words);
       if (move && move->e > 0 && move->length > 0) pushed += move->e;
     }

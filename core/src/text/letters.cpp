@@ -24,9 +24,9 @@ std::string nameOfLine(const std::string& font, int weight, const std::string& l
 }
 
 Error noFont(const std::string& font) {
-  return {ErrorCode::InvalidFile, inQuotes(font) +
-                                      " is no font; it must be a TrueType or OpenType file (.ttf, .otf), of which web "
-                                      "fonts (.woff, .woff2) are packed copies"};
+  return {ErrorCode::InvalidFile,
+          inQuotes(font) +
+              " is no font; it must be a TrueType or OpenType file, plain or packed (.ttf, .otf, .woff, .woff2)"};
 }
 
 Error tooDetailed(const std::string& font, std::size_t most) {

@@ -23,6 +23,7 @@
 #include "text/fonts.hpp"
 #include "text/letters.hpp"
 #include "text/text_runs.hpp"
+#include "text/unpack_font.hpp"
 
 namespace sillon {
 namespace {
@@ -39,18 +40,38 @@ using Face = Owned<hb_face_t, hb_face_destroy>;
 using Font = Owned<hb_font_t, hb_font_destroy>;
 using Buffer = Owned<hb_buffer_t, hb_buffer_destroy>;
 using DrawFuncs = Owned<hb_draw_funcs_t, hb_draw_funcs_destroy>;
+#if HB_VERSION_ATLEAST(11, 2, 0)
+using PaintFuncs = Owned<hb_paint_funcs_t, hb_paint_funcs_destroy>;
+#endif
+
+/// From the points of a glyph to those of the letter that it is a part of.
+struct Affine {
+  double xx = 1, yx = 0, xy = 0, yy = 1, dx = 0, dy = 0;
+};
+
+Affine operator*(const Affine& a, const Affine& b) {
+  return {a.xx * b.xx + a.xy * b.yx, a.yx * b.xx + a.yy * b.yx,        a.xx * b.xy + a.xy * b.yy,
+          a.yx * b.xy + a.yy * b.yy, a.xx * b.dx + a.xy * b.dy + a.dx, a.yx * b.dx + a.yy * b.dy + a.dy};
+}
 
 /// Path data that is being written.
 struct Pen {
   std::string path;
   double scale = 1;
+  hb_draw_funcs_t* writer = nullptr;
+  std::vector<Affine> places{Affine{}};  ///< of nested parts
 };
 
 Pen& penOf(void* data) { return *static_cast<Pen*>(data); }
 
 void addNumbers(Pen& pen, char command, std::initializer_list<float> numbers) {
+  const Affine& place = pen.places.back();
   pen.path += command;
-  for (const float number : numbers) (pen.path += jsonNumber(static_cast<double>(number) * pen.scale)) += ' ';
+  for (const float* at = numbers.begin(); at != numbers.end(); at += 2) {
+    const double x = static_cast<double>(at[0]), y = static_cast<double>(at[1]);
+    (pen.path += jsonNumber((place.xx * x + place.xy * y + place.dx) * pen.scale)) += ' ';
+    (pen.path += jsonNumber((place.yx * x + place.yy * y + place.dy) * pen.scale)) += ' ';
+  }
 }
 
 DrawFuncs pathWriter() {
@@ -85,6 +106,34 @@ DrawFuncs pathWriter() {
       nullptr);
   return funcs;
 }
+
+#if HB_VERSION_ATLEAST(11, 2, 0)
+/// Fonts in colour lay parts of a letter over one another: their union, as they all get the same plastic.
+PaintFuncs partsWriter() {
+  PaintFuncs funcs(hb_paint_funcs_create());
+  hb_paint_funcs_set_push_transform_func(
+      funcs.get(),
+      [](hb_paint_funcs_t*, void* data, float xx, float yx, float xy, float yy, float dx, float dy, void*) {
+        std::vector<Affine>& places = penOf(data).places;
+        places.push_back(places.back() * Affine{xx, yx, xy, yy, dx, dy});
+      },
+      nullptr, nullptr);
+  hb_paint_funcs_set_pop_transform_func(
+      funcs.get(),
+      [](hb_paint_funcs_t*, void* data, void*) {
+        if (penOf(data).places.size() > 1) penOf(data).places.pop_back();
+      },
+      nullptr, nullptr);
+  hb_paint_funcs_set_push_clip_glyph_func(
+      funcs.get(),
+      [](hb_paint_funcs_t*, void* data, hb_codepoint_t glyph, hb_font_t* font, void*) {
+        Pen& pen = penOf(data);
+        if (pen.path.size() <= kMostPathBytes) hb_font_draw_glyph(font, glyph, pen.writer, &pen);
+      },
+      nullptr, nullptr);
+  return funcs;
+}
+#endif
 
 /// The letters of a line. Broken bytes are U+FFFD, control characters and separators of lines are spaces.
 std::u16string lettersOf(std::string_view line) {
@@ -281,8 +330,11 @@ class LineSetter {
     const auto [known, fresh] = font.outlines.try_emplace(glyph, shaped_.outlines.size());
     outline = known->second;
     if (!fresh) return true;
-    Pen pen{{}, scaleOf(font)};
-#if HB_VERSION_ATLEAST(7, 0, 0)
+    Pen pen{{}, scaleOf(font), writer_.get()};
+#if HB_VERSION_ATLEAST(11, 2, 0)
+    if (hb_font_paint_glyph_or_fail(font.font.get(), glyph, parts_.get(), &pen, 0, HB_COLOR(0, 0, 0, 255)) == 0)
+      hb_font_draw_glyph(font.font.get(), glyph, writer_.get(), &pen);
+#elif HB_VERSION_ATLEAST(7, 0, 0)
     hb_font_draw_glyph(font.font.get(), glyph, writer_.get(), &pen);
 #else
     hb_font_get_glyph_shape(font.font.get(), glyph, writer_.get(), &pen);
@@ -361,6 +413,9 @@ class LineSetter {
   std::size_t next_ = 0;  // of the built-in ones
   Buffer buffer_{hb_buffer_create()};
   DrawFuncs writer_ = pathWriter();
+#if HB_VERSION_ATLEAST(11, 2, 0)
+  PaintFuncs parts_ = partsWriter();
+#endif
   ShapedLine shaped_;
   std::size_t length_ = 0;  // of all outlines [bytes]
 };
@@ -375,7 +430,9 @@ Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, con
     if (!given) return isFontFile(font) ? given.error() : unknownFont(font);
     auto* content = std::get_if<std::string>(&given.value());
     if (content == nullptr) return noFont(font);
-    file = std::move(*content);
+    std::optional<std::string> unpacked = unpackedFont(std::move(*content));
+    if (!unpacked) return noFont(font);
+    file = std::move(*unpacked);
     bytes = file;
   }
   std::optional<OpenFont> own = opened(font, *bytes, weight);

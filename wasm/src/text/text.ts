@@ -24,9 +24,25 @@ export async function start(wasm: () => Promise<Uint8Array>): Promise<void> {
   await started;
 }
 
+/** From the points of a glyph to those of the letter that it is a part of: xx, yx, xy, yy, dx, dy. */
+type Affine = [number, number, number, number, number, number];
+
+const times = ([xx, yx, xy, yy, dx, dy]: Affine, [b, c, d, e, f, g]: Affine): Affine => [
+  xx * b + xy * c,
+  yx * b + yy * c,
+  xx * d + xy * e,
+  yx * d + yy * e,
+  xx * f + xy * g + dx,
+  yx * f + yy * g + dy,
+];
+
 interface Pen {
   path: string[];
   scale: number;
+  /** Of nested parts. */
+  places: Affine[];
+  /** Bytes of the parts. */
+  size: number;
 }
 
 function pathWriter(): hb.DrawFuncs {
@@ -34,15 +50,38 @@ function pathWriter(): hb.DrawFuncs {
   const writer =
     (command: string) =>
     (...values: unknown[]): void => {
-      const { path, scale } = values.at(-2) as Pen;
-      const numbers = values.slice(0, -2) as number[];
-      path.push(command + numbers.map((number) => `${number * scale} `).join(''));
+      const pen = values.at(-2) as Pen;
+      const [xx, yx, xy, yy, dx, dy] = pen.places.at(-1) as Affine;
+      let written = command;
+      for (let k = 0; k + 2 < values.length; k += 2) {
+        const [x, y] = [values[k] as number, values[k + 1] as number];
+        written += `${(xx * x + xy * y + dx) * pen.scale} ${(yx * x + yy * y + dy) * pen.scale} `;
+      }
+      pen.path.push(written);
+      pen.size += written.length;
     };
   funcs.setMoveToFunc(writer('M'));
   funcs.setLineToFunc(writer('L'));
   funcs.setQuadraticToFunc(writer('Q'));
   funcs.setCubicToFunc(writer('C'));
   funcs.setClosePathFunc(writer('Z'));
+  return funcs;
+}
+
+/** Fonts in colour lay parts of a letter over one another: their union, as they all get the same plastic. */
+function partsWriter(writer: hb.DrawFuncs): hb.PaintFuncs {
+  const funcs = new hb.PaintFuncs();
+  funcs.setPushTransformFunc((xx, yx, xy, yy, dx, dy, pen) => {
+    const { places } = pen as Pen;
+    places.push(times(places.at(-1) as Affine, [xx, yx, xy, yy, dx, dy]));
+  });
+  funcs.setPopTransformFunc((pen) => {
+    const { places } = pen as Pen;
+    if (places.length > 1) places.pop();
+  });
+  funcs.setPushClipGlyphFunc((glyph, font, pen) => {
+    if ((pen as Pen).size <= mostPathBytes) font.drawGlyph(glyph, writer, pen);
+  });
   return funcs;
 }
 
@@ -70,8 +109,9 @@ interface OpenFont {
 }
 
 function drawn({ font }: OpenFont, glyph: number, scale: number): string {
-  const pen: Pen = { path: [], scale };
-  font.drawGlyph(glyph, (held.writer ??= pathWriter()), pen);
+  const pen: Pen = { path: [], scale, places: [[1, 0, 0, 1, 0, 0]], size: 0 };
+  const writer = (held.writer ??= pathWriter());
+  if (!font.paintGlyphOrFail(glyph, (held.parts ??= partsWriter(writer)), pen)) font.drawGlyph(glyph, writer, pen);
   return pen.path.join('');
 }
 
@@ -92,6 +132,7 @@ let held = { fonts: new WeakMap<Uint8Array, Map<number, OpenFont | undefined>>()
   fonts: WeakMap<Uint8Array, Map<number, OpenFont | undefined>>;
   buffer?: hb.Buffer;
   writer?: hb.DrawFuncs;
+  parts?: hb.PaintFuncs;
 };
 
 /** Leaves a memory that is broken or full: the next start gives another. */
@@ -266,6 +307,17 @@ class LineSetter {
     if (same.length < mostLackedTold && !same.some(([known, other]) => known === letter && other === font))
       this.lacked.push([letter, font, absent === undefined]);
   }
+}
+
+type Unpacking = typeof import('./unpack.js');
+
+/** The bytes of a font; of a web font, wOFF or wOF2, those inside it: none where it is damaged.
+ * @param script  address of unpack.js, which only web fonts load */
+export async function plainFont(file: Blob | Uint8Array, script: string): Promise<Uint8Array> {
+  const bytes = file instanceof Blob ? new Uint8Array(await file.arrayBuffer()) : file.subarray();
+  if (!/^wOF[F2]/.test(String.fromCharCode(...bytes.subarray(0, 4)))) return bytes;
+  const { unpackedFont } = (await import(/* @vite-ignore */ script)) as Unpacking;
+  return unpackedFont(bytes);
 }
 
 export interface FontFile {

@@ -72,7 +72,7 @@ test('it holds what is to be published and nothing else', () => {
       .map((name) => `dist/${path}${name.replace(/ts$/, 'js')}`);
   const engine = ['mt.js', 'mt.wasm', 'mt.worker.js', 'st.js', 'st.wasm'].map((name) => `dist/engine/sillon-${name}`);
   const fonts = ['bebas-neue', 'caveat', 'fredoka', 'nunito', 'roboto-slab'].map((name) => `dist/engine/${name}.ttf`);
-  const texts = ['dist/engine/text.js', 'dist/engine/harfbuzz.wasm', ...fonts];
+  const texts = ['dist/engine/text.js', 'dist/engine/harfbuzz.wasm', 'dist/engine/unpack.js', ...fonts];
   const tables = ['filaments', 'presets', 'printers'].flatMap((name) => [
     `data/${name}.d.ts`,
     `dist/data/${name}.json`,

@@ -5,7 +5,7 @@ export async function inputOf({ shape, layers, pictures }, read) {
   const withFiles = async (fields) => {
     const files = {};
     for (const key of ['file', 'maskFile', 'modeFile']) if (fields[key]) files[key] = await read(fields[key]);
-    if (/\.[to]tf$/i.test(fields.font ?? '')) files.font = await read(fields.font);
+    if (/\.(?:[to]tf|woff2?)$/i.test(fields.font ?? '')) files.font = await read(fields.font);
     if (fields.pictures) files.pictures = await Promise.all(fields.pictures.map(withFiles));
     return { ...fields, ...files };
   };

@@ -67,6 +67,7 @@ export class Notices extends StudioElement {
       }
       .link {
         margin-right: 8px;
+        text-align: start;
       }
       .close {
         min-height: 24px;

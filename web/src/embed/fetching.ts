@@ -74,7 +74,9 @@ function namedBy(bytes: ArrayBuffer): string[] {
   const kept = isFields(studio) ? field(studio, 'files') : undefined;
   const named = ['file', 'maskFile', 'modeFile'];
   const own = parts.filter(isFields).flatMap((part) => named.map((key) => field(part, key)));
-  const fonts = layers.map((layer) => field(layer, 'font')).filter((font) => /\.(?:ttf|otf)$/i.test(String(font)));
+  const fonts = layers
+    .map((layer) => field(layer, 'font'))
+    .filter((font) => /\.(?:ttf|otf|ttc|woff2?)$/i.test(String(font)));
   const names = [...own, ...fonts, ...Object.keys(kept ?? {})];
   return [...new Set(names.filter((name): name is string => typeof name === 'string' && name !== ''))];
 }

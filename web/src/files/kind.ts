@@ -2,7 +2,7 @@
 
 export type Kind = 'svg' | 'picture' | 'font' | 'zip' | 'json' | 'unknown';
 
-/** The endings of TrueType and OpenType fonts alike. */
+/** Of TrueType and OpenType fonts alike, plain or packed. */
 export const fontType = 'font/sfnt';
 
 export interface Known {
@@ -95,7 +95,8 @@ export function kindOf(bytes: Uint8Array, name: string): Known {
   if (startsWith(bytes, 0x50, 0x4b, 3, 4) || startsWith(bytes, 0x50, 0x4b, 5, 6)) {
     return { kind: 'zip', mime: 'application/zip' };
   }
-  if (startsWith(bytes, 0, 1, 0, 0) || startsWith(bytes, 0x4f, 0x54, 0x54, 0x4f))
+  const mark = String.fromCharCode(...bytes.subarray(0, 4));
+  if (startsWith(bytes, 0, 1, 0, 0) || ['OTTO', 'true', 'ttcf', 'wOFF', 'wOF2'].includes(mark))
     return { kind: 'font', mime: fontType };
   const text = textOf(bytes.subarray(0, enoughToKnow));
   if (isSvg(text)) return { kind: 'svg', mime: 'image/svg+xml' };

@@ -1,8 +1,35 @@
 // Files in a form that the engine reads.
 import { problemOf, StudioError } from '../model/problem.js';
-import { browserPicture } from './kind.js';
+import { browserPicture, enoughToKnow, kindOf, startsWith } from './kind.js';
 
-/** Pictures of kinds that only the browser reads, as PNG; everything else as it is. What it is, its bytes say: files of phones
+const mostUnpacked = 64e6; // [bytes], as much as a file may have
+
+/** A drawing that is packed (.svgz), as it was before; undefined: it is packed, but no drawing that can be read. */
+async function unpackedDrawing(file: File): Promise<File | undefined> {
+  const pieces: Uint8Array<ArrayBuffer>[] = [];
+  let size = 0;
+  try {
+    const reader = file.stream().pipeThrough(new DecompressionStream('gzip')).getReader();
+    for (let read = await reader.read(); !read.done; read = await reader.read()) {
+      const piece = read.value;
+      size += piece.length;
+      if (size > mostUnpacked) {
+        await reader.cancel();
+        return undefined;
+      }
+      pieces.push(piece);
+    }
+  } catch {
+    return undefined;
+  }
+  const drawing = new File(pieces, file.name.replace(/(?:\.svgz|\.svg\.gz|\.gz)?$/i, '.svg'), {
+    type: 'image/svg+xml',
+  });
+  const head = new Uint8Array(await drawing.slice(0, enoughToKnow).arrayBuffer());
+  return kindOf(head, drawing.name).kind === 'svg' ? drawing : undefined;
+}
+
+/** Pictures of kinds that only the browser reads, as PNG; packed drawings as plain ones; everything else as it is. What it is, its bytes say: files of phones
  * and chats come with wrong types, or with none.
  * @throws StudioError BrowserPicture */
 export async function readable(file: File): Promise<File> {
@@ -10,6 +37,7 @@ export async function readable(file: File): Promise<File> {
     .slice(0, 64)
     .arrayBuffer()
     .catch(() => new ArrayBuffer(0)); // a folder, or gone: told when it is read
+  if (startsWith(new Uint8Array(head), 0x1f, 0x8b)) return (await unpackedDrawing(file)) ?? file;
   const type = browserPicture(new Uint8Array(head));
   if (type === '') return file;
   try {

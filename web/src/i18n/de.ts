@@ -559,6 +559,10 @@ export const de: Translation = {
   'printer.generic-centre': 'Allgemein, Nullpunkt in der Mitte',
   'printer.import': 'Aus einer Datei des Slicers …',
   'printer.byFile': '{name}: aus einer Datei des Slicers',
+  'printer.which': {
+    one: '{name} enthält {n} Drucker. Welcher ist es?',
+    other: '{name} enthält {n} Drucker. Welcher ist es?',
+  },
   'printer.imported': { one: '{name}: {n} Einstellung übernommen.', other: '{name}: {n} Einstellungen übernommen.' },
   'printer.heats': 'Gedruckt wird {type} mit {nozzle} °C auf einem Bett von {bed} °C.',
   'printer.keeps': 'Das Filament bleibt: {type} mit {nozzle} °C auf einem Bett von {bed} °C.',
@@ -1432,6 +1436,7 @@ export const de: Translation = {
     'Keine Schrift hat ein Zeichen für {letter}; eine Schrift wählen, die es hat, oder es weglassen.',
   'reason.PictureLetter':
     'Die Schrift {font} hat {letter} nur als Bild; eine Schrift wählen, die den Umriss hat, oder es weglassen.',
+  'reason.WhichPrinter': 'Die Datei enthält {count} Drucker, und keiner ist gewählt; einen davon nennen: {names}.',
   'reason.RimBelow':
     '„Erhöhter Rand“ ist {rim}, aber was sich zeigt, liegt auf dem Druckbett; für einen Rand muss „Schauseite“ oben sein.',
   'reason.OffBody': '{name} trägt eine andere Form, als die Platte jetzt hat.',

@@ -559,6 +559,10 @@ export const fr: Translation = {
   'printer.generic-centre': 'Générique, origine au centre',
   'printer.import': 'Depuis un fichier de votre slicer…',
   'printer.byFile': '{name} : depuis un fichier de votre slicer',
+  'printer.which': {
+    one: '{name} contient {n} imprimante. Laquelle est-ce ?',
+    other: '{name} contient {n} imprimantes. Laquelle est-ce ?',
+  },
   'printer.imported': { one: '{name} : {n} réglage repris.', other: '{name} : {n} réglages repris.' },
   'printer.heats': 'Impression en {type} à {nozzle} °C, plateau à {bed} °C.',
   'printer.keeps': 'Le filament reste : {type} à {nozzle} °C, plateau à {bed} °C.',
@@ -1444,6 +1448,7 @@ export const fr: Translation = {
   'reason.MissingLetter': 'Aucune police n’a de lettre pour {letter} ; prenez une police qui l’a, ou omettez-la.',
   'reason.PictureLetter':
     'La police {font} n’a {letter} que comme image ; prenez une police qui en a le contour, ou omettez-la.',
+  'reason.WhichPrinter': 'Le fichier contient {count} imprimantes et aucune n’est choisie ; nommez-en une : {names}.',
   'reason.RimBelow':
     '« Rebord » vaut {rim}, mais ce qui se voit est sur le plateau ; pour un rebord, « Face à montrer » doit être au-dessus.',
   'reason.OffBody': '{name} porte une autre forme que celle de la plaque.',

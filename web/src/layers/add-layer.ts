@@ -23,9 +23,9 @@ import type { Studio } from '../studio/studio.js';
 import { chosenLayer } from './arranging.js';
 import { withPlaces } from './placing.js';
 
-export const drawingFiles = '.svg,.png,.jpg,.jpeg,image/*';
+export const drawingFiles = '.svg,.svgz,.png,.jpg,.jpeg,image/*';
 export const pictureFiles = '.png,.jpg,.jpeg,image/*';
-export const fontFiles = '.ttf,.otf';
+export const fontFiles = '.ttf,.otf,.woff,.woff2';
 
 const newPicture = (plate: Plate, file: SourceFile): LayerValues =>
   newLayer(plate, 'picture', { pictures: [{ file, lamp: null }] });

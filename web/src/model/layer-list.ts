@@ -10,7 +10,7 @@ export { mostLayers };
 export const layerKinds: readonly LayerKind[] = layerTable.kind.choices;
 
 /** Font files go by their endings, as the core has it. */
-export const isFontFile = (name: string): boolean => /\.(?:ttf|otf)$/i.test(name);
+export const isFontFile = (name: string): boolean => /\.(?:ttf|otf|ttc|woff2?)$/i.test(name);
 
 const usual: LayerValues = {
   ...defaultsOf<LayerValues>(layerTable),

@@ -54,14 +54,33 @@ export function withImported(plate: Plate, file: Read): { plate: Plate; other: H
   return { plate: kept, other: heat === undefined || sameHeat(heat, kept.printer) ? undefined : heat };
 }
 
+/** Offers the printers of a bundle. */
+function ask(studio: Studio, file: File, names: readonly string[]): void {
+  const actions = names.map((label) => ({
+    label,
+    run: () => void studio.attempt(() => importPrinter(studio, file, label)),
+  }));
+  studio.tell({ text: say(words, 'printer.which', { name: file.name, n: names.length }), actions, stays: true });
+}
+
 /** Takes the printer of a file, and tells which filament is printed at which temperatures from now on.
+ * @param printer  of a bundle; empty: the chosen or only one, else it is asked for
  * @throws StudioError PrinterFile; what the engine refuses */
-export async function importPrinter(studio: Studio, file: File): Promise<void> {
+export async function importPrinter(studio: Studio, file: File, printer = ''): Promise<void> {
   const engine = await studio.services.engine();
-  const imported = await engine.importPrinter(file).catch((error: unknown) => {
-    const { code, detail } = problemOf(error);
+  const imported = await engine.importPrinter(file, printer).catch((error: unknown) => {
+    const { code, values, detail } = problemOf(error);
+    if (values['reason'] === 'WhichPrinter') {
+      ask(
+        studio,
+        file,
+        Array.from(String(values['names']).matchAll(/"([^"]*)"/g), ([, name = '']) => name),
+      );
+      return undefined;
+    }
     throw code === 'InvalidFile' ? new StudioError('PrinterFile', { name: file.name }, detail) : error;
   });
+  if (imported === undefined) return;
   const { read, notRead } = imported;
   const { plate, other } = withImported(studio.store.state.plate, imported);
   studio.settle();

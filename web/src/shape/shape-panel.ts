@@ -95,7 +95,7 @@ export class ShapePanel extends StudioElement {
         return;
       }
       this.requestUpdate(); // the card stays as it was until a file is there
-      await this.studio.open(await this.studio.pick('.svg,.png,.jpg,.jpeg,image/*'));
+      await this.studio.open(await this.studio.pick('.svg,.svgz,.png,.jpg,.jpeg,image/*'));
       return;
     }
     this.studio.change((plate) => withShape(plate, kind));
@@ -104,7 +104,7 @@ export class ShapePanel extends StudioElement {
   #details(shape: ShapeSource): TemplateResult | typeof nothing {
     const more = html`<sillon-shape-fields .studio=${this.studio}></sillon-shape-fields>`;
     if (shape.kind !== 'file') return more;
-    return html`${fileChip(this.studio, shape.file, '.svg,.png,.jpg,.jpeg,image/*')}
+    return html`${fileChip(this.studio, shape.file, '.svg,.svgz,.png,.jpg,.jpeg,image/*')}
     ${this.lazy(loadDrawing) ? html`<sillon-drawing-fields .studio=${this.studio}></sillon-drawing-fields>` : nothing}
     ${more}`;
   }

@@ -582,7 +582,7 @@ test('why the engine refuses a plate has words in every language', async () => {
   const values = { setting: 'print.layerHeight', value: 0.5, low: 0.05, high: 0.32, left: 2, back: 5.5, by: 0.25 };
   const more = { height: 4.2, most: 3, spacing: 0.4, leastSpacing: 0.7, percent: 57 };
   const shape = { n: 2, x: 30, y: 10.5, diameter: 4.5, bottom: 0, top: 20, offset: -4, depth: 3.5, rim: 3 };
-  const text = { letter: '"e" (U+0065)', font: '"own.ttf"' };
+  const text = { letter: '"e" (U+0065)', font: '"own.ttf"', count: 2, names: '"Elm S", "Elm L"' };
   const told = (reason: string) => {
     const all = { ...values, ...more, ...shape, ...text, ...(reason === 'HoleOutside' && { right: 20 }), reason };
     return exactWords({ code: 'DoesNotFit', values: all, detail: '' }) ?? { message: '' };

@@ -9,8 +9,10 @@ import { newPlate } from '../../src/model/new-plate.js';
 import { filaments, heatFor, lookOf, withFilament, withSpool } from '../../src/model/filaments.js';
 import type { OwnSpool, Plate } from '../../src/model/plate.js';
 import { filamentFamily } from '../../src/model/printers.js';
-import { withImported } from '../../src/print/printer-file.js';
+import { importPrinter, withImported } from '../../src/print/printer-file.js';
 import { filamentName } from '../../src/print/filament-name.js';
+import type { Notice } from '../../src/studio/shown.js';
+import type { Studio } from '../../src/studio/studio.js';
 
 let engine: Engine;
 before(async () => {
@@ -104,6 +106,32 @@ function agrees(plate: Plate, where: string): void {
   const looks = plate.spool === undefined ? listed.printed.filamentType : undefined;
   if (looks !== undefined && families.includes(filamentFamily(type))) assert.equal(looks, filamentFamily(type), where);
 }
+
+test('a bundle of several printers asks which one it is', async () => {
+  const told: Omit<Notice, 'id'>[] = [];
+  let plate = newPlate();
+  const studio = {
+    services: { engine: () => Promise.resolve(engine) },
+    store: { state: { plate } },
+    settle: () => undefined,
+    choosePrint: (change: (now: Plate) => Plate) => void (plate = change(plate)),
+    notify: (text: string) => void told.push({ text }),
+    tell: (notice: Omit<Notice, 'id'>) => void told.push(notice),
+    attempt: (action: () => Promise<void>) => action(),
+  } as unknown as Studio;
+  const bundle = ['Elm S', 'Elm L'].map((name, k) => `[printer:${name}]\nnozzle_diameter = 0.${4 + 2 * k}\n`).join('');
+  await importPrinter(studio, new File([bundle], 'elm.ini'));
+  const asked = told.at(0);
+  assert.match(asked?.text ?? '', /elm\.ini .* 2 /);
+  assert.deepEqual(
+    asked?.actions?.map(({ label }) => label),
+    ['Elm S', 'Elm L'],
+  );
+  assert.equal(plate.printer.nozzle, newPlate().printer.nozzle);
+  asked.actions[1]?.run();
+  while (told.length < 2) await new Promise((done) => setTimeout(done, 5));
+  assert.equal(plate.printer.nozzle, 0.6);
+});
 
 test('after an import the filament is the plate’s or the file’s, with its temperatures, name and look', async () => {
   let taken = 0;

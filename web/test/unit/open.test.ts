@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
+import { gzipSync } from 'node:zlib';
 import { createEngine, type Engine, type Picture } from 'sillon';
 import { isAnimated } from '../../src/files/animated.js';
 import { allowedRoles, factsOf, guessRoles } from '../../src/files/guess.js';
@@ -60,11 +61,27 @@ test('the bytes tell what a file is, not its name', () => {
   }
   for (const other of ['<html><svg></svg></html>', '<svgx>', '<!-- <svg>', '<?xml <svg>', '<!DOCTYPE svg', 'svg', ''])
     assert.equal(told(other, 'a.svg'), 'unknown', other);
+  for (const font of ['\0\x01\0\0', 'OTTO', 'true', 'ttcf', 'wOFF', 'wOF2'])
+    assert.equal(told(`${font}\0\0`, 'a.png'), 'font font/sfnt', font);
   const utf16 = [...Buffer.from('\ufeff<?xml version="1.0"?><svg>', 'utf16le')];
   assert.equal(told(utf16), 'svg image/svg+xml');
   assert.equal(told(' \n{ "sillon": 1 }', 'a.svg'), 'json application/json');
   assert.equal(told('[1]'), 'unknown');
   assert.equal(told('G28\nG1 X1'), 'unknown');
+});
+
+test('a packed drawing is opened as the drawing inside it, and nothing else that is packed', async () => {
+  for (const [name, plain] of [
+    ['leaf.svgz', 'leaf.svg'],
+    ['leaf.SVG.gz', 'leaf.svg'],
+    ['leaf', 'leaf.svg'],
+  ] as const) {
+    const { source, kind } = await readFile(new File([gzipSync(svg)], name));
+    assert.deepEqual([source.name, kind, await source.bytes.text()], [plain, 'svg', svg]);
+  }
+  const broken = gzipSync(svg);
+  for (const bytes of [gzipSync('G28'), broken.subarray(0, 60), gzipSync(Buffer.alloc(65e6))])
+    await assert.rejects(readFile(new File([bytes], 'leaf.svgz')), { code: 'UnknownFile' });
 });
 
 test('hostile beginnings are no drawing', () => {

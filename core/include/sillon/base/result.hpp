@@ -110,6 +110,8 @@ inline constexpr char kOffsetTooDeep[] = "OffsetTooDeep";
 inline constexpr char kMissingLetter[] = "MissingLetter";
 /// A text: `letter` of which its `font` has a picture alone.
 inline constexpr char kPictureLetter[] = "PictureLetter";
+/// A bundle of printers of which none is chosen: `count`, and their `names` in quotes.
+inline constexpr char kWhichPrinter[] = "WhichPrinter";
 /// The oriented side lies on the bed: `rim` [layers], which would stand on it.
 inline constexpr char kRimBelow[] = "RimBelow";
 /// More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at

@@ -3,6 +3,10 @@
 export const words = {
   'printer.import': 'From your slicer’s file…',
   'printer.byFile': '{name}: from your slicer’s file',
+  'printer.which': {
+    one: '{name} holds {n} printer. Which one is it?',
+    other: '{name} holds {n} printers. Which one is it?',
+  },
   'printer.imported': { one: '{name}: {n} setting imported.', other: '{name}: {n} settings imported.' },
   'printer.heats': 'It prints {type} at {nozzle} °C on a bed of {bed} °C.',
   'printer.keeps': 'The filament stays: {type} at {nozzle} °C on a bed of {bed} °C.',

@@ -10,6 +10,7 @@ export const words = {
   'reason.OffsetTooDeep': "An offset of {offset} mm leaves nothing of the shape, whose deepest place is {depth} mm from the outline; use an offset that is nearer to 0.",
   'reason.MissingLetter': "No font has a letter for {letter}; take a font that has it, or leave it out.",
   'reason.PictureLetter': "The font {font} has {letter} only as a picture; take a font that has its outline, or leave it out.",
+  'reason.WhichPrinter': "The file has {count} printers, and none is chosen; name one of {names}.",
   'reason.RimBelow': "“Rim” is {rim}, but what shows lies on the bed; “Side to show” must be up for a rim, or “Rim” 0.",
   'reason.LinesNumbered': "Its lines are numbered, as hosts send them; take the file that the slicer wrote.",
   'reason.NoMarks': "It does not mark its surfaces; files of PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio and Cura do.",
