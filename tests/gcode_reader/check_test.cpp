@@ -482,6 +482,26 @@ TEST_CASE("makers' start blocks may wipe a little beside the bed, and macros hom
   CHECK_FALSE(checkGcode("EXCLUDE_OBJECT_START NAME=PLATE_1\nTIMELAPSE_START\n").homes);
 }
 
+TEST_CASE("makers' end blocks may go to the end of an axis, where Klipper would end the print") {
+  const auto height = [](const std::string& line, GcodeFlavor flavor = GcodeFlavor::Marlin) {
+    Printer printer;
+    printer.flavor = flavor;
+    return finding(checkGcode(kStart + kSquare + kEnd + ";TYPE:Custom\n" + line + "\n", printer), "height");
+  };
+  CHECK(height("G1 Z205 F600").code == "too-high");
+  CHECK_FALSE(height("G1 Z205 F600").error);
+  CHECK(height("G1 Z205 F600", GcodeFlavor::Klipper).error);
+  CHECK(height("G1 Z211 F600").error);
+  CHECK(finding(checkGcode(kStart + kSquare + "G1 E-0.8 F2100\nG1 Z205 F600\n" + kEnd, Printer{}), "height").error);
+}
+
+TEST_CASE("a purge of the printer's own waits for the nozzle") {
+  const std::string start = "M190 S60\nM104 S215\nG28\nG29\n";
+  const std::string rest = "G21\nG90\nM83\nG92 E0\nG1 Z0.2 F600\n" + kSquare + kEnd;
+  CHECK(rules(checkGcode(start + "G1009\n" + rest)) == "");
+  CHECK(finding(checkGcode(start + rest), "heating").code == "cold-start");
+}
+
 TEST_CASE("layers are known by the marks of each slicer, once where there are two") {
   const auto marked = [](const std::string& mark, bool twice = false) {
     std::string square = kSquare;
