@@ -381,7 +381,9 @@ class Judge {
       }
       if (setsTool(head, words)) hottest(hottestNozzle_);
       if (head.code == 10 && (words.has('P') || words.has('L'))) all("Z", kMostLowered);
-      if (head.code == 29 && head.sub <= 1) all("ZC", 1);
+      // Alone it raises what is printed.
+      const bool raises = !words.has('P') && !words.has('S') && words.at('Z') > 0;
+      if (head.code == 29 && head.sub <= 1 && !raises) all("ZC", 1);
       if (head.code == 31 && words.has('Z')) {
         all("Z", 5);
         told("outlives", false, shown);

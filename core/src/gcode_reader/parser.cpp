@@ -103,11 +103,11 @@ GcodeWords wordsOf(std::string_view text) {
     words.named |= bit;
     spaced = false;
     ++at;
-    // Klipper reads a number that stands apart from its letter.
+    // Firmwares read a number that stands apart from its letter.
     std::size_t number = at;
     while (number < text.size() && isBlank(text[number])) ++number;
     if (number > at && number < text.size() && (isDigit(text[number]) || text[number] == '-' || text[number] == '.')) {
-      odd(GcodeWords::NotPlain, text.substr(at - 1, number - at + 2));
+      words.unusual = true;
       at = number;
     }
     // The next word begins at a blank or at a letter; E and other exponents belong to this one.

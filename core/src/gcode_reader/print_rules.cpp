@@ -77,6 +77,7 @@ constexpr std::size_t kMostChanges = 1000;
 constexpr std::size_t kMostLayers = 100'000;
 constexpr double kOddFlow = 0.1;            // of the plastic of other layers
 constexpr double kLeastPlastic = 10;        // [mm³] of a layer that tells
+constexpr double kLeastGap = 0.5;           // [mm]; what is shorter gets too little plastic to be told
 constexpr double kLeastWay = 2;             // [mm] there and back
 constexpr double kFarPush = 4;              // of the speed that a file tells of its machine, for filament alone
 constexpr std::int64_t kRarely = 20;        // times as many ways tell a speed as gaps do not
@@ -320,7 +321,7 @@ void PrintRules::onMove(const MachineMove& move) {
     const bool judged = ours_ || (custom_ && layers_ > 0);
     if (!judged || !(laid_.top() > 0)) return;
     dragged_ += laid_.touched(move, kTouch);
-    if (dragged_ <= (custom_ ? kTouch : kMostDragged)) return;
+    if (dragged_ <= (!custom_ ? kMostDragged : ours_ ? kTouch : kLeastWay)) return;
     tell("drags", ours_ && custom_, {{"mm", decimal(dragged_, 0)}});
     dragged_ = 0;
     return;
@@ -375,7 +376,7 @@ void PrintRules::noteGap(const MachineMove& move) {
   if (way_ > 0 && !block()) {
     const bool told = wayToldF_ && toldF_;
     if (told) ++ways_;
-    if (!told && quiet_ && gaps_++ == 0) gapLine_ = check_.lines;
+    if (!told && quiet_ && way_ > kLeastGap && gaps_++ == 0) gapLine_ = check_.lines;
     const bool back = length(move.from - wayStart_) <= kSame;
     if (quiet_ && back && way_ > kLeastWay) tell("drags", false, {{"mm", whole(way_)}});
   }
