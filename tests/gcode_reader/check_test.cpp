@@ -269,7 +269,7 @@ TEST_CASE("each fault is found by its rule, in its line") {
       {"commands", true, with("SET_GCODE_OFFSET Z_ADJUST=-0.3\nSET_GCODE_OFFSET Z_ADJUST=-0.3"),
        "offsets move Z by -0.6 mm in all; it must be -0.5 to 10"},
       {"commands", true, with("M206 X200"), "offsets move X by 200 mm in all; it must be -10 to 10"},
-      {"commands", true, with("M204 S0"), "M204 S is 0; it must be 1 to 200000"},
+      {"commands", true, with("M204 S0"), "M204 S is 0; it must be 10 to 200000"},
       {"commands", true, with("M221 S1"), "M221 S is 1; it must be 20 to 200"},
       {"commands", true, with("SET_PRESSURE_ADVANCE ADVANCE=10"),
        "SET_PRESSURE_ADVANCE ADVANCE is 10; it must be -2.5 to 2.5"},
@@ -518,7 +518,7 @@ TEST_CASE("blocks of old machines home by axis, lift first, and purge on the bed
   CHECK(checkGcode(kStart + "G1 Z1\nG1 X60 Z0 E9 F1000\nG1 Z0.2\n" + kSquare + kEnd).errors() == 0);
   CHECK(checkGcode(kStart + "G1 Z1\nG1 X60 Z-0.1 E9 F1000\nG1 Z0.2\n" + kSquare + kEnd).errors() > 0);
   CHECK(checkGcode(kStart + "G1 Z 1.0\nG1 Z0.2\n" + kSquare + kEnd).errors() == 0);  // all firmwares read 1
-  CHECK(checkGcode(kStart + "G29 Z10\n" + kSquare + kEnd).errors() == 0);   // higher than the bed is
+  CHECK(checkGcode(kStart + "G29 Z10\n" + kSquare + kEnd).errors() == 0);            // higher than the bed is
   CHECK(checkGcode(kStart + "G29 Z-2\n" + kSquare + kEnd).errors() > 0);
 }
 

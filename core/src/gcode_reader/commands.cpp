@@ -88,7 +88,7 @@ constexpr Row kRows[] = {
      "M569.1-M569.9 "
      "M665-M666 M851-M852 M860-M861 M864-M871 M905-M906 M908-M910 M912-M919"},
     {Outlives, RepRap, false,
-     "M305 M308 M555-M556 M558 M562-M564 M569 M573-M574 M579 M584 M594 M667-M672 M906 M913 M917 M950 M951 G31 G33"},
+     "M305 M308 M555-M556 M558 M562-M564 M569 M573 M579 M594 M668 M670-M672 M906 M913 M917 M950 M951 G31 G33"},
     {Outlives, Prusa, false, "G82-G83 G86-G88 M45-M47 M310"},
     {Outlives, Klipper, false,
      "SAVE_VARIABLE SET_GCODE_VARIABLE SET_PIN SET_SERVO SET_IDLE_TIMEOUT SET_TMC_FIELD INIT_TMC "
@@ -96,14 +96,15 @@ constexpr Row kRows[] = {
      "SET_STEPPER_ENABLE Z_OFFSET_APPLY_PROBE Z_OFFSET_APPLY_ENDSTOP SET_SKEW SET_Z_THERMAL_ADJUST"},
 
     {Runs, RepRap, false, "M98 M99 M581-M582"},
-    {Runs, Marlin, false, "M808"},
+    {Runs, Marlin, true, "M808"},
     {Runs, Klipper, false, "UPDATE_DELAYED_GCODE"},
 
     {Unfollowed, Marlin, false, "G18-G19 G26 G38 G38.1-G38.9 G5 G42 G76 M3-M4 M7-M11 M42 M48 M360-M365 M380-M381 M430"},
     {Unfollowed, Marlin, true, "G6 G53 G61"},
     {Unfollowed, Marlin, false, "G33 G54-G59 G59.1-G59.9 G425"},
-    {Unfollowed, RepRap, false, "G68 G93 M585 IF ELIF ELSE WHILE VAR SET GLOBAL"},
-    {Unfollowed, RepRap, true, "M260-M261 M452"},
+    {Unfollowed, RepRap, false, "G68 G93 VAR SET GLOBAL"},
+    {Unfollowed, RepRap, true, "IF ELIF ELSE WHILE"},  // what stands in them may run often or never
+    {Unfollowed, RepRap, true, "M260-M261 M452 M574 M584-M585 M667 M669"},
     {Unfollowed, Klipper, true,
      "FORCE_MOVE SET_KINEMATIC_POSITION MANUAL_STEPPER STEPPER_BUZZ MANUAL_PROBE TESTZ SET_TMC_CURRENT "
      "SET_STEPPER_PHASE "
@@ -190,7 +191,10 @@ bool movesOrigin(const GcodeCommand& command) {
   for (const int code : {20, 28, 30, 90, 91}) {
     if (command.is('G', code)) return true;
   }
-  return command.is('M', 206) || command.is('M', 290);
+  for (const int code : {82, 83, 206, 290}) {
+    if (command.is('M', code)) return true;
+  }
+  return false;
 }
 
 const Row* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
@@ -263,9 +267,10 @@ class Judge {
   std::vector<GcodeFinding> take() { return std::move(findings_); }
 
  private:
-  static constexpr int kMostCommands = 100;    // in one line
-  static constexpr double kRoom = 25;          // [degrees Celsius]
-  static constexpr double kMostAdvance = 2.5;  // [s] of pressure advance: twice that of the longest tubes
+  static constexpr int kMostCommands = 100;     // in one line
+  static constexpr double kRoom = 25;           // [degrees Celsius]
+  static constexpr double kLongestWait = 3600;  // [s]
+  static constexpr double kMostAdvance = 2.5;   // [s] of pressure advance: twice that of the longest tubes
 
   void add(std::string_view code, bool error, FindingValues values) {
     GcodeFinding finding = makeFinding(code, error, std::move(values));
@@ -364,6 +369,16 @@ class Judge {
     if (head.letter == 0) return byName(head, shown);
     if (takesText(head)) return;
     const GcodeWords words = wordsOf(head.rest);
+    // S1e3 and S1_0 are more to some than to others; M115 U3.11.0 and M906 X800:800 mean what they say.
+    if (words.fault == GcodeWords::NotPlain && words.faultText.find_first_of("eE_", 1) != std::string_view::npos) {
+      add("no-plain-number", true, {{"text", shownText(words.faultText)}});
+    }
+    const auto least = [&](std::string_view letters, double low, double high) {
+      for (const char letter : letters) {
+        const double value = words.at(letter, low);
+        if (value < low) beyond(shown + " " + letter, value, low, high);
+      }
+    };
     const auto all = [&](std::string_view letters, double most) {
       for (const char letter : letters) {
         if (words.has(letter)) range(shown + " " + letter, words.at(letter), most);
@@ -377,13 +392,15 @@ class Judge {
     if (head.letter == 'G') {
       if (head.code == 4) {
         const double minutes = std::max(words.at('S') / 60, words.at('P') / 60000);
+        least("SP", 0, kLongestWait);  // Marlin would wait for weeks
+        if (minutes > 60) return beyond(shown + " S", 60 * minutes, 0, kLongestWait);
         if (minutes > 10) add("long-wait", false, {{"command", shown}, {"minutes", decimal(minutes, 0)}});
       }
       if (setsTool(head, words)) hottest(hottestNozzle_);
       if (head.code == 10 && (words.has('P') || words.has('L'))) all("Z", kMostLowered);
       // Alone it raises what is printed.
       const bool raises = !words.has('P') && !words.has('S') && words.at('Z') > 0;
-      if (head.code == 29 && head.sub <= 1 && !raises) all("ZC", 1);
+      if (head.code == 29 && (head.sub > 0 || !raises)) all("ZC", 1);
       if (head.code == 31 && words.has('Z')) {
         all("Z", 5);
         told("outlives", false, shown);
@@ -405,9 +422,16 @@ class Judge {
       case 140:
       case 144:
         return hottest(hottestBed_);
-      case 141:
       case 191:
+        coolest(words, shown);
+        [[fallthrough]];
+      case 141:
+      case 142:
+      case 192:
         return hottest(100);
+      case 620:
+        if (head.sub == 1 && words.has('T')) heat(words.at('T'), hottestNozzle_);
+        return;
       case 145:
         if (words.has('H')) heat(words.at('H'), hottestNozzle_);
         if (words.has('B')) heat(words.at('B'), hottestBed_);
@@ -415,30 +439,65 @@ class Judge {
       case 149:
         if (!holds(upperCase(head.rest), "C")) told("never", true, shown);  // degrees of another kind
         return;
-      case 121:
+      case 17:  // amperes of Bambu's motors
+        return all("XYZE", 3);
+      case 42:
+        if (words.has('I')) told("never", true, shown);  // pins of heaters, too
+        return;
+      case 92:
+        if (words.has('X') || words.has('Y') || words.has('Z')) told("unfollowed", true, shown);
+        least("E", 20, 10'000);
+        return all("E", 10'000);
+      case 106:
+        if (words.has('H')) told("never", true, shown);  // which fan cools which heater
+        return;
+      case 122:
+        if (words.at('P') >= 1000) told("never", true, shown);  // tests that stop the machine
         return;
       case 201:
+        least("XYZE", 1, 200'000);
+        return all("XYZE", 200'000);
       case 204:
-        for (const char letter : std::string_view("PRTS")) {
-          if (head.code == 204 && words.has(letter) && words.at(letter) < 1) {
-            beyond(shown + " " + letter, words.at(letter), 1, 200'000);
-          }
-        }
-        return all("XYZEPRTS", 200000);
+        least("PRTS", 10, 200'000);
+        return all("PRTS", 200'000);
+      case 207:
+        all("S", 25);
+        return all("Z", 20);
+      case 425:
+        return all("XYZ", 1);
+      case 558:
+        return least("H", 0, 100);
+      case 566:
+        return all("XYZE", 12'000);  // mm/min
+      case 600:
+        return least("Z", 0, 500);
+      case 603:
+        return all("UL", 2000);
+      case 666:
+        return all("XYZ", 2);
+      case 913:
+        return all("XYZE", 200);
       case 203:
-        return all("XYZE", 60000);  // mm/s, or mm/min for RepRapFirmware
+        least("XYZE", 0.1, 60'000);
+        return all("XYZE", 60'000);  // mm/s, or mm/min for RepRapFirmware
       case 205:
+        all("J", 1);
+        least("J", 0, 1);
         return all("XYZE", 200);
       case 206:
         return all("Z", kMostLowered);  // which of its signs lowers depends on the firmware
-      case 290:
       case 428:
+        told("unfollowed", true, shown);
+        [[fallthrough]];
+      case 290:
         return lowered(shown + " Z", words.at('Z'));
       case 208:
+        all("S", 5);
+        if (words.has('X') || words.has('Y') || words.has('Z')) told("outlives", false, shown);
         if (words.at('Z') < -kMostLowered) beyond(shown + " Z", words.at('Z'), -kMostLowered, 5000);
         return;
       case 569:
-        if (words.has('P')) told("outlives", false, shown);  // the sense of a motor
+        if (words.has('P') && head.sub == 0) told("unfollowed", true, shown);  // the sense of a motor
         return;
       case 572:
         return all("S", kMostAdvance);
@@ -461,6 +520,7 @@ class Judge {
         return;
       case 906:
       case 907:
+        least("XYZE", 50, 2000);  // a motor without current lets its axis fall
         return all("XYZEIJKS", 2000);
       default:
         return;
@@ -470,7 +530,7 @@ class Judge {
   void byName(const GcodeCommand& head, const std::string& shown) {
     const std::string name = upperCase(head.name);
     const std::string words = upperCase(head.rest);
-    if (name == "BED_MESH_PROFILE" && holds(words, "SAVE")) told("outlives", false, shown);
+    if (name == "BED_MESH_PROFILE" && (holds(words, "SAVE") || holds(words, "REMOVE"))) told("outlives", false, shown);
     if (name == "RESPOND") toHost(words, shown);
     if (name == "ECHO" && holds(words, ">")) told("files", true, shown);  // RepRapFirmware's language writes files
     if (name == "RESTORE_GCODE_STATE" || name == "EXCLUDE_OBJECT_DEFINE") return;
@@ -478,8 +538,11 @@ class Judge {
     const bool advance = name == "SET_PRESSURE_ADVANCE";
     const bool offset = name == "SET_GCODE_OFFSET";
     const bool wait = name == "TEMPERATURE_WAIT";
-    const bool numbers = limits || advance || offset || wait || name == "SET_HEATER_TEMPERATURE";
-    const bool bed = holds(words, "HEATER_BED");
+    const bool heater = wait || name == "SET_HEATER_TEMPERATURE";
+    const bool numbers = limits || advance || offset || heater;
+    const bool nozzle = holds(words, "=EXTRUDER") || holds(words, "EXTRUDER\"") || holds(words, "EXTRUDER'") || !heater;
+    const bool hotend = name == "SET_FAN_SPEED" && (holds(words, "HOTEND") || holds(words, "HEATER"));
+    double minimum = 0;
     forEachParameter(head.rest, [&](const std::string& key, std::string_view text) {
       double value = 0;
       const std::size_t read = readNumber(text, value);
@@ -493,7 +556,19 @@ class Judge {
       if (number && (glued || read < text.size())) add("no-plain-number", true, {{"text", shownText(text)}});
       if (read == 0) return;
       const std::string what = shown + " " + key;
-      if (limits) return range(what, value, 200000);
+      if (limits) {
+        const bool ratio = holds(key, "RATIO");
+        const double low = key == "ACCEL" || key == "VELOCITY" ? 1 : 0;
+        const double high = ratio ? 1 : holds(key, "CORNER") ? 200 : 200'000;
+        return value < low || value > high ? beyond(what, value, low, high) : void();
+      }
+      if (hotend && key == "SPEED" && value < 1) return told("never", true, shown);
+      if (key == "RETRACT_LENGTH") return range(what, value, 25);
+      if (key == "HORIZONTAL_MOVE_Z" && value < 1) return beyond(what, value, 1, 100);
+      if (name == "SET_EXTRUDER_ROTATION_DISTANCE" && key == "DISTANCE" && std::abs(value) < 1)
+        return beyond(what, value, 1, 1000);
+      if (wait && key == "MINIMUM") minimum = value;
+      if (wait && key == "MAXIMUM" && value < minimum) return beyond(what, value, minimum, 500);
       if (advance && key == "ADVANCE") return range(what, value, kMostAdvance);
       if (offset && holds(key, "Z")) return lowered(what, value);
       if (wait && key == "MAXIMUM" && value < kRoom) return beyond(what, value, kRoom, 500);
@@ -502,7 +577,7 @@ class Judge {
       if (holds(key, "CHAMBER")) return heat(value, 100);
       if (holds(key, "TEMP") || holds(key, "TARGET") || holds(key, "EXTRUDER") || holds(key, "HOTEND") ||
           holds(key, "NOZZLE") || key == "TOOL0" || (wait && key == "MINIMUM")) {
-        heat(value, bed ? hottestBed_ : hottestNozzle_);
+        heat(value, nozzle ? hottestNozzle_ : hottestBed_);
       }
     });
   }
@@ -519,6 +594,13 @@ class Judge {
       if (head.code == 118) toHost(upperCase(head.rest), "M118");
       const std::size_t cut = head.rest.find_first_of(":#");
       if (cut != std::string_view::npos) dangerous(head.rest.substr(cut + 1), depth);
+      // Behind the text of these RepRapFirmware reads on.
+      if (head.code != 486 && head.code != 862 && head.code != 1002) return;
+      const std::size_t text = head.rest.rfind('"');
+      for (std::size_t at = text == std::string_view::npos ? 1 : text + 1; at + 1 < head.rest.size(); ++at) {
+        const bool word = at > 0 && head.rest[at - 1] <= ' ' && holds("GMgm", head.rest.substr(at, 1));
+        if (word && head.rest[at + 1] >= '0' && head.rest[at + 1] <= '9') return dangerous(head.rest.substr(at), depth);
+      }
       return;
     }
     if (head.letter == 0) return;
@@ -557,7 +639,9 @@ class Judge {
 }  // namespace
 
 const char* spellingFault(std::string_view line) {
-  const bool text = takesAnyText(commandOf(partsOf(line).code));
+  const std::string_view code = partsOf(line).code;
+  const bool text = takesAnyText(commandOf(code));
+  const bool letter = !code.empty() && upperCase(code.substr(0, 1)) >= "A" && upperCase(code.substr(0, 1)) <= "Z";
   bool quoted = false;
   for (std::size_t at = 0; at < line.size(); ++at) {
     const char c = line[at];
@@ -569,6 +653,9 @@ const char* spellingFault(std::string_view line) {
     if (text) continue;
     if ((c < ' ' && c != '\t') || c > '~') return "no-ascii";
     if (c == '\\') return "no-plain-line";
+    // Marlin may take such a remark out of the words around it.
+    const std::size_t behind = letter && c == ')' ? line.find_first_not_of(" \t", at + 1) : std::string_view::npos;
+    if (behind != std::string_view::npos && line[behind] != ';' && !quoted) return "no-plain-line";
   }
   return quoted && !text ? "no-plain-line" : nullptr;
 }
