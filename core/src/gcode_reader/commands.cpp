@@ -84,7 +84,7 @@ constexpr Row kRows[] = {
      "PRINT_START START_PRINT PRINT_END END_PRINT PRINT_WARMUP SMART_PARK LINE_PURGE CLEAN_NOZZLE"},
 
     {Outlives, Marlin, false,
-     "M92 M111 M121 M206 M210-M212 M218 M281 M290 M301 M304-M307 M340 M350-M351 M421-M423 M428 M500-M501 M540 "
+     "M92 M111 M121 M206 M210-M212 M218 M281 M290 M301 M304-M307 M340 M350-M351 M421-M423 M500-M501 M540 "
      "M569.1-M569.9 "
      "M665-M666 M851-M852 M860-M861 M864-M871 M905-M906 M908-M910 M912-M919"},
     {Outlives, RepRap, false,
@@ -100,7 +100,7 @@ constexpr Row kRows[] = {
     {Runs, Klipper, false, "UPDATE_DELAYED_GCODE"},
 
     {Unfollowed, Marlin, false, "G18-G19 G26 G38 G38.1-G38.9 G5 G42 G76 M3-M4 M7-M11 M42 M48 M360-M365 M380-M381 M430"},
-    {Unfollowed, Marlin, true, "G6 G53 G61"},
+    {Unfollowed, Marlin, true, "G6 G53 G61 M428"},
     {Unfollowed, Marlin, false, "G33 G54-G59 G59.1-G59.9 G425"},
     {Unfollowed, RepRap, false, "G68 G93 VAR SET GLOBAL"},
     {Unfollowed, RepRap, true, "IF ELIF ELSE WHILE"},  // what stands in them may run often or never
@@ -258,6 +258,80 @@ bool takesAnyText(const GcodeCommand& command) {
 
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
+constexpr double kMostAdvance = 2.5;  // [s] of pressure advance: twice that of the longest tubes
+
+// What numbers behind a letter of M commands may be.
+struct Limits {
+  int code;
+  std::string_view letters;
+  double low;
+  double high;
+};
+constexpr Limits kLimits[] = {
+    {17, "XYZE", -3, 3},  // [A] of Bambu's motors
+    {92, "E", 20, 10'000},
+    {201, "XYZEPRTS", 1, 200'000},
+    {203, "XYZE", 0.1, 60'000},  // [mm/s], or [mm/min] for RepRapFirmware
+    {204, "PRTS", 10, 200'000},
+    {205, "XYZE", -200, 200},
+    {205, "J", 0, 1},
+    {206, "Z", -kMostLowered, kMostLowered},  // which of its signs lowers depends on the firmware
+    {207, "S", -25, 25},
+    {207, "Z", -20, 20},
+    {208, "S", -5, 5},
+    {208, "Z", -kMostLowered, 5000},
+    {218, "Z", -5, 5},
+    {220, "S", 20, 200},
+    {221, "S", 20, 200},
+    {290, "Z", -kMostLowered, kMostOffset},
+    {421, "ZQ", -2, 2},
+    {425, "XYZ", -1, 1},
+    {428, "Z", -kMostLowered, kMostOffset},
+    {558, "H", 0, 100},
+    {566, "XYZE", -12'000, 12'000},  // [mm/min]
+    {572, "S", -kMostAdvance, kMostAdvance},
+    {600, "Z", 0, 500},
+    {603, "UL", -2000, 2000},
+    {666, "XYZ", -2, 2},
+    {851, "Z", -10, 10},
+    {906, "XYZE", 50, 2000},  // [mA]; a motor without current lets its axis fall
+    {906, "IJKS", 0, 2000},
+    {907, "XYZE", 50, 2000},
+    {907, "IJKS", 0, 2000},
+    {913, "XYZE", 0, 200},
+};
+
+struct NamedLimits {
+  std::string_view name;
+  std::string_view key;
+  double low;
+  double high;
+};
+constexpr NamedLimits kNamedLimits[] = {
+    {"SET_VELOCITY_LIMIT", "ACCEL", 1, 200'000},
+    {"SET_VELOCITY_LIMIT", "ACCEL_TO_DECEL", 1, 200'000},
+    {"SET_VELOCITY_LIMIT", "VELOCITY", 1, 200'000},
+    {"SET_VELOCITY_LIMIT", "SQUARE_CORNER_VELOCITY", 0, 200},
+    {"SET_VELOCITY_LIMIT", "MINIMUM_CRUISE_RATIO", 0, 1},
+    {"SET_PRESSURE_ADVANCE", "ADVANCE", -kMostAdvance, kMostAdvance},
+    {"SET_RETRACTION", "RETRACT_LENGTH", 0, 25},
+    {"BED_MESH_CALIBRATE", "HORIZONTAL_MOVE_Z", 1, 100},
+    {"SET_EXTRUDER_ROTATION_DISTANCE", "DISTANCE", 1, 1000},
+};
+
+// M commands that are more than usual with one of these letters.
+struct Telling {
+  int code;
+  std::string_view letters;
+  std::string_view sentence;
+  bool error;
+};
+constexpr Telling kTold[] = {
+    {42, "I", "never", true},                                         // pins of heaters, too
+    {92, "XYZ", "unfollowed", true}, {106, "H", "never", true},       // which fan cools which heater
+    {208, "XYZ", "outlives", false}, {569, "P", "unfollowed", true},  // the sense of a motor
+};
+
 class Judge {
  public:
   Judge(std::string_view code, GcodeFlavor flavor, double hottestNozzle, double hottestBed, bool strict)
@@ -358,13 +432,6 @@ class Judge {
     if (words.at('R', kRoom) < kRoom && words.at('R') > 0) beyond(shown + " R", words.at('R'), kRoom, 500);
   }
 
-  void lowered(const std::string& what, double value) { range(what, value, value < 0 ? kMostLowered : kMostOffset); }
-
-  // Magnitudes above `most` are errors.
-  void range(const std::string& what, double value, double most) {
-    if (std::abs(value) > most) beyond(what, value, -most, most);
-  }
-
   void byValue(const GcodeCommand& head, const std::string& shown) {
     if (head.letter == 0) return byName(head, shown);
     if (takesText(head)) return;
@@ -373,15 +440,10 @@ class Judge {
     if (words.fault == GcodeWords::NotPlain && words.faultText.find_first_of("eE_", 1) != std::string_view::npos) {
       add("no-plain-number", true, {{"text", shownText(words.faultText)}});
     }
-    const auto least = [&](std::string_view letters, double low, double high) {
+    const auto within = [&](std::string_view letters, double low, double high) {
       for (const char letter : letters) {
         const double value = words.at(letter, low);
-        if (value < low) beyond(shown + " " + letter, value, low, high);
-      }
-    };
-    const auto all = [&](std::string_view letters, double most) {
-      for (const char letter : letters) {
-        if (words.has(letter)) range(shown + " " + letter, words.at(letter), most);
+        if (value < low || value > high) beyond(shown + " " + letter, value, low, high);
       }
     };
     const auto hottest = [&](double limit) {
@@ -392,23 +454,31 @@ class Judge {
     if (head.letter == 'G') {
       if (head.code == 4) {
         const double minutes = std::max(words.at('S') / 60, words.at('P') / 60000);
-        least("SP", 0, kLongestWait);  // Marlin would wait for weeks
-        if (minutes > 60) return beyond(shown + " S", 60 * minutes, 0, kLongestWait);
+        within("S", 0, kLongestWait);
+        within("P", 0, 1000 * kLongestWait);  // below 0 Marlin would wait for weeks
         if (minutes > 10) add("long-wait", false, {{"command", shown}, {"minutes", decimal(minutes, 0)}});
       }
       if (setsTool(head, words)) hottest(hottestNozzle_);
-      if (head.code == 10 && (words.has('P') || words.has('L'))) all("Z", kMostLowered);
+      if (head.code == 10 && (words.has('P') || words.has('L'))) within("Z", -kMostLowered, kMostLowered);
       // Alone it raises what is printed.
       const bool raises = !words.has('P') && !words.has('S') && words.at('Z') > 0;
-      if (head.code == 29 && (head.sub > 0 || !raises)) all("ZC", 1);
+      if (head.code == 29 && (head.sub > 0 || !raises)) within("ZC", -1, 1);
       if (head.code == 31 && words.has('Z')) {
-        all("Z", 5);
+        within("Z", -5, 5);
         told("outlives", false, shown);
       }
       if (head.code <= 1 && head.code >= 0 && words.has('R')) told("unfollowed", true, shown);
       return;
     }
     if (head.letter != 'M') return;
+    for (const Limits& limits : kLimits) {
+      if (limits.code == head.code) within(limits.letters, limits.low, limits.high);
+    }
+    for (const Telling& telling : kTold) {
+      const bool named =
+          std::any_of(telling.letters.begin(), telling.letters.end(), [&](char letter) { return words.has(letter); });
+      if (telling.code == head.code && head.sub == 0 && named) told(telling.sentence, telling.error, shown);
+    }
     switch (head.code) {
       case 109:
         coolest(words, shown);
@@ -439,77 +509,8 @@ class Judge {
       case 149:
         if (!holds(upperCase(head.rest), "C")) told("never", true, shown);  // degrees of another kind
         return;
-      case 17:  // amperes of Bambu's motors
-        return all("XYZE", 3);
-      case 42:
-        if (words.has('I')) told("never", true, shown);  // pins of heaters, too
-        return;
-      case 92:
-        if (words.has('X') || words.has('Y') || words.has('Z')) told("unfollowed", true, shown);
-        least("E", 20, 10'000);
-        return all("E", 10'000);
-      case 106:
-        if (words.has('H')) told("never", true, shown);  // which fan cools which heater
-        return;
       case 122:
         if (words.at('P') >= 1000) told("never", true, shown);  // tests that stop the machine
-        return;
-      case 201:
-        least("XYZE", 1, 200'000);
-        return all("XYZE", 200'000);
-      case 204:
-        least("PRTS", 10, 200'000);
-        return all("PRTS", 200'000);
-      case 207:
-        all("S", 25);
-        return all("Z", 20);
-      case 425:
-        return all("XYZ", 1);
-      case 558:
-        return least("H", 0, 100);
-      case 566:
-        return all("XYZE", 12'000);  // mm/min
-      case 600:
-        return least("Z", 0, 500);
-      case 603:
-        return all("UL", 2000);
-      case 666:
-        return all("XYZ", 2);
-      case 913:
-        return all("XYZE", 200);
-      case 203:
-        least("XYZE", 0.1, 60'000);
-        return all("XYZE", 60'000);  // mm/s, or mm/min for RepRapFirmware
-      case 205:
-        all("J", 1);
-        least("J", 0, 1);
-        return all("XYZE", 200);
-      case 206:
-        return all("Z", kMostLowered);  // which of its signs lowers depends on the firmware
-      case 428:
-        told("unfollowed", true, shown);
-        [[fallthrough]];
-      case 290:
-        return lowered(shown + " Z", words.at('Z'));
-      case 208:
-        all("S", 5);
-        if (words.has('X') || words.has('Y') || words.has('Z')) told("outlives", false, shown);
-        if (words.at('Z') < -kMostLowered) beyond(shown + " Z", words.at('Z'), -kMostLowered, 5000);
-        return;
-      case 569:
-        if (words.has('P') && head.sub == 0) told("unfollowed", true, shown);  // the sense of a motor
-        return;
-      case 572:
-        return all("S", kMostAdvance);
-      case 851:
-        return all("Z", 10);
-      case 421:
-        return all("ZQ", 2);
-      case 218:
-        return all("Z", 5);
-      case 220:
-      case 221:
-        if (words.has('S') && (words.at('S') < 20 || words.at('S') > 200)) beyond(shown + " S", words.at('S'), 20, 200);
         return;
       case 302:
         if ((words.has('P') && words.at('P') > 0 && words.at('S', 999) >= 170) || words.at('S', 999) < 150)
@@ -518,10 +519,6 @@ class Judge {
       case 211:
         if (flavor_ != GcodeFlavor::Bambu && words.has('S') && words.at('S') == 0) told("outlives", false, shown);
         return;
-      case 906:
-      case 907:
-        least("XYZE", 50, 2000);  // a motor without current lets its axis fall
-        return all("XYZEIJKS", 2000);
       default:
         return;
     }
@@ -556,21 +553,17 @@ class Judge {
       if (number && (glued || read < text.size())) add("no-plain-number", true, {{"text", shownText(text)}});
       if (read == 0) return;
       const std::string what = shown + " " + key;
-      if (limits) {
-        const bool ratio = holds(key, "RATIO");
-        const double low = key == "ACCEL" || key == "VELOCITY" ? 1 : 0;
-        const double high = ratio ? 1 : holds(key, "CORNER") ? 200 : 200'000;
-        return value < low || value > high ? beyond(what, value, low, high) : void();
+      for (const NamedLimits& own : kNamedLimits) {
+        if (own.name != name || own.key != key) continue;
+        return value < own.low || value > own.high ? beyond(what, value, own.low, own.high) : void();
       }
       if (hotend && key == "SPEED" && value < 1) return told("never", true, shown);
-      if (key == "RETRACT_LENGTH") return range(what, value, 25);
-      if (key == "HORIZONTAL_MOVE_Z" && value < 1) return beyond(what, value, 1, 100);
-      if (name == "SET_EXTRUDER_ROTATION_DISTANCE" && key == "DISTANCE" && std::abs(value) < 1)
-        return beyond(what, value, 1, 1000);
       if (wait && key == "MINIMUM") minimum = value;
       if (wait && key == "MAXIMUM" && value < minimum) return beyond(what, value, minimum, 500);
-      if (advance && key == "ADVANCE") return range(what, value, kMostAdvance);
-      if (offset && holds(key, "Z")) return lowered(what, value);
+      if (offset && holds(key, "Z")) {
+        if (value < -kMostLowered || value > kMostOffset) beyond(what, value, -kMostLowered, kMostOffset);
+        return;
+      }
       if (wait && key == "MAXIMUM" && value < kRoom) return beyond(what, value, kRoom, 500);
       // These keys give a macro or a heater its temperature.
       if (holds(key, "BED")) return heat(value, hottestBed_);
