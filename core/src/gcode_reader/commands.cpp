@@ -344,7 +344,6 @@ class Judge {
   static constexpr int kMostCommands = 100;     // in one line
   static constexpr double kRoom = 25;           // [degrees Celsius]
   static constexpr double kLongestWait = 3600;  // [s]
-  static constexpr double kMostAdvance = 2.5;   // [s] of pressure advance: twice that of the longest tubes
 
   void add(std::string_view code, bool error, FindingValues values) {
     GcodeFinding finding = makeFinding(code, error, std::move(values));
@@ -437,9 +436,10 @@ class Judge {
     if (takesText(head)) return;
     const GcodeWords words = wordsOf(head.rest);
     // S1e3 and S1_0 are more to some than to others; M115 U3.11.0 and M906 X800:800 mean what they say.
-    if (words.fault == GcodeWords::NotPlain && words.faultText.find_first_of("eE_", 1) != std::string_view::npos) {
-      add("no-plain-number", true, {{"text", shownText(words.faultText)}});
-    }
+    const bool odd =
+        words.fault == GcodeWords::NotPlain && words.faultText.find_first_of("eE_", 1) != std::string_view::npos;
+    const bool power = head.letter == 'M' && readsWords(head) && words.crowded && words.has('E');  // M104 S48E1
+    if (odd || power) add("no-plain-number", true, {{"text", shownText(odd ? words.faultText : head.rest)}});
     const auto within = [&](std::string_view letters, double low, double high) {
       for (const char letter : letters) {
         const double value = words.at(letter, low);
@@ -585,6 +585,7 @@ class Judge {
   void further(const GcodeCommand& head, int depth) {
     if (takesText(head)) {
       if (head.code == 118) toHost(upperCase(head.rest), "M118");
+      second_ = true;
       const std::size_t cut = head.rest.find_first_of(":#");
       if (cut != std::string_view::npos) dangerous(head.rest.substr(cut + 1), depth);
       // Behind the text of these RepRapFirmware reads on.
