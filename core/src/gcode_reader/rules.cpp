@@ -175,11 +175,8 @@ void Rules::command(std::string_view text) {
   const GcodeCommand command = commandOf(text);
   const bool moves = command.letter == 'G' && command.code <= 3 && command.code >= 0 && command.sub == 0;
   if (!moves || command.rest.find_first_of("GMRgmr") != std::string_view::npos) {
-    const std::optional<Printer>& printer = settings_.printer;
-    const bool told = printer && !printer->anyTemperature;
-    const double nozzle = told ? printer->maxNozzleTemperature : kHottestNozzle;
-    const double bed = told ? printer->maxBedTemperature : kHottestBed;
-    for (GcodeFinding& finding : judgeCommand(text, settings_.flavor, nozzle, bed, false)) {
+    for (GcodeFinding& finding :
+         judgeCommand(text, settings_.flavor, settings_.hottestNozzle, settings_.hottestBed, false)) {
       if (finding.code == "outlives" && ours_ && !block()) finding.error = true;
       found(std::move(finding));
     }
