@@ -135,6 +135,8 @@ TEST_CASE("layers lie where their marks tell, and on each other") {
   const std::string spiral =
       moved(moved(print(), "G1 Z0.600000", "G1 Z0.4"), " E0.33260 F1800", " Z0.45 E0.33260 F1800");
   CHECK(codes(spiral) == "");
+  // Its first piece is too short to rise.
+  CHECK(codes(moved(moved(print(), "G1 Z0.600000", "G1 Z0.4"), "G1 Y60 E0.33260", "G1 Y60 Z0.45 E0.33260")) == "");
   const std::string low = moved(print(), "G1 Z0.600000", "G1 Z0.45");
   CHECK(codes(kOurs + low) == "!off-layer ");
   CHECK(codes(low) == "!off-layer ");

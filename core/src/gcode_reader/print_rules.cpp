@@ -398,8 +398,12 @@ void PrintRules::noteFlow(const MachineMove& move) {
 
 // The mark's height, as far as the file tells one; else steps from layer to layer.
 void PrintRules::judgeHeight(const MachineMove& move) {
-  if (move.z != move.zFrom) climbs_ = true;
+  if (move.z != move.zFrom) {
+    climbs_ = true;
+    offLine_ = 0;
+  }
   if (climbs_) return;  // a spiral, which has level pieces only where heights are rounded
+  tellOff();
   if (told_ >= 0) {
     if (ours_ || !(height_ > 0)) return;  // our own files are judged with the other rules
     if (toldFirst_ < 0) toldFirst_ = told_;
@@ -415,7 +419,10 @@ void PrintRules::judgeHeight(const MachineMove& move) {
       offset_ = std::abs(off) <= kFileOffset ? off : 0;
     }
     if (std::abs(off - offset_) <= kHeightShare * height_) return;
-    return found("off-layer", true, {{"z", decimal(move.z, 3)}, {"top", decimal(told_ + settings_.zOffset, 3)}});
+    offLine_ = check_.lines;
+    offZ_ = move.z;
+    offTop_ = told_ + settings_.zOffset;
+    return;
   }
   if (stepJudged_) return;
   stepJudged_ = true;
@@ -444,7 +451,15 @@ void PrintRules::judgeSpeed(const MachineMove& move) {
   }
 }
 
+void PrintRules::tellOff() {
+  if (offLine_ == 0) return;
+  const std::int64_t here = std::exchange(check_.lines, std::exchange(offLine_, 0));
+  found("off-layer", true, {{"z", decimal(offZ_, 3)}, {"top", decimal(offTop_, 3)}});
+  check_.lines = here;
+}
+
 void PrintRules::onLayer() {
+  tellOff();
   if (told_ >= 0) toldBefore_ = told_;
   told_ = -1;
   quiet_ = false;

@@ -49,6 +49,7 @@ class PrintRules final : public Rules {
   void noteGap(const MachineMove& move);
   void noteFlow(const MachineMove& move);
   void judgeHeight(const MachineMove& move);
+  void tellOff();
   void judgeSpeed(const MachineMove& move);
   void judge(const Change& change);
   void judgeHeat(const Change& change);
@@ -124,6 +125,10 @@ class PrintRules final : public Rules {
   double lastZ_ = -1;     // of the last layer without a mark of its own
   bool stepJudged_ = false;
   bool climbs_ = false;  // the layer has a bead that rises
+  std::int64_t offLine_ =
+      0;  // of the last level bead that lies off its layer, until the next one tells whether it climbs
+  double offZ_ = 0;
+  double offTop_ = 0;
 
   bool aside_ = false;  // skirts and brims
   Bounds box_;          // of this layer's beads
