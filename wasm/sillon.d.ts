@@ -787,13 +787,13 @@ export interface PrinterValues {
   maxNozzleTemperature: number;
   /** Highest bed temperature that the printer is made for. 0..120 °C, default 120. */
   maxBedTemperature: number;
-  /** For experts: allows nozzle temperatures of 0 to 300 °C and bed temperatures of up to 120, whatever the limits are; check refuses more. Default false. */
-  anyTemperature: boolean;
-  /** Nozzle temperature, as on the filament’s label; 170 to the printer’s limit unless any temperature is allowed. 0..300 °C, default 215. */
+  /** For experts: the nozzle may have 0 to 300 °C and the bed up to 120, which no machine may exceed, instead of the printer’s own limits. Default false. */
+  generalHeatLimits: boolean;
+  /** Nozzle temperature, as on the filament’s label; 170 to the printer’s limit unless the general limits hold. 0..300 °C, default 215. */
   nozzleTemperature: number;
-  /** Nozzle temperature of the first layer, often slightly higher for adhesion; 170 to the printer’s limit unless any temperature is allowed. 0..300 °C, default 220. */
+  /** Nozzle temperature of the first layer, often slightly higher for adhesion; 170 to the printer’s limit unless the general limits hold. 0..300 °C, default 220. */
   firstLayerNozzleTemperature: number;
-  /** Bed temperature, as on the filament’s label; at most the printer’s limit unless any temperature is allowed. 0..120 °C, default 60. */
+  /** Bed temperature, as on the filament’s label; at most the printer’s limit unless the general limits hold. 0..120 °C, default 60. */
   bedTemperature: number;
   /** Printing speed; slow and constant gives the cleanest reflection. 5..1000 mm/s, default 50. */
   speed: number;

@@ -549,7 +549,7 @@ TEST_CASE("thumbnails are in the header, in base64 of the length their first lin
 
 TEST_CASE("whoever knows why may print colder and hotter than the printer's own limits") {
   Job job = plate();
-  job.printer.anyTemperature = true;
+  job.printer.generalHeatLimits = true;
   job.printer.maxNozzleTemperature = 240;
   job.printer.maxBedTemperature = 60;
   job.printer.nozzleTemperature = job.printer.firstLayerNozzleTemperature = 290;
@@ -558,8 +558,30 @@ TEST_CASE("whoever knows why may print colder and hotter than the printer's own 
   REQUIRE_MESSAGE(written.result.ok(), written.result.error().message);
   CHECK(written.text.find("M109 S290") != std::string::npos);
   CHECK(checkGcode(written.text, job.printer).errors() == 0);
-  job.printer.anyTemperature = false;
+  CHECK(checkGcode(written.text).errors() == 0);
+  job.printer.generalHeatLimits = false;
   CHECK(checkGcode(written.text, job.printer).errors() > 0);
+}
+
+TEST_CASE("a file tells heat limits below the general ones, so that whoever checks it refuses the same blocks") {
+  Job job = plate();
+  CHECK(job.write().text.find("_temperature = 300") == std::string::npos);
+  job.printer.maxNozzleTemperature = 255;
+  job.printer.maxBedTemperature = 80;
+  const std::string text = job.write().text;
+  CHECK(checkGcode(text).errors() == 0);
+  const std::string start = "G28\nM190 S60\nM109 S215\n";
+  for (const char* line : {"M104 S256\n", "M140 S81\n"}) {
+    CAPTURE(line);
+    job.printer.startGcode = start + line;
+    CHECK_FALSE(job.write().result.ok());
+    std::string hot = text;
+    hot.insert(hot.find("G28\n") + 4, line);
+    CHECK(checkGcode(hot).errors() > 0);
+  }
+  job.printer.generalHeatLimits = true;
+  CHECK(job.write().result.ok());
+  CHECK(checkGcode(job.write().text).errors() == 0);
 }
 
 // ---- bad input
@@ -613,12 +635,12 @@ TEST_CASE("bad input is refused by name before a byte is written") {
        ErrorCode::DoesNotFit},
       {"nozzleTemperature is 301 degrees Celsius; it must be 0 to 300",
        [](Job& j) {
-         j.printer.anyTemperature = true;
+         j.printer.generalHeatLimits = true;
          j.printer.nozzleTemperature = 301;
        }},
       {"bedTemperature is 121",
        [](Job& j) {
-         j.printer.anyTemperature = true;
+         j.printer.generalHeatLimits = true;
          j.printer.bedTemperature = 121;
        }},
       {"machineSpeed is 4 mm/s; it must be 5 to 1000, or 0", [](Job& j) { j.printer.machineSpeed = 4; }},

@@ -269,7 +269,7 @@ TEST_CASE("each fault is found by its rule, in its line") {
       {"commands", true, with("SET_GCODE_OFFSET Z_ADJUST=-0.3\nSET_GCODE_OFFSET Z_ADJUST=-0.3"),
        "offsets move Z by -0.6 mm in all; it must be -0.5 to 10"},
       {"commands", true, with("M206 X200"), "offsets move X by 200 mm in all; it must be -10 to 10"},
-      {"commands", true, with("M204 S0"), "M204 S is 0; it must be 1 to 200000"},
+      {"commands", true, with("M204 S0"), "M204 S is 0; it must be 10 to 200000"},
       {"commands", true, with("M221 S1"), "M221 S is 1; it must be 20 to 200"},
       {"commands", true, with("SET_PRESSURE_ADVANCE ADVANCE=10"),
        "SET_PRESSURE_ADVANCE ADVANCE is 10; it must be -2.5 to 2.5"},
@@ -480,6 +480,53 @@ TEST_CASE("makers' start blocks may wipe a little beside the bed, and macros hom
   CHECK(rules(checkGcode(macro, printer)) == "");
   CHECK(checkGcode(macro).nozzleTarget == 215);
   CHECK_FALSE(checkGcode("EXCLUDE_OBJECT_START NAME=PLATE_1\nTIMELAPSE_START\n").homes);
+}
+
+TEST_CASE("makers' end blocks may go to the end of an axis, where Klipper would end the print") {
+  const auto height = [](const std::string& line, GcodeFlavor flavor = GcodeFlavor::Marlin) {
+    Printer printer;
+    printer.flavor = flavor;
+    return finding(checkGcode(kStart + kSquare + kEnd + ";TYPE:Custom\n" + line + "\n", printer), "height");
+  };
+  CHECK(height("G1 Z205 F600").code == "too-high");
+  CHECK_FALSE(height("G1 Z205 F600").error);
+  CHECK(height("G1 Z205 F600", GcodeFlavor::Klipper).error);
+  CHECK(height("G1 Z211 F600").error);
+  CHECK(finding(checkGcode(kStart + kSquare + "G1 E-0.8 F2100\nG1 Z205 F600\n" + kEnd, Printer{}), "height").error);
+}
+
+TEST_CASE("behind Cura's last layer comes an end block, which may home, park and unload as others do") {
+  const std::string head = ";FLAVOR:Marlin\n" + kStart + ";LAYER:0\n;TYPE:SKIN\n" + kSquare.substr(kSquare.find("G1"));
+  const std::string end = "M104 S0\nM140 S0\nG1 E-8 F300\nG1 E1\nM84\nG28\nM84\nG1 Y180 F3000\nG92 E0\nG1 E-60 F300\n";
+  CHECK(checkGcode(head + end).errors() > 0);
+  CHECK(checkGcode(head + ";TIME_ELAPSED:8.5\n" + end).errors() == 0);
+  // The next layer is none.
+  CHECK(checkGcode(head + ";TIME_ELAPSED:8.5\n;LAYER:1\n" + end).errors() > 0);
+}
+
+TEST_CASE("blocks of old machines home by axis, lift first, and purge on the bed") {
+  const std::string rest = "G21\nG90\nM83\nG92 E0\nG1 Z0.2 F600\n" + kSquare + kEnd;
+  const auto errors = [&](const std::string& homing) {
+    return checkGcode("M140 S60\nM104 S215\n" + homing + "M190 S60\nM109 S215\n" + rest).errors();
+  };
+  CHECK(errors("G28\n") == 0);
+  CHECK(errors("G162 X Y F2500\nG161 Z F1100\n") == 0);
+  CHECK(errors("G28 Y0\nG1 Y20 F6000\nG28 X0\nG28 Z0\n") == 0);
+  CHECK(errors("G28 Y0\nG1 X20 F6000\nG28 X0\nG28 Z0\n") > 0);
+  CHECK(errors("G1 Z15 F600\nG28\n") == 0);
+  CHECK(errors("G1 Z25 F600\nG28\n") > 0);
+  CHECK(checkGcode(kStart + "G1 Z1\nG1 X60 Z0 E9 F1000\nG1 Z0.2\n" + kSquare + kEnd).errors() == 0);
+  CHECK(checkGcode(kStart + "G1 Z1\nG1 X60 Z-0.1 E9 F1000\nG1 Z0.2\n" + kSquare + kEnd).errors() > 0);
+  CHECK(checkGcode(kStart + "G1 Z 1.0\nG1 Z0.2\n" + kSquare + kEnd).errors() == 0);  // all firmwares read 1
+  CHECK(checkGcode(kStart + "G29 Z10\n" + kSquare + kEnd).errors() == 0);            // higher than the bed is
+  CHECK(checkGcode(kStart + "G29 Z-2\n" + kSquare + kEnd).errors() > 0);
+}
+
+TEST_CASE("a purge of the printer's own waits for the nozzle") {
+  const std::string start = "M190 S60\nM104 S215\nG28\nG29\n";
+  const std::string rest = "G21\nG90\nM83\nG92 E0\nG1 Z0.2 F600\n" + kSquare + kEnd;
+  CHECK(rules(checkGcode(start + "G1009\n" + rest)) == "");
+  CHECK(finding(checkGcode(start + rest), "heating").code == "cold-start");
 }
 
 TEST_CASE("layers are known by the marks of each slicer, once where there are two") {
@@ -721,7 +768,7 @@ TEST_CASE("what makers write on purpose is no fault") {
   const std::string homed = "M140 S60\nG28 W\nG80\nM190 S60\nM109 S215\nG21\nG90\nM83\n";
   const std::string line = "G1 Y-3 F1000\nG1 X60 E9 F1000\nG1 Z0.2 F600\n";
   CHECK(finding(checkGcode(homed + line + kSquare + kEnd), "height").count == 0);
-  CHECK(finding(checkGcode(homed + "G1 Z0 F600\n" + line + kSquare + kEnd), "height").error);
+  CHECK(finding(checkGcode(homed + "G1 Z0 F600\n" + line + kSquare + kEnd), "height").code == "bead-in-bed");
   CHECK(finding(checkGcode(homed + ";LAYER_CHANGE\n" + line + kSquare + kEnd), "height").error);
   // A first move without F runs at the firmware's own speed; beside a block it is a fault.
   const GcodeCheck first = checkGcode("G28\nG0 X65 Y5 Z1\n" + kStart + kSquare + kEnd);

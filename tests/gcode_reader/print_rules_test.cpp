@@ -135,6 +135,8 @@ TEST_CASE("layers lie where their marks tell, and on each other") {
   const std::string spiral =
       moved(moved(print(), "G1 Z0.600000", "G1 Z0.4"), " E0.33260 F1800", " Z0.45 E0.33260 F1800");
   CHECK(codes(spiral) == "");
+  // Its first piece is too short to rise.
+  CHECK(codes(moved(moved(print(), "G1 Z0.600000", "G1 Z0.4"), "G1 Y60 E0.33260", "G1 Y60 Z0.45 E0.33260")) == "");
   const std::string low = moved(print(), "G1 Z0.600000", "G1 Z0.45");
   CHECK(codes(kOurs + low) == "!off-layer ");
   CHECK(codes(low) == "!off-layer ");
@@ -151,6 +153,52 @@ TEST_CASE("layers lie where their marks tell, and on each other") {
     cura += ";LAYER:" + std::to_string(k) + "\n;TYPE:SKIN\n" + one;
   }
   CHECK(codes(cura + "G1 Z10 F600\nM104 S0\nM140 S0\n") == "odd-step ");
+}
+
+TEST_CASE("layers of others follow each other without a gap, once each") {
+  CHECK(codes(print("", layer(0.8))) == "odd-step ");
+  CHECK(codes(print("", layer(0.4))).find("odd-step") != std::string::npos);
+  // One object after the other.
+  CHECK(codes(print("", layer(0.2, "", 100))).find("odd-step") == std::string::npos);
+}
+
+TEST_CASE("a bead that others left out, or a way that they did not make, shows by the speeds that it lacks") {
+  const auto with = [](const std::string& inside) {
+    std::string text = kStart + "G1 E-0.8 F2100\n";
+    for (int k = 1; k <= 30; ++k) text += layer(0.2 * k, k == 30 ? inside : "", k % 2 == 0 ? 50 : 50.5);
+    return codes(text + kEnd);
+  };
+  CHECK(with("") == "");
+  CHECK(with("G1 X55\n") == "gap ");
+  CHECK(with("G1 X55 F7200\n") == "gap ");
+  CHECK(with("G1 X55 F7200\nG1 F1800\n") == "");
+  CHECK(with("G1 X90 F7200\nG1 X60\nG1 F1800\n") == "drags ");
+  CHECK(with("G1 E-0.8 F2100\nG1 X90 F7200\nG1 X60\nG1 E0.8 F2100\nG1 F1800\n") == "");
+  // Who travels as fast as he prints tells no speeds.
+  CHECK(codes(print("", layer(0.6, "G1 X55\n"))) == "");
+}
+
+TEST_CASE("a layer of others gets as much plastic as its marks tell, by the share of the other layers") {
+  std::string round;
+  for (int k = 0; k < 8; ++k) round += "G1 X50 E0.3326\nG1 X60 E0.3326\n";
+  std::string thick = round;
+  for (std::size_t at = 0; (at = thick.find("E0.3326", at)) != std::string::npos; ++at) thick.replace(at, 7, "E0.3825");
+  const auto marked = [&](const std::string& third) {
+    std::string text = print(layer(0.4, round), layer(0.6, third));
+    for (std::size_t at = 0; (at = text.find(";HEIGHT:0.2\n", at)) != std::string::npos; at += 25)
+      text.insert(at, ";WIDTH:0.443\n");
+    text.insert(text.find("G1 Y60"), round);
+    return codes(text);
+  };
+  CHECK(marked(round) == "");
+  CHECK(marked(thick) == "odd-flow ");
+  CHECK(codes(print(layer(0.4, round), layer(0.6, thick))) == "");  // nothing is told
+}
+
+TEST_CASE("filament alone far beyond the machine's own speed is told") {
+  const std::string fast = print("", layer(0.6) + "G1 E0.8 F60000\nG1 E-0.8\n");
+  CHECK(codes(fast) == "");
+  CHECK(codes(fast + "; machine_max_feedrate_e = 120\n") == "speed-told ");
 }
 
 TEST_CASE("a printer that does not lift drags over its own layers, which is worth knowing") {

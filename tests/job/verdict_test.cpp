@@ -36,7 +36,7 @@ Project randomProject(std::mt19937& random) {
   Printer& printer = project.printer;
   project.toolpath.spacing = printer.nozzle * (1 + 0.2 * any(3));
   if (any(4) == 0) {
-    printer.anyTemperature = true;
+    printer.generalHeatLimits = true;
     printer.nozzleTemperature = 60.0 * any(9);
     printer.bedTemperature = 40.0 * any(6);
   }
@@ -82,7 +82,7 @@ TEST_CASE("a plate's G-code is refused just where the check of the file finds an
     CAPTURE(first);
     CHECK(error.has_value() == (check.errors() > 0));
     // Nothing but what the owner asked for is ever a reason.
-    if (error && !project.printer.anyTemperature) CHECK(project.printer.endGcode.find("; ours") != std::string::npos);
+    if (error && !project.printer.generalHeatLimits) CHECK(project.printer.endGcode.find("; ours") != std::string::npos);
     ++(error ? refused : taken);
   }
   CHECK(taken > 15);

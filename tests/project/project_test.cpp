@@ -211,7 +211,7 @@ Project unusualProject() {
   p.printer.showFan = 40;
   p.printer.minLayerTime = 6;
   p.printer.acceleration = 1500;
-  p.printer.anyTemperature = true;
+  p.printer.generalHeatLimits = true;
   p.printer.machineSpeed = 400;
   p.printer.machineAcceleration = 3000;
   p.printer.cornerSpeed = 8;

@@ -64,7 +64,7 @@ Json besides(const Setting& row, Json project, double value) {
   if (row.section == Section::Layers) return project;
   Json& section = project[sectionName(row.section)];
   const std::string key = row.key;
-  if (has(key, "emperature")) section["anyTemperature"] = true;
+  if (has(key, "emperature")) section["generalHeatLimits"] = true;
   if (key == "bedMin") section["bedMax"] = {std::min(value + 10, 5000.0), std::min(value + 10, 5000.0)};
   if (key == "bedMax") section["bedMin"] = {std::max(value - 5000, -5000.0), std::max(value - 5000, -5000.0)};
   return project;
@@ -301,14 +301,14 @@ TEST_CASE("holes are written as they were read, and told what is wrong with them
   CHECK(problem(with(Json(16, one))) == "");
 }
 
-TEST_CASE("what temperatures are allowed depends on anyTemperature") {
+TEST_CASE("what temperatures are allowed depends on generalHeatLimits") {
   Printer printer;
   printer.nozzleTemperature = 320;
   CHECK(wrongSettings(printer, PrintParams{}) ==
         "printer.nozzleTemperature is 320 degrees Celsius; it must be 170 to 300");
   CHECK(toldReason(*invalidSettings(printer, {})) ==
         "SettingOutOfRange setting=printer.nozzleTemperature value=320 low=170 high=300");
-  printer.anyTemperature = true;  // hotter than that is refused by `check`, which knows no printer
+  printer.generalHeatLimits = true;  // hotter than that is refused by `check`, which knows no printer
   CHECK(has(wrongSettings(printer, PrintParams{}), "it must be 0 to 300"));
   printer.nozzleTemperature = 20;
   CHECK(!invalidSettings(printer, {}));
@@ -330,14 +330,14 @@ TEST_CASE("a printer's own limits of temperature hold below the general ones, un
     CHECK(wrongSettings(hot, PrintParams{}) ==
           "printer." + std::string(key) +
               " is 241 degrees Celsius; it must be 170 to 240, or maxNozzleTemperature higher for another hot end");
-    hot.anyTemperature = true;
+    hot.generalHeatLimits = true;
     CHECK(!invalidSettings(hot, {}));
   }
   printer.bedTemperature = 81;
   CHECK(
       wrongSettings(printer, PrintParams{}) ==
       "printer.bedTemperature is 81 degrees Celsius; it must be 0 to 80, or maxBedTemperature higher for another bed");
-  printer.anyTemperature = true;
+  printer.generalHeatLimits = true;
   CHECK(!invalidSettings(printer, {}));
   CHECK(has(problem({{"sillon", 1}, {"printer", {{"profile", "creality-ender-3"}, {"nozzleTemperature", 256}}}}),
             "it must be 170 to 255, or maxNozzleTemperature"));

@@ -60,7 +60,7 @@ function* trials(row) {
 
 /** What the rules between settings ask for besides. */
 function besides(row, value) {
-  if (row.key.toLowerCase().endsWith('temperature')) return { anyTemperature: true };
+  if (row.key.toLowerCase().endsWith('temperature')) return { generalHeatLimits: true };
   if (row.key === 'bedMin') return { bedMax: [1, 1].map(() => Math.min(value + 10, 5000)) };
   if (row.key === 'bedMax') return { bedMin: [1, 1].map(() => Math.max(value - 5000, -5000)) };
   return {};

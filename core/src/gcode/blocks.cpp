@@ -35,7 +35,8 @@ void warnLow(GcodeJob& job, const std::string& block, const GcodeCheck& check, d
 
 // Of a block that may be printed with all the same.
 bool isWorthALook(const GcodeFinding& finding) {
-  return finding.rule == "bounds" || finding.rule == "settings" || finding.rule == "modes";
+  return finding.rule == "bounds" || finding.rule == "settings" || finding.rule == "modes" ||
+         finding.code == "bead-in-bed" || finding.code == "too-high";
 }
 
 // Harms the machine, or reaches beyond the print: refused whatever dialect the block's writer claims.

@@ -9,6 +9,7 @@
 
 #include "base/checksums.hpp"
 #include "base/numbers.hpp"
+#include "gcode_reader/file_settings.hpp"
 #include "printer/bed.hpp"
 #include "printer/dialect.hpp"
 #include "sillon/base/version.hpp"
@@ -141,6 +142,12 @@ void writeFooter(ChunkedOutput& out, const FileTotals& totals, const GcodeJob& j
       {"gcode_flavor", dialectName(printer.flavor)},
   };
   for (const auto& [key, value] : settings) out << "; " << key << " = " << value << "\n";
+  // By these whoever reads the file judges its blocks as they were judged here.
+  const auto limit = [&](const char* key, double degrees, double most) {
+    if (!printer.generalHeatLimits && degrees < most) out << "; " << key << " = " << decimal(degrees, 3) << "\n";
+  };
+  limit("max_nozzle_temperature", printer.maxNozzleTemperature, kHottestNozzle);
+  limit("max_bed_temperature", printer.maxBedTemperature, kHottestBed);
   if (printer.filamentFlow != 1) out << "; extrusion_multiplier = " << decimal(printer.filamentFlow, 3) << "\n";
   if (printer.zOffset != 0) out << "; z_offset = " << decimal(printer.zOffset, 3) << "\n";
 }

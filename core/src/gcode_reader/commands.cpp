@@ -84,11 +84,11 @@ constexpr Row kRows[] = {
      "PRINT_START START_PRINT PRINT_END END_PRINT PRINT_WARMUP SMART_PARK LINE_PURGE CLEAN_NOZZLE"},
 
     {Outlives, Marlin, false,
-     "M92 M111 M121 M206 M210-M212 M218 M281 M290 M301 M304-M307 M340 M350-M351 M421-M423 M428 M500-M501 M540 "
+     "M92 M111 M121 M206 M210-M212 M218 M281 M290 M301 M304-M307 M340 M350-M351 M421-M423 M500-M501 M540 "
      "M569.1-M569.9 "
      "M665-M666 M851-M852 M860-M861 M864-M871 M905-M906 M908-M910 M912-M919"},
     {Outlives, RepRap, false,
-     "M305 M308 M555-M556 M558 M562-M564 M569 M573-M574 M579 M584 M594 M667-M672 M906 M913 M917 M950 M951 G31 G33"},
+     "M305 M308 M555-M556 M558 M562-M564 M569 M573 M579 M594 M668 M670-M672 M906 M913 M917 M950 M951 G31 G33"},
     {Outlives, Prusa, false, "G82-G83 G86-G88 M45-M47 M310"},
     {Outlives, Klipper, false,
      "SAVE_VARIABLE SET_GCODE_VARIABLE SET_PIN SET_SERVO SET_IDLE_TIMEOUT SET_TMC_FIELD INIT_TMC "
@@ -96,14 +96,15 @@ constexpr Row kRows[] = {
      "SET_STEPPER_ENABLE Z_OFFSET_APPLY_PROBE Z_OFFSET_APPLY_ENDSTOP SET_SKEW SET_Z_THERMAL_ADJUST"},
 
     {Runs, RepRap, false, "M98 M99 M581-M582"},
-    {Runs, Marlin, false, "M808"},
+    {Runs, Marlin, true, "M808"},
     {Runs, Klipper, false, "UPDATE_DELAYED_GCODE"},
 
     {Unfollowed, Marlin, false, "G18-G19 G26 G38 G38.1-G38.9 G5 G42 G76 M3-M4 M7-M11 M42 M48 M360-M365 M380-M381 M430"},
-    {Unfollowed, Marlin, true, "G6 G53 G61"},
+    {Unfollowed, Marlin, true, "G6 G53 G61 M428"},
     {Unfollowed, Marlin, false, "G33 G54-G59 G59.1-G59.9 G425"},
-    {Unfollowed, RepRap, false, "G68 G93 M585 IF ELIF ELSE WHILE VAR SET GLOBAL"},
-    {Unfollowed, RepRap, true, "M260-M261 M452"},
+    {Unfollowed, RepRap, false, "G68 G93 VAR SET GLOBAL"},
+    {Unfollowed, RepRap, true, "IF ELIF ELSE WHILE"},  // what stands in them may run often or never
+    {Unfollowed, RepRap, true, "M260-M261 M452 M574 M584-M585 M667 M669"},
     {Unfollowed, Klipper, true,
      "FORCE_MOVE SET_KINEMATIC_POSITION MANUAL_STEPPER STEPPER_BUZZ MANUAL_PROBE TESTZ SET_TMC_CURRENT "
      "SET_STEPPER_PHASE "
@@ -190,7 +191,10 @@ bool movesOrigin(const GcodeCommand& command) {
   for (const int code : {20, 28, 30, 90, 91}) {
     if (command.is('G', code)) return true;
   }
-  return command.is('M', 206) || command.is('M', 290);
+  for (const int code : {82, 83, 206, 290}) {
+    if (command.is('M', code)) return true;
+  }
+  return false;
 }
 
 const Row* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
@@ -254,6 +258,80 @@ bool takesAnyText(const GcodeCommand& command) {
 
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
+constexpr double kMostAdvance = 2.5;  // [s] of pressure advance: twice that of the longest tubes
+
+// What numbers behind a letter of M commands may be.
+struct Limits {
+  int code;
+  std::string_view letters;
+  double low;
+  double high;
+};
+constexpr Limits kLimits[] = {
+    {17, "XYZE", -3, 3},  // [A] of Bambu's motors
+    {92, "E", 20, 10'000},
+    {201, "XYZEPRTS", 1, 200'000},
+    {203, "XYZE", 0.1, 60'000},  // [mm/s], or [mm/min] for RepRapFirmware
+    {204, "PRTS", 10, 200'000},
+    {205, "XYZE", -200, 200},
+    {205, "J", 0, 1},
+    {206, "Z", -kMostLowered, kMostLowered},  // which of its signs lowers depends on the firmware
+    {207, "S", -25, 25},
+    {207, "Z", -20, 20},
+    {208, "S", -5, 5},
+    {208, "Z", -kMostLowered, 5000},
+    {218, "Z", -5, 5},
+    {220, "S", 20, 200},
+    {221, "S", 20, 200},
+    {290, "Z", -kMostLowered, kMostOffset},
+    {421, "ZQ", -2, 2},
+    {425, "XYZ", -1, 1},
+    {428, "Z", -kMostLowered, kMostOffset},
+    {558, "H", 0, 100},
+    {566, "XYZE", -12'000, 12'000},  // [mm/min]
+    {572, "S", -kMostAdvance, kMostAdvance},
+    {600, "Z", 0, 500},
+    {603, "UL", -2000, 2000},
+    {666, "XYZ", -2, 2},
+    {851, "Z", -10, 10},
+    {906, "XYZE", 50, 2000},  // [mA]; a motor without current lets its axis fall
+    {906, "IJKS", 0, 2000},
+    {907, "XYZE", 50, 2000},
+    {907, "IJKS", 0, 2000},
+    {913, "XYZE", 0, 200},
+};
+
+struct NamedLimits {
+  std::string_view name;
+  std::string_view key;
+  double low;
+  double high;
+};
+constexpr NamedLimits kNamedLimits[] = {
+    {"SET_VELOCITY_LIMIT", "ACCEL", 1, 200'000},
+    {"SET_VELOCITY_LIMIT", "ACCEL_TO_DECEL", 1, 200'000},
+    {"SET_VELOCITY_LIMIT", "VELOCITY", 1, 200'000},
+    {"SET_VELOCITY_LIMIT", "SQUARE_CORNER_VELOCITY", 0, 200},
+    {"SET_VELOCITY_LIMIT", "MINIMUM_CRUISE_RATIO", 0, 1},
+    {"SET_PRESSURE_ADVANCE", "ADVANCE", -kMostAdvance, kMostAdvance},
+    {"SET_RETRACTION", "RETRACT_LENGTH", 0, 25},
+    {"BED_MESH_CALIBRATE", "HORIZONTAL_MOVE_Z", 1, 100},
+    {"SET_EXTRUDER_ROTATION_DISTANCE", "DISTANCE", 1, 1000},
+};
+
+// M commands that are more than usual with one of these letters.
+struct Telling {
+  int code;
+  std::string_view letters;
+  std::string_view sentence;
+  bool error;
+};
+constexpr Telling kTold[] = {
+    {42, "I", "never", true},                                         // pins of heaters, too
+    {92, "XYZ", "unfollowed", true}, {106, "H", "never", true},       // which fan cools which heater
+    {208, "XYZ", "outlives", false}, {569, "P", "unfollowed", true},  // the sense of a motor
+};
+
 class Judge {
  public:
   Judge(std::string_view code, GcodeFlavor flavor, double hottestNozzle, double hottestBed, bool strict)
@@ -263,9 +341,9 @@ class Judge {
   std::vector<GcodeFinding> take() { return std::move(findings_); }
 
  private:
-  static constexpr int kMostCommands = 100;    // in one line
-  static constexpr double kRoom = 25;          // [degrees Celsius]
-  static constexpr double kMostAdvance = 2.5;  // [s] of pressure advance: twice that of the longest tubes
+  static constexpr int kMostCommands = 100;     // in one line
+  static constexpr double kRoom = 25;           // [degrees Celsius]
+  static constexpr double kLongestWait = 3600;  // [s]
 
   void add(std::string_view code, bool error, FindingValues values) {
     GcodeFinding finding = makeFinding(code, error, std::move(values));
@@ -353,20 +431,19 @@ class Judge {
     if (words.at('R', kRoom) < kRoom && words.at('R') > 0) beyond(shown + " R", words.at('R'), kRoom, 500);
   }
 
-  void lowered(const std::string& what, double value) { range(what, value, value < 0 ? kMostLowered : kMostOffset); }
-
-  // Magnitudes above `most` are errors.
-  void range(const std::string& what, double value, double most) {
-    if (std::abs(value) > most) beyond(what, value, -most, most);
-  }
-
   void byValue(const GcodeCommand& head, const std::string& shown) {
     if (head.letter == 0) return byName(head, shown);
     if (takesText(head)) return;
     const GcodeWords words = wordsOf(head.rest);
-    const auto all = [&](std::string_view letters, double most) {
+    // S1e3 and S1_0 are more to some than to others; M115 U3.11.0 and M906 X800:800 mean what they say.
+    const bool odd =
+        words.fault == GcodeWords::NotPlain && words.faultText.find_first_of("eE_", 1) != std::string_view::npos;
+    const bool power = head.letter == 'M' && readsWords(head) && words.crowded && words.has('E');  // M104 S48E1
+    if (odd || power) add("no-plain-number", true, {{"text", shownText(odd ? words.faultText : head.rest)}});
+    const auto within = [&](std::string_view letters, double low, double high) {
       for (const char letter : letters) {
-        if (words.has(letter)) range(shown + " " + letter, words.at(letter), most);
+        const double value = words.at(letter, low);
+        if (value < low || value > high) beyond(shown + " " + letter, value, low, high);
       }
     };
     const auto hottest = [&](double limit) {
@@ -377,19 +454,31 @@ class Judge {
     if (head.letter == 'G') {
       if (head.code == 4) {
         const double minutes = std::max(words.at('S') / 60, words.at('P') / 60000);
+        within("S", 0, kLongestWait);
+        within("P", 0, 1000 * kLongestWait);  // below 0 Marlin would wait for weeks
         if (minutes > 10) add("long-wait", false, {{"command", shown}, {"minutes", decimal(minutes, 0)}});
       }
       if (setsTool(head, words)) hottest(hottestNozzle_);
-      if (head.code == 10 && (words.has('P') || words.has('L'))) all("Z", kMostLowered);
-      if (head.code == 29 && head.sub <= 1) all("ZC", 1);
+      if (head.code == 10 && (words.has('P') || words.has('L'))) within("Z", -kMostLowered, kMostLowered);
+      // Alone it raises what is printed.
+      const bool raises = !words.has('P') && !words.has('S') && words.at('Z') > 0;
+      if (head.code == 29 && (head.sub > 0 || !raises)) within("ZC", -1, 1);
       if (head.code == 31 && words.has('Z')) {
-        all("Z", 5);
+        within("Z", -5, 5);
         told("outlives", false, shown);
       }
       if (head.code <= 1 && head.code >= 0 && words.has('R')) told("unfollowed", true, shown);
       return;
     }
     if (head.letter != 'M') return;
+    for (const Limits& limits : kLimits) {
+      if (limits.code == head.code) within(limits.letters, limits.low, limits.high);
+    }
+    for (const Telling& telling : kTold) {
+      const bool named =
+          std::any_of(telling.letters.begin(), telling.letters.end(), [&](char letter) { return words.has(letter); });
+      if (telling.code == head.code && head.sub == 0 && named) told(telling.sentence, telling.error, shown);
+    }
     switch (head.code) {
       case 109:
         coolest(words, shown);
@@ -403,9 +492,16 @@ class Judge {
       case 140:
       case 144:
         return hottest(hottestBed_);
-      case 141:
       case 191:
+        coolest(words, shown);
+        [[fallthrough]];
+      case 141:
+      case 142:
+      case 192:
         return hottest(100);
+      case 620:
+        if (head.sub == 1 && words.has('T')) heat(words.at('T'), hottestNozzle_);
+        return;
       case 145:
         if (words.has('H')) heat(words.at('H'), hottestNozzle_);
         if (words.has('B')) heat(words.at('B'), hottestBed_);
@@ -413,42 +509,8 @@ class Judge {
       case 149:
         if (!holds(upperCase(head.rest), "C")) told("never", true, shown);  // degrees of another kind
         return;
-      case 121:
-        return;
-      case 201:
-      case 204:
-        for (const char letter : std::string_view("PRTS")) {
-          if (head.code == 204 && words.has(letter) && words.at(letter) < 1) {
-            beyond(shown + " " + letter, words.at(letter), 1, 200'000);
-          }
-        }
-        return all("XYZEPRTS", 200000);
-      case 203:
-        return all("XYZE", 60000);  // mm/s, or mm/min for RepRapFirmware
-      case 205:
-        return all("XYZE", 200);
-      case 206:
-        return all("Z", kMostLowered);  // which of its signs lowers depends on the firmware
-      case 290:
-      case 428:
-        return lowered(shown + " Z", words.at('Z'));
-      case 208:
-        if (words.at('Z') < -kMostLowered) beyond(shown + " Z", words.at('Z'), -kMostLowered, 5000);
-        return;
-      case 569:
-        if (words.has('P')) told("outlives", false, shown);  // the sense of a motor
-        return;
-      case 572:
-        return all("S", kMostAdvance);
-      case 851:
-        return all("Z", 10);
-      case 421:
-        return all("ZQ", 2);
-      case 218:
-        return all("Z", 5);
-      case 220:
-      case 221:
-        if (words.has('S') && (words.at('S') < 20 || words.at('S') > 200)) beyond(shown + " S", words.at('S'), 20, 200);
+      case 122:
+        if (words.at('P') >= 1000) told("never", true, shown);  // tests that stop the machine
         return;
       case 302:
         if ((words.has('P') && words.at('P') > 0 && words.at('S', 999) >= 170) || words.at('S', 999) < 150)
@@ -457,9 +519,6 @@ class Judge {
       case 211:
         if (flavor_ != GcodeFlavor::Bambu && words.has('S') && words.at('S') == 0) told("outlives", false, shown);
         return;
-      case 906:
-      case 907:
-        return all("XYZEIJKS", 2000);
       default:
         return;
     }
@@ -468,7 +527,7 @@ class Judge {
   void byName(const GcodeCommand& head, const std::string& shown) {
     const std::string name = upperCase(head.name);
     const std::string words = upperCase(head.rest);
-    if (name == "BED_MESH_PROFILE" && holds(words, "SAVE")) told("outlives", false, shown);
+    if (name == "BED_MESH_PROFILE" && (holds(words, "SAVE") || holds(words, "REMOVE"))) told("outlives", false, shown);
     if (name == "RESPOND") toHost(words, shown);
     if (name == "ECHO" && holds(words, ">")) told("files", true, shown);  // RepRapFirmware's language writes files
     if (name == "RESTORE_GCODE_STATE" || name == "EXCLUDE_OBJECT_DEFINE") return;
@@ -476,8 +535,11 @@ class Judge {
     const bool advance = name == "SET_PRESSURE_ADVANCE";
     const bool offset = name == "SET_GCODE_OFFSET";
     const bool wait = name == "TEMPERATURE_WAIT";
-    const bool numbers = limits || advance || offset || wait || name == "SET_HEATER_TEMPERATURE";
-    const bool bed = holds(words, "HEATER_BED");
+    const bool heater = wait || name == "SET_HEATER_TEMPERATURE";
+    const bool numbers = limits || advance || offset || heater;
+    const bool nozzle = holds(words, "=EXTRUDER") || holds(words, "EXTRUDER\"") || holds(words, "EXTRUDER'") || !heater;
+    const bool hotend = name == "SET_FAN_SPEED" && (holds(words, "HOTEND") || holds(words, "HEATER"));
+    double minimum = 0;
     forEachParameter(head.rest, [&](const std::string& key, std::string_view text) {
       double value = 0;
       const std::size_t read = readNumber(text, value);
@@ -491,16 +553,24 @@ class Judge {
       if (number && (glued || read < text.size())) add("no-plain-number", true, {{"text", shownText(text)}});
       if (read == 0) return;
       const std::string what = shown + " " + key;
-      if (limits) return range(what, value, 200000);
-      if (advance && key == "ADVANCE") return range(what, value, kMostAdvance);
-      if (offset && holds(key, "Z")) return lowered(what, value);
+      for (const NamedLimits& own : kNamedLimits) {
+        if (own.name != name || own.key != key) continue;
+        return value < own.low || value > own.high ? beyond(what, value, own.low, own.high) : void();
+      }
+      if (hotend && key == "SPEED" && value < 1) return told("never", true, shown);
+      if (wait && key == "MINIMUM") minimum = value;
+      if (wait && key == "MAXIMUM" && value < minimum) return beyond(what, value, minimum, 500);
+      if (offset && holds(key, "Z")) {
+        if (value < -kMostLowered || value > kMostOffset) beyond(what, value, -kMostLowered, kMostOffset);
+        return;
+      }
       if (wait && key == "MAXIMUM" && value < kRoom) return beyond(what, value, kRoom, 500);
       // These keys give a macro or a heater its temperature.
       if (holds(key, "BED")) return heat(value, hottestBed_);
       if (holds(key, "CHAMBER")) return heat(value, 100);
       if (holds(key, "TEMP") || holds(key, "TARGET") || holds(key, "EXTRUDER") || holds(key, "HOTEND") ||
           holds(key, "NOZZLE") || key == "TOOL0" || (wait && key == "MINIMUM")) {
-        heat(value, bed ? hottestBed_ : hottestNozzle_);
+        heat(value, nozzle ? hottestNozzle_ : hottestBed_);
       }
     });
   }
@@ -515,8 +585,16 @@ class Judge {
   void further(const GcodeCommand& head, int depth) {
     if (takesText(head)) {
       if (head.code == 118) toHost(upperCase(head.rest), "M118");
+      second_ = true;
       const std::size_t cut = head.rest.find_first_of(":#");
       if (cut != std::string_view::npos) dangerous(head.rest.substr(cut + 1), depth);
+      // Behind the text of these RepRapFirmware reads on.
+      if (head.code != 486 && head.code != 862 && head.code != 1002) return;
+      const std::size_t text = head.rest.rfind('"');
+      for (std::size_t at = text == std::string_view::npos ? 1 : text + 1; at + 1 < head.rest.size(); ++at) {
+        const bool word = at > 0 && head.rest[at - 1] <= ' ' && holds("GMgm", head.rest.substr(at, 1));
+        if (word && head.rest[at + 1] >= '0' && head.rest[at + 1] <= '9') return dangerous(head.rest.substr(at), depth);
+      }
       return;
     }
     if (head.letter == 0) return;
@@ -555,7 +633,9 @@ class Judge {
 }  // namespace
 
 const char* spellingFault(std::string_view line) {
-  const bool text = takesAnyText(commandOf(partsOf(line).code));
+  const std::string_view code = partsOf(line).code;
+  const bool text = takesAnyText(commandOf(code));
+  const bool letter = !code.empty() && upperCase(code.substr(0, 1)) >= "A" && upperCase(code.substr(0, 1)) <= "Z";
   bool quoted = false;
   for (std::size_t at = 0; at < line.size(); ++at) {
     const char c = line[at];
@@ -567,6 +647,9 @@ const char* spellingFault(std::string_view line) {
     if (text) continue;
     if ((c < ' ' && c != '\t') || c > '~') return "no-ascii";
     if (c == '\\') return "no-plain-line";
+    // Marlin may take such a remark out of the words around it.
+    const std::size_t behind = letter && c == ')' ? line.find_first_not_of(" \t", at + 1) : std::string_view::npos;
+    if (behind != std::string_view::npos && line[behind] != ';' && !quoted) return "no-plain-line";
   }
   return quoted && !text ? "no-plain-line" : nullptr;
 }

@@ -66,6 +66,8 @@ void readSetting(FileSettings& settings, std::string_view comment) {
   number("max_volumetric_speed =", 0.1, 1000, settings.printFlow);
   number("max_print_height =", 1, 5000, settings.maxZ);
   number("printable_height =", 1, 5000, settings.maxZ);
+  number("max_nozzle_temperature =", 1, kHottestNozzle, settings.hottestNozzle);
+  number("max_bed_temperature =", 1, kHottestBed, settings.hottestBed);
   for (const std::string_view key : {"bed_shape = ", "printable_area = "}) {
     if (comment.starts_with(key)) readBed(comment.substr(key.size()), settings);
   }
@@ -102,6 +104,10 @@ FileSettings readFileSettings(std::string_view text, const std::optional<Printer
     settings.nozzle = printer->nozzle;
     settings.filamentDiameter = printer->filamentDiameter;
     settings.flavor = printer->flavor;
+    if (!printer->generalHeatLimits) {
+      settings.hottestNozzle = printer->maxNozzleTemperature;
+      settings.hottestBed = printer->maxBedTemperature;
+    }
   }
   // Settings stand behind the moves in most files.
   while (!text.empty()) {

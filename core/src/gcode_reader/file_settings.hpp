@@ -45,13 +45,18 @@ Error askForFilament(const WeighedFilament& weighed);
 
 // Facts in any slicer's comments about the machine that a file is for.
 
+inline constexpr double kHottestNozzle = 300;  ///< [degrees Celsius] where nobody tells less
+inline constexpr double kHottestBed = 120;
+
 struct FileSettings {
-  std::optional<Printer> printer;     ///< bed and limits, if given by the caller
-  Bounds bed;                         ///< else: the box of bed_shape
-  bool roundBed = false;              ///< a delta's
-  double maxZ = 0;                    ///< [mm], 0: unknown
-  double nozzle = 0;                  ///< [mm], 0: unknown
-  double zOffset = 0;                 ///< [mm] of all heights
+  std::optional<Printer> printer;         ///< bed and limits, if given by the caller
+  Bounds bed;                             ///< else: the box of bed_shape
+  bool roundBed = false;                  ///< a delta's
+  double maxZ = 0;                        ///< [mm], 0: unknown
+  double nozzle = 0;                      ///< [mm], 0: unknown
+  double zOffset = 0;                     ///< [mm] of all heights
+  double hottestNozzle = kHottestNozzle;  ///< [degrees Celsius] that may be asked for
+  double hottestBed = kHottestBed;
   double filamentDiameter = 1.75;     ///< [mm]
   WeighedFilament weighed;            ///< where the diameter is not told: what the beads show
   double filamentFlow = 1;            ///< by which all plastic was multiplied, as our own files tell it

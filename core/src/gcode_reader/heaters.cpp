@@ -38,7 +38,7 @@ std::vector<int> Heaters::otherHotTools(int tool) const {
 
 void Heaters::run(const GcodeCommand& command, const GcodeWords& words, int tool, bool klipper) {
   if (command.letter == 0) return runNamed(command);
-  if (command.is('M', 116)) {  // waits for all
+  if (command.is('M', 116) || command.is('G', 1009)) {  // waits for all, as TriLAB's purge does
     std::for_each(nozzles_.begin(), nozzles_.end(), await);
     await(chamber_);
     return await(bed_);

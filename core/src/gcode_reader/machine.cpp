@@ -189,6 +189,8 @@ std::optional<MachineMove> runCommand(MachineState& state, const GcodeCommand& c
     case 21:
       state.inches = command.code == 20;
       break;
+    case 161:  // MakerBot's
+    case 162:
     case 28: {
       const unsigned axes = axesIn(command.rest);
       home(state, axes != 0 ? axes : kAllAxes);

@@ -54,9 +54,9 @@ struct Heater {
 /// as the filaments of a changer share a nozzle.
 class Heaters {
  public:
-  /// Runs M104, M109, M140, M190, M141, M191, RepRapFirmware's G10, M568 and M116, and Klipper's TURN_OFF_HEATERS,
-  /// SET_HEATER_TEMPERATURE and TEMPERATURE_WAIT; others change nothing. Less than 0 degrees switch off.
-  /// \param tool  the current one. \param klipper  which reads S alone: heaters that are told without it go off.
+  /// Runs M104, M109, M140, M190, M141, M191, RepRapFirmware's G10, M568 and M116, TriLAB's G1009, and Klipper's
+  /// TURN_OFF_HEATERS, SET_HEATER_TEMPERATURE and TEMPERATURE_WAIT; others change nothing. Less than 0 degrees switch
+  /// off. \param tool  the current one. \param klipper  which reads S alone: heaters that are told without it go off.
   void run(const GcodeCommand& command, const GcodeWords& words, int tool, bool klipper);
 
   /// For what heats in ways of its own, as start macros do.

@@ -30,10 +30,12 @@ GcodeParts partsOf(std::string_view line) {
   const std::size_t semicolon = line.find(';');
   parts.code = trimmed(line.substr(0, semicolon));
   if (semicolon != std::string_view::npos) parts.comment = trimmed(line.substr(semicolon + 1));
-  if (parts.code.size() > 1 && upper(parts.code[0]) == 'N' && isDigit(parts.code[1])) {
+  // N5, N-1 and N 5 alike; what follows is a command. A name has letters behind its N.
+  const std::size_t number =
+      parts.code.empty() || upper(parts.code[0]) != 'N' ? 0 : parts.code.find_first_not_of(" \t+-.0123456789", 1);
+  if (number > 1 && parts.code.find_first_of("0123456789") < number) {
     parts.numbered = true;
-    double number = 0;
-    parts.code = trimmed(parts.code.substr(1 + readNumber(parts.code.substr(1), number)));
+    parts.code = trimmed(parts.code.substr(std::min(number, parts.code.size())));
     parts.code = trimmed(parts.code.substr(0, parts.code.rfind('*')));
   }
   return parts;
@@ -103,11 +105,11 @@ GcodeWords wordsOf(std::string_view text) {
     words.named |= bit;
     spaced = false;
     ++at;
-    // Klipper reads a number that stands apart from its letter.
+    // Firmwares read a number that stands apart from its letter.
     std::size_t number = at;
     while (number < text.size() && isBlank(text[number])) ++number;
     if (number > at && number < text.size() && (isDigit(text[number]) || text[number] == '-' || text[number] == '.')) {
-      odd(GcodeWords::NotPlain, text.substr(at - 1, number - at + 2));
+      words.unusual = true;
       at = number;
     }
     // The next word begins at a blank or at a letter; E and other exponents belong to this one.

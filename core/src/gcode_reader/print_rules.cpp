@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -22,6 +23,7 @@ constexpr Row kRows[] = {
     {"heating", {"heat-changed", "the nozzle goes to {degrees} degrees in mid-print; it began with {told}"}},
     {"heating", {"bed-changed", "the bed goes to {degrees} degrees in mid-print; it began with {told}"}},
     {"flow", {"flow-changed", "the flow goes to {percent} % in mid-print; it began with {told} %"}},
+    {"flow", {"odd-flow", "a layer gets {percent} % of the plastic that its marks tell; the others get {told} %"}},
     {"flow", {"advance", "pressure advance of {seconds} s; the layers began with {told} s"}},
     {"flow",
      {"flow-told", "{flow} mm3/s, more than the {limit} mm3/s that the file itself or its machine's profile has"}},
@@ -72,6 +74,13 @@ constexpr double kShift = 1;               // [mm]
 constexpr double kLeastShifted = 5;        // [mm], size of a layer that tells
 constexpr double kBlowing = 50;            // [%] of the fan
 constexpr std::size_t kMostChanges = 1000;
+constexpr std::size_t kMostLayers = 100'000;
+constexpr double kOddFlow = 0.1;            // of the plastic of other layers
+constexpr double kLeastPlastic = 10;        // [mm³] of a layer that tells
+constexpr double kLeastGap = 0.5;           // [mm]; what is shorter gets too little plastic to be told
+constexpr double kLeastWay = 2;             // [mm] there and back
+constexpr double kFarPush = 4;              // of the speed that a file tells of its machine, for filament alone
+constexpr std::int64_t kRarely = 20;        // times as many ways tell a speed as gaps do not
 constexpr double kForeignFlowSlack = 1.15;  // of the flow that a file tells: E is rounded, and gap fill is thick
 constexpr double kFarFlow = 2;              // of these limits: nothing that our files are made with asks for that
 constexpr double kProfileFlowSlack = 1.5;   // of a profile's flow, which is that of plain filament
@@ -247,6 +256,7 @@ void PrintRules::readSettings(std::string_view text) {
     addNumbers(value, temperatures_);
   }
   if (key == "machine_max_speed_x" || key == "machine_max_feedrate_x") readNumber(value, mostSpeed_);
+  if (key == "machine_max_speed_e" || key == "machine_max_feedrate_e") readNumber(value, mostPush_);
   if (key == "filament_type") {
     filaments_ = 1 + static_cast<std::size_t>(std::count(value.begin(), value.end(), ';'));
     pla_ = filaments_ == 1 && upperCase(value).starts_with("PLA");
@@ -257,26 +267,32 @@ void PrintRules::onComment(std::string_view text) {
   if (text.starts_with("TYPE:") || text.starts_with("FEATURE: ")) {
     const std::string role = upperCase(trimmed(text.substr(text.find(':') + 1)));
     aside_ = role.starts_with("SKIRT") || role == "BRIM" || role.starts_with("SUPPORT");
+    const auto odd = {"BRIDGE", "OVERHANG", "IRONING", "GAP"};  // these are laid thin or thick on purpose
+    plain_ = !aside_ && std::none_of(odd.begin(), odd.end(),
+                                     [&](const char* part) { return role.find(part) != std::string::npos; });
     dragged_ = 0;
     return;
   }
   for (const std::string_view key : {"Z:", "Z_HEIGHT:"}) {
     const auto value = numberAfter(text, key);
-    if (!value || block()) continue;
+    if (!value || layers_ == 0) continue;
     told_ = *value;
     heightTold_ = false;
   }
   for (const std::string_view key : {"HEIGHT:", "LAYER_HEIGHT:"}) {
     const auto value = numberAfter(text, key);
+    if (value) pathHeight_ = *value;
     if (!value || heightTold_) continue;
     height_ = *value;
     heightTold_ = true;
   }
+  for (const std::string_view key : {"WIDTH:", "LINE_WIDTH:"}) width_ = numberAfter(text, key).value_or(width_);
   if (const auto value = numberAfter(text, "Layer height:")) usualStep_ = *value;
   readSettings(text);
 }
 
 void PrintRules::onFilament(double e, double retractedBefore) {
+  quiet_ = quiet_ && e > 0 && retractedBefore <= 0;
   if (e < 0) {
     retractionKnown_ = !block();
     return;
@@ -290,13 +306,22 @@ void PrintRules::onFilament(double e, double retractedBefore) {
 }
 
 void PrintRules::onMove(const MachineMove& move) {
-  if (!(move.length > 0)) return;
+  toldF_ = toldF_ || move.toldF;
+  if (!(move.length > 0)) {
+    quiet_ = quiet_ && move.z == move.zFrom;
+    if (move.e != 0 && !block() && machine_.speed > fastestPush_) {
+      fastestPush_ = machine_.speed;
+      fastestPushLine_ = check_.lines;
+    }
+    return;
+  }
+  if (!ours_) noteGap(move);
   if (!(move.e > 0)) {
     // Slicers of others go over layers as they please until the last one is done, and so do we without a lift.
     const bool judged = ours_ || (custom_ && layers_ > 0);
     if (!judged || !(laid_.top() > 0)) return;
     dragged_ += laid_.touched(move, kTouch);
-    if (dragged_ <= (custom_ ? kTouch : kMostDragged)) return;
+    if (dragged_ <= (!custom_ ? kMostDragged : ours_ ? kTouch : kLeastWay)) return;
     tell("drags", ours_ && custom_, {{"mm", decimal(dragged_, 0)}});
     dragged_ = 0;
     return;
@@ -327,6 +352,7 @@ void PrintRules::onMove(const MachineMove& move) {
     (fan_ > 0 ? cooledMm_ : uncooledMm_) += move.length;
   }
   if (tower_ || aside_) return;
+  if (!ours_) noteFlow(move);
   if (box_.empty()) {
     boxZ_ = move.z;
     boxLine_ = check_.lines;
@@ -337,19 +363,66 @@ void PrintRules::onMove(const MachineMove& move) {
   judgeSpeed(move);
 }
 
+// A bead that was left out, and a way over the print that no slicer made.
+void PrintRules::noteGap(const MachineMove& move) {
+  if (!(move.e > 0)) {
+    quiet_ = quiet_ && move.e == 0 && move.z == move.zFrom;
+    if (way_ == 0) wayStart_ = move.from;
+    way_ += move.length;
+    wayToldF_ = wayToldF_ || toldF_;
+    toldF_ = false;
+    return;
+  }
+  if (way_ > 0 && !block()) {
+    const bool told = wayToldF_ && toldF_;
+    if (told) ++ways_;
+    if (!told && quiet_ && way_ > kLeastGap && gaps_++ == 0) gapLine_ = check_.lines;
+    const bool back = length(move.from - wayStart_) <= kSame;
+    if (quiet_ && back && way_ > kLeastWay) tell("drags", false, {{"mm", whole(way_)}});
+  }
+  way_ = 0;
+  toldF_ = wayToldF_ = false;
+  quiet_ = true;
+}
+
+// A bead has the section of a rectangle with round ends.
+void PrintRules::noteFlow(const MachineMove& move) {
+  if (!plain_ || !(width_ > 0) || !(pathHeight_ > 0)) return;
+  const double section = pathHeight_ * (width_ - pathHeight_) + std::numbers::pi / 4 * pathHeight_ * pathHeight_;
+  if (flows_.empty()) return;
+  LayerFlow& flow = flows_.back();
+  if (flow.line == 0) flow.line = check_.lines;
+  flow.laid += move.e * area_;
+  flow.told += section * move.length;
+}
+
 // The mark's height, as far as the file tells one; else steps from layer to layer.
 void PrintRules::judgeHeight(const MachineMove& move) {
-  if (move.z != move.zFrom) climbs_ = true;
+  if (move.z != move.zFrom) {
+    climbs_ = true;
+    offLine_ = 0;
+  }
   if (climbs_) return;  // a spiral, which has level pieces only where heights are rounded
+  tellOff();
   if (told_ >= 0) {
     if (ours_ || !(height_ > 0)) return;  // our own files are judged with the other rules
+    if (toldFirst_ < 0) toldFirst_ = told_;
+    const double rise = told_ - toldBefore_;
+    const bool twice = std::abs(rise) < kSame && told_ > toldFirst_ + kSame;
+    if (!stepJudged_ && toldBefore_ >= 0 && (twice || rise > (1 + kHeightShare) * height_)) {
+      tell("odd-step", false, {{"mm", decimal(rise, 3)}, {"told", decimal(height_, 3)}});
+    }
+    stepJudged_ = true;
     const double off = move.z - told_ - settings_.zOffset;
     if (!offsetKnown_) {
       offsetKnown_ = true;
       offset_ = std::abs(off) <= kFileOffset ? off : 0;
     }
     if (std::abs(off - offset_) <= kHeightShare * height_) return;
-    return found("off-layer", true, {{"z", decimal(move.z, 3)}, {"top", decimal(told_ + settings_.zOffset, 3)}});
+    offLine_ = check_.lines;
+    offZ_ = move.z;
+    offTop_ = told_ + settings_.zOffset;
+    return;
   }
   if (stepJudged_) return;
   stepJudged_ = true;
@@ -378,8 +451,19 @@ void PrintRules::judgeSpeed(const MachineMove& move) {
   }
 }
 
+void PrintRules::tellOff() {
+  if (offLine_ == 0) return;
+  const std::int64_t here = std::exchange(check_.lines, std::exchange(offLine_, 0));
+  found("off-layer", true, {{"z", decimal(offZ_, 3)}, {"top", decimal(offTop_, 3)}});
+  check_.lines = here;
+}
+
 void PrintRules::onLayer() {
+  tellOff();
+  if (told_ >= 0) toldBefore_ = told_;
   told_ = -1;
+  quiet_ = false;
+  if (flows_.size() < kMostLayers) flows_.emplace_back();
   height_ = 0;
   heightTold_ = stepJudged_ = climbs_ = false;
   if (box_.empty()) return;
@@ -456,8 +540,36 @@ void PrintRules::judgeFan() {
   }
 }
 
+// Slicers tell each way's speed, unless it is that of the beads.
+void PrintRules::judgeGaps() {
+  if (gaps_ == 0 || kRarely * gaps_ > ways_) return;
+  check_.findings.push_back(makeFinding("gap", false));
+  check_.findings.back().line = gapLine_;
+  check_.findings.back().count = gaps_;
+}
+
+void PrintRules::judgeFlow() {
+  std::vector<double> shares;
+  for (const LayerFlow& flow : flows_) {
+    if (flow.told >= kLeastPlastic) shares.push_back(flow.laid / flow.told);
+  }
+  if (shares.size() < 3 || filaments_ > 1) return;
+  const auto middle = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() / 2);
+  std::nth_element(shares.begin(), middle, shares.end());
+  for (const LayerFlow& flow : flows_) {
+    if (flow.told < kLeastPlastic || std::abs(flow.laid / flow.told / *middle - 1) <= kOddFlow) continue;
+    tell("odd-flow", false, {{"percent", whole(100 * flow.laid / flow.told)}, {"told", whole(100 * *middle)}},
+         flow.line);
+  }
+}
+
 void PrintRules::onFinish() {
   onLayer();
+  judgeGaps();
+  judgeFlow();
+  if (mostPush_ > 0 && fastestPush_ > kFarPush * mostPush_) {
+    tell("speed-told", false, {{"speed", whole(fastestPush_)}, {"limit", whole(mostPush_)}}, fastestPushLine_);
+  }
   if (mostSpeed_ > 0 && fastest_ > 1.001 * mostSpeed_) {
     tell("speed-told", false, {{"speed", whole(fastest_)}, {"limit", whole(mostSpeed_)}}, fastestLine_);
   }

@@ -46,11 +46,16 @@ class PrintRules final : public Rules {
   void noteFan(const GcodeCommand& command, const GcodeWords& words, const std::string& name);
   void judgeWait(const GcodeCommand& command, const GcodeWords& words, const std::string& name);
   void judgeEnd();
+  void noteGap(const MachineMove& move);
+  void noteFlow(const MachineMove& move);
   void judgeHeight(const MachineMove& move);
+  void tellOff();
   void judgeSpeed(const MachineMove& move);
   void judge(const Change& change);
   void judgeHeat(const Change& change);
   void judgeFan();
+  void judgeGaps();
+  void judgeFlow();
   void readSettings(std::string_view text);
   void tell(std::string_view code, bool error, FindingValues values = {}, std::int64_t line = 0);
   [[nodiscard]] bool standsOnPrint() const;
@@ -71,8 +76,11 @@ class PrintRules final : public Rules {
   std::size_t filaments_ = 0;
   bool pla_ = false;
   double mostSpeed_ = 0;  // [mm/s]
+  double mostPush_ = 0;   // [mm/s], of filament alone
   double fastest_ = 0;    // of the layers' beads
   std::int64_t fastestLine_ = 0;
+  double fastestPush_ = 0;
+  std::int64_t fastestPushLine_ = 0;
 
   double fan_ = 0;  // [%]
   double cooledMm_ = 0;
@@ -85,7 +93,30 @@ class PrintRules final : public Rules {
   bool retractionKnown_ = false;
   double dragged_ = 0;  // [mm] over what is laid, since the last bead
 
-  double told_ = -1;  // [mm], Z that a mark tells of this layer
+  // Ways since the last bead in files of others, who tell a speed before each and before the bead behind it.
+  bool toldF_ = false;
+  bool wayToldF_ = false;  // before its end
+  bool quiet_ = false;     // nothing but ways
+  double way_ = 0;         // [mm]
+  Vec2 wayStart_;
+  std::int64_t gaps_ = 0;  // without either
+  std::int64_t gapLine_ = 0;
+  std::int64_t ways_ = 0;  // with both
+
+  // Plastic by layers, beside what their marks tell.
+  struct LayerFlow {
+    std::int64_t line = 0;
+    double laid = 0;  // [mm³]
+    double told = 0;
+  };
+  std::vector<LayerFlow> flows_;
+  bool plain_ = false;     // a role whose marks tell how much plastic it gets
+  double width_ = 0;       // [mm], by the last mark; 0: none
+  double pathHeight_ = 0;  // [mm]
+
+  double told_ = -1;        // [mm], Z that a mark tells of this layer
+  double toldBefore_ = -1;  // of the layer before
+  double toldFirst_ = -1;   // of the lowest
   double height_ = 0;
   bool heightTold_ = false;
   double offset_ = 0;  // of all heights of another program's file
@@ -94,6 +125,10 @@ class PrintRules final : public Rules {
   double lastZ_ = -1;     // of the last layer without a mark of its own
   bool stepJudged_ = false;
   bool climbs_ = false;  // the layer has a bead that rises
+  std::int64_t offLine_ =
+      0;  // of the last level bead that lies off its layer, until the next one tells whether it climbs
+  double offZ_ = 0;
+  double offTop_ = 0;
 
   bool aside_ = false;  // skirts and brims
   Bounds box_;          // of this layer's beads

@@ -28,7 +28,7 @@ constexpr double kBelowBed = 0.5;              // [mm], makers' blocks wipe so d
 constexpr double kBelowBesideBed = 2;          // [mm], beside the sheet
 constexpr double kMostShift = 0.5;             // [mm] of X and Y
 constexpr double kMostRaised = 2;              // [mm] of Z
-constexpr double kFirstLift = 10;              // [mm]
+constexpr double kFirstLift = 20;              // [mm]
 constexpr double kScratch = 0.1;               // [mm] that a nozzle may be lower than what it passes over
 constexpr double kOffLayer = 0.1;              // of a layer, between a bead and its layer's height
 constexpr double kMostGap = 2;                 // [mm] between a bead and what is highest before it: the thickest layer
@@ -134,6 +134,9 @@ void Rules::comment(std::string_view text) {
     changesTool_ = false;
     ++layers_;
   }
+  // Cura marks no end block; what it writes between its layers is its own business, too.
+  if (text.starts_with("TIME_ELAPSED:")) custom_ = true;
+  if (text.starts_with("LAYER:")) custom_ = false;
   if (const auto value = numberAfter(text, "Z:"); value && ours_) layerTop_ = *value;
   if (text.starts_with("TYPE:") || text.starts_with("FEATURE: ")) {
     endPath();
@@ -172,11 +175,8 @@ void Rules::command(std::string_view text) {
   const GcodeCommand command = commandOf(text);
   const bool moves = command.letter == 'G' && command.code <= 3 && command.code >= 0 && command.sub == 0;
   if (!moves || command.rest.find_first_of("GMRgmr") != std::string_view::npos) {
-    const std::optional<Printer>& printer = settings_.printer;
-    const bool told = printer && !printer->anyTemperature;
-    const double nozzle = told ? printer->maxNozzleTemperature : kHottestNozzle;
-    const double bed = told ? printer->maxBedTemperature : kHottestBed;
-    for (GcodeFinding& finding : judgeCommand(text, settings_.flavor, nozzle, bed, false)) {
+    for (GcodeFinding& finding :
+         judgeCommand(text, settings_.flavor, settings_.hottestNozzle, settings_.hottestBed, false)) {
       if (finding.code == "outlives" && ours_ && !block()) finding.error = true;
       found(std::move(finding));
     }
@@ -342,8 +342,9 @@ void Rules::move(const MachineMove& move) {
   if (move.toldF && !(machine_.speed > 0)) found("speed-zero", true);
   if (move.z != move.zFrom) {
     endPath();
-    if (settings_.maxZ > 0 && move.z > settings_.maxZ + kRounding)
-      found("too-high", true, {{"mm", decimal(move.z, 3)}});
+    const double over = settings_.maxZ > 0 ? move.z - settings_.maxZ : 0;
+    // Makers' blocks go to the end of the axis, where most firmwares stop; Klipper ends the print.
+    if (over > kRounding) found("too-high", klipper() || !block() || over > kBeyondBed, {{"mm", decimal(move.z, 3)}});
     if (move.z < move.zFrom) {
       // Deltas home at the top, so that nothing is known before the first Z.
       const bool top = !machine_.told(kAxisZ) && settings_.printer && settings_.printer->roundBed;
@@ -369,7 +370,10 @@ void Rules::move(const MachineMove& move) {
   const bool lowers = move.z != move.zFrom && !lift;
   // From where it was switched on: makers' blocks lift so before they home.
   const bool first = block() && move.length == 0 && move.zFrom == 0 && move.z > 0 && move.z <= kFirstLift;
-  if (!machine_.homed((move.length > 0 ? kPlane : 0) | (lowers ? heightAxis() : 0))) found("unhomed", !first);
+  const unsigned moved = (move.arc || move.to.x != move.from.x ? kAxisX : 0) |
+                         (move.arc || move.to.y != move.from.y ? kAxisY : 0) | (lowers ? heightAxis() : 0);
+  // Behind the print some blocks switch the motors off too early.
+  if (!machine_.homed(moved)) found("unhomed", !first && (layers_ == 0 || !block()));
   if (laid_.top() > 0) checkHeight(move);
   if (move.length > 0) {
     pushed_ = 0;
@@ -438,7 +442,8 @@ void Rules::bead(const MachineMove& move, double e) {
   }
   // How high homing and levelling leave the nozzle is the printer's own affair: a block may purge there.
   const bool untold = block() && !machine_.told(kAxisZ) && move.z == 0;
-  if (move.z <= 0 && !untold) found("bead-in-bed", true, {{"mm", decimal(move.z, 3)}});
+  // Some purge at the height of homing, which is a sheet of paper above the bed.
+  if (move.z <= 0 && !untold) found("bead-in-bed", !block() || move.z < 0, {{"mm", decimal(move.z, 3)}});
   // Makers' blocks purge thick lines. Klipper stops there, too, unless the printer's configuration allows more.
   const double thickest = 4 * settings_.nozzle * settings_.nozzle;
   if (settings_.nozzle > 0 && sure > thickest && (klipper() || !block())) {
@@ -459,7 +464,7 @@ void Rules::checkHot() {
   constexpr double kSoft = 130;  // [degrees Celsius], at which Bambu's blocks push what has been flushed
   const double coldest = block() && settings_.flavor == GcodeFlavor::Bambu ? kSoft : kColdest;
   if (check_.heatsNozzle && check_.nozzleReady < coldest) {
-    found("cold-bead", true, {{"degrees", decimal(check_.nozzleReady, 0)}});
+    found("cold-bead", layers_ == 0 || !block(), {{"degrees", decimal(check_.nozzleReady, 0)}});
   }
 }
 

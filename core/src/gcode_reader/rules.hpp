@@ -34,9 +34,6 @@ const char* wordFault(const GcodeWords& words);
 /// The values of the finding about offsets that were added up: empty if they are well.
 FindingValues offsetFault(const Offsets::Axes& sum);
 
-inline constexpr double kHottestNozzle =
-    300;  ///< [degrees Celsius] where no printer tells less, or with anyTemperature
-inline constexpr double kHottestBed = 120;
 inline constexpr double kBeyondBed = 10;  ///< [mm], how far makers' blocks go over the bed's edge to wipe and purge
 
 /// Whether a move goes deeper than any nozzle may: 0.5 mm below the bed; 2 mm where it is beside the bed, as makers'

@@ -1161,10 +1161,10 @@ constexpr Row kRows[] = {
       .low = 0,
       .high = 120},
      {.label = "Bed temperature limit", .help = "Highest bed temperature that the printer is made for"}},
-    {{.section = Section::Printer, .key = "anyTemperature", .type = Flag, .field = at<&Printer::anyTemperature>},
-     {.label = "Allow any temperature",
-      .help = "For experts: allows nozzle temperatures of 0 to 300 degrees Celsius and bed temperatures of up to 120, "
-              "whatever the limits are; check refuses more"}},
+    {{.section = Section::Printer, .key = "generalHeatLimits", .type = Flag, .field = at<&Printer::generalHeatLimits>},
+     {.label = "General heat limits",
+      .help = "For experts: the nozzle may have 0 to 300 degrees Celsius and the bed up to 120, which no machine may "
+              "exceed, instead of the printer's own limits"}},
     {{.section = Section::Printer,
       .key = "nozzleTemperature",
       .type = Number,
@@ -1174,8 +1174,8 @@ constexpr Row kRows[] = {
       .high = 300,
       .level = Basic},
      {.label = "Nozzle temperature",
-      .help = "Nozzle temperature, as on the filament's label; 170 to the printer's limit unless any temperature is "
-              "allowed"}},
+      .help =
+          "Nozzle temperature, as on the filament's label; 170 to the printer's limit unless the general limits hold"}},
     {{.section = Section::Printer,
       .key = "firstLayerNozzleTemperature",
       .type = Number,
@@ -1185,7 +1185,7 @@ constexpr Row kRows[] = {
       .high = 300},
      {.label = "Nozzle, first layer",
       .help = "Nozzle temperature of the first layer, often slightly higher for adhesion; 170 to the printer's limit "
-              "unless any temperature is allowed"}},
+              "unless the general limits hold"}},
     {{.section = Section::Printer,
       .key = "bedTemperature",
       .type = Number,
@@ -1195,8 +1195,8 @@ constexpr Row kRows[] = {
       .high = 120,
       .level = Basic},
      {.label = "Bed temperature",
-      .help = "Bed temperature, as on the filament's label; at most the printer's limit unless any temperature is "
-              "allowed"}},
+      .help =
+          "Bed temperature, as on the filament's label; at most the printer's limit unless the general limits hold"}},
     {{.section = Section::Printer,
       .key = "speed",
       .type = Number,

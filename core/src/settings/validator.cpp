@@ -24,9 +24,9 @@ struct Range {
   const char* wayOut = "";  ///< of what is too high
 };
 
-/// Most ranges are the table's; what a printer may heat to depends on its own limits and anyTemperature.
+/// Most ranges are the table's; what a printer may heat to depends on its own limits and generalHeatLimits.
 Range rangeOf(const Setting& setting, const SettingsView& view) {
-  if (setting.section == Section::Printer && view.printer != nullptr && !view.printer->anyTemperature) {
+  if (setting.section == Section::Printer && view.printer != nullptr && !view.printer->generalHeatLimits) {
     const Printer& printer = *view.printer;
     const Printer usual;
     const std::string_view key = setting.key;

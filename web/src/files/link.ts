@@ -88,7 +88,7 @@ function fromBase64Url(text: string): Uint8Array<ArrayBuffer> {
 
 /** Settings that stay at home: they would move and heat the machine of whoever opens the link, and may hold names and passwords
  * of a network. */
-const ownAlone: Readonly<Record<string, true>> = { startGcode: true, endGcode: true, anyTemperature: true };
+const ownAlone: Readonly<Record<string, true>> = { startGcode: true, endGcode: true, generalHeatLimits: true };
 
 const svgType = 'image/svg+xml';
 

@@ -452,9 +452,9 @@ export const de: Translation = {
     'Die eigene des Druckers, am Ende wiederhergestellt. 0: Die Beschleunigung wird gar nicht eingestellt.',
   'setting.printer.machineSpeed': 'Höchsttempo der Maschine',
   'help.printer.machineSpeed': 'Die Grenze der Maschine; kein Tempo liegt darüber. 0: nicht bekannt.',
-  'setting.printer.anyTemperature': 'Jede Temperatur erlauben',
-  'help.printer.anyTemperature':
-    'Für Fachleute: erlaubt Düsen von 0 bis 300 °C und Druckbetten bis 120 °C, auch über den Grenzen des Druckers.',
+  'setting.printer.generalHeatLimits': 'Allgemeine Temperaturgrenzen',
+  'help.printer.generalHeatLimits':
+    'Für Fachleute: Düsen von 0 bis 300 °C und Druckbetten bis 120 °C, die keine Maschine überschreiten darf, statt der Grenzen des Druckers.',
   'setting.printer.cornerSpeed': 'Tempo in Ecken',
   'help.printer.cornerSpeed': 'Die „Square Corner Velocity“ von Klipper; die Hälfte des „Jerk“ von Marlin.',
   'setting.printer.machineCornerSpeed': 'Tempo in Ecken, Maschine',
@@ -586,7 +586,7 @@ export const de: Translation = {
   'brought.end': { one: '{n} Zeile End-G-Code', other: '{n} Zeilen End-G-Code' },
   'brought.nozzle': 'Düse {degrees} °C',
   'brought.bed': 'Druckbett {degrees} °C',
-  'brought.anyTemperature': 'keine Temperaturgrenzen',
+  'brought.generalHeatLimits': 'keine Temperaturgrenzen',
   'brought.show': 'Zeigen',
   'brought.keep': 'Eigene behalten',
   'brought.help':
@@ -597,7 +597,7 @@ export const de: Translation = {
   'blocks.title': 'Vor dem Druck',
   'blocks.help':
     'Diese Zeilen laufen auf dem Drucker. Vor dem ersten Herunterladen lesen; erst wenn sie sich ändern, wird wieder gefragt.',
-  'blocks.anyTemperature': 'Die Temperaturgrenzen sind ausgeschaltet.',
+  'blocks.generalHeatLimits': 'Die Temperaturgrenzen sind ausgeschaltet.',
   'blocks.unchecked': 'Nicht geprüft',
   'blocks.remove': 'Diese Zeilen entfernen',
   'printer.start':

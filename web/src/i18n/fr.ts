@@ -452,9 +452,9 @@ export const fr: Translation = {
   'setting.printer.machineSpeed': 'Vitesse maximale de la machine',
   'help.printer.machineSpeed':
     'La limite de la machine, à laquelle toutes les vitesses sont ramenées. 0 : elle n’est pas connue.',
-  'setting.printer.anyTemperature': 'Autoriser toute température',
-  'help.printer.anyTemperature':
-    'Pour qui sait pourquoi : permet une buse de 0 à 300 °C et un plateau jusqu’à 120 °C, même au-delà des limites de l’imprimante.',
+  'setting.printer.generalHeatLimits': 'Limites de température générales',
+  'help.printer.generalHeatLimits':
+    'Pour qui sait pourquoi : une buse de 0 à 300 °C et un plateau jusqu’à 120 °C, que nulle machine ne doit dépasser, au lieu des limites de l’imprimante.',
   'setting.printer.cornerSpeed': 'Vitesse dans les angles',
   'help.printer.cornerSpeed': 'Le « square corner velocity » de Klipper ; la moitié du « jerk » de Marlin.',
   'setting.printer.machineCornerSpeed': 'Vitesse dans les angles, machine',
@@ -586,7 +586,7 @@ export const fr: Translation = {
   'brought.end': { one: '{n} ligne de G-code de fin', other: '{n} lignes de G-code de fin' },
   'brought.nozzle': 'buse à {degrees} °C',
   'brought.bed': 'plateau à {degrees} °C',
-  'brought.anyTemperature': 'aucune limite de température',
+  'brought.generalHeatLimits': 'aucune limite de température',
   'brought.show': 'Afficher',
   'brought.keep': 'Garder les miens',
   'brought.help':
@@ -597,7 +597,7 @@ export const fr: Translation = {
   'blocks.title': 'Avant d’imprimer',
   'blocks.help':
     'Ces lignes s’exécutent sur votre imprimante. Lisez-les avant le premier téléchargement ; la question ne revient que si elles changent.',
-  'blocks.anyTemperature': 'Les limites de température sont désactivées.',
+  'blocks.generalHeatLimits': 'Les limites de température sont désactivées.',
   'blocks.unchecked': 'Non vérifiée',
   'blocks.remove': 'Retirer ces lignes',
   'printer.start':

@@ -90,7 +90,7 @@ export function broughtText(brought: PrinterValues, own: PrinterValues): string 
     ...(start === 0 ? [] : [t('brought.start', { n: start })]),
     ...(end === 0 ? [] : [t('brought.end', { n: end })]),
     ...(heat === '' ? [] : [heat]),
-    ...(brought.anyTemperature ? [t('brought.anyTemperature')] : []),
+    ...(brought.generalHeatLimits ? [t('brought.generalHeatLimits')] : []),
   ];
   const mine = profileOf(own);
   return t('brought.what', {

@@ -87,16 +87,16 @@ export const countLines = (block: string): number =>
 /** What is to be seen before the first file is taken with it: blocks that no profile has, and heat without limits. Equal
  * texts: the same was seen. Empty: nothing to see. */
 export function toReview(printer: PrinterValues): string {
-  const { startGcode, endGcode, anyTemperature } = printer;
+  const { startGcode, endGcode, generalHeatLimits } = printer;
   const { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature } = printer;
   const profile = profileOf(printer);
   const blocks = profile === undefined && (startGcode !== '' || endGcode !== '') ? [startGcode, endGcode] : [];
-  const heat = anyTemperature ? [nozzleTemperature, firstLayerNozzleTemperature, bedTemperature] : [];
+  const heat = generalHeatLimits ? [nozzleTemperature, firstLayerNozzleTemperature, bedTemperature] : [];
   return blocks.length + heat.length === 0 ? '' : JSON.stringify([...blocks, ...heat]);
 }
 
 /** The printer without what `toReview` shows. */
 export const withoutBlocks = (plate: Plate): Plate => {
   const printed = isHot(plate.printer) ? withFilament(plate, filamentOf(plate.pictures.spool).key) : plate;
-  return { ...printed, printer: { ...printed.printer, startGcode: '', endGcode: '', anyTemperature: false } };
+  return { ...printed, printer: { ...printed.printer, startGcode: '', endGcode: '', generalHeatLimits: false } };
 };

@@ -21,7 +21,7 @@ const keysOf = {
   bed: 'place rotate mirror showSide copies copyGap startHeight',
   layers: 'rim rimWidth firstLayerHeight basePattern basePerimeters brim skirt elephantFoot strict',
   flow: 'flow baseFlow bedFlow filamentFlow constantFlow pressureAdvance setPressureAdvance maxFlow coast scarf purgeLength retractLength retractSpeed lift',
-  heat: 'firstLayerNozzleTemperature firstLayerFan baseFan showFan minLayerTime maxNozzleTemperature maxBedTemperature anyTemperature',
+  heat: 'firstLayerNozzleTemperature firstLayerFan baseFan showFan minLayerTime maxNozzleTemperature maxBedTemperature generalHeatLimits',
   speed:
     'showSpeed baseSpeed firstLayerSpeed travelSpeed machineSpeed acceleration firstLayerAcceleration machineAcceleration cornerSpeed machineCornerSpeed curveAcceleration maxSegmentsPerSecond',
 } as const;

@@ -80,7 +80,7 @@ export const table = {
     filamentType: { type: 'text', level: 'advanced', default: 'PLA', maxBytes: 1024 },
     maxNozzleTemperature: { type: 'number', level: 'advanced', default: 300, unit: '°C', low: 170, high: 300 },
     maxBedTemperature: { type: 'number', level: 'advanced', default: 120, unit: '°C', low: 0, high: 120 },
-    anyTemperature: { type: 'flag', level: 'advanced', default: false },
+    generalHeatLimits: { type: 'flag', level: 'advanced', default: false },
     nozzleTemperature: { type: 'number', level: 'basic', default: 215, unit: '°C', low: 0, high: 300 },
     firstLayerNozzleTemperature: { type: 'number', level: 'advanced', default: 220, unit: '°C', low: 0, high: 300 },
     bedTemperature: { type: 'number', level: 'basic', default: 60, unit: '°C', low: 0, high: 120 },

@@ -143,7 +143,7 @@ export class Blocks extends DialogElement {
     return html`
       <p>${say(words, this.purpose === 'brought' ? 'brought.help' : 'blocks.help')}</p>
       ${this.purpose === 'brought' ? this.#differences(printer) : nothing}
-      ${printer.anyTemperature ? html`<p>${icon('warn', 16)} ${say(words, 'blocks.anyTemperature')} ${heatText(printer)}</p>` : nothing}
+      ${printer.generalHeatLimits ? html`<p>${icon('warn', 16)} ${say(words, 'blocks.generalHeatLimits')} ${heatText(printer)}</p>` : nothing}
       ${this.#block(printer, 'startGcode')} ${this.#block(printer, 'endGcode')}
       <div class="end">${this.purpose === 'brought' ? this.#choice() : this.#download()}</div>
     `;

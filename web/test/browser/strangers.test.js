@@ -34,7 +34,7 @@ const spoof = {
 };
 const hot = {
   name: 'MK4S',
-  anyTemperature: true,
+  generalHeatLimits: true,
   nozzleTemperature: 300,
   firstLayerNozzleTemperature: 300,
   bedTemperature: 120,

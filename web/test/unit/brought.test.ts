@@ -56,7 +56,7 @@ test('the name of a profile opens no door', () => {
   for (const change of [
     { startGcode: 'G28\nM997' },
     { endGcode: 'M112' },
-    { anyTemperature: true },
+    { generalHeatLimits: true },
     { flavor: 'bambu' as const },
     { machineAcceleration: 100000 },
     { bedMin: [-5000, -5000] as [number, number] },
@@ -120,7 +120,7 @@ test('heat beyond any filament is never taken over', () => {
 });
 
 test("the visitor's own printer, as it is, is no stranger's", () => {
-  const mine = { ...own, startGcode: 'G28', nozzleTemperature: 290, anyTemperature: true };
+  const mine = { ...own, startGcode: 'G28', nozzleTemperature: 290, generalHeatLimits: true };
   const plate = { ...newPlate(), printer: structuredClone(mine) };
   assert.deepEqual(onOwnPrinter(plate, mine), plate);
   // The same machine with more heat is.
@@ -144,15 +144,15 @@ test('what is to be seen before a download changes with every line and every deg
       { startGcode: 'G28' },
       { startGcode: 'G28\nM997' },
       { endGcode: 'G28' },
-      { anyTemperature: true },
-      { anyTemperature: true, nozzleTemperature: 480 },
-      { anyTemperature: true, bedTemperature: 200 },
-      { startGcode: 'G28', anyTemperature: true },
+      { generalHeatLimits: true },
+      { generalHeatLimits: true, nozzleTemperature: 480 },
+      { generalHeatLimits: true, bedTemperature: 200 },
+      { startGcode: 'G28', generalHeatLimits: true },
     ].map((change) => toReview({ ...own, ...change })),
   );
   assert.equal(seen.size, 7);
   assert.ok(!seen.has(''));
-  const plate = foreign({ startGcode: 'G28', endGcode: 'M112', anyTemperature: true, nozzleTemperature: 480 });
+  const plate = foreign({ startGcode: 'G28', endGcode: 'M112', generalHeatLimits: true, nozzleTemperature: 480 });
   assert.equal(toReview(withoutBlocks(plate).printer), '');
   assert.deepEqual(unusualHeat(withoutBlocks(plate).printer), { nozzle: 0, bed: 0 });
 });

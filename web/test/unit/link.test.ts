@@ -143,7 +143,7 @@ function another(setting: (typeof settings)[number]): SettingValue {
 const travelled = (plate: Plate): Plate =>
   profileOf(plate.printer) !== undefined
     ? plate
-    : { ...plate, printer: { ...plate.printer, startGcode: '', endGcode: '', anyTemperature: false } };
+    : { ...plate, printer: { ...plate.printer, startGcode: '', endGcode: '', generalHeatLimits: false } };
 
 test('every setting travels but what would move and heat another machine', async () => {
   let [tried, kept, blocks] = [0, 0, 0];

@@ -253,11 +253,11 @@ struct Printer {
   std::string filamentType = "PLA";
   double maxNozzleTemperature = 300;  ///< what the hot end bears, 170..300
   double maxBedTemperature = 120;     ///< 0..120
-  /// For those who know why: temperatures above these limits, up to 300 and 120, and cold nozzles
-  bool anyTemperature = false;
-  double nozzleTemperature = 215;  ///< 170..maxNozzleTemperature; 0..300 with anyTemperature
+  /// For those who know why: the limits that no machine may exceed, 300 and 120, instead of these, and cold nozzles
+  bool generalHeatLimits = false;
+  double nozzleTemperature = 215;  ///< 170..maxNozzleTemperature; 0..300 with generalHeatLimits
   double firstLayerNozzleTemperature = 220;
-  double bedTemperature = 60;  ///< 0..maxBedTemperature; 0..120 with anyTemperature
+  double bedTemperature = 60;  ///< 0..maxBedTemperature; 0..120 with generalHeatLimits
   double speed = 50;
   double firstLayerSpeed = 20;
   double baseSpeed = 0;  ///< of base layers above the first; 0: `speed`

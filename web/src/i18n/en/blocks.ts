@@ -4,7 +4,7 @@ export const words = {
   'blocks.title': 'Before you print',
   'blocks.help':
     'These lines run on your printer. Read them before the first download; you are not asked again until they change.',
-  'blocks.anyTemperature': 'Temperature limits are off.',
+  'blocks.generalHeatLimits': 'Temperature limits are off.',
   'blocks.unchecked': 'Not checked',
   'blocks.remove': 'Remove these lines',
   'brought.help':

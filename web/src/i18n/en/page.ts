@@ -269,7 +269,7 @@ export const words = {
   'brought.end': { one: '{n} line of end G-code', other: '{n} lines of end G-code' },
   'brought.nozzle': 'nozzle {degrees} °C',
   'brought.bed': 'bed {degrees} °C',
-  'brought.anyTemperature': 'no temperature limits',
+  'brought.generalHeatLimits': 'no temperature limits',
   'brought.show': 'Show',
   'brought.keep': 'Keep mine',
 

@@ -66,7 +66,7 @@ export const words = {
   'setting.printer.filamentType': "Filament type",
   'setting.printer.maxNozzleTemperature': "Nozzle temperature limit",
   'setting.printer.maxBedTemperature': "Bed temperature limit",
-  'setting.printer.anyTemperature': "Allow any temperature",
+  'setting.printer.generalHeatLimits': "General heat limits",
   'setting.printer.nozzleTemperature': "Nozzle temperature",
   'setting.printer.firstLayerNozzleTemperature': "Nozzle, first layer",
   'setting.printer.bedTemperature': "Bed temperature",
