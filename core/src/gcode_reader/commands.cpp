@@ -319,7 +319,8 @@ constexpr NamedLimits kNamedLimits[] = {
     {"SET_EXTRUDER_ROTATION_DISTANCE", "DISTANCE", 1, 1000},
 };
 
-// With one of these letters an M command is more than usual.
+// With one of these letters an M command is more than usual: it switches pins of heaters, changes steps, which heater a
+// fan cools, limits of axes, or a motor's sense.
 struct Telling {
   int code;
   std::string_view letters;
@@ -327,9 +328,8 @@ struct Telling {
   bool error;
 };
 constexpr Telling kTold[] = {
-    {42, "I", "never", true},                                         // switches heaters' pins, too
-    {92, "XYZ", "unfollowed", true}, {106, "H", "never", true},       // tells which heater a fan cools
-    {208, "XYZ", "outlives", false}, {569, "P", "unfollowed", true},  // turns a motor's sense
+    {42, "I", "never", true},        {92, "XYZ", "unfollowed", true}, {106, "H", "never", true},
+    {208, "XYZ", "outlives", false}, {569, "P", "unfollowed", true},
 };
 
 class Judge {
