@@ -174,7 +174,7 @@ TEST_CASE("a bead that others left out, or a way that they did not make, shows b
   CHECK(with("G1 X55 F7200\nG1 F1800\n") == "");
   CHECK(with("G1 X90 F7200\nG1 X60\nG1 F1800\n") == "drags ");
   CHECK(with("G1 E-0.8 F2100\nG1 X90 F7200\nG1 X60\nG1 E0.8 F2100\nG1 F1800\n") == "");
-  // Who travels as fast as he prints tells no speeds.
+  // A slicer that travels as fast as it prints tells no speeds.
   CHECK(codes(print("", layer(0.6, "G1 X55\n"))) == "");
 }
 

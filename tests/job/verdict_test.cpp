@@ -82,7 +82,8 @@ TEST_CASE("a plate's G-code is refused just where the check of the file finds an
     CAPTURE(first);
     CHECK(error.has_value() == (check.errors() > 0));
     // Nothing but what the owner asked for is ever a reason.
-    if (error && !project.printer.generalHeatLimits) CHECK(project.printer.endGcode.find("; ours") != std::string::npos);
+    if (error && !project.printer.generalHeatLimits)
+      CHECK(project.printer.endGcode.find("; ours") != std::string::npos);
     ++(error ? refused : taken);
   }
   CHECK(taken > 15);

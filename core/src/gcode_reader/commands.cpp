@@ -103,7 +103,7 @@ constexpr Row kRows[] = {
     {Unfollowed, Marlin, true, "G6 G53 G61 M428"},
     {Unfollowed, Marlin, false, "G33 G54-G59 G59.1-G59.9 G425"},
     {Unfollowed, RepRap, false, "G68 G93 VAR SET GLOBAL"},
-    {Unfollowed, RepRap, true, "IF ELIF ELSE WHILE"},  // what stands in them may run often or never
+    {Unfollowed, RepRap, true, "IF ELIF ELSE WHILE"},  // their lines may run often or never
     {Unfollowed, RepRap, true, "M260-M261 M452 M574 M584-M585 M667 M669"},
     {Unfollowed, Klipper, true,
      "FORCE_MOVE SET_KINEMATIC_POSITION MANUAL_STEPPER STEPPER_BUZZ MANUAL_PROBE TESTZ SET_TMC_CURRENT "
@@ -260,7 +260,7 @@ bool holds(std::string_view text, std::string_view part) { return text.find(part
 
 constexpr double kMostAdvance = 2.5;  // [s] of pressure advance: twice that of the longest tubes
 
-// What numbers behind a letter of M commands may be.
+// Letters of M commands have numbers within these limits.
 struct Limits {
   int code;
   std::string_view letters;
@@ -319,7 +319,8 @@ constexpr NamedLimits kNamedLimits[] = {
     {"SET_EXTRUDER_ROTATION_DISTANCE", "DISTANCE", 1, 1000},
 };
 
-// M commands that are more than usual with one of these letters.
+// With one of these letters an M command is more than usual: it switches pins of heaters, changes steps, which heater a
+// fan cools, limits of axes, or a motor's sense.
 struct Telling {
   int code;
   std::string_view letters;
@@ -327,9 +328,8 @@ struct Telling {
   bool error;
 };
 constexpr Telling kTold[] = {
-    {42, "I", "never", true},                                         // pins of heaters, too
-    {92, "XYZ", "unfollowed", true}, {106, "H", "never", true},       // which fan cools which heater
-    {208, "XYZ", "outlives", false}, {569, "P", "unfollowed", true},  // the sense of a motor
+    {42, "I", "never", true},        {92, "XYZ", "unfollowed", true}, {106, "H", "never", true},
+    {208, "XYZ", "outlives", false}, {569, "P", "unfollowed", true},
 };
 
 class Judge {
@@ -460,7 +460,7 @@ class Judge {
       }
       if (setsTool(head, words)) hottest(hottestNozzle_);
       if (head.code == 10 && (words.has('P') || words.has('L'))) within("Z", -kMostLowered, kMostLowered);
-      // Alone it raises what is printed.
+      // Alone it raises the print.
       const bool raises = !words.has('P') && !words.has('S') && words.at('Z') > 0;
       if (head.code == 29 && (head.sub > 0 || !raises)) within("ZC", -1, 1);
       if (head.code == 31 && words.has('Z')) {

@@ -125,8 +125,8 @@ class PrintRules final : public Rules {
   double lastZ_ = -1;     // of the last layer without a mark of its own
   bool stepJudged_ = false;
   bool climbs_ = false;  // the layer has a bead that rises
-  std::int64_t offLine_ =
-      0;  // of the last level bead that lies off its layer, until the next one tells whether it climbs
+  // The last level bead that lies off its layer, until the next one tells whether it climbs.
+  std::int64_t offLine_ = 0;
   double offZ_ = 0;
   double offTop_ = 0;
 
