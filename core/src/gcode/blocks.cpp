@@ -261,8 +261,8 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Pri
                                const PrintParams& params) {
   if (printer.flavor == GcodeFlavor::Bambu && printer.startGcode.empty()) {
     return invalid(
-        "startGcode is empty; Bambu printers need the start block of a file that their own slicer made, "
-        "which can be imported");
+        "startGcode is empty; Bambu printers need the start block of a file that their own slicer made: "
+        "sillon import cube.gcode.3mf > mine.json reads it");
   }
   // Where blocks meet it: they are written in the printer's own Z.
   const Standing plate{beads, layerTop(params, layerCount(params) - 1) + printer.zOffset};
