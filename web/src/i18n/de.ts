@@ -313,7 +313,7 @@ export const de: Translation = {
     'Mehr Durchgänge gleichen die Wellen aus, aus denen Bahnen entstehen, und dauern länger.',
   'setting.toolpath.repulsionRounds': 'Abstoßungsrunden',
   'help.toolpath.repulsionRounds':
-    'Rückt Bahnen auseinander, die näher als eine halbe Bahnbreite liegen (Gl. 15); 8 im Jahr 2023.',
+    'Rückt Bahnen auseinander, die näher als eine halbe Bahnbreite liegen (Gl. 15); 8 im Jahr 2023.',
   'setting.toolpath.relaxationRounds': 'Ausgleichsrunden',
   'help.toolpath.relaxationRounds':
     'Gleicht Lücken zwischen Bahnen aus: weniger Knicke, etwas weniger genaue Richtungen.',

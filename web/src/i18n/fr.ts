@@ -310,7 +310,7 @@ export const fr: Translation = {
   'help.toolpath.sweepsPerLevel':
     'Plus de passes égalisent les ondes dont naissent les cordons, et prennent plus de temps.',
   'setting.toolpath.repulsionRounds': 'Tours de répulsion',
-  'help.toolpath.repulsionRounds': 'Écarte les cordons plus proches qu’un demi-espacement (éq. 15) ; 8 en 2023.',
+  'help.toolpath.repulsionRounds': 'Écarte les cordons plus proches qu’un demi-espacement (éq. 15) ; 8 en 2023.',
   'setting.toolpath.relaxationRounds': 'Tours de relaxation',
   'help.toolpath.relaxationRounds':
     'Égalise les écarts entre cordons : moins de cassures, des directions un peu moins exactes.',
