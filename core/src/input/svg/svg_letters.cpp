@@ -487,8 +487,8 @@ Result<const LetterShaper::Line*> LetterShaper::of(const DrawingFont& font, cons
   return &line;
 }
 
-Result<std::vector<PlacedLetter>> placeLetters(const std::vector<LetterRun>& runs,
-                                               const std::deque<PaintState>& styles, LetterShaper& shaper) {
+Result<std::vector<PlacedLetter>> placeLetters(const std::vector<LetterRun>& runs, const std::deque<PaintState>& styles,
+                                               LetterShaper& shaper) {
   std::vector<LaidRun> laid(runs.size());
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const LetterStyle& style = styles[runs[k].style].letters;
