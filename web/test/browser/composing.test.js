@@ -91,7 +91,10 @@ test(
       await visit.button('Examples').click();
       await page.locator('sillon-gallery').getByRole('button', { name: template }).click();
       await panel.getByRole('button', { name: row, exact: true }).first().click();
-      await visit.until(({ layer, layerBoxes }) => layerBoxes.has(layer));
+      // Layers of another template have the same numbers: the box must be that of this one.
+      await visit.until(({ layer, layerBoxes, plate }) =>
+        plate.layers.some((one) => one.id === layer && one === layerBoxes.get(layer)?.layer),
+      );
       const [chooser] = await Promise.all([
         page.waitForEvent('filechooser'),
         panel.getByRole('button', { name: /^Replace/ }).click(),

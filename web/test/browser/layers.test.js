@@ -504,7 +504,8 @@ test('a web font that is dropped makes letters, and a packed drawing is opened',
   await visit.until(({ plate }) => plate.layers[1]?.font.name === 'kerned.woff2');
   await visit.page.evaluate(() => {
     const { studio } = document.querySelector('sillon-app');
-    const write = (one, k) => (k === 1 ? { ...one, text: 'AV', textSize: 6 } : one);
+    // Without the size that a new layer gets once its place is known: letters have their own then.
+    const write = (one, k) => (k === 1 ? { ...one, text: 'AV', textSize: 6, size: [0, 0] } : one);
     studio.change((plate) => ({ ...plate, layers: plate.layers.map(write) }));
   });
   const drawn = await visit.page.evaluate(async () => {
