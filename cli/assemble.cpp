@@ -14,7 +14,7 @@
 #ifdef __EMSCRIPTEN__
 #include <emscripten.h>
 
-/// \returns text that the caller frees. wasm/src/cli-texts.ts has what it calls.
+/// Asks JavaScript for letters or a code, see wasm/src/cli-texts.ts. \returns text that the caller frees.
 // clang-format off: it is JavaScript.
 EM_JS(char*, sillonMadeElsewhere, (const char* name), {
   const bytes = new TextEncoder().encode(globalThis.sillonMadeElsewhere(UTF8ToString(name)));
@@ -34,8 +34,8 @@ using sillon::Error;
 using sillon::Project;
 using sillon::Result;
 
-/// A name in the scene, seen from the working directory.
-/// \param up  how many folders above may hold it, where the scene's own does not.
+/// Resolves a file name in a scene, relative to the working directory.
+/// \param up  number of folders above the scene's own that are also searched.
 std::string fromFolder(const fs::path& folder, const std::string& name, int up) {
   const fs::path beside = folder / pathOf(name);
   std::error_code error;
@@ -48,14 +48,14 @@ std::string fromFolder(const fs::path& folder, const std::string& name, int up) 
   return nameOf(beside);
 }
 
-/// A name on the command line, seen from a folder.
+/// Makes a name on the command line relative to a folder.
 std::string seenFrom(const fs::path& folder, const std::string& name) {
   std::error_code error;
   const fs::path relative = fs::proximate(pathOf(name), folder, error);
   return error ? name : nameOf(relative);
 }
 
-/// Tells what a file is that was given in place of a project, and how it is meant to be given.
+/// Describes a file that was given in place of a project, and how to give it correctly; nothing if it may be JSON.
 std::optional<std::string> otherThanJson(std::string_view text) {
   const std::string_view start = text.substr(0, 64);
   const std::size_t first = start.find_first_not_of("\xEF\xBB\xBF \t\r\n");
@@ -67,7 +67,7 @@ std::optional<std::string> otherThanJson(std::string_view text) {
   return std::nullopt;
 }
 
-/// The fields that name a project's files, in the order in which it has them. \param project  a Project, const or not
+/// Returns the fields that name a project's files, in the order of the project. \param project  a Project, const or not
 template <class OneProject>
 auto fileFields(OneProject& project) {
   std::vector<decltype(&project.shapeFile)> fields;
@@ -90,12 +90,12 @@ auto fileFields(OneProject& project) {
   return fields;
 }
 
-/// Letters and codes that core leaves to others (core/src/text): the command line for Node has them from JavaScript.
+/// Gets letters and codes that core leaves to others (core/src/text): from JavaScript in the command line for Node.
 Result<sillon::InputFile> madeElsewhere(const std::string& name, const std::string& what) {
 #ifdef __EMSCRIPTEN__
   const std::unique_ptr<char, decltype(&std::free)> made(sillonMadeElsewhere(name.c_str()), &std::free);
   if (what == "shaped line") return sillon::InputFile(std::string(made.get()));
-  // A code comes as its side and a letter for each module.
+  // A code comes as its side and a character for each module.
   const std::string_view text(made.get());
   const std::size_t space = text.find(' ');
   if (space == std::string_view::npos) return sillon::InputFile(std::string());
@@ -110,8 +110,8 @@ Result<sillon::InputFile> madeElsewhere(const std::string& name, const std::stri
 #endif
 }
 
-/// A text in UTF-8. PowerShell writes what a program prints, as in `sillon import part.gcode > mine.json`, in UTF-16
-/// behind a byte order mark; half a pair of surrogates becomes U+FFFD.
+/// Converts UTF-16 with a byte order mark to UTF-8; other text is returned as it is. PowerShell redirects output, as in
+/// `sillon import part.gcode > mine.json`, in UTF-16. An unpaired surrogate becomes U+FFFD.
 std::string asUtf8(std::string text) {
   if (!text.starts_with("\xFF\xFE")) return text;
   const auto unit = [&](std::size_t at) -> unsigned {
@@ -147,8 +147,8 @@ Result<Project> loadProject(const std::string& path) {
                  "scene \"" + path + "\"" + otherThanJson(text.value()).value_or(": " + project.error().message)};
   const fs::path folder = pathOf(path).parent_path();
   Project& read = project.value();
-  // The repository of the paper keeps its scenes in folders, and names their files from its root. Only their keys set
-  // both.
+  // The paper's repository keeps its scenes in folders but names their files from its root. Its scenes are recognised
+  // by two keys that only they set together.
   const int up = read.unitlessIsMm && read.ignorePaint ? 3 : 0;
   for (std::string* name : fileFields(read)) *name = fromFolder(folder, *name, up);
   return project;

@@ -1,4 +1,4 @@
-// From a project and the files it names to what the pipeline eats.
+// Reads a project and its files, the input of the pipeline.
 #pragma once
 
 #include <string>
@@ -10,20 +10,20 @@
 
 namespace cli {
 
-/// Reads a scene; its file names come back relative to the working directory.
+/// Reads a scene and makes its file names relative to the working directory.
 sillon::Result<sillon::Project> loadProject(const std::string& path);
 
 /// Reads and decodes shape, directions and modes.
 sillon::Result<sillon::PlateInput> assemblePlate(const sillon::Project& project,
                                                  const sillon::RunContext& run = sillon::RunContext());
 
-/// Reads one file that a project names.
+/// Reads one of a project's files. \param what  kind of file, for messages.
 sillon::Result<sillon::InputFile> readInputFile(const std::string& name, const std::string& what);
 
-/// The files a project names.
+/// Returns the names of a project's files.
 std::vector<std::string> inputFiles(const sillon::Project& project);
 
-/// The project as a file at `path` would say it: file names relative to its folder.
+/// Formats a project as a file at `path`, with file names relative to its folder.
 std::string projectFor(const sillon::Project& project, const std::string& path);
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-// A command of the program.
+// Description of a command of the program.
 #pragma once
 
 #include <functional>
@@ -9,19 +9,19 @@
 
 namespace cli {
 
-/// Runs a command whose options are read. \return the exit code.
+/// Function that runs a command after its options were read. \return the exit code.
 using Action = std::function<int()>;
 
 struct Command {
   const char* name;
-  const char* help;      ///< in the list of commands: begins with a small letter, no full stop
-  const char* files;     ///< of the usage: "[SCENE.json|PICTURE] [PICTURE...]"
-  const char* common;    ///< options that newcomers are shown, with spaces between
-  const char* examples;  ///< and notes; paragraphs with empty lines between
+  const char* help;      ///< in the list of commands; begins with a small letter, no full stop
+  const char* files;     ///< files in the usage line: "[SCENE.json|PICTURE] [PICTURE...]"
+  const char* common;    ///< options that the short help shows, separated by spaces
+  const char* examples;  ///< examples and notes, as paragraphs separated by empty lines
   Action (*add)(Options& options);
 };
 
-/// All commands, in the order of the help.
+/// Returns all commands, in the order of the help.
 const std::vector<const Command*>& commands();
 
 }  // namespace cli

@@ -21,7 +21,7 @@ namespace {
 using sillon::Error;
 using sillon::ErrorCode;
 
-/// A command on this command line.
+/// A command that was added to the parser.
 struct Added {
   const Command* command;
   CLI::App* app;
@@ -29,7 +29,7 @@ struct Added {
   Action action;
 };
 
-/// "; did you mean check?", or nothing where no name is near.
+/// Returns "; did you mean check?", or nothing if no name is similar.
 std::string didYouMean(const std::string& word, const std::vector<std::string>& names) {
   const std::vector<std::string> near = sillon::nearNames(word, names);
   return near.empty() ? "" : "; did you mean " + near.front() + "?";
@@ -47,7 +47,7 @@ Error unknownCommand(const std::string& word) {
           "\"" + word + "\" is not a command; it must be " + listed(names) + didYouMean(word, names)};
 }
 
-/// The refusal of a word that the command does not take.
+/// Makes the error for a word that the command does not accept.
 Error unexpected(const Added& added) {
   const std::vector<std::string> words = added.app->remaining();
   const std::string word = words.empty() ? std::string() : words.front();
@@ -65,7 +65,7 @@ Error unexpected(const Added& added) {
           given + " is not an option of " + name + (meant.empty() ? "; see " + name + " --help-all" : meant)};
 }
 
-/// First line of a message of the library, without the full stop that some end in.
+/// Returns the first line of a message of CLI11, without the full stop that some end in.
 std::string oneSentence(std::string text) {
   text = text.substr(0, text.find('\n'));
   while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
@@ -87,6 +87,7 @@ void addHelpRows(HelpPage& page) {
   page.rows.push_back({"Help", "--help-all", "show all options", {}, true});
 }
 
+/// Adds a command with its options to the parser, and fills its page of help.
 Added addCommand(CLI::App& app, const Command& command) {
   Added added{&command, app.add_subcommand(command.name, command.help), {}, {}};
   const std::string name = std::string("sillon ") + command.name;
@@ -101,7 +102,7 @@ Added addCommand(CLI::App& app, const Command& command) {
   return added;
 }
 
-/// Help of the program as a whole.
+/// Makes the help of the program as a whole.
 HelpPage generalHelp() {
   HelpPage page;
   page.title = "sillon turns a picture and a shape into one continuous dense oriented toolpath, and into G-code.";
@@ -129,7 +130,7 @@ int runCommandLine(int argc, const char* const* argv) {
   app.set_help_all_flag("--help-all");
   app.set_version_flag("--version", std::string("sillon ") + sillon::kVersion);
   app.require_subcommand(1);
-  app.allow_windows_style_options(false);  // "/x/part.gcode" is a file
+  app.allow_windows_style_options(false);  // "/x/part.gcode" is a file, not an option
   std::vector<Added> all;
   all.reserve(commands().size());
   for (const Command* command : commands()) all.push_back(addCommand(app, *command));

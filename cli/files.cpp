@@ -47,7 +47,7 @@ std::FILE* openToRead(const std::string& name) {
 #endif
 }
 
-/// Never into a file that is there. Windows' oldest C library does not know the mode "x".
+/// Creates a new file; fails if the name exists. Windows' oldest C library does not know the mode "x".
 std::FILE* openNew(const fs::path& path) {
 #if defined(_WIN32)
   const int file = ::_wopen(path.c_str(), _O_CREAT | _O_EXCL | _O_BINARY | _O_WRONLY, _S_IREAD | _S_IWRITE);
@@ -57,14 +57,15 @@ std::FILE* openNew(const fs::path& path) {
 #endif
 }
 
-/// Where a name leads once links are followed, so that a link stays a link.
+/// Resolves links in a name, so that writing to a link keeps the link.
 fs::path target(const std::string& name) {
   std::error_code error;
   const fs::path path = pathOf(name);
-  // Absolute first: a relative name that is not there yet would stay as it was written, "a" and "./a" two names.
+  // A relative name that does not exist would stay as written, and "a" and "./a" would be two names; so it is made
+  // absolute first.
   fs::path resolved = fs::weakly_canonical(fs::absolute(path, error), error);
   if (error) return path;
-  // A link to what is not there yet.
+  // Follows a link whose target does not exist yet.
   for (int links = 0; links < 16; ++links) {
     const fs::path to = fs::read_symlink(resolved, error);
     if (error) break;
@@ -74,13 +75,13 @@ fs::path target(const std::string& name) {
   return resolved;
 }
 
-/// A name in the same folder that nobody else has: renaming is atomic only within one file system.
+/// Returns a unique name in the same folder, because renaming is atomic only within one file system.
 fs::path temporaryName(const fs::path& path, const char* ending) {
   std::random_device random;
   return path.parent_path() / (".sillon-" + std::to_string(random()) + std::to_string(random()) + ending);
 }
 
-/// True for the names that temporaryName makes: a run that was killed leaves such files behind.
+/// Tells whether temporaryName() makes such names: a run that was killed leaves such files behind.
 [[maybe_unused]] bool isTemporaryName(std::string_view name) {
   constexpr std::string_view kBegin = ".sillon-";
   if (!name.starts_with(kBegin) || (!name.ends_with(".tmp") && !name.ends_with(".old"))) return false;
@@ -88,13 +89,13 @@ fs::path temporaryName(const fs::path& path, const char* ending) {
   return !number.empty() && number.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// Removes such leftovers from a folder: a run that goes on has them for seconds. The old file has the age of what it
-/// holds, so that the time of its second name counts. On Windows that file may be the only one of what it holds, and
-/// nothing is removed.
+/// Removes leftovers older than an hour from a folder; a live run has such files for seconds only. A file ".old" keeps
+/// the age of its content, so that the time of its second name counts. On Windows it may be the only copy of its
+/// content, so that nothing is removed.
 void removeLeftovers(const fs::path& folder) {
 #if defined(__unix__) || defined(__APPLE__)
   constexpr std::time_t kLeft = 3600;  // [s]
-  // The C++ library's iterator ends the program where memory does.
+  // The iterator of the C++ library would end the program when memory runs out.
   DIR* const entries = ::opendir(folder.c_str());
   if (entries == nullptr) return;
   while (const dirent* const entry = ::readdir(entries)) {
@@ -111,7 +112,8 @@ void removeLeftovers(const fs::path& folder) {
 #endif
 }
 
-/// Not until then would a file outlive a power cut. Some file systems and devices know no such thing, and say so.
+/// Interprets the result of a sync, without which a file might not survive a power cut. Some file systems and devices
+/// do not support it.
 bool isSynced(int result) { return result == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS; }
 
 bool sync(std::FILE* file) {
@@ -124,8 +126,7 @@ bool sync(std::FILE* file) {
 #endif
 }
 
-/// The names in a folder. What cannot be opened for reading, as a folder that may only be written, is left to the
-/// system.
+/// Syncs the names in a folder. A folder that cannot be opened for reading is left to the system.
 bool syncFolder(const fs::path& folder) {
 #if defined(__unix__) || defined(__APPLE__)
   const int opened = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
@@ -141,7 +142,8 @@ bool syncFolder(const fs::path& folder) {
 #endif
 }
 
-/// As a file behind such a name, what stdout is sent to would be replaced by another one.
+/// Tells whether a name stands for a stream. Such a name must not be written as a file, which would replace the target
+/// of stdout.
 bool namesStream(const std::string& path) {
   return path == "-" || path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/");
 }
@@ -151,23 +153,25 @@ bool namesOtherPicture(const std::string& path) {
   return std::any_of(kEndings.begin(), kEndings.end(), [&](std::string_view end) { return endsWith(path, end); });
 }
 
-/// \param path  where it is written before it takes the place of `wanted`, and the permissions of what lies there.
+/// Writes a new file, with the permissions of the file that it will replace.
+/// \param path  temporary name.
+/// \param wanted  final name.
 std::optional<Error> writeNew(const fs::path& path, const std::string& bytes, const std::string& wanted) {
   File file(openNew(path));
   if (file == nullptr) return invalid("\"" + wanted + "\" cannot be written: " + reason(errno));
   std::error_code error;
   const fs::file_status before = fs::status(target(wanted), error);
-  if (fs::exists(before)) fs::permissions(path, before.permissions(), error);  // else as the file system has them
+  if (fs::exists(before)) fs::permissions(path, before.permissions(), error);  // otherwise the default permissions stay
   errno = 0;
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
   const bool flushed = std::fflush(file.get()) == 0 && sync(file.get());
-  const bool closed = std::fclose(file.release()) == 0;  // where a file system over the network tells that it is full
+  const bool closed = std::fclose(file.release()) == 0;  // a network file system may report only here that it is full
   if (!written || !flushed || !closed) return invalid("\"" + wanted + "\" cannot be written: " + reason(errno));
   return std::nullopt;
 }
 
-/// Files beside their targets, removed at the end unless they were kept. All names are known from the beginning:
-/// nothing after the first byte may run out of memory.
+/// Temporary files beside their targets, removed at the end unless they were kept. All names are made at the beginning,
+/// so that memory cannot run out after the first byte is written.
 class TemporaryFiles {
  public:
   explicit TemporaryFiles(const std::vector<OutputFile>& files) {
@@ -199,8 +203,8 @@ class TemporaryFiles {
       std::error_code error;
       file.isNew = !fs::exists(file.to, error);
       error.clear();
-      // One may be refused after others are in place, as another person's in a folder of all; and the folder itself at
-      // last.
+      // A file may be refused after others are in place, such as another user's file in a shared folder; and last, the
+      // sync of the folder may fail.
       if (!file.isNew) error = save(file);
       if (!error) fs::rename(file.from, file.to, error);
       if (!error) continue;
@@ -221,18 +225,18 @@ class TemporaryFiles {
   struct Names {
     std::string wanted;
     fs::path from;
-    fs::path old;  ///< for what was there before
+    fs::path old;  ///< name for the previous file
     fs::path to;
-    fs::path folder;     ///< to be synced; empty: with another file's
-    bool isNew = false;  ///< nothing was there
-    bool saved = false;  ///< it has the name `old`, too or instead; not on disks without hard links
+    fs::path folder;     ///< folder to sync; empty if another file syncs it
+    bool isNew = false;  ///< true if no file was there before
+    bool saved = false;  ///< previous file has the name `old`, also or only; never on disks without hard links
   };
 
-  /// \returns why nothing can take its place
+  /// Keeps the previous file under a second name. \returns the error if it cannot be replaced
   static std::error_code save(Names& file) {
     std::error_code error;
 #if defined(_WIN32)
-    // A second name of what another program holds could not be removed again: it moves aside, or is refused as it is.
+    // A file that another program holds cannot get a removable second name: it is moved aside, or refused.
     fs::rename(file.to, file.old, error);
     file.saved = !error;
     return error;
@@ -243,7 +247,7 @@ class TemporaryFiles {
 #endif
   }
 
-  // Everything as it was.
+  // Restores the previous files.
   void giveBack() {
     std::error_code ignored;
     for (std::size_t k = 0; k < std::min(kept_ + 1, files_.size()); ++k) {
@@ -286,7 +290,7 @@ sillon::Result<std::string> readFile(const std::string& path, const std::string&
   std::error_code error;
   if (fs::is_directory(pathOf(path), error)) return invalid(name + " is a folder; it must be a file");
   const auto unreadable = [&](int reasonNumber) {
-    // A signal while it waited for the other end of a pipe.
+    // A signal arrived while waiting for the other end of a pipe.
     if (reasonNumber == EINTR) return Error{ErrorCode::Cancelled, "cancelled; nothing was written"};
     return invalid(name + " cannot be read: " + reason(reasonNumber));
   };
@@ -296,7 +300,7 @@ sillon::Result<std::string> readFile(const std::string& path, const std::string&
   const Error tooLarge{ErrorCode::TooLarge,
                        name + " is larger than " + std::to_string(maxBytes >> 20) + " MiB; it must be at most that"};
   std::string bytes;
-  // Grown step by step, a large file would be held twice; what is no file on a disk tells no size.
+  // Reserves the size: a string that grows step by step would hold a large file twice. A pipe or device has no size.
   const std::uintmax_t size = fs::file_size(pathOf(path), error);
   if (!error && size > maxBytes) return tooLarge;
   if (!error) bytes.reserve(static_cast<std::size_t>(size) + 1);
@@ -332,7 +336,7 @@ std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const
     }
     const fs::file_status status = fs::status(path, error);
     if (!fs::status_known(status))
-      return invalid(name + " cannot be written: " + error.message());  // too long, for one
+      return invalid(name + " cannot be written: " + error.message());  // the name may be too long, for example
     if (fs::exists(status) && !fs::is_regular_file(status)) {
       return invalid(name + " is a folder or a device; it must be a file or a new name");
     }

@@ -1,4 +1,4 @@
-// Files in, files out. Outputs appear together or not at all.
+// Reads and writes files. The outputs of a command appear together or not at all.
 #pragma once
 
 #include <cstddef>
@@ -18,20 +18,21 @@ inline constexpr std::size_t kMaxInputBytes = std::size_t{256} << 20;
 inline constexpr std::size_t kMaxGcodeBytes = std::size_t{1}
                                               << 30;  ///< `generate` writes hundreds of MB for tall plates
 
-/// Names are UTF-8 in projects, on the command line and in messages, on every system. Windows' own paths are not.
+/// Converts names between UTF-8 and the system's paths. Projects, command line and messages use UTF-8 on every system,
+/// but paths of Windows do not.
 std::filesystem::path pathOf(const std::string& name);
 std::string nameOf(const std::filesystem::path& path);
 
-/// Whether a file's name ends so, in letters of any case. \param end  in small letters
+/// Tells whether a file's name has an ending, ignoring case. \param end  in small letters
 bool endsWith(std::string name, std::string_view end);
 
-/// \param what  "shape", "direction picture", ...: for the message.
+/// Reads a file. \param what  "shape", "direction picture", ..., for messages.
 sillon::Result<std::string> readFile(const std::string& path, const std::string& what, std::size_t maxBytes);
 
-/// Whether both names lead to the same place, also through links and where nothing is yet.
+/// Tells whether two names lead to the same place, also through links, and if nothing exists there yet.
 bool sameFile(const std::string& a, const std::string& b);
 
-/// For a package that holds more plates than one, of which a command reads the first.
+/// Makes the error for a package with several plates, of which a command would read only the first.
 sillon::Error severalPlates(const std::string& path, int plates);
 
 struct OutputFile {
@@ -39,21 +40,22 @@ struct OutputFile {
   std::string bytes;
 };
 
-/// What a command has made. Nothing of it is written yet, so that nothing can go wrong once something is.
+/// Results of a command. Nothing is written until all of them exist, so that no computation can fail in between.
 struct Outcome {
   std::vector<OutputFile> files;
-  std::string text;          ///< for stdout, once the files are there
-  bool textIsAsked = false;  ///< it is data, as with --json: losing it is a failure
+  std::string text;          ///< text for stdout, printed after the files are written
+  bool textIsAsked = false;  ///< the text is data, as with --json: losing it is a failure
 };
 
-/// What can be known before the work begins: folders exist, names are files, no name is used twice or read from.
-/// \param moving  of the outputs those that may be moving pictures
+/// Checks output names before the work begins: folders exist, names are files, and no name is used twice or is an
+/// input.
+/// \param moving  outputs that may be moving pictures
 std::optional<sillon::Error> checkOutputs(const std::vector<std::string>& outputs,
                                           const std::vector<std::string>& inputs,
                                           const std::vector<std::string>& moving = {});
 
-/// Writes every file beside its target first and renames only when all are complete. A file that was there before
-/// stays as it was if anything fails on the way.
+/// Writes each file beside its target first and renames them only when all are complete. If anything fails on the way,
+/// existing files stay as they were.
 std::optional<sillon::Error> writeTogether(const std::vector<OutputFile>& files);
 
 }  // namespace cli

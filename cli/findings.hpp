@@ -1,4 +1,4 @@
-// Findings of a reader of G-code, as JSON and as lines.
+// Formats the findings of a check of G-code, as JSON and as lines.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@ namespace cli {
 
 nlohmann::ordered_json findingsJson(const std::vector<sillon::GcodeFinding>& findings);
 
-/// A line for summaries: how long beads wait for their neighbours.
+/// Returns a line for summaries: how long beads wait for their neighbours.
 std::string delayLine(const sillon::NeighbourDelay& delay);
 
 }  // namespace cli

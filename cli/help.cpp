@@ -10,9 +10,9 @@
 namespace cli {
 namespace {
 
-constexpr std::size_t kColumn = 26;  // where texts begin at most; longer names have a line of their own
+constexpr std::size_t kColumn = 26;  // largest column at which texts begin; longer names get a line of their own
 
-/// Lines of at most `width` characters, but for longer words; all but the first are indented.
+/// Wraps a text to lines of at most `width` characters, unless a word is longer; all lines but the first are indented.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t at, std::size_t width) {
   std::istringstream words(text);
   std::string out;
@@ -30,7 +30,7 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t at,
   return out;
 }
 
-/// A name, and its text beside it or below it.
+/// Formats a name with its text beside it or below it.
 std::string row(const std::string& name, const std::string& text, std::size_t indent, std::size_t column,
                 std::size_t width) {
   std::string out = std::string(indent, ' ') + name;

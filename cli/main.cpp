@@ -1,5 +1,5 @@
-// The command line. Each command reads and computes first, then writes all of its files at once.
-// Exit codes: 0 done, 1 our fault, 2 bad input, 3 cancelled.
+// Entry point of the command line. Each command reads and computes first, then writes all of its files at once.
+// Exit codes: 0 done, 1 internal error, 2 bad input, 3 cancelled.
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -25,7 +25,7 @@ namespace {
     if (const std::exception_ptr problem = std::current_exception()) std::rethrow_exception(problem);
   } catch (const std::bad_alloc&) {
     std::_Exit(cli::endWithoutMemory());
-  } catch (...) {  // ends as without this handler
+  } catch (...) {  // continue as without this handler
   }
   std::abort();
 }
@@ -33,7 +33,8 @@ namespace {
 #if defined(_WIN32)
 UINT pageBefore = 0;
 
-/// Names in messages are UTF-8, and what is redirected has the same bytes as elsewhere. The console is left as it was.
+/// Switches the console to UTF-8, so that names show correctly, and stdout to binary, so that redirected bytes are the
+/// same as elsewhere. The console's code page is restored at exit.
 void prepareConsole() {
   pageBefore = ::GetConsoleOutputCP();
   if (pageBefore != 0 && ::SetConsoleOutputCP(CP_UTF8) != 0) std::atexit([] { ::SetConsoleOutputCP(pageBefore); });
@@ -50,10 +51,10 @@ int main(int argc, char** argv) {
   prepareConsole();
 #endif
 #ifdef SIGPIPE
-  std::signal(SIGPIPE, SIG_IGN);  // whoever reads what is said may go away: what is written stays
+  std::signal(SIGPIPE, SIG_IGN);  // if the reader of stdout goes away, files are written all the same
 #endif
 #ifdef SIGXFSZ
-  std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the shell allows is an error of writing
+  std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the shell allows becomes an error of writing
 #endif
   try {
     return cli::runCommandLine(argc, argv);

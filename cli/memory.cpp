@@ -19,7 +19,8 @@ namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 #if defined(__unix__) || defined(__APPLE__)
-/// The number after a word in one of the kernel's tables, or the only one where the word is empty; negative: none.
+/// Reads the number after a word in a table of the kernel, or the only number if the word is empty; negative if there
+/// is none.
 double numberIn(const char* path, const std::string& word) {
   std::ifstream file(path);
   for (std::string read; file && !word.empty() && read != word;) file >> read;
@@ -27,7 +28,7 @@ double numberIn(const char* path, const std::string& word) {
   return file >> number ? number : -1;
 }
 
-/// Of a group of processes, such as a container [bytes].
+/// Returns the free memory of a group of processes, such as a container [bytes].
 double freeInGroup(const char* limit, const char* used) {
   const double most = numberIn(limit, "");
   return most < 0 ? kUnlimited : most - std::max(0.0, numberIn(used, ""));

@@ -1,4 +1,4 @@
-// What the system has of memory, and one setting of the C library, for programs that make plates.
+// Free memory of the system, and a setting of the C library for programs that make plates.
 #pragma once
 
 #include <climits>
@@ -9,8 +9,8 @@
 
 namespace cli {
 
-/// Keeps freed blocks in the process. By default glibc gives blocks above 32 MB back at once, and the kernel must clear
-/// their pages anew for every stage: measured on 16 million cells, a third of the whole time.
+/// Keeps freed blocks in the process. By default glibc returns blocks above 32 MB at once, and the kernel must clear
+/// their pages anew for every stage: a third of the whole time, measured on 16 million cells.
 inline void keepFreedMemory() {
 #if defined(__GLIBC__)
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
@@ -19,11 +19,11 @@ inline void keepFreedMemory() {
 #endif
 }
 
-/// Memory that this process may still take [bytes]; infinite where the system does not tell.
+/// Returns the memory that this process may still take [bytes]; infinite if the system does not tell.
 double freeMemory();
 
-/// Of it, what a plate may take while it is made: report, G-code and preview raise the peak from 120 to 140 bytes a
-/// cell (2 million cells, 280 mm at 0.4 mm).
+/// Returns the memory that a plate may take while it is made. The rest is a reserve for report, G-code and preview,
+/// which raise the peak from 120 to 140 bytes per cell (2 million cells, 280 mm at 0.4 mm).
 inline double memoryForPlates() { return 0.8 * freeMemory(); }
 
 }  // namespace cli

@@ -23,7 +23,7 @@ using sillon::Setting;
 using sillon::SettingType;
 using sillon::Vec2;
 
-/// How a value is called in help: "MM", "N", "up|bed|both".
+/// Returns the name of a setting's value in help: "MM", "N", "up|bed|both".
 std::string valueName(const Setting& row) {
   const std::string_view unit = row.unit;
   if (row.type == SettingType::Choice) {
@@ -37,7 +37,7 @@ std::string valueName(const Setting& row) {
   return unit == "mm" ? "MM" : unit == "degrees" ? "DEG" : unit == "spacings" ? "TAU" : "F";
 }
 
-/// Puts a word of the command line into a field, by the kind of field; throws by refuse().
+/// Assigns a word of the command line to a field by its type; throws by refuse().
 struct SetField {
   const Setting& row;
   const Field field;
@@ -69,7 +69,7 @@ struct SetField {
   }
 };
 
-/// The heading above the settings of a section.
+/// Returns the heading above the settings of a section.
 const char* groupOf(Section section) {
   return section == Section::Toolpath                               ? "Toolpath"
          : section == Section::Pictures                             ? "Pictures"
@@ -77,7 +77,7 @@ const char* groupOf(Section section) {
                                                                     : "Shape and directions";
 }
 
-/// "--output" of "-o,--output".
+/// Returns "--output" for "-o,--output".
 std::string longName(const std::string& names) {
   const std::size_t begin = names.find("--");
   return begin == std::string::npos ? names : names.substr(begin, names.find(',', begin) - begin);
@@ -253,11 +253,11 @@ std::function<bool(const std::string&)> Options::given() const {
 
 void Options::finish() {
   for (CLI::Option* option : app_.get_options()) {
-    if (option->get_items_expected_max() == 0) continue;  // a flag
+    if (option->get_items_expected_max() == 0) continue;  // flags have no value
     const std::string name = option->get_name();
     const bool positional = option->get_positional();
     if (!positional && option->get_items_expected_max() == 1) option->take_last();
-    // "--gcode --quiet" has forgotten a name; it does not mean a file called --quiet.
+    // In "--gcode --quiet" the name was forgotten; it does not mean a file called --quiet.
     option->check([name, positional](const std::string& text) {
       if (text.empty() || (!positional && text.rfind("--", 0) == 0)) {
         refuse(name, text, positional ? "a name" : "followed by its value");

@@ -1,4 +1,4 @@
-// Options of a command: how each is read, and its row of the help. Commands see nothing of the library below.
+// Options of a command, with their rows of the help. Commands do not use CLI11 themselves.
 #pragma once
 
 #include <functional>
@@ -18,42 +18,44 @@ class Option;
 
 namespace cli {
 
-/// A change that an option makes to the project; returns what is wrong, or nothing.
+/// Change that an option makes to the project; returns an error, or an empty string.
 using Change = std::function<std::string(sillon::Project&)>;
 
-/// Puts options on the command line, in the order of the help.
+/// Adds options to the command line, in the order of the help.
 class Options {
  public:
-  /// \param common  names of the options that newcomers are shown, with spaces between; files always are
+  /// \param common  names of options in the short help, separated by spaces; files are always in it
   Options(CLI::App& app, HelpPage& page, const char* common);
 
-  /// The heading that help shows above the options that follow.
+  /// Sets the heading for the options that follow.
   void group(std::string name) { group_ = std::move(name); }
 
-  /// A file without an option in front.
+  /// Adds a file without an option in front.
   void file(const std::string& name, const std::string& help, std::string& path, bool required);
-  /// One or more of them, or none.
+  /// Adds any number of files without an option in front; at least one if `required`.
   void files(const std::string& name, const std::string& help, std::vector<std::string>& paths, bool required);
 
-  /// A word without an option in front, which must be given.
+  /// Adds a mandatory word without an option in front.
   void word(const std::string& name, const std::string& help, const std::vector<std::string>& words, std::string& out);
 
   void flag(const std::string& names, const std::string& help, bool& out);
-  /// \param unit  how help calls the value. \param take  gets the text; throws by refuse().
+  /// Adds an option with a value.
+  /// \param unit  name of the value in help.
+  /// \param take  receives the text; throws by refuse().
   void take(const std::string& names, const std::string& unit, const std::string& help,
             const std::function<void(const std::string&)>& take, std::vector<ValueHelp> values = {});
   void text(const std::string& names, const std::string& unit, const std::string& help, std::string& out);
   void text(const std::string& names, const std::string& unit, const std::string& help,
             std::optional<std::string>& out);
-  /// May be repeated, or hold several values with commas between.
+  /// Adds an option that may be repeated, or contain several values between separators.
   void list(const std::string& names, const std::string& unit, const std::string& help,
             const std::function<void(const std::string&)>& take, char separator = '\0');
-  /// A number, of which the last counts. \param out  double, optional<double> or int
+  /// Adds a number; if repeated, the last one counts. \param out  double, optional<double> or int
   template <class Number>
   void number(const std::string& name, const std::string& unit, const std::string& help, Number& out);
-  /// A whole number of a range.
+  /// Adds a whole number from `low` to `high`.
   void whole(const std::string& name, const std::string& unit, const std::string& help, int low, int high, int& out);
-  /// One of some words.
+  /// Adds a choice among words.
   template <class Value>
   void choice(const std::string& names, const std::string& unit, const std::string& help,
               const std::vector<std::pair<std::string, Value>>& words, const std::function<void(Value)>& take) {
@@ -67,28 +69,28 @@ class Options {
       refuseWord(name, text, all);
     });
   }
-  /// A word that changes the project. Changes stand in the order of the options here, not in that of the line.
+  /// Adds an option that changes the project. Changes are applied in the order of these calls, not in that of the line.
   void change(const std::string& name, const std::string& unit, const std::string& help, std::vector<Change>& changes,
               const std::function<Change(const std::string&)>& read, std::vector<ValueHelp> values = {});
 
-  /// Options of the table of settings, but for those that are there already. \param wanted  whether a setting is one of
-  /// the command's.
+  /// Adds options of the table of settings, except those that exist already.
+  /// \param wanted  tells whether a setting belongs to the command.
   void settings(std::vector<Change>& changes, const std::function<bool(const sillon::Setting&)>& wanted);
 
   void threads(int& out);
   void previewWidth(int& out);
 
-  /// The command is refused without it.
+  /// Makes an option mandatory.
   void require(const std::string& name);
-  /// Both together are refused.
+  /// Refuses two options together.
   void excludes(const std::string& one, const std::string& other);
-  /// The first alone is refused.
+  /// Refuses the first option without the other.
   void needs(const std::string& one, const std::string& other);
 
-  /// Tells, once the words are read, whether an option is among them.
+  /// Returns a function that tells, after parsing, whether an option was given.
   [[nodiscard]] std::function<bool(const std::string&)> given() const;
 
-  /// No option and no file may be empty, and of options that take one value the last counts.
+  /// Completes the options: refuses empty values, and lets the last one count for options with one value.
   void finish();
 
  private:
@@ -104,10 +106,10 @@ class Options {
   std::string group_;
 };
 
-/// Puts a word of the command line into the field of a row; throws by refuse().
+/// Assigns a word of the command line to the field of a setting; throws by refuse().
 void setField(const sillon::Setting& row, sillon::Project& project, const std::string& option, const std::string& text);
 
-/// "a, b or c"
+/// Joins words to "a, b or c".
 std::string listed(const std::vector<std::string>& words);
 
 }  // namespace cli

@@ -29,7 +29,7 @@
 #elif defined(_WIN32)
 #define NOMINMAX
 #include <windows.h>
-// After what it needs.
+// Must follow windows.h, which it needs.
 #include <psapi.h>
 #endif
 
@@ -54,7 +54,7 @@ print(const char* format, ...) {
   return text;
 }
 
-/// The most memory the process held; 0 where the system does not tell.
+/// Returns the peak of memory of the process [bytes]; 0 if the system does not tell.
 std::int64_t peakBytes() {
 #if defined(__unix__) || defined(__APPLE__)
   rusage usage{};
@@ -66,7 +66,7 @@ std::int64_t peakBytes() {
 #endif
 #elif defined(_WIN32)
   PROCESS_MEMORY_COUNTERS counters{};
-  // By the name that kernel32 has it by: no library more is linked.
+  // This name is exported by kernel32, so that no further library is linked.
   return ::K32GetProcessMemoryInfo(::GetCurrentProcess(), &counters, sizeof counters) == 0
              ? 0
              : static_cast<std::int64_t>(counters.PeakWorkingSetSize);
@@ -75,12 +75,13 @@ std::int64_t peakBytes() {
 #endif
 }
 
-/// The colour of a spool of one's own, if one is asked for.
+/// Returns the colour of the chosen spool if it is one of the user's own.
 std::optional<std::array<std::uint8_t, 3>> colourOf(const PictureOptions& options) {
   const sillon::Spool* own = ownSpool(options);
   return own == nullptr ? std::nullopt : std::optional(own->colour);
 }
 
+/// Writes the G-code of a plate and checks it.
 Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
   std::string text;
   const auto keep = [&text](std::string_view piece) {
@@ -94,7 +95,7 @@ Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
   return text;
 }
 
-/// Each picture under its lamp, or a plate without any under one.
+/// Renders each picture under its lamp, or a plate without pictures under one lamp.
 Result<std::vector<OutputFile>> previews(const Job& job, const OutputPaths& paths, const sillon::RunContext& run) {
   const sillon::Plate& plate = job.plate;
   std::vector<sillon::LookParams> looks;
@@ -104,6 +105,7 @@ Result<std::vector<OutputFile>> previews(const Job& job, const OutputPaths& path
   return previewFiles(paths.preview, plate.toolpath(), plate.input.shape.page, looks, paths.previewWidth, run);
 }
 
+/// Adds a picture for each of the plate's pictures that shows which tones the others take from it.
 std::optional<Error> addConflicts(const sillon::Plate& plate, const std::string& path, std::vector<OutputFile>& files) {
   constexpr int kSide = 800;  // [pixels]
   const sillon::PlatePictures& pictures = plate.pictures();
@@ -197,7 +199,7 @@ std::optional<Error> packageProblem(const std::string& path, sillon::GcodeFlavor
 
 namespace {
 
-/// The G-code in the kind of file that its name asks for.
+/// Packs the G-code into the kind of file that its name asks for.
 Result<std::string> packed(std::string gcode, const OutputPaths& paths) {
   if (paths.container.empty()) return packedAs(paths.gcode, std::move(gcode));
   const bool package = endsWith(paths.gcode, ".gcode.3mf");
@@ -262,7 +264,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
     }
   }
   if (!paths.project.empty()) files.push_back({paths.project, projectFor(project, paths.project)});
-  // Last, so that the peak holds all that came before.
+  // The report comes last, so that its peak of memory includes all other outputs.
   if (!paths.report.empty()) {
     sillon::Report report = plate.report();
     report.peakBytes = peakBytes();
@@ -310,7 +312,7 @@ std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& f
   }
   if (plate.gcode) {
     for (const sillon::GcodeFinding& finding : plate.findings) {
-      // A line of the owner's start or end code has been told, by its place there.
+      // Lines of the owner's start or end code are reported as warnings already, with their place in that code.
       if (std::any_of(warnings.begin(), warnings.end(), [&finding](const sillon::Warning& warning) {
             const sillon::NamedValue* what = warning.value("what");
             return what != nullptr && what->text == finding.message;

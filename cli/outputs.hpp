@@ -1,4 +1,4 @@
-// From a finished plate to the texts and pictures that were asked for, all in memory.
+// Makes the outputs of a finished plate, all in memory.
 #pragma once
 
 #include <optional>
@@ -13,21 +13,21 @@
 
 namespace cli {
 
-/// The file of each output; empty: not wanted.
+/// File name of each output; empty if it is not wanted.
 struct OutputPaths {
   std::string gcode;
-  std::string container;  ///< read: a .gcode.3mf or .bgcode whose other parts the G-code keeps
+  std::string container;  ///< an input: a .gcode.3mf or .bgcode whose other parts are kept around the G-code
   std::string svg;
   std::string report;
   std::string preview;
-  int previewWidth = 0;  ///< as that of previewFiles
+  int previewWidth = 0;  ///< see previewFiles()
   std::string conflict;
   std::string project;
   std::string view;
   std::string body;
 };
 
-/// A finished plate, and what its outputs take besides.
+/// A finished plate, and further data for its outputs.
 struct Job {
   sillon::Plate plate;
   PictureOptions pictureOptions;
@@ -35,26 +35,27 @@ struct Job {
   std::string date;                          ///< for line 1 of the G-code
 };
 
-/// The date of this run: SOURCE_DATE_EPOCH [s] if set, else the clock.
+/// Returns the date of this run: from SOURCE_DATE_EPOCH [s] if set, otherwise from the clock.
 sillon::Result<std::string> runDate();
 
-/// Names of the outputs that are wanted.
-/// \param pictures  each has a preview.
+/// Returns the names of the outputs that are wanted.
+/// \param pictures  number of pictures; each has a preview.
 std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictures);
 
-/// G-code in the kind of file that the end of `path` asks for: .gcode.3mf, .bgcode, .gz, else text. \return
-/// InvalidArgument for a .3mf that would be taken for a model; TooLarge as packing does.
+/// Packs G-code by the ending of `path`: .gcode.3mf, .bgcode, .gz, otherwise plain text.
+/// \return InvalidArgument for a .3mf that would be taken for a model; TooLarge from packing.
 sillon::Result<std::string> packedAs(const std::string& path, std::string gcode);
 
-/// Refuses a .gcode.3mf for a printer that reads none. \param command  that would make it: "generate", "calibrate
-/// flow". \param container  the slicer's file; empty: none is given.
+/// Refuses a .gcode.3mf for a printer that cannot read it.
+/// \param command  command that would make it: "generate", "calibrate flow".
+/// \param container  file from the slicer; empty if none is given.
 std::optional<sillon::Error> packageProblem(const std::string& path, sillon::GcodeFlavor flavor,
                                             const std::string& command, const std::string& container = {});
 
-/// Makes every output; fills job.bodyRefused, and what the plate tells of its G-code.
+/// Makes all outputs. Fills job.bodyRefused, and the plate's facts about its G-code.
 sillon::Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run);
 
-/// The facts of a plate that a person wants to know, in a few lines.
+/// Summarises a plate in a few lines for the terminal.
 std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& files);
 
 }  // namespace cli

@@ -22,9 +22,9 @@ namespace {
 
 using sillon::Vec2;
 
-constexpr double kElevation = 45;  // [degrees], unless one is given
+constexpr double kElevation = 45;  // default elevation of lamps [degrees]
 
-/// "AZ" or "AZ,EL".
+/// Parses "AZ" or "AZ,EL".
 std::optional<Vec2> lampOf(const std::string& text) {
   const std::size_t comma = text.find(',');
   const std::optional<double> azimuth = parseNumber(text.substr(0, comma));
@@ -35,8 +35,9 @@ std::optional<Vec2> lampOf(const std::string& text) {
   return Vec2{*azimuth, *elevation};
 }
 
-/// Sets a choice of the pictures by its option, which is named like its key. \param besides  what else could be named
-/// \return what is wrong
+/// Sets a choice of the pictures from its option, which has the name of its key.
+/// \param besides  further names for the message.
+/// \return an error, or an empty string
 std::string choose(const char* key, const std::string& word, const std::vector<std::string>& besides,
                    sillon::Project& project) {
   const sillon::Setting& row = *sillon::findSetting(sillon::Section::Pictures, key);
@@ -140,7 +141,7 @@ std::string applyPictures(const PictureOptions& options, sillon::Project& projec
     std::vector<std::string> own;
     for (const sillon::Spool& spool : options.ownSpools) own.push_back(spool.key);
     if (std::string problem = choose("spool", *options.spool, own, project); !problem.empty()) return problem;
-    project.pictures.slopes.reset();  // those of a spool of one's own
+    project.pictures.slopes.reset();  // removes the slopes of an own spool
   }
   if (options.proportions) {
     if (std::string problem = choose("proportions", *options.proportions, {}, project); !problem.empty())
@@ -165,7 +166,7 @@ bool looksLikePicture(const std::string& path) {
     return true;
   }
   std::error_code error;
-  if (!std::filesystem::is_regular_file(pathOf(path), error)) return false;  // what a pipe has told is gone
+  if (!std::filesystem::is_regular_file(pathOf(path), error)) return false;  // reading would use up a pipe
   std::array<char, 32> head{};
   std::ifstream in(pathOf(path), std::ios::binary);
   in.read(head.data(), head.size());

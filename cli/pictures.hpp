@@ -1,4 +1,4 @@
-// Pictures that a plate is to show, each under its lamp: their options, and lines of the summary about them.
+// Pictures that a plate shows, each under its lamp: their options, and their lines of the summary.
 #pragma once
 
 #include <array>
@@ -17,54 +17,55 @@
 
 namespace cli {
 
-/// The options as given: the first lamp is the first picture's.
+/// Options as given; lamps belong to pictures in order.
 struct PictureOptions {
   std::vector<std::string> files;
-  std::vector<std::string> lamps;       ///< "AZ" or "AZ,EL"; fewer than files: the rest is chosen
+  std::vector<std::string> lamps;       ///< "AZ" or "AZ,EL"; if fewer than files, the other lamps are chosen
   std::optional<std::string> lampSize;  ///< "bulb", "softbox", "window" or a slope
   std::optional<std::string> spool;
-  std::string spoolsFile;                ///< of a person's own; empty: none
-  std::vector<sillon::Spool> ownSpools;  ///< what is in it, once it is read
+  std::string spoolsFile;                ///< file of the user's own spools; empty if none
+  std::vector<sillon::Spool> ownSpools;  ///< contents of spoolsFile, once it is read
   std::optional<std::string> proportions;
   std::optional<double> smoothness;
   std::optional<double> localContrast;
 };
 
-/// Adds the options. \param options  have --directions and --angle already, which they exclude.
+/// Adds the options. \param options  must have --directions and --angle already, which --picture excludes.
 void addPictures(Options& options, PictureOptions& pictures);
 
-/// "bulb", "softbox", "window" or a slope from 0 to 2. \return nothing for any other text.
+/// Parses a size of lamps: "bulb", "softbox", "window" or a slope from 0 to 2. \return nothing for any other text.
 std::optional<double> lampSlopeOf(const std::string& text);
 
-/// The names of sizes of lamps, and their slopes.
+/// Returns the names of sizes of lamps, with their slopes.
 std::array<std::pair<const char*, double>, 3> lampSizes();
-/// "bulb, softbox, window or a slope from 0 to 2"
+/// Returns "bulb, softbox, window or a slope from 0 to 2".
 std::string lampSizeRange();
 
 /// Adds --spool and --spools alone.
 void addSpools(Options& options, PictureOptions& pictures);
 
-/// Reads the file of own spools, if one is named. \return what is wrong with it.
+/// Reads the file of own spools, if one is named. \return its error, or nothing.
 std::optional<sillon::Error> readOwnSpools(PictureOptions& options);
 
-/// The own spool that is asked for; null if none is, or one that comes with the program.
+/// Returns the own spool that is chosen; null if none is, or if the chosen one comes with the program.
 const sillon::Spool* ownSpool(const PictureOptions& options);
 
-/// Lays the options over a project: pictures replace its own and its directions, lamps alone move its own pictures'.
-/// \return what is wrong; empty: nothing.
+/// Applies the options to a project: pictures replace its own and its directions; lamps alone move those of its own
+/// pictures.
+/// \return an error, or an empty string.
 std::string applyPictures(const PictureOptions& options, sillon::Project& project);
 
-/// Tells whether a file is a picture, by its name or by how it begins, and not a scene.
+/// Tells whether a file is a picture, not a scene, by its name or its first bytes.
 bool looksLikePicture(const std::string& path);
 
-/// How the preview looks at the plate: as lookOf, but under the first lamp that was given, where there is no picture.
+/// Returns the look of the preview: that of sillon::lookOf(), but under the first given lamp if there is no picture.
 sillon::LookParams previewLook(const PictureOptions& options, const sillon::Project& project,
                                const sillon::PlatePictures& pictures, std::size_t picture);
 
-/// A note on a picture of which this share is cut off; empty where that is little.
+/// Returns a note on a picture of which this share is cut off; empty if the share is small.
 std::string cutOffNote(double leftOut);
 
-/// Lines of the summary about a plate's pictures.
+/// Returns the lines of the summary about a plate's pictures.
 std::string pictureLines(const sillon::Plate& plate);
 
 }  // namespace cli

@@ -18,8 +18,8 @@ using sillon::LookParams;
 using sillon::Result;
 using sillon::RgbImage;
 
-constexpr int kUsualWidth = 1600;    // [pixels] of a panel
-constexpr int kMostLoopSide = 1024;  // [pixels], as sillon::renderLook draws
+constexpr int kUsualWidth = 1600;    // default width of a panel [pixels]
+constexpr int kMostLoopSide = 1024;  // limit of sillon::renderLook() [pixels]
 
 bool moves(const std::string& path) { return endsWith(path, ".webp"); }
 
@@ -30,7 +30,7 @@ Result<std::string> previewPng(const sillon::Toolpath& toolpath, sillon::Vec2 pa
   return pngFile(picture.value());
 }
 
-/// The look under moving light. \param side  the longer one [pixels].
+/// Encodes the look under moving light. \param side  longer side [pixels].
 Result<std::string> loopFile(const sillon::Toolpath& toolpath, sillon::Vec2 page, const std::vector<LookParams>& looks,
                              int side, const sillon::RunContext& run) {
   const auto pixels = [&](double length) {
@@ -46,7 +46,7 @@ Result<std::string> loopFile(const sillon::Toolpath& toolpath, sillon::Vec2 page
     if (!picture) return picture.error();
     frames.push_back({std::move(picture).value(), frame.milliseconds});
   }
-  // Each quality is tried as a whole: a loop whose frames differ in quality would flicker.
+  // A quality applies to the whole loop, because frames of different quality would flicker.
   for (const int quality : sillon::loopQualities()) {
     Result<std::string> bytes = encodeWebp(frames, quality, run);
     if (!bytes || bytes.value().size() <= static_cast<std::size_t>(sillon::loopBytes())) return bytes;

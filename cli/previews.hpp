@@ -1,4 +1,4 @@
-// Pictures that --preview names: PNG files, each under a light, or one moving picture of all of them.
+// Files of --preview: a PNG for each light, or one moving picture of all of them.
 #pragma once
 
 #include <optional>
@@ -12,22 +12,23 @@
 
 namespace cli {
 
-/// "plate.png" for the first picture, "plate-2.png" for the second.
+/// Names the preview of a picture: "plate.png" for the first, "plate-2.png" for the second.
 std::string previewName(const std::string& path, std::size_t picture);
 
-/// Names of all files for that many lights; none where the path is empty.
+/// Returns the names of all previews for a number of lights; none if the path is empty.
 std::vector<std::string> previewNames(const std::string& path, std::size_t lights);
 
-/// Refuses what can be known to be wrong before the work begins. \param width  as that of previewFiles
+/// Refuses, before the work begins, previews that cannot be made. \param width  see previewFiles()
 std::optional<sillon::Error> previewProblem(const std::string& path, int width);
 
+/// Renders the previews.
 /// \param looks  one for each light; not empty.
-/// \param width  of each panel, of a moving picture the longer side [pixels]; 0: the usual one.
+/// \param width  width of each panel, or longer side of a moving picture [pixels]; 0 for the default.
 sillon::Result<std::vector<OutputFile>> previewFiles(const std::string& path, const sillon::Toolpath& toolpath,
                                                      sillon::Vec2 page, const std::vector<sillon::LookParams>& looks,
                                                      int width, const sillon::RunContext& run);
 
-/// The bytes of a PNG file. \return TooLarge if memory runs out.
+/// Encodes a picture as PNG. \return TooLarge if memory runs out.
 sillon::Result<std::string> pngFile(const sillon::RgbImage& image);
 
 }  // namespace cli

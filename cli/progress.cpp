@@ -25,7 +25,7 @@ void ProgressBar::show(std::string_view stage, double fraction) {
   const int full = std::clamp(static_cast<int>(fraction * kCells), 0, kCells);
   const std::string bar =
       std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(kCells - full), '.');
-  // Blanks over what was longer before: old consoles of Windows show escape codes as they are.
+  // Blanks overwrite a longer text; escape codes would be shown literally by old consoles of Windows.
   const int blanks = static_cast<int>(std::max(length_, stage.size()) - stage.size());
   length_ = stage.size();
   std::fprintf(stderr, "\r[%s] %3d %% %.*s%*s", bar.c_str(), static_cast<int>(fraction * 100),

@@ -1,4 +1,4 @@
-// One line on the terminal that shows how far the work is.
+// Progress bar on the terminal.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace cli {
 
-/// Draws on stderr, and only if that is a terminal. The line is gone when the bar is.
+/// Draws a line on stderr if that is a terminal. The destructor removes the line.
 class ProgressBar {
  public:
   explicit ProgressBar(bool wanted);
@@ -21,7 +21,7 @@ class ProgressBar {
  private:
   bool enabled_;
   bool drawn_ = false;
-  std::size_t length_ = 0;  ///< of the stage's name that is shown
+  std::size_t length_ = 0;  ///< length of the stage's name on the screen
   std::chrono::steady_clock::time_point last_{};
 };
 

@@ -29,11 +29,12 @@ using sillon::Section;
 using sillon::Setting;
 using sillon::Vec2;
 
-/// Names stand in the order of the enumerators; the first is none.
+/// Returns the names of built-in shapes in the order of the enumerators; the first is "none".
 std::vector<std::string> builtinNames() {
   return sillon::splitWords(sillon::findSetting(Section::Shape, "builtin")->choices);
 }
 
+/// Replaces the shape by a built-in one or a file, and resets the size, the holes and the way of reading.
 std::string setShape(Project& project, const std::string& text) {
   project.shapeFile = text;
   project.builtin = BuiltinShape::None;
@@ -50,7 +51,7 @@ std::string setShape(Project& project, const std::string& text) {
   return "";
 }
 
-/// Names as help shows them, three to a row.
+/// Returns the names of shapes for the help, three to a row.
 std::vector<ValueHelp> shapeValues() {
   std::vector<ValueHelp> values{{"F", "SVG file, or mask picture: bright is inside"}};
   const std::vector<std::string> names = builtinNames();
@@ -70,6 +71,7 @@ RoundHole holeOf(const std::string& text) {
   return {*centre, *diameter};
 }
 
+/// Adds --hole, which may be repeated; together the holes replace those of the project.
 void addHoles(Options& options, std::vector<Change>& changes) {
   const auto holes = std::make_shared<std::vector<RoundHole>>();
   options.list("--hole", "X,Y,D", "round hole: its middle from the page's lower left corner, and its diameter, in mm",
@@ -83,7 +85,7 @@ void addHoles(Options& options, std::vector<Change>& changes) {
                });
 }
 
-/// \param size  y is 0 where only a width was given.
+/// Sets the size of the shape. \param size  y is 0 if only a width was given.
 std::string setSize(Project& project, Vec2 size, const std::string& text) {
   const bool round = sillon::isRound(project.builtin);
   const bool square = round && size.y == size.x;
@@ -101,20 +103,20 @@ std::string setSize(Project& project, Vec2 size, const std::string& text) {
   return "";
 }
 
-/// The lowest layer that fills the page; one is laid under all others where none does.
+/// Returns the lowest layer that fills the page; if there is none, one is added below all others.
 Layer& lowestOf(Project& project) {
   if (sillon::groundOf(project.layers) == nullptr) project.layers.emplace(project.layers.begin());
   return project.layers[0];
 }
 
-/// The lowest layer as a map.
+/// Returns the lowest layer as a map.
 sillon::MapLayer& lowestMap(Project& project) {
   Layer& lowest = lowestOf(project);
   if (lowest.kind() != sillon::LayerKind::Map) lowest.contents = sillon::MapLayer();
   return *lowest.as<sillon::MapLayer>();
 }
 
-/// An option for a setting of one layer. \param find  that layer in a project.
+/// Adds an option for a setting of one layer. \param find  returns that layer of a project.
 void layerSetting(Options& options, const char* key, std::vector<Change>& changes,
                   const std::function<Layer&(Project&)>& find) {
   const Setting& row = *sillon::findSetting(Section::Layers, key);
@@ -135,6 +137,7 @@ void layerSetting(Options& options, const char* key, std::vector<Change>& change
                  });
 }
 
+/// Adds the options about the lowest layer: its directions and its mode.
 void addLowest(Options& options, std::vector<Change>& changes) {
   options.change("--directions", "F", "picture of the bead directions; alone it makes a rectangle of its proportions",
                  changes, [](const std::string& text) {
@@ -280,7 +283,7 @@ void addPrinter(Options& options, std::vector<Change>& changes) {
   options.change("--printer", "ID", "printer that sillon printers lists", changes, [](const std::string& text) {
     return [text](Project& project) {
       project.printerProfile = text;
-      // The plate was made for its nozzle, and its look for a speed and a fan: no profile knows them.
+      // No profile knows these: the plate was made for the nozzle, and its look for a speed and a fan.
       sillon::Printer printer;
       printer.nozzle = project.printer.nozzle;
       printer.showSpeed = project.printer.showSpeed;

@@ -1,4 +1,4 @@
-// The project that a command line means: a file, and the options laid over it.
+// Project of a command line: a file, with options applied to it.
 #pragma once
 
 #include <string>
@@ -13,19 +13,19 @@
 namespace cli {
 
 struct ProjectArguments {
-  std::string scene;  ///< JSON file; empty: options only
-  /// Changes that the options make to the scene, in a fixed order whatever the order on the line.
+  std::string scene;  ///< JSON file; empty if only options are given
+  /// Changes of the options to the scene, in a fixed order whatever the order on the line.
   std::vector<Change> changes;
   PictureOptions pictures;
-  /// Beads along the border where pictures are given and no project: they would frame them in tones that they do not
-  /// have
+  /// Mode of the border when pictures are given without a project. Beads along the border would frame the pictures in
+  /// tones that they do not have.
   sillon::PerimeterMode besidePictures = sillon::PerimeterMode::None;
 };
 
-/// The scene with the options laid over it, every field in range. Reads the file of own spools, if one is named.
+/// Reads the scene, applies the options and checks the range of every field. Also reads the file of own spools.
 sillon::Result<sillon::Project> readProject(ProjectArguments& arguments);
 
-// Options of several commands that change the project.
+// Options that change the project, shared by several commands.
 void addShape(Options& options, std::vector<Change>& changes);
 void addLayers(Options& options, std::vector<Change>& changes);
 void addPerimeters(Options& options, std::vector<Change>& changes);

@@ -22,7 +22,7 @@ constexpr const char* kCancelled = "cancelled; nothing was written";
 std::atomic<sillon::RunContext*> running{nullptr};
 static_assert(std::atomic<sillon::RunContext*>::is_always_lock_free, "used in a signal handler");
 
-// The first Ctrl-C asks the work to stop, the second one ends the program the hard way.
+// Handles Ctrl-C: the first one asks the work to stop, the second one ends the program at once.
 extern "C" void cancelRun(int signal) {
   if (sillon::RunContext* run = running.load()) run->requestCancel();
   std::signal(signal, SIG_DFL);
@@ -40,12 +40,12 @@ Run::Run(int threads) : context_(threadsHere(threads)) {
   running.store(&context_);
 #if defined(__unix__) || defined(__APPLE__)
   struct sigaction action {};
-  action.sa_handler = cancelRun;  // without SA_RESTART: what waits for a pipe wakes up
+  action.sa_handler = cancelRun;  // without SA_RESTART, waiting for a pipe is interrupted
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
   struct sigaction before {};
   ::sigaction(SIGHUP, nullptr, &before);
-  if (before.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);  // else nohup asked for that
+  if (before.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);  // nohup may have asked to ignore it
 #else
   std::signal(SIGINT, cancelRun);
   std::signal(SIGTERM, cancelRun);
@@ -67,7 +67,7 @@ int answer(const std::string& text, int code) {
 
 int commit(const sillon::Result<Outcome>& made, const Run& run) {
   if (!run.context().cancelled() && !made) return fail(made.error());
-  // From here on it is faster to finish than to stop.
+  // From here on, finishing is faster than stopping.
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_IGN);
 #ifdef SIGHUP
@@ -81,7 +81,7 @@ int commit(const sillon::Result<Outcome>& made, const Run& run) {
 }
 
 int endWithoutMemory() {
-  // Without a string, which would take memory.
+  // Prints without making a string, which would take memory.
   for (const auto& [code, text, unsaid] : sillon::errorHints()) {
     if (std::strcmp(code, "OutOfMemory") == 0) std::fprintf(stderr, "sillon: out of memory; %s\n", text);
   }

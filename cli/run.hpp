@@ -1,5 +1,4 @@
-// The beginning and end of a command's run: threads, memory and signals; what goes to stdout, to stderr and to the
-// disk.
+// Begins and ends a command's run: threads, memory and signals, and output to stdout, stderr and the disk.
 #pragma once
 
 #include <string>
@@ -10,7 +9,7 @@
 
 namespace cli {
 
-/// A run that signals cancel, with as much memory as the system can give. One at a time.
+/// A run that signals cancel, limited to the memory that the system can give. Only one may exist at a time.
 class Run {
  public:
   explicit Run(int threads);
@@ -25,17 +24,17 @@ class Run {
   sillon::RunContext context_;
 };
 
-/// Says what is wrong. \return the exit code for it.
+/// Prints an error. \return its exit code.
 int fail(const sillon::Error& error);
 
-/// Prints what a command was asked for: a full disk or a closed pipe that loses it is a failure.
+/// Prints the result of a command; losing it to a full disk or a closed pipe is a failure.
 int answer(const std::string& text, int code = 0);
 
-/// The one place where files are written, after all that can fail. They are what was asked for, as JSON is: once they
-/// are there, a summary that gets lost is no failure.
+/// Writes the files of a command, the only place that does, after all that can fail. The files, or JSON on stdout, are
+/// the result: once they are there, losing the summary is no failure.
 int commit(const sillon::Result<Outcome>& made, const Run& run);
 
-/// Says that memory has run out, without taking any. \return the exit code.
+/// Reports that memory has run out, without taking any. \return the exit code.
 int endWithoutMemory();
 
 }  // namespace cli

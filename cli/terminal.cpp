@@ -6,7 +6,7 @@
 
 #if defined(__EMSCRIPTEN__)
 #include <emscripten.h>
-// isatty always says yes.
+// Emscripten's isatty() is always true.
 EM_JS(int, nodeStderrIsTerminal, (), { return process.stderr.isTTY ? 1 : 0; });
 EM_JS(int, nodeColumns, (), { return process.stdout.isTTY ? process.stdout.columns : 0; });
 #elif defined(__unix__) || defined(__APPLE__)
@@ -19,7 +19,7 @@ EM_JS(int, nodeColumns, (), { return process.stdout.isTTY ? process.stdout.colum
 namespace cli {
 namespace {
 
-/// 0 where stdout is no terminal.
+/// Returns the width of the terminal; 0 if stdout is none.
 int columnsOfTerminal() {
 #if defined(__EMSCRIPTEN__)
   return nodeColumns();

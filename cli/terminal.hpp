@@ -1,12 +1,12 @@
-// The terminal: whether there is one, and its width.
+// Queries the terminal: its presence and its width.
 #pragma once
 
 namespace cli {
 
-/// Tells whether somebody sees what goes to stderr.
+/// Tells whether stderr is a terminal.
 bool stderrIsTerminal();
 
-/// Characters in a line of help: as COLUMNS or the terminal says, 40 to 100; 80 where neither does.
+/// Returns the width of help [characters]: from COLUMNS or the terminal, limited to 40..100; 80 if neither tells.
 int terminalWidth();
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-// How many threads there can be.
+// Number of threads.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace cli {
 
 constexpr int kMostThreads = 256;
 
-/// What a run gets of the threads that were asked for: compiled for Node, the program has one.
+/// Returns the number of threads that a run gets: as many as asked for, but one if compiled for Node.
 inline int threadsHere([[maybe_unused]] int asked) {
 #ifdef __EMSCRIPTEN__
   return 1;
@@ -17,7 +17,7 @@ inline int threadsHere([[maybe_unused]] int asked) {
 #endif
 }
 
-/// As many as the machine runs at once.
+/// Returns the number of threads that the machine runs at once.
 inline int threadsOfMachine() {
   return threadsHere(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostThreads));
 }

@@ -1,4 +1,4 @@
-// Moving pictures by libwebp, where the build has it: webp_here.cpp, or webp_elsewhere.cpp.
+// Encodes moving pictures with libwebp, if the build has it: webp_here.cpp, or webp_elsewhere.cpp.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 namespace cli {
 
 struct WebpFrame {
-  sillon::RgbImage picture;  ///< all of one size
+  sillon::RgbImage picture;  ///< all pictures of a loop have one size
   int milliseconds = 0;
 };
 
 bool writesWebp();
 
-/// An endless loop of whole frames, lossy. The bytes depend on the frames alone, and on libwebp's version.
+/// Encodes an endless loop of whole frames, lossy. The bytes depend only on the frames and on libwebp's version.
 /// \param quality  0..100.
-/// \return TooLarge if memory runs out, Cancelled.
+/// \return TooLarge if memory runs out, or Cancelled.
 sillon::Result<std::string> encodeWebp(const std::vector<WebpFrame>& frames, int quality,
                                        const sillon::RunContext& run);
 

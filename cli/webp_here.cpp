@@ -38,7 +38,7 @@ struct MuxDelete {
 
 Error outOfMemory() { return {ErrorCode::TooLarge, "a moving picture needs more memory than there is"}; }
 
-/// One frame as a file of its own. \return whether there was memory for it.
+/// Encodes a frame as a file of its own. \return false if memory ran out.
 bool encode(const sillon::RgbImage& image, const WebPConfig& config, Writer& writer) {
   Picture picture;
   picture.width = image.width;

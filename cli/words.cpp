@@ -16,7 +16,7 @@ void refuse(const std::string& sentence) { throw CLI::ValidationError(sentence, 
 std::optional<double> parseNumber(const std::string& text) {
   if (text.empty() || text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
   char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);  // "C" locale: the program never sets another
+  const double value = std::strtod(text.c_str(), &end);  // uses the "C" locale, because the program never sets another
   if (end != text.c_str() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }

@@ -1,4 +1,4 @@
-// Words of the command line as numbers and pairs, or a sentence that refuses them; and counts in words.
+// Parses words of the command line to numbers and pairs, or refuses them; formats counts.
 #pragma once
 
 #include <cerrno>
@@ -14,30 +14,31 @@
 
 namespace cli {
 
-/// Throws what CLI11 reports as a parse error: OPTION is "TEXT"; it must be WANTED.
+/// Throws an error that CLI11 reports as a parse error: OPTION is "TEXT"; it must be WANTED.
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& wanted);
 
-/// The same with a sentence of its own.
+/// Throws a parse error with a sentence of its own.
 [[noreturn]] void refuse(const std::string& sentence);
 
-/// "1 line", "2 lines".
+/// Formats a count: "1 line", "2 lines".
 template <class Integer>
 requires std::is_integral_v<Integer> std::string plural(Integer count, const std::string& word) {
   return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
 }
 
-/// A finite decimal number and nothing else: no nan, no inf, no hex, no trailing words.
+/// Parses a finite decimal number and nothing else: no nan, no inf, no hex, no trailing words.
 std::optional<double> parseNumber(const std::string& text);
 
-/// Two numbers with a separator between them: "120x80", "10,20".
+/// Parses two numbers with a separator between them: "120x80", "10,20".
 std::optional<sillon::Vec2> parsePair(const std::string& text, char separator);
 
-/// Reads a number; throws by refuse().
+/// Parses a number; throws by refuse().
 void parseInto(const std::string& option, const std::string& text, double& out);
 void parseInto(const std::string& option, const std::string& text, std::optional<double>& out);
 
 template <class Integer>
 requires std::is_integral_v<Integer>
+/// Parses a whole number; throws by refuse().
 void parseInto(const std::string& option, const std::string& text, Integer& out) {
   constexpr auto kHigh = std::numeric_limits<Integer>::max();
   const bool negative = !text.empty() && text[0] == '-';
@@ -48,7 +49,7 @@ void parseInto(const std::string& option, const std::string& text, Integer& out)
   const bool fits = negative ? std::is_signed_v<Integer> && magnitude <= static_cast<std::uint64_t>(kHigh)
                              : magnitude <= static_cast<std::uint64_t>(kHigh);
   if (!whole || !fits) {
-    // The range of an option is checked with the whole project; only a seed may be all that fits.
+    // The range of an option is checked with the whole project; only a seed may be any value that fits.
     const bool seed = std::is_unsigned_v<Integer>;
     refuse(option, text, seed ? "a whole number from 0 to " + std::to_string(kHigh) : std::string("a whole number"));
   }

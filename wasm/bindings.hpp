@@ -1,5 +1,5 @@
-// Everything that JavaScript may call of the engine, as src/engine/worker.ts describes it: each function returns
-// {value} or {error: {code, message, reason, values}}, and no exception leaves.
+// Functions of the engine that JavaScript may call; src/engine/worker.ts declares them. Each returns {value} or {error:
+// {code, message, reason, values}}, and no exception leaves it.
 #pragma once
 
 #include <emscripten/val.h>
@@ -10,36 +10,43 @@ namespace bindings {
 
 using emscripten::val;
 
-/// \param most  that the memory may grow to [bytes]. \param poll  () => boolean, for RunContext::onPoll; null where
-/// memory is shared.
+/// Starts the engine.
+/// \param most  limit of the memory [bytes].
+/// \param poll  () => boolean, for RunContext::onPoll; null if memory is shared.
 val start(int threads, double most, const val& poll);
-/// Memory for a file of so many bytes: good until the next call, which takes the file from there.
+/// Returns memory for a file of this size. It is valid until the next call, which takes the file from there.
 val room(double size);
-/// Numbers of what the calls below need no value for: kept.hpp.
+/// Returns the numbers of values that the engine keeps, which calls need not hand over: see kept.hpp.
 val keptNumbers();
 
-/// \param across  the path of the layer below instead, which nothing measures. \param number  under which its beads are
-/// kept.
+/// Makes a plate.
+/// \param across  true for the path of the layer below, which is never measured.
+/// \param number  number under which the beads are kept.
 val generateToolpath(const std::string& projectJson, const val& files, bool measure, bool across, int number,
                      const val& onProgress);
 val readShape(const std::string& projectJson, const val& files);
 val placeLayers(const std::string& projectJson, const val& files);
-/// Directions and modes that the layers ask for.
+/// Paints a drawing to a picture.
 val paintDrawing(const val& files, const std::string& name);
+/// Returns the directions and modes that the layers give.
 val drawLayers(const std::string& projectJson, const val& files, const val& onProgress);
-/// \param body  whether an STL has come, on whose top the layers lie. \param params  height of the prism without one,
-/// most directions, narrowest place, layer height.
+/// Makes a body with zones.
+/// \param body  true if an STL was handed over, on whose top the layers lie.
+/// \param params  height of the prism without a body, largest number of directions, narrowest place, layer height; with
+/// a face, its corner and height.
 val makeZones(const std::string& projectJson, const val& files, bool body, const val& params, const val& onProgress);
-/// Names under which the calls above ask for lines of a drawing's text. \param file  bytes.
+/// Returns the names under which the calls above ask for lines of a drawing's text. \param file  bytes.
 val linesOfDrawing(const val& file);
 val decodePicture(const val& file, const std::string& name);
 val readProject(const std::string& json);
-/// \param projectJson  made of arguments: what is wrong in it is no file's fault.
+/// Formats a project. \param projectJson  made from arguments, so that its errors are InvalidArgument.
 val writeProject(const std::string& projectJson);
-/// Printers as the text of project files.
+/// Returns all printers and filaments, as texts of project files.
 val profiles();
 
-/// \param below  a toolpath, or undefined. \param number  under which the text is kept; 0: it is not.
+/// Writes G-code.
+/// \param below  a toolpath, or undefined.
+/// \param number  number under which the text is kept; 0 to keep nothing.
 val writeGcode(const val& toolpath, const val& below, const std::string& projectJson, const std::string& date,
                int number, const val& onChunk);
 val writeBaseBody(const val& shape, const std::string& projectJson, bool stl);
@@ -48,33 +55,40 @@ val renderPreview(const val& toolpath, int width, const val& light, const val& c
                   const val& onProgress);
 val writeView(const val& toolpath, const val& colour, double slopeAlong, double slopeAcross);
 val importPrinter(const std::string& name);
-/// \param projectJson  whose printer counts; empty: what the file's own settings say. \param number  of the text that
-/// is kept; 0: of the file that came last.
+/// Checks G-code.
+/// \param projectJson  project whose printer's limits apply; empty to use the file's own settings.
+/// \param number  number of a kept text; 0 for the file that came last.
 val checkGcode(const std::string& projectJson, int number);
 val packGcode(int number);
-/// \param projectJson  whose printer's flavour counts.
+/// Checks a block of G-code. \param projectJson  project whose printer's flavour applies.
 val examineBlock(const std::string& block, const std::string& projectJson);
 
-/// Makes room for another print.
+/// Forgets the last print, to make room for another.
 void forgetPrint();
-/// Takes the file that came last, for the calls below.
+/// Takes the file that came last as the print for the calls below.
 val readPrint();
 val listSurfaces(const val& onProgress);
-/// \param side  most cells of the longer side.
+/// Returns the heights of the print in a raster. \param side  largest number of cells on the longer side.
 val printRelief(int side, const val& onProgress);
-/// \param projectJson  whose layers, pictures and toolpath count. \param sides, fit, only  as sillon.d.ts
-/// names them. \param onPiece  takes the new file piece by piece: whole, it would be held once more.
+/// Replaces surfaces of the print.
+/// \param projectJson  project whose layers, pictures and toolpath apply.
+/// \param sides, fit, only  see sillon.d.ts.
+/// \param onPiece  receives the new file in pieces; as a whole, it would be in memory twice.
 val rebrush(const std::string& projectJson, const val& files, const std::string& sides, const std::string& fit,
             const val& only, const val& onProgress, const val& onPiece);
 
-/// \param kind  as the command line names it. \param from, to  undefined: the kind's own.
-/// \param pictureSide  of the longer side [pixels], 0: no picture.
+/// Makes a calibration print.
+/// \param kind  name in the command line.
+/// \param from, to  undefined for the kind's own.
+/// \param pictureSide  longer side of the picture [pixels]; 0 for none.
 val calibrate(const std::string& kind, const val& from, const val& to, const std::string& projectJson,
               const val& filament, const std::string& date, int pictureSide);
-/// \param picture  as imageFrom takes it. \param projectJson  that the coupon was made with.
+/// Reads a photograph of a coupon.
+/// \param picture  pixels, see convert::imageFrom().
+/// \param projectJson  project with which the coupon was made.
 val readCoupon(const val& picture, const std::string& projectJson, const val& from, const val& to, const val& lampSize,
                const val& lampElevation);
-/// \param readings  a list, as readCoupon gives them, of at least one.
+/// Joins readings of one coupon. \param readings  list of at least one result of readCoupon().
 val joinReadings(const val& readings, const val& lampSize);
 
 }  // namespace bindings

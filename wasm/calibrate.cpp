@@ -1,4 +1,4 @@
-// Calibration prints.
+// Bindings for calibration prints.
 #include "sillon/calibrate/calibrate.hpp"
 
 #include <emscripten/bind.h>
@@ -30,8 +30,8 @@ using convert::failure;
 using convert::success;
 using emscripten::val;
 
-/// As the side looks that the nozzle has passed over: as the command line shows it.
-/// \param filament  {colour, slopes}, or undefined: of the project's spool.
+/// Returns the look of the side that the nozzle has passed over, as in the command line.
+/// \param filament  {colour, slopes}; undefined for the project's spool.
 sillon::LookParams lookOf(const val& filament, const sillon::Project& project) {
   sillon::LookParams look;
   if (filament.isUndefined()) {
@@ -46,6 +46,7 @@ sillon::LookParams lookOf(const val& filament, const sillon::Project& project) {
   return look;
 }
 
+/// Converts the values of a print, with their labels and places.
 val valuesOf(const sillon::CalibrationPlate& plate) {
   val values = val::array();
   for (const sillon::CalibrationValue& value : plate.values) {
@@ -58,7 +59,7 @@ val valuesOf(const sillon::CalibrationPlate& plate) {
   return values;
 }
 
-/// The look of the plate's upper layer as a PNG. \param side  the longer one [pixels], 64 to 1024.
+/// Renders the look of the plate's upper layer to a PNG. \param side  longer side [pixels], 64 to 1024.
 sillon::Result<std::vector<std::uint8_t>> pictureOf(const sillon::Toolpath& shown, sillon::Vec2 page, int side,
                                                     const sillon::LookParams& look, const sillon::RunContext& run) {
   const double scale = side / std::max(page.x, page.y);

@@ -25,15 +25,15 @@ namespace {
 using convert::failure;
 using convert::success;
 
-// Lives as long as the module: threads are started once, with it.
+// Lives as long as the module, because threads are started once, with the module.
 std::unique_ptr<sillon::RunContext> context;
-double granted = 0;  // [bytes] that the host lets this module's memory grow to
+double granted = 0;  // limit to which the host lets this module's memory grow [bytes]
 
-std::string incoming;  // filled by the host between two calls
+std::string incoming;  // file from the host, filled between two calls
 
 }  // namespace
 
-// A quarter is left for pieces too small to use, and for answers.
+// Returns the free memory; a quarter is reserved for fragments too small to use, and for results.
 double freeMemory() {
   const double most = std::min(static_cast<double>(emscripten_get_heap_max()), granted);
   return 0.75 * (most - static_cast<double>(static_cast<std::uint32_t>(mallinfo().uordblks)));
@@ -98,7 +98,7 @@ val room(double size) {
   return guarded([&](sillon::RunContext&) {
     call::incoming = std::string();
     constexpr double kMiB = 1 << 20;
-    const double most = std::floor(call::freeMemory() / 2 / kMiB);  // what becomes of it is as large
+    const double most = std::floor(call::freeMemory() / 2 / kMiB);  // half, because results are as large as the file
     if (!(size <= most * kMiB)) {
       char text[160];
       std::snprintf(text, sizeof text,

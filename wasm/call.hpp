@@ -1,4 +1,4 @@
-// Code that all bindings share.
+// Functions that all bindings share.
 #pragma once
 
 #include <emscripten/val.h>
@@ -14,27 +14,27 @@ namespace call {
 
 using emscripten::val;
 
-/// Runs one call in a fresh state and turns whatever it throws into an error: {value} or {error: {code, message}}.
+/// Runs one call with a fresh state and returns {value}, or {error: {code, message}} if it throws.
 val guarded(const std::function<val(sillon::RunContext&)>& body);
 
-/// Tells JavaScript how far a job is. \param begin, end  the part of the whole call that the job is, in [0, 1].
+/// Reports progress to JavaScript. \param begin, end  part of the whole call that the job takes, in [0, 1].
 void tell(sillon::RunContext& run, const val& onProgress, double begin, double end);
 
-/// Memory of the engine that is free or may be had [bytes].
+/// Returns the memory that is free, or that the engine may still get [bytes].
 double freeMemory();
 
-/// A project made of arguments: what is wrong in it is no file's fault.
+/// Reads a project made from arguments; its errors are InvalidArgument instead of InvalidFile.
 sillon::Result<sillon::Project> projectOf(const std::string& json);
 
-/// Of a number, or of undefined.
+/// Converts a number or undefined.
 inline std::optional<double> optionalOf(const val& js) {
   return js.isUndefined() ? std::nullopt : std::optional<double>(js.as<double>());
 }
 
-/// The file that the host has put into room().
+/// Takes the file that the host has put into room().
 std::string takenFile();
 
-/// {value}: the bytes of a file.
+/// Returns {value} with the bytes of a file.
 val file(const std::string& bytes);
 
 }  // namespace call

@@ -1,4 +1,5 @@
-// Between JavaScript values and the core's plain data. Everything is copied: nothing points into the engine's memory.
+// Converts between JavaScript values and core's plain data. Everything is copied; nothing points into the engine's
+// memory.
 #pragma once
 
 #include <emscripten/val.h>
@@ -28,13 +29,14 @@ namespace convert {
 
 using emscripten::val;
 
-/// A typed array of its own: a view on shared memory could be neither transferred nor made a Blob.
+/// Copies numbers to a typed array of their own, because a view on shared memory can neither be transferred nor become
+/// a Blob.
 template <class T>
 val copied(const T* data, std::size_t count) {
   return val(emscripten::typed_memory_view(count, data)).template call<val>("slice");
 }
 
-/// An ArrayBufferView's bytes in the engine's memory.
+/// Copies the elements of a typed array into the engine's memory.
 template <class T>
 std::vector<T> numbers(const val& array) {
   const auto count = array["length"].as<std::size_t>();
@@ -43,6 +45,7 @@ std::vector<T> numbers(const val& array) {
   return out;
 }
 
+/// Copies the bytes of a typed array into the engine's memory.
 inline std::string bytes(const val& array) {
   const auto count = array["length"].as<std::size_t>();
   std::string out(count, '\0');
@@ -70,6 +73,7 @@ inline val toJs(const sillon::ImportNote& note) {
   return out;
 }
 
+/// Converts a shape; rings become Float64Arrays of x and y in turn.
 inline val toJs(const sillon::Shape& shape) {
   val paths = val::array();
   for (const sillon::FilledPath& path : shape.paths) {
@@ -103,6 +107,7 @@ inline val toJs(const sillon::Shape& shape) {
   return out;
 }
 
+/// Converts back a shape, without the facts of its drawing.
 inline sillon::Shape shapeFrom(const val& js) {
   sillon::Shape shape;
   shape.page = {js["page"][0].as<double>(), js["page"][1].as<double>()};
@@ -125,7 +130,7 @@ inline sillon::Shape shapeFrom(const val& js) {
   return shape;
 }
 
-/// Without shape and notes, which are not part of the core's toolpath.
+/// Converts a toolpath, without shape and notes, which are not part of core's toolpath.
 inline val toJs(const sillon::Toolpath& toolpath) {
   val cycles = val::array();
   for (const sillon::Cycle& cycle : toolpath.cycles) {
@@ -140,6 +145,7 @@ inline val toJs(const sillon::Toolpath& toolpath) {
   return out;
 }
 
+/// Converts back the beads of a toolpath.
 inline std::vector<sillon::Cycle> cyclesFrom(const val& js) {
   std::vector<sillon::Cycle> cycles;
   const auto count = js["length"].as<int>();
@@ -154,7 +160,7 @@ inline std::vector<sillon::Cycle> cyclesFrom(const val& js) {
   return cycles;
 }
 
-/// How a plate of pictures is to be seen: Toolpath.look.
+/// Returns Toolpath.look, the look of a plate with pictures.
 inline val toJs(const sillon::Project& project, const sillon::PlatePictures& pictures) {
   const sillon::LookParams look = sillon::lookOf(project, pictures, 0);
   val colour = val::array();
@@ -171,7 +177,7 @@ inline val toJs(const sillon::Project& project, const sillon::PlatePictures& pic
   return out;
 }
 
-/// What several pictures take from each other: Plate.conflict.
+/// Returns Plate.conflict, the tones that several pictures take from each other.
 inline val conflictOf(const sillon::PlateInput& input, const sillon::PlatePictures& pictures) {
   const sillon::PictureConflict conflict =
       sillon::conflictOf(input.directions, pictures.shown, pictures.roughness, pictures.level);
@@ -189,7 +195,7 @@ inline val conflictOf(const sillon::PlateInput& input, const sillon::PlatePictur
   return out;
 }
 
-/// Under the first lamp; undefined: as every plate is drawn.
+/// Reads a look under its first lamp; undefined gives the default look of plates.
 inline sillon::LookParams lookFrom(const val& js) {
   sillon::LookParams look;
   if (js.isUndefined()) return look;
@@ -209,6 +215,7 @@ inline val toJs(const sillon::Image& image) {
   return out;
 }
 
+/// Converts a picture of 8 or 16 bits after checking its sizes. \param name  name for messages.
 inline sillon::Result<sillon::Image> imageFrom(const val& js, const std::string& name) {
   const auto width = js["width"].as<double>();
   const auto height = js["height"].as<double>();
@@ -239,7 +246,7 @@ inline sillon::Result<sillon::Image> imageFrom(const val& js, const std::string&
   return image;
 }
 
-/// Files by name, as bytes or as pictures.
+/// Makes a reader of files by their names; a file is bytes or a picture.
 inline sillon::ReadInput reader(const val& files) {
   return [files](const std::string& name, const std::string& what) -> sillon::Result<sillon::InputFile> {
     const val file = files[name];
@@ -285,7 +292,7 @@ inline val toJs(const sillon::Warning& warning) {
   return out;
 }
 
-/// A list of notes or warnings.
+/// Converts a list of notes or warnings.
 template <class Told>
 val toJs(const std::vector<Told>& list) {
   val out = val::array();
@@ -307,6 +314,7 @@ inline val toJs(const sillon::GcodeSummary& summary) {
   return out;
 }
 
+/// Converts findings.
 inline val toJs(const std::vector<sillon::GcodeFinding>& list) {
   val findings = val::array();
   for (const sillon::GcodeFinding& finding : list) {
@@ -325,7 +333,7 @@ inline val toJs(const std::vector<sillon::GcodeFinding>& list) {
   return findings;
 }
 
-/// \param unchecked  as uncheckedIn tells
+/// Converts a check. \param unchecked  result of uncheckedIn()
 inline val toJs(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked = {}) {
   val out = val::object();
   out.set("findings", toJs(check.findings));
@@ -392,7 +400,7 @@ inline const char* codeName(sillon::ErrorCode code) {
   return "Internal";
 }
 
-/// {error: {code, message, reason, values}}
+/// Makes {error: {code, message, reason, values}}.
 inline val failure(const char* code, const std::string& message, const char* reason = "",
                    const std::vector<sillon::NamedValue>& values = {}) {
   val error = val::object();
@@ -408,7 +416,7 @@ inline val failure(const sillon::Error& error) {
   return failure(codeName(error.code), error.message, error.reason, error.values);
 }
 
-/// {value}
+/// Makes {value}.
 inline val success(const val& value) {
   val out = val::object();
   out.set("value", value);

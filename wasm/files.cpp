@@ -1,4 +1,4 @@
-// Files around a plate, to write and to read.
+// Bindings for files around a plate, to write and to read.
 #include <emscripten/bind.h>
 
 #include <algorithm>

@@ -13,14 +13,14 @@ namespace kept {
 namespace {
 
 constexpr std::size_t kMostPlates = 2;
-constexpr std::size_t kMostNumbers = 8;  // of the same beads
+constexpr std::size_t kMostNumbers = 8;  // limit on numbers of the same beads
 
 struct Plate {
   std::list<int> numbers;
   sillon::Toolpath toolpath;
 };
 
-std::list<Plate> plates;  // the one used last behind; references to the others stay good
+std::list<Plate> plates;  // least recently used first; a list, so that references to the others stay valid
 int gcodeNumber = 0;
 std::string gcodeText;
 

@@ -1,5 +1,5 @@
-// Values that stay in the engine for later calls, under numbers that the host gives: nothing of it has
-// to be handed out and back in. The host is told of what is there after each call, and hands over what is not.
+// Values that stay in the engine for later calls, under numbers from the host, so that they need not be handed out and
+// back in. After each call the host learns which values are kept, and hands over the others.
 #pragma once
 
 #include <emscripten/val.h>
@@ -11,20 +11,21 @@
 
 namespace kept {
 
-/// The last plate, and the path of the layer below it: more than two are not kept. The same beads once more take
-/// another number besides. \param number  > 0
+/// Keeps the beads of a plate; at most two plates are kept, such as the last one and the path of the layer below it. If
+/// the same beads are kept already, they only get a further number. \param number  > 0
 void keep(int number, sillon::Toolpath toolpath);
 
-/// \param js  a toolpath whose `cycles` are {number, value}; without the value they are those of that number. The
-/// result is good until two others are kept.
+/// Returns a toolpath, which is valid until two others are kept.
+/// \param js  a toolpath whose `cycles` are {number, value}; without the value, the beads kept under the number are
+/// used.
 const sillon::Toolpath& toolpathOf(const emscripten::val& js);
 
-/// The last G-code that was written. \param number  > 0
+/// Keeps the last G-code that was written. \param number  > 0
 void keep(int number, std::string gcode);
 
 const std::string& gcodeOf(int number);
 
-/// Numbers of the beads and the G-code that are kept.
+/// Returns the numbers of the kept beads and G-code.
 std::vector<int> numbers();
 
 }  // namespace kept

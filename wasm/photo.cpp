@@ -1,4 +1,4 @@
-// Photographs of calibration coupons.
+// Bindings for photographs of calibration coupons.
 #include <emscripten/bind.h>
 
 #include <cstddef>
@@ -29,6 +29,7 @@ val measuredOf(const sillon::Measured& measured) {
 
 sillon::Measured measuredFrom(const val& js) { return {js["value"].as<double>(), js["error"].as<double>()}; }
 
+/// Converts a reading. \param widthAsked  width of the coupon's beads by its project [mm].
 val readingOf(const sillon::CouponReading& read, double widthAsked) {
   val out = val::object();
   out.set("along", measuredOf(read.along));
@@ -48,7 +49,7 @@ val readingOf(const sillon::CouponReading& read, double widthAsked) {
   return out;
 }
 
-/// \param js  what readingOf has made, with the spool's colour beside it.
+/// Reads back a reading. \param js  result of readingOf(), with the spool's colour added.
 sillon::CouponReading readingFrom(const val& js) {
   sillon::CouponReading read;
   read.along = measuredFrom(js["along"]);

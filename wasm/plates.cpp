@@ -1,4 +1,4 @@
-// Plates: what they are made of, and making them.
+// Bindings for plates: their input, and making them.
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
 
@@ -32,7 +32,7 @@ using convert::failure;
 using convert::success;
 using emscripten::val;
 
-// They live as long as the module: what one plate leaves serves the next.
+// These live as long as the module, so that a plate can reuse results of the one before.
 sillon::Session session;
 std::optional<sillon::KeptPictures> keptPictures;
 
@@ -43,8 +43,8 @@ struct Sides {
   friend bool operator==(const Sides&, const Sides&) = default;
 };
 
-/// Values of a raster on another. Without layers above it, the lowest may have pictures of two sizes, of which either
-/// may be a single texel.
+/// Resamples a raster to other sides. Without layers above it, the lowest layer may have pictures of two sizes, either
+/// of which may be a single texel.
 template <class T>
 std::vector<T> stretched(const std::vector<T>& values, Sides from, Sides to) {
   if (from == to) return values;

@@ -1,4 +1,4 @@
-// Other people's prints.
+// Bindings for prints from slicers.
 #include <emscripten/bind.h>
 
 #include <cstddef>
@@ -25,6 +25,7 @@ using convert::failure;
 using convert::success;
 using emscripten::val;
 
+/// Converts a surface.
 val surfaceOf(const sillon::SlicedSurface& surface) {
   val out = val::object();
   out.set("side", val(surface.side == sillon::SurfaceSide::Top ? "top" : "bottom"));
@@ -45,6 +46,7 @@ val surfaceOf(const sillon::SlicedSurface& surface) {
   return out;
 }
 
+/// Converts the facts of a sliced file.
 val fileOf(const sillon::SlicedFile& file) {
   val surfaces = val::array();
   for (const sillon::SlicedSurface& surface : file.surfaces) surfaces.call<void>("push", surfaceOf(surface));
@@ -58,11 +60,11 @@ val fileOf(const sillon::SlicedFile& file) {
   return out;
 }
 
-// That the calls below are about, and what was found in it.
+// The print for the calls below, and its surfaces once they are found.
 std::optional<sillon::GcodeContainer> print;
 std::optional<sillon::SlicedFile> sliced;
 
-/// What is wrong with it, if anything.
+/// Finds the surfaces of the print, unless that is done. Returns an error, or nothing.
 std::optional<sillon::Error> findSurfaces(const sillon::RunContext& run) {
   if (sliced) return std::nullopt;
   auto read = sillon::readSlicedFile(print->gcode, run);
@@ -71,6 +73,7 @@ std::optional<sillon::Error> findSurfaces(const sillon::RunContext& run) {
   return std::nullopt;
 }
 
+/// Converts the pictures of a replaced surface, with their measures.
 val picturesOf(const sillon::RebrushedSurface& made) {
   val pictures = val::array();
   for (std::size_t k = 0; k < made.pictures.size(); ++k) {

@@ -1,4 +1,4 @@
-// sillon calibrate: test prints that find a setting, and photographs of one read back.
+// sillon calibrate: test prints for finding a setting, and readings of their photographs.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -39,29 +39,30 @@ constexpr const char* kReadPhotograph = "read";
 
 struct Arguments {
   std::string kind;                ///< a name of sillon::calibrationKinds, or kReadPhotograph
-  std::vector<std::string> files;  ///< a project; of kReadPhotograph, photographs of one coupon
+  std::vector<std::string> files;  ///< a project; for kReadPhotograph, photographs of one coupon
   ProjectArguments project;
   std::optional<double> from;
   std::optional<double> to;
-  std::string out;       ///< G-code; packed by its ending as --gcode of generate; of a photograph, a file of spools
-  std::string preview;   ///< PNG, or WebP
-  int previewWidth = 0;  ///< as that of previewFiles
+  std::string out;       ///< G-code, packed according to its ending; for a photograph, a file of spools
+  std::string preview;   ///< PNG or WebP
+  int previewWidth = 0;  ///< see previewFiles()
   bool json = false;
-  std::string name = "mySpool";         ///< of the spool in a photograph
+  std::string name = "mySpool";         ///< name for the spool in a photograph
   std::optional<double> lampElevation;  ///< [degrees]
-  std::string lampSize;                 ///< of the photograph's lamp; empty: unknown
+  std::string lampSize;                 ///< size of the photograph's lamp; empty if unknown
   int threads = 1;
 };
 
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
-/// The line that says what to do with the value that is found.
+/// Returns the line that tells what to do with the value that was found.
 std::string whatToSet(const CalibrationPlate& plate) {
   if (plate.kind == CalibrationKind::Swatch) return "keep     the card with the spool\n";
   const bool several = plate.setting.find(',') != std::string::npos;
   return "set      " + plate.setting + " in the project to the best " + (several ? "values" : "value") + "\n";
 }
 
+/// Formats the values of a print with their places, its cost, and what to look for.
 std::string table(const CalibrationPlate& plate, const sillon::GcodeSummary& summary) {
   char line[200];
   const std::string unit = plate.unit.empty() ? "value" : plate.unit;
@@ -76,6 +77,7 @@ std::string table(const CalibrationPlate& plate, const sillon::GcodeSummary& sum
   return out + line + "look for " + plate.advice + "\n" + whatToSet(plate);
 }
 
+/// Formats the same as JSON, with warnings and findings.
 std::string tableJson(const std::string& kind, const CalibrationPlate& plate, const sillon::GcodeSummary& summary,
                       const std::vector<sillon::GcodeFinding>& findings) {
   nlohmann::ordered_json root{
@@ -94,7 +96,7 @@ std::string tableJson(const std::string& kind, const CalibrationPlate& plate, co
   return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-/// The look of the side that the nozzle has passed over.
+/// Returns the look of the side that the nozzle has passed over.
 sillon::LookParams lookOf(const PictureOptions& options, const sillon::Project& project) {
   sillon::LookParams look;
   const sillon::Spool* own = ownSpool(options);
@@ -109,6 +111,7 @@ sillon::LookParams lookOf(const PictureOptions& options, const sillon::Project& 
 double hundredths(double value) { return std::round(value * 100) / 100; }
 double thousandths(double value) { return std::round(value * 1000) / 1000; }
 
+/// Formats the reading of a coupon for the terminal, with notes on its photographs.
 std::string readingText(const sillon::CouponReading& r, const std::vector<sillon::CouponReading>& each,
                         const std::vector<std::string>& refused, bool lampKnown, double closest,
                         const std::string& name, const std::string& file) {
@@ -137,7 +140,7 @@ std::string readingText(const sillon::CouponReading& r, const std::vector<sillon
     add("picture  %.1f pixels per mm, blurred by %.2f mm, camera tilted by %.0f degrees\n", one.pixelsPerMm, one.blur,
         one.tilt);
   }
-  constexpr double kSharpened = 0.2, kVeiled = 0.03;  // what changes figures by more than they are unsure without it
+  constexpr double kSharpened = 0.2, kVeiled = 0.03;  // above these, results change by more than their errors
   const auto any = [&](double sillon::CouponReading::*field, double most) {
     return std::any_of(each.begin(), each.end(), [&](const sillon::CouponReading& one) { return one.*field > most; });
   };
@@ -164,6 +167,7 @@ std::string readingText(const sillon::CouponReading& r, const std::vector<sillon
   return out + (file.empty() ? "; keep it with -o FILE, and " : "; wrote " + file + "; ") + use;
 }
 
+/// Formats the reading of a coupon as JSON.
 std::string readingJson(const sillon::CouponReading& r, const std::vector<sillon::CouponReading>& each,
                         const std::vector<std::string>& refused, double asked, const std::string& name) {
   const auto measured = [](const sillon::Measured& m, double (*round)(double)) {
@@ -190,6 +194,7 @@ std::string readingJson(const sillon::CouponReading& r, const std::vector<sillon
   return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+/// Makes a calibration print, and its preview if one is asked for.
 Result<Outcome> makePrint(const Arguments& arguments, const sillon::Project& project, const std::string& date,
                           const sillon::RunContext& run) {
   if (arguments.out.empty()) return Error{ErrorCode::InvalidArgument, "--output is required; it names the G-code"};
@@ -250,6 +255,7 @@ Result<Outcome> makePrint(const Arguments& arguments, const sillon::Project& pro
   return Outcome{std::move(files), std::move(out)};
 }
 
+/// Reads the photographs of a coupon and joins the readings; fails only if none of them can be read.
 Result<Outcome> readPhotographs(const Arguments& arguments, const sillon::Project& project,
                                 const sillon::RunContext& run) {
   const std::vector<std::string>& photographs = arguments.files;
@@ -295,7 +301,7 @@ Result<Outcome> readPhotographs(const Arguments& arguments, const sillon::Projec
   std::string file =
       sillon::spoolFile(reading.value(), arguments.name, "photograph of a coupon; only the nozzle's side was measured");
   const auto spools = sillon::readSpools(file);
-  if (!spools) return spools.error();  // the name
+  if (!spools) return spools.error();  // the name is invalid
   Outcome outcome;
   if (!arguments.out.empty()) outcome.files.push_back({arguments.out, std::move(file)});
   const double asked = project.printer.nozzle * project.print.flow;
@@ -306,7 +312,7 @@ Result<Outcome> readPhotographs(const Arguments& arguments, const sillon::Projec
   return outcome;
 }
 
-/// All files but photographs are a project.
+/// Takes the file as a project, unless photographs are read.
 std::optional<Error> takeProject(Arguments& arguments) {
   if (arguments.kind == kReadPhotograph) return std::nullopt;
   for (const std::string& file : arguments.files) {
@@ -334,7 +340,7 @@ int run(Arguments& arguments) {
                 run);
 }
 
-/// Settings of a printer, without those that calibration plates choose themselves.
+/// Tells whether a setting is one of the printer's that calibration plates do not choose themselves.
 bool isOfCalibrations(const sillon::Setting& row) {
   if (row.section == sillon::Section::Printer) return true;
   const std::vector<std::string> own = sillon::splitWords(

@@ -1,4 +1,4 @@
-// sillon check: any G-code, read as a printer would.
+// sillon check: reads any G-code as a printer would.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -31,6 +31,7 @@ nlohmann::ordered_json known(double value) {
   return value < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
 }
 
+/// Formats a check for the terminal.
 std::string checkText(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked) {
   char line[512];
   std::string out = plural(check.lines, "line") + ", " + plural(check.moves, "move") + ", " +
@@ -75,6 +76,7 @@ std::string checkText(const sillon::GcodeCheck& check, const std::vector<std::st
   return out + (errors == 0 ? "no errors\n" : plural(errors, "error") + "\n");
 }
 
+/// Formats a check as JSON.
 std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked) {
   nlohmann::ordered_json out = {{"errors", check.errors()},
                                 {"findings", findingsJson(check.findings)},

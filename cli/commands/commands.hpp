@@ -1,4 +1,4 @@
-// The commands of the program, one file each.
+// Commands of the program, one file each.
 #pragma once
 
 #include "command.hpp"

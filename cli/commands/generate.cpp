@@ -1,4 +1,4 @@
-// sillon generate: a plate, as G-code, drawing, report and pictures.
+// sillon generate: makes a plate and writes it as G-code, drawing, report and pictures.
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -26,17 +26,17 @@ using sillon::Placing;
 using sillon::Result;
 
 struct Arguments {
-  std::vector<std::string> files;  ///< a scene, or pictures
+  std::vector<std::string> files;  ///< a scene or pictures
   ProjectArguments project;
   OutputPaths outputs;
   Placing placing = Placing::AsGiven;
-  std::function<bool(const std::string&)> given;  ///< whether an option is
+  std::function<bool(const std::string&)> given;  ///< tells whether an option is given
   int threads = 1;
   bool quiet = false;
   bool listFiles = false;
 };
 
-/// A scene comes first; pictures are each seen under a lamp, before those that are named so.
+/// Sorts the files: a scene must come first; pictures are shown under one lamp each, before those of --picture.
 std::optional<Error> sortFiles(Arguments& arguments) {
   std::vector<std::string> pictures;
   for (const std::string& file : arguments.files) {
@@ -60,7 +60,7 @@ std::optional<Error> sortFiles(Arguments& arguments) {
   return std::nullopt;
 }
 
-/// Everything up to the first byte on the disk.
+/// Makes the plate and all outputs in memory, before anything is written.
 Result<Outcome> prepare(const Arguments& arguments, sillon::Project project, Job& job, sillon::RunContext& run) {
   ProgressBar bar(!arguments.quiet);
   run.onProgress([&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); });
@@ -68,11 +68,11 @@ Result<Outcome> prepare(const Arguments& arguments, sillon::Project project, Job
   sillon::PlateOptions options;
   options.placing = arguments.placing;
   if (!outputs.gcode.empty() && sillon::needsAcross(project.print)) options.path = sillon::PlatePath::Both;
-  // Measuring takes its time: only if the report, the header of the G-code or the summary shows it.
+  // Measuring takes time, so it is done only if the report, the header of the G-code or the summary shows the result.
   options.measure = !outputs.report.empty() || !outputs.gcode.empty() || !arguments.quiet;
-  options.countDislocations = !outputs.report.empty();  // shown there alone
+  options.countDislocations = !outputs.report.empty();  // only the report shows it
   options.judgePictures = outputs.gcode.empty();
-  // Shares of the progress, in the time of a path. A preview takes the same whatever the plate's size.
+  // Shares of the progress, relative to the time for one path. A preview takes the same time for plates of any size.
   constexpr double kGcode = 0.35;
   constexpr double kPreview = 1.2;
   const double paths = sillon::pathsFor(project);
@@ -92,7 +92,7 @@ Result<Outcome> prepare(const Arguments& arguments, sillon::Project project, Job
   return Outcome{std::move(files).value(), std::move(text)};
 }
 
-/// All files that are read for a plate, but for the scene.
+/// Returns all files that are read for a plate, except the scene.
 std::vector<std::string> filesBesideScene(const Arguments& arguments, const sillon::Project& project) {
   std::vector<std::string> files = inputFiles(project);
   for (const std::string* name : {&arguments.project.pictures.spoolsFile, &arguments.outputs.container}) {
@@ -101,7 +101,7 @@ std::vector<std::string> filesBesideScene(const Arguments& arguments, const sill
   return files;
 }
 
-/// Refuses what can be known to be wrong before the work begins.
+/// Refuses, before the work begins, requests that cannot succeed.
 std::optional<Error> checkPaths(const Arguments& arguments, const sillon::Project& project) {
   const OutputPaths& outputs = arguments.outputs;
   const std::size_t pictures = sillon::groundPictures(project.layers).size();
@@ -149,6 +149,7 @@ int run(Arguments& arguments) {
   return code == 0 && job.bodyRefused ? fail(*job.bodyRefused) : code;
 }
 
+/// Adds the options about the print: copies, printer and place on the bed.
 void addPrint(Options& options, Arguments& arguments) {
   std::vector<Change>& changes = arguments.project.changes;
   options.group("Print");
@@ -180,6 +181,7 @@ void addPrint(Options& options, Arguments& arguments) {
        {"fit", "also scaled down, if it does not fit otherwise"}});
 }
 
+/// Adds the options that name output files.
 void addOutputs(Options& options, Arguments& arguments) {
   OutputPaths& outputs = arguments.outputs;
   options.group("Output");

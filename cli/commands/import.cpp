@@ -1,4 +1,4 @@
-// sillon import: a printer out of a file of the user's own.
+// sillon import: takes a printer from a file of the user.
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -14,10 +14,10 @@ namespace {
 
 struct Arguments {
   std::string file;
-  std::string name;  ///< of a printer in a bundle; empty: the active one
+  std::string name;  ///< name of a printer in a bundle; empty for the active one
 };
 
-/// The printer as a project on stdout, notes on stderr.
+/// Prints the printer as a project to stdout, and notes to stderr.
 int run(const Arguments& arguments) {
   const sillon::Result<std::string> text = readFile(arguments.file, "file", kMaxInputBytes);
   if (!text) return fail(text.error());

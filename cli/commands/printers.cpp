@@ -1,4 +1,4 @@
-// sillon printers and sillon filaments: a table, or one profile as a project file.
+// sillon printers and sillon filaments: list profiles, or print one as a project file.
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -20,7 +20,7 @@ using sillon::PrinterProfile;
 using sillon::ProfileKind;
 
 struct Arguments {
-  std::string id;  ///< empty: all of them
+  std::string id;  ///< id of a profile; empty for all
   bool json = false;
 };
 
@@ -30,6 +30,7 @@ std::string flavor(const Printer& printer) {
   return sillon::settingText(*sillon::findSetting(sillon::Section::Printer, "flavor"), project);
 }
 
+/// Formats the row of a printer in the table.
 std::string printerLine(const PrinterProfile& preset) {
   const Printer& p = preset.printer;
   const sillon::Vec2 size = p.bedMax - p.bedMin;
@@ -54,7 +55,7 @@ std::string filamentLine(const PrinterProfile& preset) {
   return line;
 }
 
-/// One line per profile, with a head.
+/// Returns a table with a heading and one line per profile.
 std::string presetTable(ProfileKind kind) {
   const bool printers = kind == ProfileKind::Printer;
   std::string out =
@@ -65,8 +66,8 @@ std::string presetTable(ProfileKind kind) {
   return out;
 }
 
-/// The same with all values, as an object with a list `printers` or `filaments`: `id`, `maker` where there is one, and
-/// `printer`, that section of a project.
+/// Returns all profiles as JSON: an object with a list `printers` or `filaments`, whose items have `id`, `maker` if
+/// there is one, and `printer`, that section of a project.
 std::string presetsJson(ProfileKind kind) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
@@ -78,7 +79,7 @@ std::string presetsJson(ProfileKind kind) {
   return Json{{kind == ProfileKind::Printer ? "printers" : "filaments", list}}.dump(2) + "\n";
 }
 
-/// A project file with the printer of this profile; empty if there is none of that id.
+/// Returns a project file with the printer of a profile; empty if no profile has this id.
 std::string presetFile(ProfileKind kind, const std::string& id) {
   for (const PrinterProfile& preset : sillon::profiles(kind)) {
     if (preset.id == id) return sillon::writePrinter(preset.printer);

@@ -1,4 +1,4 @@
-// sillon rebrush: other beads on the top of a sliced file.
+// sillon rebrush: replaces the beads of top surfaces in a sliced file.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -41,19 +41,20 @@ using sillon::SurfaceSide;
 
 struct Arguments {
   std::string file;
-  std::string out;  ///< empty: in place
+  std::string out;  ///< empty to change the file in place
   std::string report;
   std::string preview;   ///< PNG or WebP of each replaced surface
-  int previewWidth = 0;  ///< as that of previewFiles
+  int previewWidth = 0;  ///< see previewFiles()
   bool list = false;
   bool json = false;
-  ProjectArguments project;  ///< whose layers are laid
+  ProjectArguments project;  ///< project whose layers are laid on the surfaces
   sillon::RebrushOptions options;
   int threads = 1;
 };
 
 const char* sideName(const SlicedSurface& surface) { return surface.side == SurfaceSide::Top ? "top" : "bottom"; }
 
+/// Formats the surfaces of a file for the terminal.
 std::string listText(const SlicedFile& file) {
   char line[256];
   std::snprintf(line, sizeof line, "%s, %d layers, %lld lines, %zu surfaces\n", file.program.c_str(), file.layers,
@@ -73,6 +74,7 @@ std::string listText(const SlicedFile& file) {
   return out;
 }
 
+/// Formats a surface as JSON.
 nlohmann::ordered_json surfaceJson(const SlicedSurface& surface) {
   const auto place = [](sillon::Vec2 p) { return nlohmann::ordered_json{p.x, p.y}; };
   return {{"side", sideName(surface)},
@@ -114,6 +116,7 @@ std::string listJson(const SlicedFile& file) {
   return dumped(json);
 }
 
+/// Formats the pictures of a replaced surface as JSON.
 nlohmann::ordered_json picturesJson(const RebrushedSurface& made) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t k = 0; k < made.pictures.size(); ++k) {
@@ -153,6 +156,7 @@ std::string reportJson(const sillon::Rebrushed& done) {
   return dumped(json);
 }
 
+/// Formats the results for the terminal, one line for each surface.
 std::string summaryText(const sillon::Rebrushed& done) {
   std::string out;
   for (const RebrushedSurface& made : done.surfaces) {
@@ -182,15 +186,15 @@ std::string summaryText(const sillon::Rebrushed& done) {
   return out;
 }
 
-/// Files of 200 MB are not held twice.
+/// Reads and unpacks a file. It passes the bytes on, so that files of 200 MB are not in memory twice.
 Result<sillon::GcodeContainer> readContainer(const std::string& path) {
   Result<std::string> bytes = readFile(path, "G-code", kMaxGcodeBytes);
   if (!bytes) return bytes.error();
   return sillon::readGcodeContainer(std::move(bytes).value());
 }
 
-/// The new text in the kind of file that the old one is, or the plain text of it. Nothing is packed anew but by gzip:
-/// what else a printer wants of a package only its slicer knows.
+/// Packs the new text into the kind of file that the old one is, or returns it as plain text. Apart from gzip, nothing
+/// is packed anew: only its slicer knows what else a printer wants in a package.
 Result<std::string> packed(const sillon::GcodeContainer& container, std::string gcode, const std::string& out) {
   using Kind = sillon::GcodeContainerKind;
   const Kind wanted = endsWith(out, ".3mf")                               ? Kind::Package3mf
@@ -215,18 +219,19 @@ sillon::LookParams lookOf(const sillon::Spool& spool, const sillon::Rebrushed& d
     look.lamp = made.pictures.front().lamp;
     // Bottoms are drawn as they lie, seen through the plate.
     if (surface.side == SurfaceSide::Bottom) look.lamp.azimuth = 180 - look.lamp.azimuth;
-    look.eyeDistance = 0;  // as the directions were solved for
+    look.eyeDistance = 0;  // the directions were solved for an eye at infinity
   }
   return look;
 }
 
+/// Lists the surfaces of a file, or replaces them and makes all outputs.
 Result<Outcome> brush(Arguments& arguments, const sillon::RunContext& run) {
   const auto named = [&](const Error& error) {
     return Error{error.code, "\"" + arguments.file + "\": " + error.message};
   };
   const Result<sillon::GcodeContainer> container = readContainer(arguments.file);
   if (!container) {
-    // readFile names the file itself.
+    // Errors of readFile() name the file already.
     const Error& error = container.error();
     return error.message.find(arguments.file) == std::string::npos ? named(error) : error;
   }
@@ -260,7 +265,7 @@ Result<Outcome> brush(Arguments& arguments, const sillon::RunContext& run) {
   if (!done) return named(done.error());
   std::vector<OutputFile> files;
   std::string brushed = sillon::withEdits(gcode, done.value().edits);
-  // In place the kind of file stays, whatever its name.
+  // A file that is changed in place stays of its kind, whatever its name.
   Result<std::string> file = arguments.out.empty() ? sillon::writeGcodeContainer(container.value(), std::move(brushed))
                                                    : packed(container.value(), std::move(brushed), out);
   if (!file) return file.error();
@@ -288,6 +293,7 @@ int run(Arguments& arguments) {
   return commit(brush(arguments, run.context()), run);
 }
 
+/// Adds the options that choose surfaces.
 void addSurfaces(Options& options, Arguments& arguments) {
   options.group("Surfaces");
   options.flag("--list", "show the surfaces, write nothing", arguments.list);
@@ -309,6 +315,7 @@ void addSurfaces(Options& options, Arguments& arguments) {
       ',');
 }
 
+/// Adds the options about the layers that are laid on the surfaces.
 void addLaid(Options& options, Arguments& arguments) {
   ProjectArguments& project = arguments.project;
   project.besidePictures = sillon::PerimeterMode::Soft;

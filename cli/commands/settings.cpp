@@ -1,4 +1,4 @@
-// sillon settings: the table of settings, for people or for programs.
+// sillon settings: prints the table of settings, for people or for programs.
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "0.05 to 20 mm", "none|soft|count"
+/// Describes the range of a setting: "0.05 to 20 mm", "none|soft|count".
 std::string rangeText(const sillon::Setting& row) {
   using sillon::SettingType;
   if (row.type == SettingType::Choice) {
@@ -36,7 +36,7 @@ std::string rangeText(const sillon::Setting& row) {
   return range;
 }
 
-/// One line per setting: name, default, range with unit, option.
+/// Returns a table of the settings: name, default, range with unit, option.
 std::string settingsTable() {
   const sillon::Project defaults;
   std::string out = "setting                              default              range, unit; * for experts\n";
@@ -52,7 +52,7 @@ std::string settingsTable() {
   return out;
 }
 
-/// The same, and numbers and names that the package and the studio share with the rest of the core.
+/// Returns the settings as JSON, with numbers and names that the package and the studio share with core.
 std::string settingsJson() {
   const Json facts{{"evenSpeed", sillon::kEvenSpeed},
                    {"mostLayers", sillon::kMostLayers},

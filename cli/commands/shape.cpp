@@ -1,4 +1,4 @@
-// sillon shape: how a drawing or a mask is read, without a plate.
+// sillon shape: tells how a drawing or a mask is read, without making a plate.
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> files;
-  std::optional<double> width;  ///< of the page [mm]; unset: as drawn
+  std::optional<double> width;  ///< width of the page [mm]; unset: as drawn
   bool ignorePaint = false;
   bool json = false;
   bool outline = false;
@@ -31,11 +31,11 @@ using Json = nlohmann::ordered_json;
 struct Description {
   sillon::Vec2 page;
   double area = 0;
-  Json notes = Json::array();  ///< code and message of each
-  std::string outline;         ///< where asked for
+  Json notes = Json::array();  ///< code and message of each note
+  std::string outline;         ///< path data, if asked for
 };
 
-/// Path data of SVG: in mm from the page's upper left corner, to be filled by nonzero winding.
+/// Returns the path data of SVG, in mm from the page's upper left corner, to be filled by nonzero winding.
 std::string pathOf(const sillon::Shape& shape) {
   std::string path;
   for (const sillon::FilledPath& part : shape.paths) {
@@ -51,6 +51,7 @@ std::string pathOf(const sillon::Shape& shape) {
   return path;
 }
 
+/// Reads a file as the shape of a plate and collects its facts.
 sillon::Result<Description> describe(const std::string& file, const Arguments& arguments) {
   sillon::Project project;
   project.shapeFile = file;
@@ -96,7 +97,7 @@ Json jsonOf(const std::string& file, const sillon::Result<Description>& read) {
   return json;
 }
 
-/// Each file, one after the other, however many of them fail.
+/// Describes the files one after the other, even if some of them fail.
 int run(const Arguments& arguments) {
   bool failed = false;
   std::string text;

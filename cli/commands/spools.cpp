@@ -1,4 +1,4 @@
-// sillon spools: the look of filaments, for people or for programs.
+// sillon spools: prints the look of filaments, for people or for programs.
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -21,11 +21,11 @@ using sillon::Roughness;
 using sillon::Spool;
 
 struct Arguments {
-  PictureOptions own;  ///< of which the file of spools counts
+  PictureOptions own;  ///< only its file of spools is used
   bool json = false;
 };
 
-constexpr int kSteps = 36;  // directions in the JSON
+constexpr int kSteps = 36;  // number of directions in the JSON
 
 Json rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
@@ -34,7 +34,7 @@ Json sidesJson(const sillon::SideRoughness& sides) {
   return {{"nozzleSide", pair(sides.nozzleSide)}, {"bedSide", pair(sides.bedSide)}};
 }
 
-/// One line per spool, with a head: how many times as bright as black its white is under each lamp.
+/// Returns a table of the spools: how many times brighter white is than black under each lamp.
 std::string spoolTable(const std::vector<Spool>& spools) {
   std::string out = "spool        colour     white to black under a bulb, softbox, window at 60,45; nozzle 0.4\n";
   for (const Spool& spool : spools) {
@@ -53,8 +53,8 @@ std::string spoolTable(const std::vector<Spool>& spools) {
   return out;
 }
 
-/// The constants of the appearance model, the spools, and for each the light of directions under each lamp: what the
-/// views on web pages are made from and tested against.
+/// Returns the constants of the appearance model and all spools, each with the light by direction under each lamp.
+/// Views on web pages are made from it and tested against it.
 std::string spoolJson(const std::vector<Spool>& spools) {
   const sillon::Lobe any = sillon::lobeOf({}, {});
   Json root{{"version", 1},

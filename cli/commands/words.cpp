@@ -1,4 +1,5 @@
-// sillon words: the sentences of warnings, notes, findings and refusals, by their codes, for translators and programs.
+// sillon words: prints the sentences of warnings, notes, findings and refusals by their codes, for translators and
+// programs.
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -19,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The sentences of each kind.
+/// Returns the sentences of each kind.
 Json words() {
   Json all;
   for (const auto& [kind, sentences] :

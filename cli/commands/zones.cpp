@@ -1,4 +1,4 @@
-// sillon zones: a body with zones of straight lines, for any slicer.
+// sillon zones: writes a body with zones of straight lines, for any slicer.
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -23,8 +23,8 @@ using sillon::Result;
 
 struct Arguments {
   ProjectArguments project;
-  std::string out;   ///< a .3mf
-  std::string body;  ///< STL; empty: a prism of the shape
+  std::string out;   ///< name of a .3mf
+  std::string body;  ///< name of an STL; empty for a prism of the shape
   sillon::ZonesRequest request;
   int threads = 1;
 };
@@ -78,7 +78,7 @@ int run(Arguments& arguments) {
   return commit(makeZones(arguments, std::move(project).value(), run.context()), run);
 }
 
-/// Settings of the shape and the directions, before there is a toolpath.
+/// Tells whether a setting belongs to the shape, since zones need no toolpath.
 bool isOfInput(const sillon::Setting& row) {
   using sillon::Section;
   return row.section == Section::Shape;

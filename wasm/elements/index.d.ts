@@ -1,8 +1,8 @@
-// Types of <sillon-studio> and <sillon-view>, the elements for other people's pages; docs/guide/embedding.md says what each name
-// does. Types alone: the elements themselves are scripts of the place where the studio is served.
+// Types of <sillon-studio> and <sillon-view>, the elements for other people's pages; docs/guide/embedding.md describes
+// each name. The elements themselves are scripts on the server of the studio.
 import type { GcodeFinding, GcodeSummary, Project, Report } from '../sillon.js';
 
-/** Attributes, and properties of the same names: '' where there is none. */
+/** Attributes, and properties with the same names: '' if one is not set. */
 export interface StudioAttributes {
   src: string;
   shape: string;
@@ -18,7 +18,7 @@ export interface StudioAttributes {
   units: string;
   /** Colour of the brand: #rgb or #rrggbb. */
   accent: string;
-  /** Of corners [px], 0 to 20. */
+  /** Radius of corners [px], 0 to 20. */
   radius: string;
   /** Up to four names of fonts that visitors have. */
   font: string;
@@ -26,7 +26,7 @@ export interface StudioAttributes {
   autosave: string;
   base: string;
   sandbox: string;
-  /** Address of a picture, shown until the studio is there, and in the place of a plate that cannot be shown. */
+  /** Address of a picture that is shown until the studio is there, and in place of a plate that cannot be shown. */
   poster: string;
 }
 
@@ -35,13 +35,13 @@ export interface StudioFile {
   blob: Blob;
 }
 
-/** G-code, what it takes, and what `sillon check` finds in it. */
+/** G-code, its summary, and the findings of `sillon check` in it. */
 export interface GcodeFile extends StudioFile {
   summary: GcodeSummary;
   findings: GcodeFinding[];
 }
 
-/** What the promises of a studio reject with, but for AbortError after `signal`. */
+/** Rejection of a studio's promises, except for the AbortError of `signal`. */
 export interface StudioFrameError extends Error {
   readonly code: string;
   readonly hint: string;
@@ -50,14 +50,14 @@ export interface StudioFrameError extends Error {
 /** Files, their addresses, or a project as plain data. */
 export type StudioSource = Blob | string | URL | readonly (Blob | string | URL | object)[] | object;
 
-/** What runs in the frame; `why` there is but one thread. */
+/** Engine in the frame; `why` tells the reason if it has only one thread. */
 export interface StudioInfo {
   threads: number;
   why: string;
   version: string;
 }
 
-/** A plate's report, and what its print takes; left out where no file can be made of it, or none is written yet. */
+/** A plate's report, and the material and time of its print if its G-code could be written. */
 export interface StudioReport extends Report {
   grams?: number;
   minutes?: number;
@@ -74,18 +74,18 @@ export interface StudioMethods {
   exportSvg(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   exportProject(options?: { signal?: AbortSignal }): Promise<StudioFile>;
   exportView(options?: { signal?: AbortSignal }): Promise<StudioFile>;
-  /** @param options  `width` of an image, in pixels; in a loop the light moves */
+  /** @param options  `width` of an image [pixels]; in a loop the light moves */
   capture(options?: { type?: 'image' | 'loop'; width?: number; signal?: AbortSignal }): Promise<StudioFile>;
 }
 
-/** By name of the event. */
+/** Events by name. */
 export interface StudioEventMap {
   ready: CustomEvent<StudioInfo>;
   progress: CustomEvent<{ stage: string; fraction: number; etaMs: number | null }>;
   result: CustomEvent<{ report: Report }>;
   /** Width and height in mm. */
   change: CustomEvent<{ name: string; width: number; height: number }>;
-  /** `preventDefault()`: the file is the page's, else it becomes a download. */
+  /** The file becomes a download unless a listener calls `preventDefault()`. */
   export: CustomEvent<{ name: string; type: string; blob: Blob }>;
   error: CustomEvent<{ code: string; message: string; hint: string }>;
 }
@@ -105,7 +105,7 @@ export interface ViewEventMap {
   error: CustomEvent<{ code: string; message: string }>;
 }
 
-/** `addEventListener` that knows the element's own events. */
+/** `addEventListener` with the element's own events. */
 interface Listens<Events> {
   addEventListener<Name extends keyof Events>(
     type: Name,

@@ -1,4 +1,4 @@
-// The elements in React's JSX, from React 19 on: import type {} from 'sillon/elements/react'
+// Types of the elements in React's JSX, from React 19 on: import type {} from 'sillon/elements/react'
 import type { DetailedHTMLProps, HTMLAttributes } from 'react';
 import type {
   SillonStudioElement,

@@ -1,4 +1,4 @@
-// The elements in Vue's templates, from Vue 3.3 on: import type {} from 'sillon/elements/vue'
+// Types of the elements in Vue's templates, from Vue 3.3 on: import type {} from 'sillon/elements/vue'
 import type { HTMLAttributes } from 'vue';
 import type { StudioAttributes, StudioEventMap, ViewAttributes, ViewEventMap } from './index.js';
 

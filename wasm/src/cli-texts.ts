@@ -1,4 +1,4 @@
-// The thread that makes letters and QR codes for the command line, which asks for them while it runs (cli/assemble.cpp).
+// Thread that makes letters and QR codes for the command line, which asks for them while it runs (cli/assemble.cpp).
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
@@ -12,16 +12,17 @@ const engine = (name: string): string => fileURLToPath(new URL(`./engine/${name}
 
 type Tools = typeof import('./text/text.js');
 
-/** Port and flag that the thread that asks shares with this one. */
+/** Port and flag that this thread shares with the one that asks. */
 export interface Asking {
   port: MessagePort;
-  /** 1: the answer is there. */
+  /** 1 when the answer has arrived. */
   answered: Int32Array;
 }
 export type Answer = { made: string } | { problem: string };
 
 const script = (name: string): string => new URL(`./engine/${name}`, import.meta.url).href;
 
+/** Starts HarfBuzz and returns a function that makes the letters or the code for a name. */
 async function maker(): Promise<(name: string) => Promise<string>> {
   const { start, plainFont, shapeLine, qrModules } = (await import(script('text.js'))) as Tools;
   await start(() => readFile(engine('harfbuzz.wasm')));
@@ -35,7 +36,7 @@ async function maker(): Promise<(name: string) => Promise<string>> {
       const bytes = readFileSync(file === undefined ? name : engine(file));
       font = { name, bytes: await plainFont(bytes, script('unpack.js')) };
     } catch {
-      font = { name, bytes: new Uint8Array() }; // no font, as the program then says
+      font = { name, bytes: new Uint8Array() }; // no font; the program then reports it
     }
     fonts.set(name, font);
     return font;
@@ -48,7 +49,7 @@ async function maker(): Promise<(name: string) => Promise<string>> {
     const others = [...fontFiles.keys()].filter((name) => name !== font);
     return shapeLine(line, file, await Promise.all(others.map(fontOf)));
   };
-  /** @param name  as core/src/text asks for it */
+  /** @param name  name under which core/src/text asks */
   return async (name) => {
     const { kind, key, text } = lettersOf(name);
     if (kind === 'line') return JSON.stringify(await shaped(key, text));

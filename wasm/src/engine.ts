@@ -1,4 +1,4 @@
-// The engine as its users see it.
+// The engine's interface for its users.
 import type * as api from '../sillon.js';
 import { invalid } from './errors.js';
 import * as input from './input.js';
@@ -10,7 +10,7 @@ import { Texts, needsTexts } from './texts.js';
 
 const mostAutoThreads = 8;
 
-/** How many threads to start, and why not as many as were asked for. */
+/** Decides the number of threads, and gives a reason if it is smaller than asked for. */
 function plan(asked: 'auto' | 'off' | number, platform: Platform): Threads {
   const wanted = asked === 'off' ? 1 : asked === 'auto' ? Math.min(mostAutoThreads, platform.cores()) : asked;
   const obstacle = wanted > 1 ? platform.obstacleToThreads() : '';
@@ -23,20 +23,21 @@ const mostThreadsAside = 2;
 type PlateCall = Omit<Extract<Call, { name: 'generateToolpath' }>, 'name' | 'number'>;
 type GcodeCall = Extract<Call, { name: 'checkGcode' | 'packGcode' }>;
 
+/** Starts an engine with a worker for plates and, once needed, a second one for all other calls. */
 export async function startEngine(platform: Platform, options: unknown): Promise<api.Engine> {
   const { threads: asked, assetBase, idleTimeout, memory } = input.engineOptions(options);
   const assets = platform.files(assetBase);
   const threads = plan(asked, platform);
   const plates = new Queue(platform, assets, idleTimeout, memory, threads);
   await plates.start();
-  // A worker of its own for all that needs no plate, so that none of it waits for one. Started by its first call.
+  // A worker of its own for calls that need no plate, so that none of them waits for one. Its first call starts it.
   const few = { ...threads, threads: Math.min(mostThreadsAside, threads.threads) };
   const aside = new Queue(platform, assets, idleTimeout, memory, few, plates);
 
-  // Asynchronous functions turn what `input` throws into rejections. They run up to their first await when they are
-  // called, so that calls enter the queue in order.
+  // Asynchronous functions turn errors thrown by `input` into rejections. They run up to their first await when they
+  // are called, so that calls enter the queue in order.
   const run = (call: Call, options: input.CallOptions): Promise<unknown> => plates.run(call, options);
-  /** Runs a call where its file is already, if nothing else runs there. */
+  /** Runs a call in the worker that has its file already, if that worker is idle. */
   const runOnGcode = (call: GcodeCall, options: input.CallOptions): Promise<unknown> =>
     (plates.has(call.file.number) ? plates : aside).run(call, options);
   const runAside = (call: Call, options: input.CallOptions): Promise<unknown> => aside.run(call, options);
@@ -68,7 +69,8 @@ export async function startEngine(platform: Platform, options: unknown): Promise
     },
 
     async warm(options) {
-      // Browsers compile for speed what has run for a while: some thirty beads are enough, and take no longer than they save.
+      // Browsers optimise code after it has run for a while: some thirty beads are enough, and take no longer than they
+      // save.
       const { sections, files } = input.plate({
         shape: { builtin: 'disc', size: [12, 12] },
         layers: [{ kind: 'direction', angle: 30 }],
@@ -176,7 +178,7 @@ export async function startEngine(platform: Platform, options: unknown): Promise
 
     async paintDrawing(file, options) {
       const checked = input.callOptions(options);
-      const drawing = 'layers[0].file'; // letters of drawings are looked for where layers have them
+      const drawing = 'layers[0].file'; // letters of drawings are searched where layers have drawings
       const files: Files = { [drawing]: input.bytesFile(file) };
       const sections = { layers: [{ kind: 'tones' }] };
       if (needsTexts(sections, files)) await texts.addTo(files, sections);

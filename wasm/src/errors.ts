@@ -1,9 +1,9 @@
-// The one kind of error that leaves the package.
+// The only kind of error that leaves the package.
 import type * as api from '../sillon.js';
 import { coreHints } from './hints.js';
 import type { Call, Failure } from './protocol.js';
 
-/** What helps against most errors of a kind. */
+/** Hints that help against most errors of a kind. */
 const hints: Record<api.ErrorCode, string> = {
   InvalidArgument: '',
   InvalidFile: '',
@@ -37,7 +37,7 @@ export const SillonError: typeof api.SillonError = class SillonError extends Err
   readonly values: Readonly<Record<string, number | string>>;
 
   static {
-    // Not a field: then the stack trace begins with it.
+    // Defined on the prototype instead of as a field, so that the stack trace begins with it.
     Object.defineProperty(this.prototype, 'name', { value: 'SillonError' });
   }
 
@@ -55,7 +55,7 @@ export const SillonError: typeof api.SillonError = class SillonError extends Err
   }
 };
 
-/** What the worker says of a call, or of its start. */
+/** Makes the error for a failure of a call, or of a start. */
 export function failureOf(failure: Failure & { code: api.ErrorCode }, call: Call['name'] | undefined): SillonError {
   const { code, message } = failure;
   const readsPictures = call !== undefined && readers.includes(call);

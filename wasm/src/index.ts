@@ -1,4 +1,4 @@
-// The entry for browsers, and for workers in them.
+// Entry point for browsers, and for workers in them.
 import type * as api from '../sillon.js';
 import { startEngine } from './engine.js';
 import { browser } from './platform-browser.js';

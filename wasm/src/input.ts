@@ -1,5 +1,5 @@
-// Checks what users hand over and copies it, so that they may change it while its call waits. What a project file can
-// say is checked by the engine alone; here is what JSON cannot carry.
+// Checks values from users and copies them, so that users may change them while their call waits. The engine itself
+// checks everything that a project file can contain; this module checks the rest, which JSON cannot express.
 import type * as api from '../sillon.js';
 import { SillonError, invalid } from './errors.js';
 import { calibrationKinds } from './facts.js';
@@ -12,7 +12,7 @@ export interface EngineSettings {
   threads: 'auto' | 'off' | number;
   assetBase: string | URL | undefined;
   idleTimeout: number;
-  /** [MiB] */
+  /** Limit of memory [MiB]. */
   memory: number;
 }
 
@@ -20,13 +20,14 @@ export type CallOptions = api.GenerateOptions & api.GcodeOptions & api.BodyOptio
 
 const fileKinds = 'SVG text, bytes (an ArrayBuffer or a view of one), a Blob or a Picture';
 const fileHint = 'An ImageData becomes { width, height, channels: 4, samples: data }.';
-const maxDepth = 64; // as project files
+const maxDepth = 64; // the same limit as for project files
 
 // --- Words for messages --------------------------------------------------------------------------------------------------
 
-/** The built-in kind of an object, also if it comes from another frame. */
+/** Returns the built-in kind of an object, even if it comes from another frame. */
 const kindOf = (value: unknown): string => Object.prototype.toString.call(value).slice(8, -1);
 
+/** Describes a value for a message. */
 function describe(value: unknown): string {
   if (typeof value === 'string') return JSON.stringify(value.length > 60 ? `${value.slice(0, 60)}...` : value);
   if (typeof value === 'bigint') return 'a bigint';
@@ -50,7 +51,7 @@ function fieldsOf(value: unknown, path: string): Fields {
   return value as Fields;
 }
 
-/** Left out is the same as empty. */
+/** Treats undefined as an empty object. */
 const optionalFields = (value: unknown, path: string): Fields => (value === undefined ? {} : fieldsOf(value, path));
 
 function refuseUnknown(fields: Fields, path: string, known: readonly string[]): void {
@@ -82,7 +83,7 @@ function text(value: unknown, path: string): string {
   return value;
 }
 
-/** The value as JSON can carry it; fields that are undefined are left out. */
+/** Copies a value as JSON can express it; undefined fields are left out. */
 function plain(value: unknown, path: string, depth = 0): unknown {
   if (depth > maxDepth) throw invalid(`${path} lies deeper than ${maxDepth} levels, or holds itself`);
   if (value === null || typeof value === 'boolean') return value;
@@ -104,6 +105,7 @@ function plain(value: unknown, path: string, depth = 0): unknown {
 
 // --- Bytes -----------------------------------------------------------------------------------------------------------------
 
+/** Copies a buffer; explains a failure. */
 function copied<T>(path: string, copy: () => T): T {
   try {
     return copy();
@@ -126,6 +128,7 @@ function numbers<Kind extends 'Float32Array' | 'Float64Array'>(
   return copied(path, () => array.slice() as typeof array);
 }
 
+/** Checks and copies a Picture. */
 function picture(value: Fields, path: string): api.Picture {
   refuseUnknown(value, path, ['width', 'height', 'channels', 'samples']);
   const samples = value['samples'];
@@ -136,7 +139,7 @@ function picture(value: Fields, path: string): api.Picture {
     width: finite(value['width'], `${path}.width`),
     height: finite(value['height'], `${path}.height`),
     channels: finite(value['channels'], `${path}.channels`) as api.Picture['channels'],
-    // A slice of Node's Buffer would be no copy.
+    // A constructor copies; a slice of Node's Buffer would not.
     samples: copied(path, () => {
       const given = samples as api.Picture['samples'];
       return kindOf(given) === 'Uint16Array' ? new Uint16Array(given) : new Uint8Array(given);
@@ -144,6 +147,7 @@ function picture(value: Fields, path: string): api.Picture {
   };
 }
 
+/** Copies bytes; a Blob needs no copy. Returns undefined for any other value. */
 function bytes(value: unknown, path: string): Uint8Array<ArrayBuffer> | Blob | undefined {
   if (ArrayBuffer.isView(value)) {
     return copied(path, () => new Uint8Array(value.buffer, value.byteOffset, value.byteLength).slice());
@@ -155,9 +159,10 @@ function bytes(value: unknown, path: string): Uint8Array<ArrayBuffer> | Blob | u
   return kind === 'Blob' || kind === 'File' ? (value as Blob) : undefined;
 }
 
-/** Fields that take a drawing as text. */
+/** Fields that accept a drawing as text. */
 const drawings = /^(shape\.file|layers\[\d+\]\.(file|maskFile))$/;
 
+/** Checks the content of a file field. */
 function file(value: unknown, path: string): Files[string] {
   if (typeof value === 'string') {
     if (drawings.test(path) && /^\uFEFF?\s*(<|$)/.test(value))
@@ -176,6 +181,7 @@ function file(value: unknown, path: string): Files[string] {
 
 // --- Arguments of the calls ------------------------------------------------------------------------------------------------
 
+/** Checks the options of createEngine, and fills in defaults. */
 export function engineOptions(value: unknown): EngineSettings {
   const options = optionalFields(value, 'options');
   refuseUnknown(options, 'options', ['threads', 'assetBase', 'idleTimeout', 'memory']);
@@ -207,7 +213,7 @@ interface Prepare extends Required<Pick<api.PrepareOptions, 'posterSide'>> {
   engine: api.EngineOptions;
 }
 
-/** Sections of a project are checked by the calls that they are for. */
+/** Checks the options of preparePlate. Sections of a project are checked by the calls that use them. */
 export function prepareOptions(upload: unknown, value: unknown): Prepare {
   const options = optionalFields(value, 'options');
   refuseUnknown(options, 'options', [
@@ -238,7 +244,7 @@ export function prepareOptions(upload: unknown, value: unknown): Prepare {
   };
 }
 
-/** @param special  what this call takes besides. */
+/** @param special  further options that the call accepts. */
 export function callOptions(
   value: unknown,
   special: readonly ('measure' | 'across' | 'onChunk' | 'below' | 'format')[] = [],
@@ -256,7 +262,7 @@ export function callOptions(
   return options;
 }
 
-/** Text of a project file with the sections that are given. */
+/** Formats a project file from the sections that are given. */
 export function projectText(sections: Fields): string {
   return JSON.stringify({ sillon: 1, ...(plain(sections, '') as Fields) });
 }
@@ -275,7 +281,7 @@ export const blockText = (value: unknown): string => text(value, 'block');
 
 export const projectJson = (value: unknown): string => text(value, 'json');
 
-/** A layer, one of its pictures, or a shape, that names its files as their fields are called. */
+/** Takes the files of a layer, of one of its pictures, or of a shape. Each file is named after its field. */
 function named(value: unknown, path: string, files: Files): Fields {
   const fields = { ...fieldsOf(value, path) };
   for (const key of ['file', 'maskFile', 'modeFile', 'font']) {
@@ -290,7 +296,7 @@ function named(value: unknown, path: string, files: Files): Fields {
   return { ...fields, pictures: listOf(pictures, `${path}.pictures`, (one, at) => named(one, at, files)) };
 }
 
-/** Sections that name the files as their fields are called. */
+/** Takes the sections of a plate and their files, which are named after their fields. */
 export function plate(value: unknown): { sections: Fields; files: Files } {
   const { shape, layers, pictures, printer, print, ...others } = fieldsOf(value, 'input');
   refuseUnknown(others, '', ['shape', 'layers', 'pictures', 'printer', 'print']);
@@ -306,6 +312,7 @@ export function plate(value: unknown): { sections: Fields; files: Files } {
   return { sections, files };
 }
 
+/** Checks the options of makeZones, and fills in defaults. */
 export function zoneOptions(value: unknown): {
   file: KnownFile | undefined;
   height: number;
@@ -317,13 +324,13 @@ export function zoneOptions(value: unknown): {
   const given = optionalFields(value, 'how');
   const body = given['body'] === undefined ? undefined : bytesFile(given['body'], undefined, 'how.body');
   const face = given['face'] === undefined ? [] : listOf(given['face'], 'how.face', finite);
-  // A face is one of a body.
+  // A face needs a body.
   refuseUnknown(given, 'how', [...(body ? ['face'] : []), 'body', 'height', 'most', 'least', 'layerHeight']);
   if (face.length % 3 !== 0) throw mustBe('how.face', face, 'three numbers');
   const number = (key: string, usual: number): number =>
     given[key] === undefined ? usual : finite(given[key], `how.${key}`);
   const most = number('most', 6);
-  // The engine would cut it to a whole number of 32 bits.
+  // The engine would cut the number to a whole number of 32 bits.
   if (!Number.isInteger(most) || Math.abs(most) >= 2 ** 31) {
     throw mustBe('how.most', most, 'a whole number from 2 to 12');
   }
@@ -337,7 +344,7 @@ export function zoneOptions(value: unknown): {
   };
 }
 
-/** In a list. */
+/** Checks an index in a list. */
 function place(value: unknown, path: string): number {
   if (!Number.isInteger(value) || (value as number) < 0 || (value as number) >= 2 ** 31) {
     throw mustBe(path, value, 'a whole number from 0');
@@ -345,7 +352,7 @@ function place(value: unknown, path: string): number {
   return value as number;
 }
 
-/** What to lay on a print: sections of a project and their files. */
+/** Checks the options of rebrush: sections of a project and their files. */
 export function rebrushOptions(value: unknown): {
   sides: api.RebrushOptions['sides'];
   fit: api.RebrushOptions['fit'];
@@ -381,7 +388,7 @@ export function calibrationKind(value: unknown): api.CalibrationKind {
 const optionalNumber = (value: unknown, path: string): number | undefined =>
   value === undefined ? undefined : finite(value, path);
 
-/** What both calls about calibration prints begin with: the project, and the range of values. */
+/** Reads the common fields of both calls about calibration prints: the project, and the range of values. */
 function calibrated(given: Fields): { project: Fields; from: number | undefined; to: number | undefined } {
   const print = { ...section(given['print'], 'request.print'), date: undefined };
   return {
@@ -391,6 +398,7 @@ function calibrated(given: Fields): { project: Fields; from: number | undefined;
   };
 }
 
+/** Checks the request of calibrate. */
 export function calibration(value: unknown): ReturnType<typeof calibrated> & {
   filament: api.ViewParams | undefined;
   date: string;
@@ -414,6 +422,7 @@ export function calibration(value: unknown): ReturnType<typeof calibrated> & {
   };
 }
 
+/** Checks the request of readCoupon and joinReadings. */
 export function couponRequest(value: unknown): ReturnType<typeof calibrated> & {
   lampSize: number | undefined;
   lampElevation: number | undefined;
@@ -432,7 +441,7 @@ function measured(value: unknown, path: string): api.Measured {
   return { value: finite(given['value'], `${path}.value`), error: finite(given['error'], `${path}.error`) };
 }
 
-/** As readCoupon gives them. */
+/** Checks results of readCoupon. */
 export function couponReadings(value: unknown): ReadingFields[] {
   const readings = listOf(value, 'readings', (one, path) => {
     const given = fieldsOf(one, path);
@@ -463,13 +472,13 @@ export function couponReadings(value: unknown): ReadingFields[] {
   return readings;
 }
 
-/** A picture that somebody has decoded. */
+/** Checks a decoded picture. */
 export function pixels(value: unknown, path: string): api.Picture {
   if (kindOf(value) !== 'Object') throw mustBe(path, value, 'a Picture', 'decodePicture reads files.');
   return picture(value as Fields, path);
 }
 
-/** Bytes in any form. @param numberOf  of a Blob that the worker may keep */
+/** Checks bytes in any form. @param numberOf  returns the number of a Blob that the worker may keep */
 export function bytesFile(value: unknown, numberOf: (file: Blob) => number = () => 0, path = 'file'): KnownFile {
   const content = bytes(value, path);
   if (content === undefined)
@@ -479,10 +488,10 @@ export function bytesFile(value: unknown, numberOf: (file: Blob) => number = () 
 
 export const print = (value: unknown): KnownFile => bytesFile(value, (file) => prints.numberOf(file));
 
-/** Only what the engine itself has written is kept. */
+/** Takes G-code. Only files that the engine itself has written are kept. */
 export const gcode = (value: unknown): KnownFile => bytesFile(value, (file) => gcodes.find(file));
 
-/** "2026-11-21 at 07:30:00 UTC" */
+/** Formats a date as "2026-11-21 at 07:30:00 UTC". */
 export function date(value: unknown = new Date()): string {
   if (kindOf(value) !== 'Date' || Number.isNaN((value as Date).getTime())) {
     throw mustBe('print.date', value, 'a Date with a time');
@@ -493,13 +502,14 @@ export function date(value: unknown = new Date()): string {
     .replace(/\.\d+Z$/, ' UTC');
 }
 
+/** Checks the parameters of renderPreview, and fills in defaults. */
 export function previewParams(value: unknown): api.PreviewParams {
   const params = optionalFields(value, 'params');
   refuseUnknown(params, '', ['width', 'panels', 'colour', 'slopes', 'lightAzimuth', 'lightElevation']);
   const { panels = 'both', colour = [24, 78, 168], slopes = [2.36, 17.32] } = params;
   if (panels !== 'both' && panels !== 'look') throw mustBe('panels', panels, '"both" or "look"');
   const { width = panels === 'look' ? 1024 : 1600, lightAzimuth = 60, lightElevation = 35 } = params;
-  // The engine would cut it to 32 bits.
+  // The engine would cut the number to 32 bits.
   if (!Number.isInteger(width) || Math.abs(width as number) >= 2 ** 31) {
     throw mustBe('width', width, `a whole number from 16 to ${panels === 'look' ? 1024 : 16384}`);
   }
@@ -513,7 +523,7 @@ export function previewParams(value: unknown): api.PreviewParams {
   };
 }
 
-/** Of the longer side of a relief; the engine would cut it to 32 bits. */
+/** Checks the cells of the longer side of a relief; the engine would cut the number to 32 bits. */
 export function cells(value: unknown = 1024): number {
   if (!Number.isInteger(value) || Math.abs(value as number) >= 2 ** 31) {
     throw mustBe('side', value, 'a whole number from 16 to 4096');
@@ -528,7 +538,7 @@ export function viewParams(value: unknown): api.ViewParams {
   return { colour: rgb(colour, 'colour'), slopes: pair(slopes, 'slopes') };
 }
 
-/** Types only: values are checked by the engine. */
+/** Checks the types of a toolpath; the engine checks its values. */
 export function toolpath(value: unknown, path = 'toolpath'): Path {
   const { spacing, cycles, shape: filled, notes, look: seen } = fieldsOf(value, path);
   return {
@@ -540,7 +550,7 @@ export function toolpath(value: unknown, path = 'toolpath'): Path {
   };
 }
 
-/** A list that the worker may keep is copied only where it has to travel. */
+/** Returns cycles that the worker may keep; they are copied only if they have to travel. */
 function knownCycles(value: unknown, path: string): Path['cycles'] {
   const copy = (): api.Cycle[] => listOf(value, path, cycle);
   const list = value as api.Cycle[];
@@ -557,6 +567,7 @@ function knownCycles(value: unknown, path: string): Path['cycles'] {
   };
 }
 
+/** Checks a toolpath's look. */
 function look(value: unknown, path: string): api.Look {
   const { colour, slopes, lampSize, lamps } = fieldsOf(value, path);
   const standing = listOf(lamps, `${path}.lamps`, pair);
@@ -569,7 +580,7 @@ function look(value: unknown, path: string): api.Look {
   };
 }
 
-/** The engine would truncate other values to 8 bits. */
+/** Checks a colour; the engine would truncate other values to 8 bits. */
 function rgb(value: unknown, path: string): [number, number, number] {
   const channels = listOf(value, path, finite);
   if (channels.length !== 3 || !channels.every((one) => Number.isInteger(one) && one >= 0 && one <= 255)) {
@@ -578,7 +589,7 @@ function rgb(value: unknown, path: string): [number, number, number] {
   return channels as [number, number, number];
 }
 
-/** Types only, as of a toolpath. */
+/** Checks the types of a shape; the engine checks its values. */
 export function shape(value: unknown, path: string): api.Shape {
   const { page, paths } = fieldsOf(value, path);
   return { page: pair(page, `${path}.page`), paths: listOf(paths, `${path}.paths`, filledPath) };
@@ -589,6 +600,7 @@ export function bodyFormat(value: unknown = '3mf'): 'stl' | '3mf' {
   return value;
 }
 
+/** Checks and copies a cycle. */
 function cycle(value: unknown, path: string): api.Cycle {
   const fields = fieldsOf(value, path);
   const points = numbers(fields['points'], `${path}.points`, 'Float32Array');
@@ -601,6 +613,7 @@ function cycle(value: unknown, path: string): api.Cycle {
   return { points, widths };
 }
 
+/** Checks and copies a path of a shape. */
 function filledPath(value: unknown, path: string): api.Shape['paths'][number] {
   const { fillRule, rings } = fieldsOf(value, path);
   if (fillRule !== 'nonzero' && fillRule !== 'evenodd') {

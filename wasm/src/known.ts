@@ -1,4 +1,4 @@
-// Numbers by which the worker knows again what it was given or has made, so that it travels only once.
+// Numbers by which the worker recognises values that it was given or has made, so that each travels only once.
 import type * as api from '../sillon.js';
 import type { Call, Known } from './protocol.js';
 
@@ -11,7 +11,7 @@ let last = 0;
 
 export const newNumber = (): number => ++last;
 
-/** Differs wherever a single word of the views' memory differs. */
+/** Returns a hash that differs whenever a single word of the views' memory differs. */
 function sumOf(views: readonly ArrayBufferView[]): number {
   let sum = 0x811c9dc5;
   for (const { buffer, byteOffset, byteLength } of views) {
@@ -24,11 +24,11 @@ function sumOf(views: readonly ArrayBufferView[]): number {
   return sum;
 }
 
-/** All memory that an object's content is in; a Blob's cannot change. */
+/** Function that returns all memory of an object's content; none for a Blob, which cannot change. */
 type Memory = () => readonly ArrayBufferView[];
 const nothing: Memory = () => [];
 
-/** Objects of one kind: the same file may be known as a print and as a picture. */
+/** Marks of objects of one kind: the same file may be known as a print and as a picture. */
 class Kind {
   readonly #marks = new WeakMap<object, Mark>();
 
@@ -36,13 +36,13 @@ class Kind {
     this.#marks.set(object, { number, sum: sumOf(memory()) });
   }
 
-  /** The object's number, as long as nothing in its memory has changed since it was marked; else 0. */
+  /** Returns the object's number, or 0 if its memory has changed since it was marked. */
   find(object: object, memory = nothing): number {
     const mark = this.#marks.get(object);
     return mark !== undefined && mark.sum === sumOf(memory()) ? mark.number : 0;
   }
 
-  /** Marks what is not marked. */
+  /** Returns the object's number; marks it if it has none. */
   numberOf(object: object, memory = nothing): number {
     const found = this.find(object, memory);
     if (found !== 0) return found;
@@ -52,16 +52,16 @@ class Kind {
   }
 }
 
-/** Lists of cycles. */
+/** Marks of lists of cycles. */
 export const beads = new Kind();
-/** Files that the engine has written. */
+/** Marks of files that the engine has written. */
 export const gcodes = new Kind();
 export const pictures = new Kind();
 export const prints = new Kind();
 
 const absent = new Uint8Array(0);
 
-/** @param cycles  a list of cycles, or of what somebody has put in their place */
+/** @param cycles  a list of cycles, or of whatever a user put in their place */
 export const memoryOf =
   (cycles: readonly Partial<api.Cycle | undefined>[]): Memory =>
   () =>
@@ -69,7 +69,7 @@ export const memoryOf =
 
 type Change = <T>(part: Known<T>, name: string) => Promise<Known<T>>;
 
-/** The call with everything that the worker may know put through `change`. */
+/** Returns the call with each part that the worker may know passed through `change`. */
 export async function withKnown(call: Call, change: Change): Promise<Call> {
   const sent = { ...call };
   if ('file' in sent && sent.file !== undefined) sent.file = await change(sent.file, 'file');

@@ -1,4 +1,4 @@
-// The entry for Node.
+// Entry point for Node.
 import type * as api from '../sillon.js';
 import { startEngine } from './engine.js';
 import { node } from './platform-node.js';

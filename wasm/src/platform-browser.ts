@@ -1,5 +1,5 @@
-// Workers of browsers. They are started only from addresses of their page's own origin, so scripts from elsewhere become
-// blobs first; so do those that a bundler has turned into data: addresses.
+// Workers of browsers. Browsers start workers only from addresses of the page's own origin, so that scripts from
+// elsewhere, and those that a bundler has turned into data: addresses, are made blobs first.
 import { SillonError, invalid, messageOf } from './errors.js';
 import { filesIn, type Platform } from './platform.js';
 import type { EngineFiles, FromWorker, ThreadScripts } from './protocol.js';
@@ -15,10 +15,10 @@ function filesAt(assetBase: string | URL): EngineFiles {
   }
 }
 
-/** Vite's development server moves this module there, up to Vite 7 without the files beside it. */
+/** Folder to which Vite's development server moves this module, up to Vite 7 without the files beside it. */
 const movedByVite = /\/node_modules\/\.vite\/deps[^/]*\/engine\//;
 
-/** Some bundlers write paths for what `new URL(file, import.meta.url)` means. */
+/** Makes full addresses: some bundlers turn `new URL(file, import.meta.url)` into a path. */
 const addressed = <T extends object>(files: T): T =>
   Object.fromEntries(
     Object.entries(files).map(([name, value]: [string, unknown]) => [
@@ -29,11 +29,11 @@ const addressed = <T extends object>(files: T): T =>
     ]),
   ) as T;
 
-/** The files beside this module. */
+/** Returns the addresses of the files beside this module. */
 function ownFiles(): EngineFiles {
   let beside: EngineFiles;
   try {
-    // Written out one by one: bundlers find and copy only these.
+    // Written out one by one, because bundlers find and copy only such addresses.
     beside = {
       worker: new URL('./engine/worker.js', import.meta.url).href,
       st: {
@@ -68,8 +68,9 @@ function ownFiles(): EngineFiles {
   return addressed(beside);
 }
 
+/** Fetches a file of the engine. */
 async function fetchFile(url: string, cache: RequestCache = 'default'): Promise<Uint8Array<ArrayBuffer>> {
-  if (url.startsWith('data:')) return decodeData(url); // which policies may forbid to fetch
+  if (url.startsWith('data:')) return decodeData(url); // policies may forbid to fetch such addresses
   let response: Response;
   try {
     response = await fetch(url, { cache });
@@ -97,7 +98,7 @@ function isOwn(url: string): boolean {
 const textOf = async (url: string, cache?: RequestCache): Promise<string> =>
   new TextDecoder().decode(await fetchFile(url, cache));
 
-/** Without what only modules may have: Chromium starts no module workers from blobs in frames of opaque origin. */
+/** Turns a module into a classic script: Chromium starts no module workers from blobs in frames of opaque origin. */
 const classic = (module: string, url: string): string =>
   module.replace(/\bexport\s*(\{\s*\}|default \w+);?/, '').replaceAll('import.meta.url', JSON.stringify(url));
 
@@ -107,16 +108,16 @@ interface Scripts extends ThreadScripts {
   script: string;
 }
 
-/** Blobs that start workers without a server, by the address of their engine: workers end with a call that is stopped, and
- * when they rest. undefined: none can be used here. */
+/** Blobs that start workers without a server, by the address of their engine. They are kept because workers end
+ * when a call is stopped, and when they are idle. undefined: blobs cannot be used here. */
 const held = new Map<string, Scripts | undefined>();
 
-/** Addresses of an engine's scripts, itself first. */
+/** Returns the addresses of an engine's scripts, its own first. */
 const addressesOf = ({ worker, st, mt }: EngineFiles, threads: number): [string, ...string[]] =>
   threads > 1 ? [mt.script, worker, mt.threadScript] : [st.script, worker];
 
-/** Policies let blobs import nothing, so each has the engine in it. From Emscripten 3.1.58 on threads have no script of their
- * own and are module workers of the engine's. */
+/** Keeps an engine's scripts as blobs. Policies let blobs import nothing, so that each contains the engine. From
+ * Emscripten 3.1.58 on, threads have no script of their own: they are module workers of the engine's script. */
 async function hold(addresses: [string, ...string[]], cache?: RequestCache): Promise<void> {
   const [engine = '', own = '', thread = ''] = await Promise.all(addresses.map((url) => textOf(url, cache)));
   const first = `${classic(engine, addresses[0])}\n`;
@@ -127,7 +128,7 @@ async function hold(addresses: [string, ...string[]], cache?: RequestCache): Pro
   });
 }
 
-/** Why a worker failed. Browsers do not say what kept its script from being loaded. */
+/** Explains why a worker failed. Browsers do not tell what prevented its script from being loaded. */
 async function whyNot(url: string, message: string | undefined): Promise<string> {
   if (message) return `the worker ${url} failed: ${message}`;
   try {
@@ -172,7 +173,7 @@ export const browser: Platform = {
       throw new SillonError('LoadFailed', `${files.worker} could not be started as a worker: ${messageOf(problem)}`);
     }
     worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
-      // Browsers still have a script that was just loaded.
+      // Browsers still have a script in their cache that was just loaded.
       if (data.type === 'started' && !held.has(engine)) hold(addresses, 'force-cache').catch(() => undefined);
       events.onMessage(data);
     };
@@ -187,7 +188,7 @@ export const browser: Platform = {
       post(message) {
         worker.postMessage(message);
       },
-      hold() {}, // pages do not end by themselves
+      hold() {}, // does nothing, because pages do not end by themselves
       end() {
         worker.terminate();
       },

@@ -11,10 +11,10 @@ import { SillonError, invalid, messageOf } from './errors.js';
 import { filesIn, type Platform } from './platform.js';
 import type { FromWorker } from './protocol.js';
 
-/** The engine's files, which a server's bundler leaves in the package. Written so that none takes it for a file that it is
- * to copy: a folder, which `new URL` beside `import.meta.url` would be to them, ends their work. */
+/** Returns the folder of the engine's files, which bundlers for servers leave in the package. The code avoids `new
+ * URL` with `import.meta.url`: bundlers would try to copy the folder like a file, and fail. */
 function ownFolder(): URL {
-  // A bundle in CommonJS has the other name of its place, and one of another kind none.
+  // In a bundle of CommonJS, __filename gives the place; in other bundles nothing may.
   const filename = typeof __filename === 'string' ? pathToFileURL(__filename).href : '';
   const here = (import.meta as { url?: string }).url ?? filename;
   if (here.startsWith('file:')) {
@@ -35,7 +35,7 @@ function ownFolder(): URL {
 }
 
 function folderOf(assetBase: string | URL): URL {
-  const isUrl = typeof assetBase !== 'string' || /^[a-z][a-z0-9+.-]+:/i.test(assetBase); // C:\ is none
+  const isUrl = typeof assetBase !== 'string' || /^[a-z][a-z0-9+.-]+:/i.test(assetBase); // "C:\" is no scheme
   if (!isUrl) return pathToFileURL(resolve(assetBase) + sep);
   const text = String(assetBase);
   if (!text.startsWith('file:')) throw invalid(`assetBase is "${text}"; in Node it must be a folder or its file: URL`);
@@ -60,7 +60,7 @@ export const node: Platform = {
 
   obstacleToThreads: () => '',
 
-  // fetch opens no files.
+  // Reads the module here, because fetch opens no files.
   async compile(wasm) {
     try {
       return await WebAssembly.compile(await readFile(new URL(wasm)));
@@ -69,7 +69,7 @@ export const node: Platform = {
     }
   },
 
-  // Blobs that stand for files on disk cannot be posted.
+  // Reads the file here, because Blobs that stand for files on disk cannot be posted.
   async portable(file, name) {
     try {
       return new Uint8Array(await file.arrayBuffer());

@@ -1,4 +1,4 @@
-// What differs between browsers and Node.
+// Interface for the differences between browsers and Node.
 import { fontFiles } from './fonts.js';
 import type { EngineFiles, FromWorker, ThreadScripts, ToWorker } from './protocol.js';
 
@@ -6,23 +6,24 @@ export interface Platform {
   /** @throws SillonError InvalidArgument */
   files(assetBase: string | URL | undefined): EngineFiles;
   cores(): number;
-  /** Why memory cannot be shared between threads; empty if it can. */
+  /** Returns the reason why threads cannot share memory; empty if they can. */
   obstacleToThreads(): string;
-  /** A file of the engine's. @throws SillonError LoadFailed */
+  /** Reads a file of the engine. @throws SillonError LoadFailed */
   read(url: string): Promise<Uint8Array>;
-  /** The module, where the worker cannot fetch it by itself. @throws SillonError LoadFailed */
+  /** Compiles the module, if the worker cannot fetch it by itself. @throws SillonError LoadFailed */
   compile?(wasm: string): Promise<WebAssembly.Module>;
-  /** A file as it can be posted to a worker. @throws SillonError InvalidFile */
+  /** Converts a file so that it can be posted to a worker. @throws SillonError InvalidFile */
   portable?(file: Blob, name: string): Promise<Uint8Array>;
-  /** After a start that failed: what was kept for it is not used again, as where a policy forbids it.
-   * @returns whether anything was kept, so that another start may go better */
+  /** Forgets what was kept for a start, after the start has failed, for example because a policy forbids it.
+   * @returns true if anything was kept, so that another start may succeed */
   forget?(files: EngineFiles, threads: number): boolean;
-  /** @param memory  of its JavaScript, where a worker's can be limited [MiB]
+  /** Starts a worker.
+   * @param memory  limit of its JavaScript's memory, if the platform has one [MiB]
    * @throws SillonError LoadFailed */
   startWorker(files: EngineFiles, threads: number, memory: number, events: WorkerEvents): Promise<EngineWorker>;
 }
 
-/** The engine's files in one folder. @param at  the address of a file there */
+/** Returns the addresses of the engine's files in one folder. @param at  returns the address of a file there */
 export const filesIn = (at: (name: string) => string): EngineFiles => ({
   worker: at('worker.js'),
   st: { script: at('sillon-st.js'), wasm: at('sillon-st.wasm') },
@@ -34,14 +35,14 @@ export const filesIn = (at: (name: string) => string): EngineFiles => ({
 
 export interface WorkerEvents {
   onMessage(message: FromWorker): void;
-  /** The worker could not be started, or has ended by itself. @param code  where that is known */
+  /** The worker could not be started, or has ended by itself. @param code  the error's code, if known */
   onFailure(message: string, code?: 'OutOfMemory'): void;
 }
 
 export interface EngineWorker {
   readonly threadScripts: ThreadScripts;
   post(message: ToWorker): void;
-  /** Whether the process must wait for the worker. */
+  /** Tells the process whether to wait for the worker. */
   hold(busy: boolean): void;
   end(): void;
 }

@@ -1,4 +1,4 @@
-// What a shop needs of an upload, in one call that ends in time and takes no more memory than it may.
+// Prepares an upload for a shop in one call that is limited in time and memory.
 import type * as api from '../sillon.js';
 import { SillonError } from './errors.js';
 import * as input from './input.js';
@@ -18,7 +18,7 @@ function until<T>(work: Promise<T>, signal: AbortSignal): Promise<T> {
   });
 }
 
-/** @param side  of the poster's longer side, which is as wide as the page unless that is upright [pixels] */
+/** Returns the poster's width. @param side  longer side of the poster [pixels] */
 const widthOf = ([width, height]: [number, number], side: number): number =>
   Math.max(16, Math.round(width >= height ? side : (side * width) / height));
 

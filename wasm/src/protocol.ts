@@ -1,4 +1,4 @@
-// What passes between the calling thread and the engine's worker. Types only: the worker is one file by itself.
+// Messages between the calling thread and the engine's worker. Types only, because the worker is a file by itself.
 import type * as api from '../sillon.js';
 
 export type Variant = api.EngineInfo['variant'];
@@ -9,9 +9,9 @@ export interface EngineFiles {
   st: ModuleFiles;
   mt: ModuleFiles & { threadScript: string };
   text: ModuleFiles;
-  /** What unpacks web fonts. */
+  /** Script that unpacks web fonts. */
   unpack: string;
-  /** By the names of their files. */
+  /** Addresses of fonts by the names of their files. */
   fonts: Record<string, string>;
 }
 export interface ModuleFiles {
@@ -19,7 +19,7 @@ export interface ModuleFiles {
   wasm: string;
 }
 
-/** Something that the worker may keep under its number: then it travels without its value. 0: nothing is ever kept. */
+/** A value that the worker may keep under its number; then only the number is sent. 0: the value is never kept. */
 export interface Known<T> {
   number: number;
   value: T | undefined;
@@ -27,18 +27,18 @@ export interface Known<T> {
 
 export type KnownFile = Known<Uint8Array | Blob>;
 
-/** Inputs by the names that the project gives them. */
+/** Input files by their names in the project. */
 export type Files = Record<string, Known<Uint8Array | Blob | api.Picture>>;
 
 /** A toolpath whose beads the worker may keep. */
 export type Path = Omit<api.Toolpath, 'cycles'> & { cycles: Known<api.Cycle[]> };
 
-/** A reading as the engine takes it back: of its spool only the colour. */
+/** A reading as the engine takes it back, with only the colour of its spool. */
 export type ReadingFields = Omit<api.CouponReading, 'spool'> & { colour: api.Spool['colour'] };
 
-/** One call of the engine. `project` is the text of a project file. */
+/** A call of the engine. `project` is the text of a project file. */
 export type Call =
-  /** `number`: under which the beads are kept. */
+  /** `number`: number under which the beads are kept. */
   | { name: 'generateToolpath'; project: string; files: Files; measure: boolean; across: boolean; number: number }
   | { name: 'readShape'; project: string; files: Files }
   | { name: 'placeLayers'; project: string; files: Files }
@@ -58,22 +58,22 @@ export type Call =
     }
   | { name: 'linesOfDrawing'; file: KnownFile }
   | { name: 'decodePicture'; file: KnownFile }
-  /** `drawing`: which of the files it is; the others are its letters. */
+  /** `drawing`: name of the drawing among the files; the others are its letters. */
   | { name: 'paintDrawing'; files: Files; drawing: string }
   | { name: 'readProject'; project: string }
   | { name: 'writeProject'; project: string }
   | { name: 'profiles' }
-  /** `number`: under which the text is kept; 0: it is handed out in pieces. */
+  /** `number`: number under which the text is kept; 0: the text is handed out in pieces. */
   | { name: 'writeGcode'; toolpath: Path; below: Path | undefined; project: string; date: string; number: number }
   | { name: 'writeBaseBody'; shape: api.Shape; project: string; format: 'stl' | '3mf' }
   | { name: 'writeSvg'; toolpath: Path }
   | { name: 'writeView'; toolpath: Path; params: api.ViewParams }
   | { name: 'renderPreview'; toolpath: Path; params: api.PreviewParams }
   | { name: 'importPrinter'; file: KnownFile; printer: string }
-  /** `project`: whose printer counts; empty: what the file's own settings say. */
+  /** `project`: project whose printer's limits apply; empty: the file's own settings. */
   | { name: 'checkGcode'; file: KnownFile; project: string }
   | { name: 'packGcode'; file: KnownFile }
-  /** `project`: whose printer's flavor counts. */
+  /** `project`: project whose printer's flavour applies. */
   | { name: 'examineBlock'; block: string; project: string }
   | { name: 'listSurfaces'; file: KnownFile }
   | { name: 'printRelief'; file: KnownFile; side: number }
@@ -94,7 +94,7 @@ export type Call =
       to: number | undefined;
       filament: api.ViewParams | undefined;
       date: string;
-      /** [pixels], 0: none. */
+      /** Longer side of the picture [pixels]; 0: none. */
       pictureSide: number;
     }
   | {
@@ -108,7 +108,8 @@ export type Call =
     }
   | { name: 'joinReadings'; readings: ReadingFields[]; lampSize: number | undefined };
 
-/** Addresses that the engine starts its threads from: Emscripten before 3.1.58 takes the first, which then gets the other. */
+/** Addresses from which the engine starts its threads: before Emscripten 3.1.58 the first, which receives the
+ * other. */
 export interface ThreadScripts {
   threadScript: string;
   mainScript: string;
@@ -117,19 +118,19 @@ export interface ThreadScripts {
 export interface StartMessage {
   type: 'start';
   threads: number;
-  /** Most that the module may take [MiB]. */
+  /** Limit of the module's memory [MiB]. */
   memory: number;
   script: string;
   wasm: string;
-  /** Used with several threads only. */
+  /** Used only with several threads. */
   threadScripts: ThreadScripts;
-  /** If it has been compiled before. */
+  /** The module, if it has been compiled before. */
   compiled: WebAssembly.Module | undefined;
   /** One byte of shared memory, for an engine with one thread; 1 asks the running call to stop. */
   stop: Uint8Array | undefined;
 }
 
-/** One at a time. */
+/** Messages to the worker; each waits for the answer to the one before. */
 export type ToWorker = StartMessage | { type: 'call'; call: Call };
 
 export interface Failure extends Pick<api.SillonError, 'reason' | 'values'> {
@@ -137,16 +138,16 @@ export interface Failure extends Pick<api.SillonError, 'reason' | 'values'> {
   message: string;
 }
 
-/** The last message of a start is `started` or `failed`, that of a call `done` or `failed`. */
+/** Messages from the worker. A start ends with `started` or `failed`, a call with `done` or `failed`. */
 export type FromWorker =
-  /** All files are there. */
+  /** All files are loaded. */
   | { type: 'loaded'; compiled: WebAssembly.Module }
-  /** `stop`: the byte that asks an engine with threads to stop, in its memory. */
+  /** `stop`: byte in the memory of an engine with threads; 1 asks it to stop. */
   | { type: 'started'; version: string; stop: Uint8Array | undefined }
   | { type: 'progress'; stage: string; fraction: number }
   | { type: 'piece'; bytes: Uint8Array }
-  /** Nothing to tell but that work goes on. */
+  /** Sign of life while work goes on. */
   | { type: 'alive' }
-  /** `kept`: numbers of what the next call needs no value for. */
+  /** `kept`: numbers of values that the next call need not send. */
   | { type: 'done'; value: unknown; kept: number[] }
   | ({ type: 'failed'; kept: number[] } & Failure);

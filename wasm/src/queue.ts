@@ -1,4 +1,5 @@
-// Calls one after the other, in a session that is started when one is needed: progress, abort, recovery, rest.
+// Runs calls one after the other in a session, which is started when needed. Handles progress, abort, recovery and
+// idling.
 import type * as api from '../sillon.js';
 import { SillonError, messageOf } from './errors.js';
 import type { CallOptions } from './input.js';
@@ -9,7 +10,7 @@ import { Session } from './session.js';
 
 const longestTimer = 2 ** 31 - 1; // [ms]
 
-/** After these the worker's memory is not to be trusted, or not to be had back. */
+/** Errors after which the worker's memory cannot be trusted, or cannot be freed. */
 const fatal: readonly api.ErrorCode[] = ['OutOfMemory', 'Internal', 'Crashed'];
 
 interface Job {
@@ -17,18 +18,18 @@ interface Job {
   options: CallOptions;
   resolve(value: unknown): void;
   reject(reason: unknown): void;
-  /** Its promise is settled; its work may still have to stop. */
+  /** Its promise is settled, although its work may still have to stop. */
   settled: boolean;
-  /** Its call is in the worker. */
+  /** Its call was sent to the worker. */
   started: boolean;
   stage: string;
   fraction: number;
   pieces: number;
-  /** What callbacks returned and did not finish yet. */
+  /** Promises of asynchronous callbacks that are not finished yet. */
   pending: Promise<void>[];
 }
 
-/** How many threads compute, and why not more. */
+/** Number of threads that compute, and the reason if there are not more. */
 export type Threads = Pick<api.EngineInfo, 'threads' | 'reason' | 'reasonCode'>;
 
 export class Queue {
@@ -44,10 +45,10 @@ export class Queue {
     readonly platform: Platform,
     readonly files: EngineFiles,
     readonly idleTimeout: number,
-    /** Of a session [MiB]. */
+    /** Limit of a session's memory [MiB]. */
     readonly memory: number,
     private using: Threads,
-    /** Whose compiled modules are used as well. */
+    /** Queue whose compiled modules are shared. */
     other?: Queue,
   ) {
     this.#compiled = other === undefined ? {} : other.#compiled;
@@ -68,6 +69,7 @@ export class Queue {
     this.#restLater();
   }
 
+  /** Adds a call to the queue. Its promise rejects with the signal's reason if it is aborted. */
   run(call: Call, options: CallOptions): Promise<unknown> {
     const { signal } = options;
     return new Promise((resolve, reject) => {
@@ -123,13 +125,14 @@ export class Queue {
     this.#restLater();
   }
 
+  /** Runs a job in a session, and again in another one if that may help. */
   async #perform(job: Job, threads: number): Promise<void> {
     let session: Session | undefined;
     let kept = false;
     try {
       session = await this.#openSession(threads);
       const call = await this.#sent(job.call, session);
-      if (job.settled) return; // while the session started
+      if (job.settled) return; // settled while the session started
       if (session.ended) {
         await this.#perform(job, threads);
         return;
@@ -141,15 +144,16 @@ export class Queue {
         this.#tell(job, message);
       });
       if (job.fraction < 1) this.#tell(job, { type: 'progress', stage: job.stage, fraction: 1 });
-      // The next call does not wait for them.
+      // The next call does not wait for the callbacks.
       void Promise.all(job.pending).then(() => {
         if (!job.settled) job.resolve(value);
       });
     } catch (problem) {
       const error = problem instanceof SillonError ? problem : new SillonError('Internal', messageOf(problem));
       if (fatal.includes(error.code)) this.#closeSession();
-      // One thread cannot wait for another in vain, and has more memory: what threads share has a lower limit. A worker
-      // that keeps fields of the last plate, or the last print, has less than a new one.
+      // Tries again with one thread: it cannot wait for another one in vain, and has more memory, because shared memory
+      // has a lower limit. A new worker also has more memory than one that keeps fields of the last plate, or the last
+      // print.
       const silent = threads > 1 && session?.silent === true;
       if (silent) this.#useOneThread(error.message);
       const again = silent || ((threads > 1 || kept) && error.code === 'OutOfMemory');
@@ -158,18 +162,18 @@ export class Queue {
     }
   }
 
-  /** The call as it travels: without what the session knows. */
+  /** Returns the call as it is sent, without values that the session knows. */
   #sent(call: Call, { kept }: Session): Promise<Call> {
     return withKnown(call, async <T>(part: Known<T>, name: string) => {
       const { number } = part;
       if (kept.has(number)) return { number, value: undefined };
       const { value } = part;
       const bytes = value instanceof Blob ? await this.platform.portable?.(value, name) : undefined;
-      return { number, value: (bytes as T | undefined) ?? value }; // what may be a Blob may be bytes
+      return { number, value: (bytes as T | undefined) ?? value }; // a Blob may be replaced by bytes
     });
   }
 
-  /** To the call's callbacks; what they throw ends the call. */
+  /** Passes a message to the call's callbacks; an error that they throw ends the call. */
   #tell(job: Job, message: FromWorker): void {
     if (job.settled) return;
     try {
@@ -186,7 +190,7 @@ export class Queue {
     }
   }
 
-  /** The call ends after what an asynchronous callback does, and as that ends. */
+  /** Makes the call wait for an asynchronous callback; if that rejects, the call does, too. */
   #await(job: Job, returned: unknown): void {
     if (typeof (returned as PromiseLike<unknown> | undefined)?.then !== 'function') return;
     job.pending.push(
@@ -205,7 +209,7 @@ export class Queue {
     if (this.#running === job && job.started) this.#session?.cancel();
   }
 
-  /** With one thread where several do not start. */
+  /** Opens a session, with one thread if several cannot be started. */
   async #openSession(threads: number): Promise<Session> {
     if (this.#session?.ended === false && this.#session.threads === threads) return this.#session;
     this.#closeSession();
@@ -239,7 +243,7 @@ export class Queue {
     this.#rest = setTimeout(() => {
       this.#closeSession();
     }, this.idleTimeout);
-    // In Node a timer would keep the process alive.
+    // In Node the timer would keep the process alive.
     (this.#rest as { unref?: () => void }).unref?.();
   }
 }

@@ -1,11 +1,11 @@
-// One worker with a started engine in it, from its start to its end.
+// One worker with a started engine, from its start to its end.
 import { SillonError, failureOf, messageOf } from './errors.js';
 import type { EngineWorker, Platform } from './platform.js';
 import type { Call, EngineFiles, FromWorker } from './protocol.js';
 
-const startSilence = 10; // [s] that an engine may take to start once its files are there
-const callSilence = 60; // [s] without a sign of life: threads tell progress only, on large plates rarely
-const answerToCancel = 80; // [ms], so that a cancelled call's work ends within 100
+const startSilence = 10; // longest start of an engine once its files are loaded [s]
+const callSilence = 60; // longest time without a sign of life [s]; with threads, only progress is a sign, which is rare on large plates
+const answerToCancel = 80; // [ms], so that the work of a cancelled call ends within 100 ms
 
 type OnMessage = (message: FromWorker) => void;
 
@@ -15,9 +15,9 @@ function sharedByte(): Uint8Array | undefined {
   return shares ? new Uint8Array(new SharedArrayBuffer(1)) : undefined;
 }
 
-/** Somebody waits for the worker's answer to a start or a call. */
+/** A start or a call that waits for the worker's answer. */
 interface Waiting {
-  /** None: the start. */
+  /** Name of the call; undefined for the start. */
   call: Call['name'] | undefined;
   resolve(answer: unknown): void;
   reject(error: SillonError): void;
@@ -26,11 +26,11 @@ interface Waiting {
 
 export class Session {
   version = '';
-  /** Ended because it did not answer in time. */
+  /** True if it was ended because it did not answer in time. */
   silent = false;
-  /** Has made a plate, and keeps fields of it for the next. */
+  /** True if it has made a plate, and keeps fields of it for the next. */
   madePlate = false;
-  /** Numbers of what it knows. */
+  /** Numbers of the values that it keeps. */
   kept: ReadonlySet<number> = new Set();
   #end: SillonError | undefined;
   #worker: EngineWorker | undefined;
@@ -49,7 +49,8 @@ export class Session {
     return this.#end !== undefined;
   }
 
-  /** @returns the compiled module, for the next session.
+  /** Starts the engine.
+   * @returns the compiled module, for the next session.
    * @throws SillonError LoadFailed, OutOfMemory, Crashed */
   async start(
     platform: Platform,
@@ -76,7 +77,7 @@ export class Session {
     const started = this.#answer((message) => {
       if (message.type === 'loaded') {
         compiled = message.compiled;
-        this.#expectSigns(startSilence); // not before: the network may take its time
+        this.#expectSigns(startSilence); // not earlier, because the network may be slow
       } else if (message.type === 'started') {
         this.version = message.version;
         this.#stop ??= message.stop;
@@ -88,7 +89,7 @@ export class Session {
     return compiled;
   }
 
-  /** One at a time. @throws SillonError */
+  /** Runs a call; only one may run at a time. @throws SillonError */
   run(call: Call, onMessage: OnMessage): Promise<unknown> {
     const answer = this.#answer(onMessage, call.name);
     this.#expectSigns(callSilence);
@@ -103,9 +104,9 @@ export class Session {
     return answer;
   }
 
-  /** Stops the running call. Messages do not get into a worker that computes: it sees a byte of shared memory. A worker
-   * that does not answer, or shares none, is ended, which browsers may take two seconds for; a new one from the compiled
-   * module and the scripts that the page holds is ready in 40 ms, with its server or without. */
+  /** Stops the running call. A worker that computes receives no messages, but sees a byte of shared memory. A
+   * worker that does not answer, or shares no memory, is ended, which may take browsers two seconds. A new one is
+   * ready in 40 ms, even without its server, because the page keeps the compiled module and the scripts. */
   cancel(): void {
     const waiting = this.#waiting;
     if (waiting === undefined) return;
@@ -115,7 +116,7 @@ export class Session {
     }, answerToCancel);
   }
 
-  /** @param error  what a running call rejects with. */
+  /** Ends the worker. @param error  rejection of a running call. */
   end(error: SillonError): void {
     if (this.#end !== undefined) return;
     this.#end = error;
@@ -138,6 +139,7 @@ export class Session {
     return waiting;
   }
 
+  /** Handles a message of the worker. */
   #receive(message: FromWorker): void {
     this.#quietSeconds = 0;
     this.#waiting?.onMessage(message);
@@ -151,7 +153,8 @@ export class Session {
     }
   }
 
-  /** Counts seconds that passed here, not the clock's: after a laptop's sleep no worker is late. */
+  /** Watches for signs of life. It counts ticks instead of reading the clock, so that no worker counts as late
+   * after a laptop has slept. */
   #expectSigns(seconds: number): void {
     clearInterval(this.#watch);
     this.#quietSeconds = 0;

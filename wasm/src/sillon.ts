@@ -1,13 +1,13 @@
 #!/usr/bin/env node
-// The command line, compiled for Node: npx sillon. docs/reference/cli.md says what it can do.
+// The command line, compiled for Node: npx sillon. docs/reference/cli.md describes it.
 import { createRequire } from 'node:module';
 import { MessageChannel, Worker, receiveMessageOnPort } from 'node:worker_threads';
 import type { Answer, Asking } from './cli-texts.js';
 
-const mostWait = 60_000; // [ms] for a thread that may not have started at all
+const mostWait = 60_000; // [ms]; the thread may fail to start at all
 
-/** Only the program knows whether its files have text, and it asks within a call, where HarfBuzz's start cannot be awaited:
- * a thread starts it. */
+/** Starts a thread that makes letters. Only the program itself finds out whether its files have text, and it asks
+ * within a call, where the start of HarfBuzz cannot be awaited. */
 function startTexts(): (name: string) => string {
   const { port1, port2 } = new MessageChannel();
   const asking: Asking = { port: port2, answered: new Int32Array(new SharedArrayBuffer(4)) };
@@ -32,6 +32,6 @@ function startTexts(): (name: string) => string {
 let ask: ReturnType<typeof startTexts> | undefined;
 Object.assign(globalThis, { sillonMadeElsewhere: (name: string) => (ask ??= startTexts())(name) });
 
-// Glue code older than Node's fetch would fetch its module from a path, which is no address.
+// Glue code written before Node had fetch would fetch its module from a path, which is no address.
 Reflect.deleteProperty(globalThis, 'fetch');
 createRequire(import.meta.url)('./cli/sillon.cjs');

@@ -1,4 +1,4 @@
-// Letters and QR codes of a plate, made before its call: the engine asks for them as for files.
+// Makes letters and QR codes of a plate before its call: the engine asks for them as for files.
 import { SillonError, messageOf } from './errors.js';
 import { usualCorrection, usualFont } from './facts.js';
 import { fontFiles } from './fonts.js';
@@ -9,7 +9,7 @@ import type { FontFile } from './text/text.js';
 
 type Tools = typeof import('./text/text.js');
 
-/** The fields of a layer or a shape that are read here. */
+/** Fields of a layer or a shape that are read here. */
 interface Lettering {
   kind?: unknown;
   text?: unknown;
@@ -20,7 +20,8 @@ interface Lettering {
 
 const latin = new TextDecoder('latin1');
 
-/** Tells whether bytes are a drawing with <text>. Photographs, which may be large, are told by their first bytes. */
+/** Tells whether bytes are a drawing with <text>. Photographs, which may be large, are excluded by their first
+ * bytes. */
 const hasText = (bytes: Uint8Array): boolean =>
   bytes[0] === 0x1f || // packed
   (/^[\s\u00EF\u00BB\u00BF]*</.test(latin.decode(bytes.subarray(0, 256))) &&
@@ -32,13 +33,13 @@ const linesOfBlobs = new WeakMap<Blob, string[]>();
 const layersOf = ({ layers }: Record<string, unknown>): Lettering[] =>
   Array.isArray(layers) ? (layers as Lettering[]) : [];
 
-/** The layers of a plate, and its shape where it is letters. */
+/** Returns the layers of a plate, and its shape if that is letters. */
 function lettersIn(sections: Record<string, unknown>): Lettering[] {
   const cut = sections['shape'] as (Lettering & { builtin?: unknown }) | undefined;
   return [...layersOf(sections), ...(cut?.builtin === 'text' ? [{ ...cut, kind: 'text' }] : [])];
 }
 
-/** Files of the shape and of layers that may be drawings; others are pictures. */
+/** Returns the files of the shape and of layers that may be drawings; other files are pictures. */
 function drawingsIn(sections: Record<string, unknown>, files: Files): (Blob | Uint8Array)[] {
   const names = layersOf(sections).flatMap(({ kind }, k) => [
     ...(kind === 'map' ? [] : [`layers[${k}].file`]),
@@ -51,22 +52,23 @@ function drawingsIn(sections: Record<string, unknown>, files: Files): (Blob | Ui
 const mayHaveText = (file: Blob | Uint8Array): boolean =>
   file instanceof Blob ? linesOfBlobs.get(file)?.length !== 0 : hasText(file);
 
-/** Others begin at once, so that calls enter the queue in their order. */
+/** Tells whether a call must wait for texts. Other calls begin at once, so that they enter the queue in their
+ * order. */
 export const needsTexts = (sections: Record<string, unknown>, files: Files): boolean =>
   lettersIn(sections).some(({ text }) => typeof text === 'string' && text !== '') ||
   drawingsIn(sections, files).some(mayHaveText);
 
-/** Makes the letters of one engine; what they need is loaded with the first of them. */
+/** Makes the letters of one engine; the first text loads the libraries. */
 export class Texts {
   readonly #platform: Platform;
   readonly #files: EngineFiles;
   readonly #linesOf: (file: Uint8Array) => Promise<string[]>;
-  /** Font files, the engine's by address, and of others by Blob, which cannot change, or by the entry of one call: HarfBuzz opens
-   * the same bytes once. */
+  /** Bytes of fonts: of the engine's fonts by name; of others by Blob, which cannot change, or by the entry of one
+   * call. HarfBuzz opens the same bytes only once. */
   readonly #fonts = new Map<string, Promise<Uint8Array>>();
   readonly #ownFonts = new WeakMap<object, Promise<Uint8Array>>();
 
-  /** @param linesOf  names of the lines that a drawing asks for */
+  /** @param linesOf  returns the names of lines that a drawing asks for */
   constructor(platform: Platform, files: EngineFiles, linesOf: (file: Uint8Array) => Promise<string[]>) {
     this.#platform = platform;
     this.#files = files;
@@ -106,10 +108,12 @@ export class Texts {
   async #addCode(files: Files, text: string, correction: unknown): Promise<void> {
     if (!/^(low|medium|quartile|high)$/.test(correction as string)) return;
     const { qrModules } = await this.#start();
-    const value = qrModules(text, correction as Parameters<typeof qrModules>[1]) ?? new Uint8Array(1); // bytes are no picture: the engine says that it is too long
+    // Bytes are no picture; the engine then reports that the text is too long.
+    const value = qrModules(text, correction as Parameters<typeof qrModules>[1]) ?? new Uint8Array(1);
     files[nameOf('qr', correction as string, text)] = { number: 0, value };
   }
 
+  /** Adds a shaped line to the files, unless it is there. */
   async #addLine(files: Files, key: string, line: string): Promise<void> {
     const name = nameOf('line', key, line);
     if (name in files) return;
@@ -121,7 +125,7 @@ export class Texts {
     files[name] = { number: 0, value: new TextEncoder().encode(shaped) };
   }
 
-  /** Fonts that come with the engine are fetched where the line's own lacks a letter. */
+  /** Shapes a line. Fonts that come with the engine are fetched if the line's own font lacks a letter. */
   async #shaped(own: FontFile, line: string): Promise<object> {
     const { shapeLine, forget } = await this.#start();
     try {
@@ -140,12 +144,13 @@ export class Texts {
     }
   }
 
+  /** Returns the bytes of a font: a built-in one by its name, or a file of the call; undefined if there is none. */
   async #fontOf(files: Files, font: string): Promise<Uint8Array | undefined> {
     const address = this.#files.fonts[fontFiles.get(font) ?? ''];
     if (address !== undefined) {
       let bytes = this.#fonts.get(font);
       if (bytes === undefined) this.#fonts.set(font, (bytes = this.#platform.read(address)));
-      bytes.catch(() => this.#fonts.delete(font)); // the next call tries again
+      bytes.catch(() => this.#fonts.delete(font)); // lets the next call try again
       return bytes;
     }
     const given = files[font];
@@ -155,10 +160,11 @@ export class Texts {
     let bytes = this.#ownFonts.get(key);
     if (bytes === undefined)
       this.#ownFonts.set(key, (bytes = this.#start().then((tools) => tools.plainFont(value, this.#files.unpack))));
-    bytes.catch(() => this.#ownFonts.delete(key)); // the next call tries again
+    bytes.catch(() => this.#ownFonts.delete(key)); // lets the next call try again
     return bytes;
   }
 
+  /** Loads and starts the libraries. */
   async #start(): Promise<Tools> {
     const { script, wasm } = this.#files.text;
     try {

@@ -1,5 +1,5 @@
-// The whole library, in the order in which a plate is made. Programs that compile often include the
-// headers they need.
+// The whole library, in the order in which a plate is made. Programs that are compiled often
+// include only the headers they need.
 #pragma once
 
 // Values that all rooms share.
@@ -28,7 +28,7 @@
 #include "sillon/text/qr_code.hpp"
 #include "sillon/text/text.hpp"
 
-// From a project to a plate, or only to its toolpath (Alg. 1), and how good the result is.
+// The way from a project to a plate, or only to its toolpath (Alg. 1), and measures of the result.
 #include "sillon/field/dislocations.hpp"
 #include "sillon/job/path_gcode.hpp"
 #include "sillon/job/plate.hpp"
@@ -41,7 +41,7 @@
 #include "sillon/report/report.hpp"
 #include "sillon/report/warning.hpp"
 
-// G-code out, and any G-code in.
+// G-code: Sillon's own is written, and any G-code is read.
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/rebrush/rebrush.hpp"
@@ -59,7 +59,7 @@
 #include "sillon/look/spools.hpp"
 #include "sillon/look/view_file.hpp"
 
-// Test prints, and printers from the files of other slicers.
+// Test prints, and import of printers from the files of other slicers.
 #include "sillon/calibrate/calibrate.hpp"
 #include "sillon/calibrate/read_photo.hpp"
 #include "sillon/printer_import/printer_import.hpp"

@@ -13,7 +13,7 @@ void pixelsOf(const Capsule& capsule, int y, int count, int columns, PixelRuns& 
   for (int k = 0; k < count; k += 4) {
     F4 left = splat(kFar);
     F4 right = splat(-kFar);
-    // In a row that meets nothing x is no number, which min and max pass over.
+    // In a row that a disc does not meet, x is NaN, which min4 and max4 ignore.
     for (const Capsule::Disc& disc : capsule.discs) {
       const F4 x = splat(disc.centre.x);
       const F4 dy = row - splat(disc.centre.y);

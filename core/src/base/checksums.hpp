@@ -10,9 +10,9 @@
 
 namespace sillon {
 
-// Bytes as text.
+// Encoding of bytes as text.
 
-/// RFC 4648 with padding.
+/// Encodes bytes in base64 (RFC 4648) with padding.
 inline std::string base64(std::span<const std::uint8_t> bytes) {
   constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -28,7 +28,7 @@ inline std::string base64(std::span<const std::uint8_t> bytes) {
 
 // The checksum of zips, PNGs and binary G-code.
 
-/// CRC-32 of ISO 3309, as zlib has it.
+/// CRC-32 of ISO 3309, the same as in zlib.
 class Crc32 {
  public:
   void add(std::string_view bytes) {

@@ -1,5 +1,5 @@
-// Deflate (RFC 1951), packed for speed: noise, such as lit beads, has hardly a string twice, so that few places are
-// looked at, and codes made for each block do the rest.
+// Deflate (RFC 1951), tuned for speed. Noise, such as lit beads, hardly repeats strings, so that few places are
+// searched; Huffman codes made for each block save most of the space.
 #include "base/deflate.hpp"
 
 #include <algorithm>
@@ -11,17 +11,17 @@
 namespace sillon {
 namespace {
 
-constexpr int kDistances = 30;  // symbols
-constexpr int kLiterals = 286;  // symbols, with the end and the lengths of copies
+constexpr int kDistances = 30;  // number of distance symbols
+constexpr int kLiterals = 286;  // number of literal symbols, with the end and the lengths of copies
 constexpr int kSymbols = kLiterals + kDistances;
-constexpr std::uint32_t kEnd = 256;         // ends a block
-constexpr int kLongestCode = 15;            // bits
-constexpr std::uint32_t kShortestCopy = 3;  // bytes that a length can tell
-constexpr int kShortest = 4;                // bytes that are looked for: copies of three cost more than they save
-constexpr int kLongest = 257;               // one less than can be told, which would need a symbol out of order
-constexpr std::uint32_t kCopy = 32768;      // the farthest distance
+constexpr std::uint32_t kEnd = 256;         // symbol that ends a block
+constexpr int kLongestCode = 15;            // longest code [bits]
+constexpr std::uint32_t kShortestCopy = 3;  // shortest length that can be encoded [bytes]
+constexpr int kShortest = 4;   // shortest copy that is searched [bytes]: copies of three cost more than they save
+constexpr int kLongest = 257;  // longest copy [bytes]; one more could be encoded, but would need a symbol out of order
+constexpr std::uint32_t kCopy = 32768;  // farthest distance [bytes]; also marks copies in tokens, see writeBlock()
 constexpr int kHashBits = 15;
-constexpr std::size_t kBlock = 1U << 16;  // literals and copies that share codes
+constexpr std::size_t kBlock = 1U << 16;  // literals and copies per block, which share codes
 
 struct BitWriter {
   std::string out;
@@ -34,7 +34,7 @@ struct BitWriter {
   }
 };
 
-// Codes are written from their highest bit on, all other numbers from their lowest.
+// Reverses a code, because codes are written from their highest bit on, but all other numbers from their lowest.
 std::uint32_t turned(std::uint32_t code, int bits) {
   std::uint32_t turned = 0;
   for (; bits > 0; --bits, code >>= 1) turned = turned << 1 | (code & 1);
@@ -46,8 +46,8 @@ struct Code {
   int length;
 };
 
-// Huffman's codes, numbered as RFC 1951 has it. Counts are halved until no code is too long.
-// \param counts  at least two above 0.
+// Makes Huffman codes, numbered as in RFC 1951. Counts are halved until no code is too long.
+// \param counts  counts of the symbols; at least two must be above 0.
 void makeCodes(const std::uint32_t* counts, int size, Code* codes) {
   int parent[2 * kLiterals];
   int depth[2 * kLiterals];
@@ -56,7 +56,7 @@ void makeCodes(const std::uint32_t* counts, int size, Code* codes) {
     std::uint32_t weight[2 * kLiterals];
     for (int k = 0; k < size; ++k) weight[k] = counts[k] == 0 ? 0 : std::max(counts[k] >> halved, 1U);
     int root = size;
-    for (;; ++root) {  // each node takes the two lightest that are left
+    for (;; ++root) {  // each node takes the two lightest ones that remain
       weight[root] = 0;
       int taken = 0;
       for (; taken < 2; ++taken) {
@@ -71,7 +71,7 @@ void makeCodes(const std::uint32_t* counts, int size, Code* codes) {
       }
       if (taken < 2) break;
     }
-    depth[root] = -1;  // one more than was needed, above the last
+    depth[root] = -1;  // a surplus node above the root of the tree
     longest = 0;
     for (int k = root - 1; k >= 0; --k) {
       depth[k] = k < size && counts[k] == 0 ? 0 : depth[parent[k]] + 1;
@@ -86,13 +86,15 @@ void makeCodes(const std::uint32_t* counts, int size, Code* codes) {
   }
 }
 
-// \param tokens  literals, and copies as kCopy times their length and the distance less one.
+// Writes one block.
+// \param tokens  literals as they are; copies as kCopy times the length, plus the distance less one.
 void writeBlock(const std::vector<std::uint32_t>& tokens, bool last, BitWriter& to) {
   std::uint32_t counts[kSymbols] = {1};
-  counts[kLiterals] = counts[kLiterals + 1] = 1;  // a code of less than two is none to some readers
+  counts[kLiterals] = counts[kLiterals + 1] = 1;  // some readers reject a code of fewer than two symbols
   Code codes[kSymbols] = {};
   bool known = false;
-  // Lengths and distances have symbols for ranges that double after every 2^bits of them, and say where in it.
+  // Lengths and distances have symbols for ranges whose size doubles after every 2^bits of them, and extra bits for the
+  // place within the range.
   const auto put = [&](std::uint32_t first, std::uint32_t value, int bits) {
     const int extra = std::max(static_cast<int>(std::bit_width(value)) - 1 - bits, 0);
     const std::uint32_t symbol = first + (static_cast<std::uint32_t>(extra) << bits) + (value >> extra);
@@ -116,7 +118,7 @@ void writeBlock(const std::vector<std::uint32_t>& tokens, bool last, BitWriter& 
   makeCodes(counts, kLiterals, codes);
   makeCodes(counts + kLiterals, kDistances, codes + kLiterals);
   to.add(last ? 5 : 4, 3);
-  // Lengths of codes take four bits each, and repetitions are not used: a block is too long for that to matter.
+  // Code lengths take four bits each, without repetition symbols: blocks are so long that it does not matter.
   to.add(15 << 10 | (kDistances - 1) << 5 | (kLiterals - 257), 14);
   for (int k = 0; k < 19; ++k) to.add(k < 3 ? 0 : 4, 3);
   for (const Code& code : codes) to.add(turned(static_cast<std::uint32_t>(code.length), 4), 4);
@@ -131,8 +133,8 @@ std::string deflated(std::string_view data) {
   std::vector<std::uint32_t> tokens;
   const int size = static_cast<int>(data.size());
   const int farthest = static_cast<int>(kCopy);
-  std::vector<int> newest(std::size_t{1} << kHashBits, -farthest - 1);  // place of bytes with a hash
-  // The last place with the same hash; it is this one from now on.
+  std::vector<int> newest(std::size_t{1} << kHashBits, -farthest - 1);  // latest position of bytes with each hash
+  // Returns the latest earlier position with the same hash, and records `at` in its place.
   const auto lastLike = [&](int at) {
     if (at + kShortest > size) return -farthest - 1;
     std::uint32_t bytes = 0;

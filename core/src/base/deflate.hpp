@@ -1,4 +1,4 @@
-// Raw deflate data, as zips and PNGs hold it.
+// Raw deflate data, the form in which zips and PNGs store it.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace sillon {
 
-/// Packs bytes, in one way on every machine. \param data  less than 2 GiB.
+/// Packs bytes, with the same result on every machine. \param data  less than 2 GiB.
 std::string deflated(std::string_view data);
 
 }  // namespace sillon

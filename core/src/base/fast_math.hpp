@@ -1,4 +1,4 @@
-// Our own elementary functions: equal bytes on every platform, because only IEEE +, -, *, / and sqrt are used.
+// Fast elementary functions with equal bytes on every platform, because they only use IEEE +, -, *, / and sqrt.
 #pragma once
 
 #include <cmath>
@@ -15,8 +15,8 @@ struct SinCos4 {
   F4 cos;
 };
 
-/// sin and cos of |x| <= 8192, error below 3e-7 for |x| <= 10 and below 2e-6 + 1e-7 |x| beyond. Quadrants are removed
-/// in three steps (Cody-Waite), then minimax polynomials on [-pi/4, pi/4].
+/// Returns sin and cos for |x| <= 8192; error below 3e-7 for |x| <= 10 and below 2e-6 + 1e-7 |x| beyond. Quadrants are
+/// removed in three steps (Cody-Waite), then minimax polynomials apply on [-pi/4, pi/4].
 inline SinCos4 sinCos(F4 x) {
   const F4 half = select4(x < splat(0), splat(-0.5f), splat(0.5f));
   const I4 quadrant = toInt(x * splat(0.636619772f) + half);
@@ -48,16 +48,16 @@ inline SinCos sinCos(float x) {
   return {v.sin[0], v.cos[0]};
 }
 
-/// asin of x in [-1, 1], error below 1e-4; enough to place a vertex within a thousandth of a cell.
+/// Returns asin x for x in [-1, 1]; error below 1e-4, enough to place a vertex within a thousandth of a cell.
 inline float asinApprox(float x) {
   const float a = std::abs(x);
-  // Abramowitz and Stegun 4.4.45.
+  // Abramowitz and Stegun, formula 4.4.45.
   const float p = 1.5707288f + a * (-0.2121144f + a * (0.0742610f + a * -0.0187293f));
   const float v = 0.5f * kPi - std::sqrt(a < 1 ? 1 - a : 0.0f) * p;
   return x < 0 ? -v : v;
 }
 
-/// Angle of (x, y) in (-pi, pi], error below 1e-5; 0 for the zero vector.
+/// Returns the angle of (x, y) in (-pi, pi], error below 1e-5; 0 for the zero vector.
 inline float atan2Approx(float y, float x) {
   const float ax = std::abs(x);
   const float ay = std::abs(y);
@@ -73,7 +73,7 @@ inline float atan2Approx(float y, float x) {
   return y < 0 ? -a : a;
 }
 
-/// A well-mixed 64-bit hash (the finaliser of splitmix64), for randomness that no thread order can change.
+/// Returns a well-mixed 64-bit hash (the finaliser of splitmix64), for randomness that no thread order can change.
 inline std::uint64_t hash64(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ull;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;

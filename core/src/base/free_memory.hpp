@@ -1,9 +1,9 @@
-// Gives memory back before its owner ends: the peak of memory is what limits a plate's size.
+// Releases memory before its owner ends, because the peak of memory limits a plate's size.
 #pragma once
 
 namespace sillon {
 
-/// `fields = {}` would not do: a vector keeps its memory then.
+/// Frees the memory of fields. Assigning `{}` would not do: it clears a vector but keeps its memory.
 template <class T>
 void release(T& fields) {
   fields = T();

@@ -1,4 +1,4 @@
-// Numbers as text, and text as numbers.
+// Converts numbers to text.
 #pragma once
 
 #include <charconv>
@@ -8,10 +8,12 @@
 
 namespace sillon {
 
-// Decimal numbers as text from scaled integers: the same bytes everywhere, no locale, no exponent, no "-0".
+// Decimal numbers as text, made from scaled integers: the same bytes everywhere, no locale, no exponent, no "-0".
 
 /// Prints scaled / 10^digits with exactly `digits` decimals, e.g. (-12345, 3) as "-12.345".
-/// \param out  room for 24 characters. \param digits  0..9. \return one past the last character.
+/// \param out  buffer of at least 24 characters.
+/// \param digits  0..9.
+/// \return one past the last character.
 inline char* printScaled(char* out, std::int64_t scaled, int digits) {
   std::uint64_t magnitude = static_cast<std::uint64_t>(scaled);
   if (scaled < 0) {
@@ -28,7 +30,7 @@ inline char* printScaled(char* out, std::int64_t scaled, int digits) {
   return out + digits;
 }
 
-/// Rounded to `digits` decimals, e.g. fixed(0.4, 2) is "0.40". For messages too: any double is safe.
+/// Rounds to `digits` decimals, e.g. fixed(0.4, 2) is "0.40". Any double is safe, so that it also serves for messages.
 /// \param digits  0..6.
 inline std::string fixed(double value, int digits) {
   if (std::isnan(value)) return "not a number";
@@ -40,7 +42,7 @@ inline std::string fixed(double value, int digits) {
   return std::string(text, printScaled(text, std::llround(value * unit), digits));
 }
 
-/// As `fixed`, without trailing zeros: decimal(0.4, 3) is "0.4", decimal(60, 3) is "60".
+/// Rounds like fixed(), but without trailing zeros: decimal(0.4, 3) is "0.4", decimal(60, 3) is "60".
 inline std::string decimal(double value, int digits) {
   std::string text = fixed(value, digits);
   if (text.find('.') == std::string::npos) return text;
@@ -49,27 +51,28 @@ inline std::string decimal(double value, int digits) {
   return text;
 }
 
-/// A value for a message: as decimal(value, 6), but what is nearly 0 is not said to be 0.
+/// Formats a value for a message like decimal(value, 6), except that tiny values are not shown as 0.
 inline std::string shownNumber(double value) {
   std::string text = decimal(value, 6);
   if (value == 0 || (text != "0" && text != "-0")) return text;
   return value > 0 ? "above 0, below 0.000001" : "below 0, above -0.000001";
 }
 
-/// The sentence for a number that is not allowed. \param unit, range  as they are read, such as " mm" and "0 to 1 mm".
+/// Makes the sentence for a number that is not allowed.
+/// \param unit, range  texts for the reader, such as " mm" and "0 to 1 mm".
 inline std::string outOfRange(const char* field, double value, const char* unit, const char* range) {
   const std::string text = std::isfinite(value) ? shownNumber(value) : "not a number";
   return std::string(field) + " is " + text + unit + "; it must be " + range;
 }
 
-// The nearest whole number without a call.
+// Rounding to whole numbers without a library call.
 
-/// Rounds as llround does, to the last bit. \param value  |value| < 2^62.
+/// Rounds to the nearest whole number, exactly as llround(). \param value  |value| < 2^62.
 inline std::int64_t toWhole(double value) {
 #if defined(__wasm__)
-  return std::llround(value);  // a conversion takes more code than a call there
+  return std::llround(value);  // in WebAssembly a conversion takes more code than a call
 #else
-  const auto whole = static_cast<std::int64_t>(value);  // towards zero: what is left is exact
+  const auto whole = static_cast<std::int64_t>(value);  // rounds towards zero; the rest is exact
   const double rest = value - static_cast<double>(whole);
   return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
 #endif

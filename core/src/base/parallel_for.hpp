@@ -1,4 +1,4 @@
-// Loops over row bands. Results must not depend on how the rows are shared out.
+// Loops over bands of rows. Results must not depend on how the rows are divided among threads.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace sillon {
 
-// The end of a job that was asked to stop.
+// Result of a job that was asked to stop.
 
-/// ErrorCode::Cancelled.
+/// Returns the error ErrorCode::Cancelled.
 Error cancelledRun();
 
 /// Threads that wait for work between loops; the caller is worker 0.
@@ -34,25 +34,25 @@ class ThreadPool {
   int threads_;
 };
 
-/// A loop's body without its type: all loops share one function that hands ranges out, and no body is compiled twice
-/// (3 % of the npm module).
+/// Body of a loop without its type: all loops share one function that hands out ranges, and no body is compiled twice,
+/// which saves 3 % of the npm module.
 struct RangeBody {
   const void* body;
   void (*call)(const void* body, int begin, int end);
 };
 void forRanges(const RunContext& run, int count, int grain, const RangeBody& body);
 
-/// Calls body(begin, end) over disjoint ranges that cover [0, count), none longer than `grain`.
-/// Ranges that have not begun when the run is cancelled are left out, and so are all later loops: before serial code
-/// uses what a loop made as indices or sizes, check run.cancelled().
+/// Calls body(begin, end) over disjoint ranges that cover [0, count), none longer than `grain`. When the run is
+/// cancelled, ranges that have not begun are skipped, and so are all later loops: check run.cancelled() before serial
+/// code uses results of a loop as indices or sizes.
 template <class Body>
 void parallelFor(const RunContext& run, int count, int grain, const Body& body) {
   forRanges(run, count, grain,
             {&body, [](const void* own, int begin, int end) { (*static_cast<const Body*>(own))(begin, end); }});
 }
 
-/// Rows per chunk for loops over `rows` rows of `rowCost` nanoseconds: about 50 µs of work, at most 1/8 of a worker's
-/// share.
+/// Returns the number of rows per chunk for loops over `rows` rows of `rowCost` nanoseconds: about 50 µs of work, but
+/// at most 1/8 of a worker's share.
 inline int rowGrain(const RunContext& run, int rows, double rowCost) {
   const int share = std::max(1, rows / (8 * run.threads()));
   return std::clamp(static_cast<int>(50e3 / std::max(rowCost, 1.0)), 1, share);

@@ -5,14 +5,14 @@
 
 #include "sillon/base/result.hpp"
 
-// Reasons of what readers of print files refuse; those of plates are in sillon/base/result.hpp.
+// Reasons for which readers of print files refuse a file; those of plates are in sillon/base/result.hpp.
 namespace sillon::reason {
 
 /// The lines of a sliced file are numbered, as hosts send them.
 inline constexpr char kLinesNumbered[] = "LinesNumbered";
 /// A sliced file marks no layers or surfaces.
 inline constexpr char kNoMarks[] = "NoMarks";
-/// The beads of a file do not tell how thick its filament is: they are `thinWidth` wide from filament of `thin`,
+/// The beads of a file leave the diameter of its filament open: they are `thinWidth` wide from filament of `thin`,
 /// `wideWidth` from filament of `wide` [mm].
 inline constexpr char kFilamentOpen[] = "FilamentOpen";
 /// A sliced file pushes no filament by E.
@@ -22,7 +22,9 @@ inline constexpr char kNoFilament[] = "NoFilament";
 
 namespace sillon {
 
-/// \param reason  one of reasonSentences(). \param values  of its sentence
+/// Makes an error with its sentence.
+/// \param reason  one of reasonSentences()
+/// \param values  values of its sentence
 Error refused(ErrorCode code, const char* reason, std::vector<NamedValue> values = {});
 
 }  // namespace sillon

@@ -20,13 +20,13 @@ namespace sillon {
 
 namespace {
 
-// How long an idle worker looks for the next loop before it sleeps. The sweeps of a hierarchy are hundreds of loops of
-// some 100 us each; waking a sleeper takes 50 us.
+// Polls of an idle worker for the next loop before it sleeps. The sweeps of a hierarchy are hundreds of loops of some
+// 100 us each, and waking a sleeper takes 50 us.
 constexpr int kSpins = 4000;
 
 constexpr int kMaxThreads = 256;
 
-// Lets the other thread of a core have it, and now and then the other threads of the machine.
+// Yields to the other thread of the core, and now and then to the other threads of the machine.
 void pause(int spin) {
 #if defined(__SSE2__)
   _mm_pause();
@@ -36,8 +36,9 @@ void pause(int spin) {
 
 }  // namespace
 
-// A loop is published as its number in the upper half of `next` and `limit`. Whoever draws a chunk number compares
-// both: a worker that comes late for one loop can neither run its chunks twice nor mistake them for the next loop's.
+// State of a pool. A loop is published as its number in the upper half of `next` and `limit`. A worker that draws a
+// chunk compares both numbers: if it comes late for a loop, it can neither run the loop's chunks twice nor mistake them
+// for the next loop's.
 struct ThreadPool::State {
   std::mutex mutex;
   std::condition_variable wake;
@@ -48,9 +49,10 @@ struct ThreadPool::State {
   std::atomic<int> unfinished{0};
   std::atomic<int> sleepers{0};
   std::atomic<bool> stop{false};
-  std::exception_ptr failure;  // of the first chunk that threw; guarded by `mutex`
+  std::exception_ptr failure;  // exception of the first chunk that threw; guarded by `mutex`
 
-  // What a chunk throws, out of memory, is thrown again where the loop was asked for, once nobody works on it any more.
+  // Runs a chunk. An exception, such as out of memory, is rethrown by run() once no worker is busy with the loop any
+  // more.
   void work(int chunk) {
 #ifdef __cpp_exceptions
     try {
@@ -64,6 +66,7 @@ struct ThreadPool::State {
 #endif
   }
 
+  // Runs chunks of the current loop until none is left.
   void drain() {
     for (;;) {
       const std::uint64_t drawn = next.fetch_add(1);
@@ -76,6 +79,7 @@ struct ThreadPool::State {
 
   [[nodiscard]] bool idle(std::uint64_t seen) const { return !stop.load() && (next.load() >> 32) == seen; }
 
+  // Body of a worker's thread: spins for a while, then sleeps, and drains each new loop.
   void loop() {
     std::uint64_t seen = 0;
     for (;;) {
@@ -101,7 +105,7 @@ ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()), threads
 #ifdef __cpp_exceptions
   try {
     start();
-  } catch (const std::system_error&) {  // the system gives no more: those that there are do
+  } catch (const std::system_error&) {  // the system refuses more threads; go on with those that exist
     threads_ = static_cast<int>(state_->workers.size()) + 1;
   }
 #else
@@ -126,7 +130,7 @@ void ThreadPool::run(int chunks, const std::function<void(int)>& task) {
   state.limit.store(number | static_cast<std::uint32_t>(chunks));
   state.next.store(number);
   if (state.sleepers.load() > 0) {
-    { const std::lock_guard lock(state.mutex); }  // a worker about to sleep has either seen the loop or gets the call
+    { const std::lock_guard lock(state.mutex); }  // a worker about to sleep has seen the loop or is notified
     state.wake.notify_all();
   }
   state.drain();

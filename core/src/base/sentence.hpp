@@ -1,4 +1,4 @@
-// Sentences of codes, with their values.
+// Sentences for codes, with their values.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::string textOf(const std::pair<Name, std::string>& value) {
   return value.second;
 }
 
-/// Tells whether a sentence gets each value that it says, and says each that it does not mark as unsaid.
+/// Tells whether a sentence gets each value that it mentions, and mentions each value that it does not mark as unsaid.
 /// \param values  NamedValue, or pairs of a name and a text
 template <class Values>
 bool saysAll(const Sentence& sentence, const Values& values) {
@@ -46,7 +46,7 @@ bool saysAll(const Sentence& sentence, const Values& values) {
   });
 }
 
-/// A sentence with its values in the places of their {names}. \param values  all that it says
+/// Replaces each {name} in a sentence by its value. \param values  all values that it mentions
 template <class Values>
 std::string filled(const Sentence& sentence, const Values& values) {
   assert(saysAll(sentence, values));
@@ -62,14 +62,15 @@ std::string filled(const Sentence& sentence, const Values& values) {
   return out.append(rest);
 }
 
-/// Makes a warning or a note about the one drawing of a plate one about that of a layer. \param layer  number, from 1
+/// Turns a warning or a note about a plate's only drawing into one about the drawing of a layer. \param layer  number,
+/// from 1
 template <class Told>
 void tellOfLayer(Told& told, std::size_t layer) {
   told.values.emplace_back("layer", static_cast<double>(layer));
   told.message = "layer " + std::to_string(layer) + ": " + told.message;
 }
 
-/// \param sentences  a list that has the code
+/// Returns the sentence for a code. \param sentences  a list that contains the code
 template <class Sentences>
 const Sentence& sentenceOf(const Sentences& sentences, std::string_view code) {
   const auto row = std::find_if(std::begin(sentences), std::end(sentences),

@@ -1,6 +1,7 @@
-// Four floats at a time: one source for SSE2, NEON and WebAssembly. Lane-wise IEEE operations only, so that lanes and
-// platforms cannot change a result. The compilers' vector types do what we need; a library would add dispatch only.
-// All are noexcept: in WebAssembly, calls that may throw go through JavaScript, which cannot hand over a vector.
+// Four floats at a time, with one source for SSE2, NEON and WebAssembly. It only uses lane-wise IEEE operations, so
+// that lanes and platforms cannot change a result. The compilers' vector types suffice; a library would only add
+// dispatch. All functions are noexcept: in WebAssembly, calls that may throw go through JavaScript, which cannot pass a
+// vector on.
 #pragma once
 
 #include <cmath>
@@ -26,16 +27,16 @@ using U2 = std::uint64_t __attribute__((vector_size(16)));
 inline F4 splat(float v) noexcept { return F4{v, v, v, v}; }
 inline I4 splatInt(std::int32_t v) noexcept { return I4{v, v, v, v}; }
 #if defined(__wasm_simd128__)
-// The compiler's own choice compares the mask with zero first.
+// Uses the intrinsic, because the compiler's own code would compare the mask with zero first.
 inline F4 select4(I4 mask, F4 a, F4 b) noexcept { return (F4)wasm_v128_bitselect((v128_t)a, (v128_t)b, (v128_t)mask); }
 #else
 inline F4 select4(I4 mask, F4 a, F4 b) noexcept { return mask ? a : b; }
 #endif
 inline F4 toFloat(I4 v) noexcept { return __builtin_convertvector(v, F4); }
-inline I4 toInt(F4 v) noexcept { return __builtin_convertvector(v, I4); }  // towards zero
+inline I4 toInt(F4 v) noexcept { return __builtin_convertvector(v, I4); }  // rounds towards zero
 
 #else
-// The same by plain loops, for compilers without vector types.
+// The same types as structs with plain loops, for compilers without vector types.
 struct I4 {
   std::int32_t lane[4];
   std::int32_t operator[](int k) const { return lane[k]; }
@@ -99,7 +100,7 @@ inline void storeInt4(std::uint32_t* p, I4 v) noexcept { std::memcpy(p, &v, size
 inline void store4(float* p, F4 v) noexcept { std::memcpy(p, &v, sizeof v); }
 inline void store4(std::int32_t* p, I4 v) noexcept { std::memcpy(p, &v, sizeof v); }
 
-/// Correctly rounded on every platform. The vector types have no square root, hence the intrinsics.
+/// Square roots, correctly rounded on every platform. The vector types have none, hence the intrinsics.
 inline F4 sqrt4(F4 v) noexcept {
 #if defined(__SSE2__) && (defined(__GNUC__) || defined(__clang__))
   return (F4)_mm_sqrt_ps((__m128)v);
@@ -113,7 +114,7 @@ inline F4 sqrt4(F4 v) noexcept {
 #endif
 }
 
-// Of two equal ones, and where either is no number, b.
+// Maximum and minimum by lane. If the operands are equal, or if either is NaN, the result is b.
 #if defined(__wasm_simd128__)
 inline F4 max4(F4 a, F4 b) noexcept { return (F4)wasm_f32x4_pmax((v128_t)b, (v128_t)a); }
 inline F4 min4(F4 a, F4 b) noexcept { return (F4)wasm_f32x4_pmin((v128_t)b, (v128_t)a); }

@@ -1,4 +1,4 @@
-// Sorting by a number, where speed does not matter.
+// Sorts by a number, where speed does not matter.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,10 @@
 
 namespace sillon {
 
-/// From the least key to the greatest; equal ones stay in their order. Sorting pairs of numbers, instead of the items
-/// by std::stable_sort, saves web pages 6 KB of code for each type of item: all of them share one sort. \param keyOf  a
-/// number for each item, never NaN.
+/// Sorts from the smallest key to the largest; items with equal keys keep their order. Sorting pairs of numbers,
+/// instead of the items by std::stable_sort, saves web pages 6 KB of code for each type of item, because all of them
+/// share one sort.
+/// \param keyOf  returns a number for each item, never NaN.
 template <class T, class KeyOf>
 void sortBy(std::vector<T>& items, KeyOf&& keyOf) {
   std::vector<std::pair<double, std::size_t>> order;

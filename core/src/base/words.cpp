@@ -7,7 +7,7 @@
 namespace sillon {
 namespace {
 
-/// Levenshtein distance; both texts are short.
+/// Returns the Levenshtein distance; both texts are short.
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -23,7 +23,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-/// Letters and digits alone, small.
+/// Keeps letters and digits only, in lower case.
 std::string plain(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -33,7 +33,7 @@ std::string plain(std::string_view text) {
   return out;
 }
 
-/// The character that a text in UTF-8 begins with.
+/// Decodes the character at the beginning of a text in UTF-8.
 std::uint32_t codeOf(std::string_view letter) {
   const auto at = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(letter[k])); };
   std::uint32_t code = letter.empty() ? 0 : letter.size() == 1 ? at(0) : at(0) & (0x7Fu >> letter.size());
@@ -59,7 +59,7 @@ std::string inQuotes(std::string_view text) {
     const auto byte = static_cast<unsigned char>(text[k]);
     out += byte < 0x20 || byte == 0x7f || byte == '"' ? '?' : text[k];
   }
-  // A cut through a UTF-8 character would leave half of it.
+  // Removes the rest of a UTF-8 character that was cut through.
   if (text.size() > kShown) {
     while ((static_cast<unsigned char>(out.back()) & 0xC0) == 0x80) out.pop_back();
     if (static_cast<unsigned char>(out.back()) >= 0xC0) out.pop_back();
@@ -72,7 +72,7 @@ std::string letterWithCode(std::string_view letter) { return inQuotes(letter) + 
 
 std::vector<std::string> nearNames(std::string_view word, const std::vector<std::string>& known) {
   constexpr std::size_t kMost = 3;
-  constexpr std::size_t kTelling = 4;  // letters: a shorter part is in too many names
+  constexpr std::size_t kTelling = 4;  // letters; shorter parts occur in too many names
   word = word.substr(0, 64);
   std::vector<std::string> near;
   const auto add = [&](const std::string& name) {
@@ -82,7 +82,7 @@ std::vector<std::string> nearNames(std::string_view word, const std::vector<std:
   for (const std::string& name : known) {
     if (part.size() >= kTelling && plain(name).find(part) != std::string::npos) add(name);
   }
-  // Another half of a word is another word.
+  // A name that differs in more than half of the word's letters is no misspelling of it.
   const std::size_t farthest = std::min<std::size_t>(3, word.size() / 2);
   for (std::size_t distance = 0; distance <= farthest; ++distance) {
     for (const std::string& name : known) {

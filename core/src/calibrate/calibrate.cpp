@@ -11,7 +11,7 @@
 namespace sillon {
 namespace {
 
-// The table again, for those who find the file later.
+// Notes kind, advice, setting and every value with its place in the file, so that it explains itself later.
 void addNotes(CalibrationPlate& plate) {
   std::vector<std::string>& notes = plate.print.notes;
   notes.clear();
@@ -53,6 +53,7 @@ Toolpath shownCalibration(const CalibrationPlate& plate) {
   shown.spacing = plate.printer.nozzle;
   for (const Patch& patch : plate.patches.patches) {
     for (const PatchLine& line : patch.lines) {
+      // A patch's line is open, and a cycle is closed: the cycle runs along the line and back.
       Cycle cycle;
       const auto add = [&](std::size_t i) {
         cycle.points.push_back({static_cast<float>(line.points[i].x), static_cast<float>(line.points[i].y)});

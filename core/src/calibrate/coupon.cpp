@@ -7,6 +7,7 @@ namespace sillon {
 
 std::vector<CouponSpiral> couponMarks(double nozzle) {
   constexpr double kRadius = 2.6;
+  // Marks keep 1 mm off the edges.
   constexpr double kNear = 1 + kRadius;
   constexpr double kFar = kCouponSide - kNear;
   std::vector<CouponSpiral> marks;
@@ -24,7 +25,7 @@ CouponSpiral flowDisc(int k, double nozzle) { return {{46, 43.5 - 8.2 * k}, 3.7,
 
 void layCoupon(PlateBuilder& plate) {
   constexpr double kEdge = 1;
-  constexpr double kSmall = 0.45;  // [mm] of writing
+  constexpr double kSmall = 0.45;  // [mm] unit of small writing: capitals of 2.7 mm
   const double width = plate.width();
   plate.base(box({0, 0}, {kCouponSide, kCouponSide}));
 
@@ -34,13 +35,15 @@ void layCoupon(PlateBuilder& plate) {
     plate.patch({spiral(loose.centre, loose.radius, width, loose.pitch)});
   }
 
-  for (int mm = 0; mm <= 30; ++mm) {  // the ruler
+  // A ruler with one tick per millimetre, longer ones every 5 and 10.
+  for (int mm = 0; mm <= 30; ++mm) {
     const double x = 13 + mm;
     const double length = mm % 10 == 0 ? 3 : mm % 5 == 0 ? 2.2 : 1.5;
     plate.draw({stroke({x, kEdge}, {x, kEdge + length}, std::clamp(0.45, kLeastWidth * width, width))});
   }
 
   const Vec2 middle{15.5, 34};
+  // Ticks on the star at 0 and 90 degrees.
   for (const int k : {0, 6}) {
     plate.draw({stroke(middle + 13.6 * spoke(k), middle + 14.8 * spoke(k), width)});
   }

@@ -11,11 +11,11 @@
 namespace sillon {
 namespace {
 
-constexpr double kReach = 0.9;           // [mm], how far off the outline's corners may put a spiral
-constexpr double kClear = 0.11;          // mean clarity of a coupon's spirals; glossy ones shine in few directions
-constexpr double kClearer = 1.4;         // than any other way round,
-constexpr double kMostResidual = 0.25;   // [mm] of the spirals' places
-constexpr double kOutlineWeight = 0.02;  // of a corner of the outline, by a spiral's clarity
+constexpr double kReach = 0.9;          // [mm] largest error of a spiral's place in the outline's map
+constexpr double kClear = 0.11;         // least mean clarity of a coupon's spirals; glossy ones shine in few directions
+constexpr double kClearer = 1.4;        // least ratio of the best orientation's clarity to the next best one's
+constexpr double kMostResidual = 0.25;  // [mm] largest weighted RMS residual of the spirals' places
+constexpr double kOutlineWeight = 0.02;  // weight of a corner of the outline; a spiral's weight is its clarity
 
 Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
 
@@ -38,11 +38,11 @@ Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, cons
                                const RunContext& run) {
   const Result<std::vector<Vec2>> outline = findOutline(photograph);
   if (!outline) return outline.error();
-  // The picture's y goes down: what is counter-clockwise there is clockwise on the plate.
+  // The picture's y axis points down, so that a counter-clockwise ring there is clockwise on the plate.
   const Vec2 plate[] = {{0, 0}, {0, kCouponSide}, {kCouponSide, kCouponSide}, {kCouponSide, 0}};
   FoundCoupon best;
-  std::vector<PointPair> corners;  // of the best
-  double next = 0;                 // clarity of the second best way round
+  std::vector<PointPair> corners;  // the outline's corners in the best orientation
+  double next = 0;                 // clarity of the second best orientation
   for (std::size_t turn = 0; turn < 4; ++turn) {
     if (run.cancelled()) return cancelledRun();
     std::vector<PointPair> pairs;
@@ -68,7 +68,8 @@ Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, cons
     best.clarity = meanClarity(seen);
     std::vector<PointPair> pairs = corners;
     for (std::size_t k = 0; k < seen.size(); ++k) {
-      // Loose turns are seen best, but shine off their middles by more.
+      // Loose spirals are seen most clearly, but their highlights lie farther off their beads' middles: they only help
+      // in the first round.
       const bool loose = spirals[k].pitch > spirals.front().pitch;
       if (loose && reach < kReach) continue;
       pairs.push_back({spirals[k].centre, best.pixelOf(spirals[k].centre + seen[k].off), seen[k].clarity});

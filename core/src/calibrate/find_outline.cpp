@@ -12,16 +12,18 @@
 namespace sillon {
 namespace {
 
-constexpr int kSmall = 480;  // [pixels] of the longer side, where the outline is looked for
+constexpr int kSmall = 480;  // [pixels] longest side of the shrunken picture in which the outline is found
 
 Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
 
+/// A photograph shrunk by a whole factor; each pixel is the mean of a square of samples.
 struct SmallPicture {
   int width = 0, height = 0;
-  double scale = 1;  // [pixels of the photograph]
-  std::array<std::vector<float>, 3> code;
+  double scale = 1;                        // side of a pixel [pixels of the photograph]
+  std::array<std::vector<float>, 3> code;  // red, green and blue, 0..1
 };
 
+/// Shrinks a photograph until its longer side has at most kSmall pixels; grey becomes three equal channels.
 SmallPicture shrunk(const Image& image) {
   SmallPicture out;
   const int longer = std::max(image.width, image.height);
@@ -46,8 +48,9 @@ SmallPicture shrunk(const Image& image) {
   return out;
 }
 
-/// How far each pixel's colour is from the ground's, which is a smooth function along the picture's border.
-/// \param[out] spread  of the ground about it.
+/// Finds the distance of each pixel's code from the ground's, the largest of the three channels. The ground is a
+/// quadratic function of the place, fitted to the picture's border without outliers.
+/// \param[out] spread  standard deviation of the border about that function, the largest of the channels.
 std::vector<float> offGround(const SmallPicture& picture, double& spread) {
   using Terms = std::array<double, 6>;
   const int w = picture.width, h = picture.height;
@@ -100,7 +103,8 @@ std::vector<float> offGround(const SmallPicture& picture, double& spread) {
   return off;
 }
 
-/// Pixels of which most neighbours within `reach` are (share 0.5), or any (0), or all (1).
+/// Sets the pixels of which at least this share of neighbours within `reach` is set: 0 (any of them) dilates the
+/// mask, 1 (all of them) erodes it.
 std::vector<std::uint8_t> filtered(const std::vector<std::uint8_t>& mask, int w, int h, int reach, double share) {
   std::vector<int> sums(static_cast<std::size_t>(w + 1) * static_cast<std::size_t>(h + 1), 0);
   const auto at = [&](int x, int y) -> int& {
@@ -126,7 +130,7 @@ std::vector<std::uint8_t> filtered(const std::vector<std::uint8_t>& mask, int w,
   return out;
 }
 
-/// The pixels of the largest connected part.
+/// Finds the pixels of the largest part of a mask that is connected by the sides of pixels.
 std::vector<Vec2> largestPart(const std::vector<std::uint8_t>& mask, int w, int h) {
   std::vector<std::uint8_t> seen(mask.size(), 0);
   std::vector<Vec2> best;
@@ -156,13 +160,14 @@ std::vector<Vec2> largestPart(const std::vector<std::uint8_t>& mask, int w, int 
   return best;
 }
 
+/// Signed area of a ring, positive if it is counter-clockwise where x points right and y up.
 double areaOf(const std::vector<Vec2>& ring) {
   double sum = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) sum += cross(ring[k], ring[(k + 1) % ring.size()]);
   return sum / 2;
 }
 
-/// Andrew's monotone chain, counter-clockwise as x right, y up has it.
+/// Convex hull by Andrew's monotone chain, counter-clockwise where x points right and y up.
 std::vector<Vec2> convexHull(std::vector<Vec2> points) {
   std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   std::vector<Vec2> hull;
@@ -181,13 +186,15 @@ std::vector<Vec2> convexHull(std::vector<Vec2> points) {
   return hull;
 }
 
+/// Point in which the lines through a, b and through c, d meet; none if they are parallel.
 std::optional<Vec2> crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const double turn = cross(b - a, d - c);
   if (std::abs(turn) < 1e-9) return std::nullopt;
   return a + (cross(c - a, d - c) / turn) * (b - a);
 }
 
-/// Takes off the sides one by one whose going adds the least, until four are left.
+/// Reduces a convex ring to four sides: removes one side at a time, and extends its neighbours until they meet. The
+/// side whose removal adds the least area goes first. \return nothing if no side can be removed.
 std::vector<Vec2> quadAround(std::vector<Vec2> ring) {
   while (ring.size() > 4) {
     const std::size_t n = ring.size();
@@ -224,8 +231,8 @@ Result<std::vector<Vec2>> findOutline(const Image& photograph) {
   std::vector<std::uint8_t> mask;
   mask.reserve(off.size());
   for (const float v : off) mask.push_back(v > threshold ? 1 : 0);
-  mask = filtered(filtered(mask, w, h, 3, 0), w, h, 3, 1);  // closed
-  mask = filtered(filtered(mask, w, h, 2, 1), w, h, 2, 0);  // opened
+  mask = filtered(filtered(mask, w, h, 3, 0), w, h, 3, 1);  // closing fills narrow gaps
+  mask = filtered(filtered(mask, w, h, 2, 1), w, h, 2, 0);  // opening removes thin specks
   const std::vector<Vec2> part = largestPart(mask, w, h);
   if (static_cast<double>(part.size()) < 0.03 * w * h) {
     return unreadable(
@@ -240,7 +247,6 @@ Result<std::vector<Vec2>> findOutline(const Image& photograph) {
   }
   std::vector<Vec2> hull = convexHull(part);
   if (hull.size() < 4) return unreadable("the photograph shows no coupon; what lies there is not square");
-  // Corners of pixels, not their lower ones.
   Vec2 middle;
   for (const Vec2 p : hull) middle = middle + (1.0 / static_cast<double>(hull.size())) * p;
   const double hullArea = areaOf(hull);
@@ -248,6 +254,7 @@ Result<std::vector<Vec2>> findOutline(const Image& photograph) {
   if (quad.size() != 4 || static_cast<double>(part.size()) < 0.8 * hullArea || hullArea < 0.9 * areaOf(quad)) {
     return unreadable("the photograph shows no coupon; what lies there is not square, or is cut off or covered");
   }
+  // Points of the hull are indices of pixels; half a pixel more is the pixel's middle.
   std::vector<Vec2> corners;
   for (const Vec2 p : quad) corners.push_back(picture.scale * (p + Vec2{0.5, 0.5}));
   return corners;

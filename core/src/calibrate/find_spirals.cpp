@@ -9,8 +9,9 @@
 namespace sillon {
 namespace {
 
-constexpr double kStepsPerPitch = 6;  // of the patches in which spirals are looked for
+constexpr double kStepsPerPitch = 6;  // samples per pitch in the patch in which a spiral is looked for
 
+/// Samples a picture by bilinear interpolation.
 float sampled(const Tones& tones, Vec2 pixel) {
   const double x = std::clamp(pixel.x - 0.5, 0.0, tones.width - 1.001);
   const double y = std::clamp(pixel.y - 0.5, 0.0, tones.height - 1.001);
@@ -20,7 +21,8 @@ float sampled(const Tones& tones, Vec2 pixel) {
          (tones.at(i, j + 1) * (1 - u) + tones.at(i + 1, j + 1) * u) * v;
 }
 
-/// Takes means over squares off, and divides by what is left in them: only the turns' pattern remains.
+/// Subtracts the local mean and divides by the local RMS of the rest, both over squares: only the pattern of the turns
+/// remains. \param reach  half a square's side [samples].
 void flatten(std::vector<float>& patch, int side, int reach) {
   const auto means = [&](const std::vector<float>& values) {
     std::vector<double> sums(static_cast<std::size_t>(side + 1) * static_cast<std::size_t>(side + 1), 0);
@@ -53,7 +55,7 @@ void flatten(std::vector<float>& patch, int side, int reach) {
   for (std::size_t k = 0; k < patch.size(); ++k) patch[k] /= std::sqrt(power[k] + 1e-4f);
 }
 
-/// Where a spiral's turns answer most to those that it should have.
+/// Finds the shift at which the picture correlates most with the complex wave that the spiral's turns should make.
 SeenSpiral lookFor(const CouponSpiral& spiral, const FoundCoupon& found, const Tones& tones, double reach, int stride) {
   const double step = spiral.pitch / kStepsPerPitch;
   const int shifts = static_cast<int>(std::ceil(reach / step));
@@ -68,6 +70,7 @@ SeenSpiral lookFor(const CouponSpiral& spiral, const FoundCoupon& found, const T
     }
   }
   flatten(patch, side, static_cast<int>(kStepsPerPitch));
+  // The wave at a place of the patch, counted from its middle.
   struct Sample {
     int i, j;
     float re, im;
@@ -81,7 +84,7 @@ SeenSpiral lookFor(const CouponSpiral& spiral, const FoundCoupon& found, const T
       wave.push_back({i, j, static_cast<float>(exact::cos(phase)), static_cast<float>(exact::sin(phase))});
     }
   }
-  // Row by row of shifts: neighbours are summed side by side.
+  // Correlates a whole row of shifts at once: neighbouring shifts read neighbouring samples.
   const auto answers = [&](int dy) {
     std::vector<float> re(static_cast<std::size_t>(2 * shifts + 1), 0), im = re;
     for (const Sample& s : wave) {
@@ -100,7 +103,7 @@ SeenSpiral lookFor(const CouponSpiral& spiral, const FoundCoupon& found, const T
   };
   SeenSpiral best;
   int bx = 0, by = 0;
-  std::vector<double> row;  // of the best
+  std::vector<double> row;  // clarities of the best shift's row
   for (int dy = -shifts; dy <= shifts; dy += stride) {
     const std::vector<double> now = answers(dy);
     for (int dx = -shifts; dx <= shifts; dx += stride) {
@@ -109,7 +112,7 @@ SeenSpiral lookFor(const CouponSpiral& spiral, const FoundCoupon& found, const T
     }
   }
   Vec2 at{static_cast<double>(bx), static_cast<double>(by)};
-  if (stride == 1 && !row.empty()) {  // the parabola through the neighbours
+  if (stride == 1 && !row.empty()) {  // the top of the parabola through three neighbours lies between samples
     const auto top = [&](double before, double here, double after) {
       const double bend = before - 2 * here + after;
       return bend < -1e-12 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;

@@ -10,31 +10,37 @@
 namespace sillon {
 namespace {
 
-constexpr std::size_t kCamera = 9;   // of the globals, the first that is no light's: contrast, and then sharpening
-constexpr double kUsualCurve = 0.1;  // of telephones
-constexpr std::size_t kTerms = 2;  // of the light over the coupon: even, and by the distance from the picture's middle
-constexpr std::size_t kVeil = 2 * kTerms;  // where the veil's terms begin: even, to the right, down
+constexpr std::size_t kCamera = 9;   // index of the first global that acts on codes: contrast, then sharpening
+constexpr double kUsualCurve = 0.1;  // contrast of a telephone's tone curve
+// A light over the coupon has two terms: an even one, and one by the squared distance from the picture's middle.
+constexpr std::size_t kTerms = 2;
+constexpr std::size_t kVeil = 2 * kTerms;  // index of the veil's first term: even, to the right, down
 constexpr std::size_t kLight = kVeil + 3;
-constexpr std::size_t kShared = kGlobals + kLight;  // unknowns,
-constexpr std::size_t kOwn = 3;                     // and of each spiral
-constexpr int kRounds = 30;
-constexpr int kLaterRounds = 12;      // from a fit of the same spirals
-constexpr double kTogether = 40;      // bins that are off alike: a guess, see docs/internals/photographs.md
-constexpr int kFirstRounds = 5;       // for each beginning, to see which is the best
-constexpr double kDoubt = 4;          // bins off by so many medians count half,
-constexpr double kLeastDoubt = 0.05;  // or by this of the brightest, or in closed spirals, whose highlights may be
-constexpr double kDoubtShare = 0.1;   // narrower than a bin, by this of their own brightness, which is the most
-constexpr double kFaintVeil = 0.0025, kClearVeil = 0.01;            // by the brightest beads
+constexpr std::size_t kShared = kGlobals + kLight;  // unknowns that all spirals share
+constexpr std::size_t kOwn = 3;                     // unknowns of each spiral: its offset, and the light of its base
+constexpr int kRounds = 30;                         // largest number of steps of the first fit
+constexpr int kLaterRounds = 12;                    // largest number of steps that start from a fit of the same spirals
+constexpr double kTogether = 40;  // bins whose residuals count as one: a guess, see docs/internals/photographs.md
+constexpr int kFirstRounds = 5;   // steps from each starting point, before the best is chosen
+// A bin counts half if its residual reaches the largest of these.
+constexpr double kDoubt = 4;          // multiple of the median residual
+constexpr double kLeastDoubt = 0.05;  // share of the brightest bin's light
+constexpr double kDoubtShare = 0.1;  // share of its own light, in closed spirals: highlights may be narrower than a bin
+// Veil and sharpening have priors around 0: the standard deviation where none is found, and the strength that
+// doubles it.
+constexpr double kFaintVeil = 0.0025, kClearVeil = 0.01;            // relative to the brightest beads' light
 constexpr double kFaintSharpening = 0.05, kClearSharpening = 0.15;  // share of what a blur takes off
-constexpr double kUsualLobe = 0.15;                                 // [radians]
+constexpr double kUsualLobe = 0.15;                                 // [radians] lobe width at the start, in bead angle
 
+/// Values of all unknowns.
 struct State {
   Globals globals;
-  std::array<double, kLight> light{};  // of highlights, of what is sent in all directions, of the veil
-  std::vector<Vec2> offsets;           // of the spirals from where the map has them [mm]
-  std::vector<double> bases;           // light of what shows between a spiral's turns
+  std::array<double, kLight> light{};  // terms of the highlights, of the light sent in all directions, of the veil
+  std::vector<Vec2> offsets;           // offsets of the spirals from their places in the map [mm]
+  std::vector<double> bases;           // light of the base that shows between a spiral's turns
 };
 
+/// Fits the appearance model to all bins at once, by weighted least squares with priors.
 class Fitter {
  public:
   Fitter(const std::vector<LitSpiral>& spirals, const SeenFrom& camera, const Elevation& elevation)
@@ -46,13 +52,15 @@ class Fitter {
 
   [[nodiscard]] double brightest(double contrast) const { return model_.brightest(contrast); }
 
-  /// Lets spirals move by themselves, by about so much [mm].
+  /// Sets how far a spiral may move on its own: the standard deviation of its offset's prior [mm].
   void loosen(double reach) { together_ = kPriorWeight / (reach * reach); }
 
-  /// Holds the tone curve to a telephone's: about wrong middles, it would bend to what does not fit.
+  /// Holds the tone curve close to a telephone's. As long as the spirals' middles are wrong, a free curve would bend
+  /// to fit their errors.
   void holdCurve() { curveError_ = 0.02; }
 
-  /// Most photographs have no veil and are not sharpened, others strongly: what is clearly found is held less.
+  /// Sets the priors of veil and sharpening by the values found. Most photographs have neither and some have much, so
+  /// that the prior of a value that is clearly there is wide.
   void expectAsFound(const State& state) {
     const auto held = [](double faint, double clear, double found) {
       return faint * (1 + (found / clear) * (found / clear));
@@ -64,7 +72,8 @@ class Fitter {
     sharpError_ = held(kFaintSharpening, kClearSharpening, state.globals[10]);
   }
 
-  /// Lets bins count less that are off by far: base between loose turns, dirt, whatever the model does not know.
+  /// Gives less weight to bins with large residuals: base between loose turns, dirt, anything that the model does not
+  /// describe.
   void doubt(const State& state) {
     trust_.assign(spirals_.size(), evenly());
     std::vector<double> all;
@@ -93,7 +102,7 @@ class Fitter {
     }
   }
 
-  /// Levenberg-Marquardt. \return the cost.
+  /// Minimises the cost by the method of Levenberg and Marquardt. \return the cost that is reached.
   double descend(State& state, int rounds, const RunContext& run) const {
     double lambda = 1e-2;
     double now = cost(state);
@@ -119,7 +128,7 @@ class Fitter {
     return now;
   }
 
-  /// Everything that is linear, evenly lit, as it fits best.
+  /// Starts from given globals: solves for the light of highlight, body and base, which is linear, under even light.
   State begin(const Globals& globals) const {
     State state{globals, {}, std::vector<Vec2>(spirals_.size()), {}};
     NormalEquations normal{3};
@@ -138,7 +147,7 @@ class Fitter {
     return state;
   }
 
-  /// Of the step that would take all that is left away.
+  /// Normal equations of the Gauss-Newton step, which would remove all residuals if the model were linear.
   [[nodiscard]] NormalEquations assemble(const State& state) const {
     constexpr double kStep = 1e-4;
     constexpr std::size_t kColumns = kShared + kOwn;
@@ -149,7 +158,7 @@ class Fitter {
       const SpiralModel::Shape shape = model_.shapeOf(k, state.globals);
       const Basis basis = model_.basisOf(k, shape, state.globals, state.offsets[k]);
       const Vec3 gains = gainsOf(k, state);
-      std::vector<std::array<double, kColumns>> jacobian(kRows);  // first of the light on the camera
+      std::vector<std::array<double, kColumns>> jacobian(kRows);  // derivatives of the light that falls on the camera
       Rows sent{};
       const double r = dot(s.fromAxis, s.fromAxis), veil = veilOf(k, state);
       for (std::size_t row = 0; row < kRows; ++row) {
@@ -167,7 +176,7 @@ class Fitter {
         }
       };
       for (std::size_t p = 0; p < kCamera; ++p) {
-        if (p == (s.kind == SpiralKind::Loose ? 5 : 6)) continue;  // the others' width
+        if (p == (s.kind == SpiralKind::Loose ? 5 : 6)) continue;  // a width of the other kind of spirals
         Globals other = state.globals;
         other[p] += kStep;
         differ(p, model_.basisOf(k, p == 4 ? shape : model_.shapeOf(k, other), other, state.offsets[k]));
@@ -175,9 +184,10 @@ class Fitter {
       for (std::size_t p = 0; p < 2; ++p) {
         const Vec2 off = state.offsets[k] + (p == 0 ? Vec2{kStep, 0} : Vec2{0, kStep});
         differ(kShared + p, model_.basisOf(k, shape, state.globals, off));
+        // The offset that all spirals share acts as each one's own.
         for (auto& of : jacobian) of[kGlobals - 2 + p] = of[kShared + p];
       }
-      // Then of what the camera shows of it.
+      // The chain rule leads to the derivatives of the light that the camera shows, after its unsharp mask.
       const SpiralModel::Sharpened shown = model_.sharpened(k, sent, state.globals[9], state.globals[10]);
       Rows base{};
       std::vector<std::array<double, kColumns>> ofShown(kRows);
@@ -193,7 +203,7 @@ class Fitter {
           }
         }
       }
-      for (std::size_t p = kCamera; p < kCamera + 2; ++p) {  // as the weights know it, too
+      for (std::size_t p = kCamera; p < kCamera + 2; ++p) {  // the weights depend on the contrast, too
         Globals other = state.globals;
         other[p] += kStep;
         const auto then = lightOf(k, other[9]);
@@ -217,7 +227,7 @@ class Fitter {
       }
     }
     const Globals usual = usualOnes(), width = priorWidths();
-    // What is known before are further equations.
+    // Prior knowledge enters as further equations.
     std::vector<double> terms(normal.size, 0);
     const auto know = [&](double off, double weight) {
       normal.add(terms.data(), -off, weight);
@@ -247,14 +257,14 @@ class Fitter {
 
  private:
   static constexpr std::size_t kRows = SpiralModel::kRows;
-  static constexpr double kFarthest = 0.25;  // [mm]
-  static constexpr double kPriorWeight = 1e-2;
-  static constexpr double kBaseWeight = kPriorWeight;  // a base sends at most about as much as the brightest beads
-  static constexpr double kAlike = 0.01;               // lone beads and those side by side are laid alike
+  static constexpr double kFarthest = 0.25;            // [mm] largest offset of a spiral from its place in the map
+  static constexpr double kPriorWeight = 1e-2;         // weight of a prior that is off by one standard deviation
+  static constexpr double kBaseWeight = kPriorWeight;  // prior: a base sends at most about the brightest beads' light
+  static constexpr double kAlike = 0.01;  // prior: lone beads are as wide as those side by side, within 1 %
   using Rows = SpiralModel::Rows;
   using Basis = SpiralModel::Basis;
 
-  /// Of what is known before: a veil is faint, by the brightest beads.
+  /// Weight of the prior that a veil is faint compared with the brightest beads.
   [[nodiscard]] double veilWeight(std::size_t term) const {
     const double usual = veilErrors_[term - kVeil] * model_.brightest(kUsualCurve);
     return kPriorWeight / (usual * usual);
@@ -266,17 +276,19 @@ class Fitter {
     return ones;
   }
 
-  /// The lamp's elevation from what is known of it, by that error.
+  /// Deviation of the lamp's elevation from its prior, in standard deviations.
   [[nodiscard]] double offElevation(const Globals& g) const {
     const Vec3 lamp = lampOf({g[0], g[1]}, unit(camera_.place));
     const double degrees = exact::asin(std::clamp(lamp.z, -1.0, 1.0)) * 180 / std::numbers::pi;
     return (degrees - elevation_.value) / elevation_.error;
   }
 
+  /// Standard deviations of the globals' priors. Those of the tilt are unused: its prior is the lamp's elevation.
   [[nodiscard]] Globals priorWidths() const {
     return {1, 1, 2, 1, 0.7, 0.08, 0.08, camera_.distanceError, 1, curveError_, sharpError_, 0.15, 0.15};
   }
 
+  /// Light that the camera has seen, weighted by the trust in each bin.
   [[nodiscard]] SpiralModel::Light lightOf(std::size_t which, double contrast) const {
     SpiralModel::Light light = model_.lightOf(which, contrast);
     for (std::size_t row = 0; row < kRows; ++row) {
@@ -290,13 +302,14 @@ class Fitter {
     return model_.basisOf(which, model_.shapeOf(which, g), g, off);
   }
 
+  /// Light of the veil at a spiral's place.
   [[nodiscard]] double veilOf(std::size_t which, const State& state) const {
     const Vec2 axis = spirals_[which].fromAxis;
     const double* terms = state.light.data() + kVeil;
     return terms[0] + axis.x * terms[1] + axis.y * terms[2];
   }
 
-  /// What the camera shows of a spiral.
+  /// Light of a spiral as the camera shows it, with its unsharp mask.
   [[nodiscard]] Rows shownBy(std::size_t which, const State& state) const {
     const Basis basis = basisOf(which, state.globals, state.offsets[which]);
     const Vec3 gains = gainsOf(which, state);
@@ -306,11 +319,13 @@ class Fitter {
     return model_.sharpened(which, sent, state.globals[9], state.globals[10]).light;
   }
 
+  /// Light of highlight, body and base at a spiral's place: the factors of its Basis.
   [[nodiscard]] Vec3 gainsOf(std::size_t which, const State& state) const {
     const double r = dot(spirals_[which].fromAxis, spirals_[which].fromAxis);
     return {state.light[0] + r * state.light[1], state.light[kTerms] + r * state.light[kTerms + 1], state.bases[which]};
   }
 
+  /// Sum of the weighted squares of all residuals and priors.
   double cost(const State& state) const {
     double sum = 0;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
@@ -329,6 +344,7 @@ class Fitter {
     return sum + known(offElevation(state.globals)) + known((state.globals[6] - state.globals[5]) / kAlike);
   }
 
+  /// Takes a step, and keeps every unknown within its range.
   static State moved(const State& from, const std::vector<double>& step) {
     State to = from;
     Globals& g = to.globals;
@@ -360,15 +376,17 @@ class Fitter {
   SeenFrom camera_;
   Elevation elevation_;
   SpiralModel model_;
-  std::vector<Rows> trust_;  // in each bin
-  double curveError_ = 0.15;
-  // A veil and its terms by the brightest beads, and sharpening, as long as nobody has seen how strong they are.
+  std::vector<Rows> trust_;   // factor on each bin's residual, 0..1
+  double curveError_ = 0.15;  // standard deviation of the contrast's prior
+  // Standard deviations of the priors of sharpening and of the veil's terms, the latter relative to the brightest
+  // beads' light. They are wide until expectAsFound sets them.
   double sharpError_ = 0.5;
   std::array<double, kLight - kVeil> veilErrors_{0.1, 0.05, 0.05};
-  double together_ = kPriorWeight / (0.05 * 0.05);  // what holds spirals where the map has them [1/mm²]
+  double together_ = kPriorWeight / (0.05 * 0.05);  // weight that holds spirals at their places in the map [1/mm²]
 };
 
-/// Where the lamp's azimuth must be, up to a half turn: beads shine that run across it.
+/// Azimuth of the tilt, up to half a turn: beads that run across it shine most.
+/// \param[out] contrast  ratio of the brightest direction's light to the darkest one's.
 double azimuthOf(const std::vector<LitSpiral>& spirals, double& contrast) {
   std::array<double, kAngles / 2> light{};
   for (const LitSpiral& s : spirals) {
@@ -401,13 +419,14 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
   State best;
   if (before != nullptr) {
     Globals g = before->globals;
-    g[7] = g[11] = g[12] = 0;  // camera and middles are known better now
+    g[7] = g[11] = g[12] = 0;  // camera and middles are better known now, so these start from 0
     best = fitter.begin(g);
     for (std::size_t k = 0; k < 3; ++k) best.light[kVeil + k] = before->veilTerms[k];
     fitter.expectAsFound(best);
   } else {
     fitter.holdCurve();
     fitter.loosen(0.002);
+    // The azimuth is known up to half a turn only, and the size of the tilt is not: the best of four starts goes on.
     for (const double side : {0.0, std::numbers::pi}) {
       for (const double size : {0.2, 0.5}) {
         Globals g = Fitter::usualOnes();
@@ -447,7 +466,7 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
     }
   }
   fit.misfit = std::sqrt(least / std::max(1.0, rows));
-  // What is left is no noise: neighbouring bins are off together.
+  // Residuals are not independent noise: neighbouring bins are off together.
   const double variance = kTogether * least / std::max(1.0, rows);
   for (std::size_t k = 0; k < normal.size; ++k) normal.at(k, k) += 1e-12;
   const std::vector<double> variances = normal.variances(fit.variances.size());

@@ -10,13 +10,13 @@
 namespace sillon {
 namespace {
 
-constexpr double kMostBurnt = 0.1;  // of a bin's pixels
+constexpr double kMostBurnt = 0.1;  // largest share of burnt pixels in a bin that is used
 
 }  // namespace
 
 FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, const Image& photograph,
                         const Tones& tones) {
-  constexpr std::uint16_t kFull = 65535 / 255 * 253;
+  constexpr std::uint16_t kFull = 65535 / 255 * 253;  // least sample that counts as burnt: 253 of 255
   const double inner = std::max(0.8, 1.25 * spiral.pitch), outer = spiral.radius - 0.6 * spiral.pitch;
   FoldedSpiral out;
   Bounds box;
@@ -54,7 +54,7 @@ FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, co
   for (auto& row : out.bins) {
     for (FoldedSpiral::Bin& bin : row) {
       if (bin.count == 0) continue;
-      if (bin.burnt > kMostBurnt * bin.count) {  // who knows how bright it was
+      if (bin.burnt > kMostBurnt * bin.count) {  // its true brightness is unknown
         bin = {};
         continue;
       }

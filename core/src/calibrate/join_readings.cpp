@@ -12,27 +12,32 @@
 namespace sillon {
 namespace {
 
-constexpr double kLeastShare = 0.01;  // of a slope
-constexpr double kMostApart = 0.4;    // of logs of slopes: what no two photographs of one spool differ by,
-constexpr double kMostBars = 4;       // unless their bars say so
+constexpr double kLeastShare = 0.01;  // least relative error of a slope
+// A photograph is refused if the logarithm of its slope differs from the median's by both of these.
+constexpr double kMostApart = 0.4;  // difference that photographs of one spool do not reach
+constexpr double kMostBars = 4;     // difference in error bars
 
-constexpr double kSameLamp = 10;  // [degrees], in either direction
+constexpr double kSameLamp = 10;  // [degrees] lamps closer than this in azimuth and in elevation count as one
 
+/// A value and its standard deviation.
 struct Figure {
   double value = 0, error = 0;
 };
 
+/// Median of the values.
 double middleOf(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
-/// What all photographs are off by together: it does not get less. \param lamp  error of its variance.
+/// Error that all photographs of a spool share [degrees]: more photographs do not make it smaller.
+/// \param lamp  error of the variance that the lamp's size adds.
 double commonErrorOf(double degrees, double lamp) {
   return exact::hypot(slopeErrorOf(degrees, lamp), kModelShare * degrees);
 }
 
-/// Weighted by their bars; the bar grows if they lie farther apart than theirs say.
+/// Mean weighted by inverse variances. Its error grows by the Birge ratio (the root of chi-squared per degree of
+/// freedom) where the figures lie farther apart than their own errors explain.
 Figure meanOf(const std::vector<Figure>& figures) {
   double weights = 0, sum = 0, off = 0;
   for (const Figure& f : figures) {
@@ -46,7 +51,7 @@ Figure meanOf(const std::vector<Figure>& figures) {
   return {mean, std::sqrt(std::max(1.0, apart) / weights)};
 }
 
-/// For each reading, the first one under the same lamp.
+/// Index of the first reading under the same lamp, for each reading.
 std::vector<std::size_t> lampsOf(const std::vector<CouponReading>& readings) {
   std::vector<std::size_t> first;
   for (const CouponReading& r : readings) {
@@ -62,8 +67,9 @@ std::vector<std::size_t> lampsOf(const std::vector<CouponReading>& readings) {
   return first;
 }
 
-/// Those under one lamp count as one: no surer than the surest of them.
-/// \param lamps  for each figure, which other one has the same; any numbers.
+/// Joins the figures of each lamp, then those of all lamps. Figures under one lamp share its errors, so that they
+/// count as one that is no surer than the surest of them.
+/// \param lamps  a number for each figure, equal for figures under the same lamp.
 Figure joined(const std::vector<Figure>& figures, const std::vector<std::size_t>& lamps) {
   std::vector<Figure> each;
   for (std::size_t k = 0; k < figures.size(); ++k) {
@@ -95,7 +101,7 @@ Result<CouponReading> joinReadings(const std::vector<CouponReading>& readings, c
   for (std::size_t k = 0; k < lamps.size(); ++k) out.lamps += lamps[k] == k ? 1 : 0;
   const double lamp = lampPartOf(request.lampSlope).error;
   for (const auto slope : {&CouponReading::along, &CouponReading::across}) {
-    std::vector<Figure> logs;  // errors are shares of slopes
+    std::vector<Figure> logs;  // logarithms of slopes, with relative errors
     std::vector<double> values;
     for (const CouponReading& r : readings) {
       const Measured& m = r.*slope;

@@ -11,7 +11,7 @@
 namespace sillon {
 namespace {
 
-// In the order of CalibrationKind; usualRange says what follows from the printer.
+// Rows in the order of CalibrationKind. usualRange fits speeds to the printer and multiplies widths by its nozzle.
 const CalibrationRow kKinds[] = {
     {"flow", 0.88, 1.0, 7, 2, "print.flow", "", "the lowest disc without dark gaps between its rounds"},
     {"speed", 15, 70, 12, 1, "printer.showSpeed, print.constantFlow", "mm/s",
@@ -27,7 +27,7 @@ const CalibrationRow kKinds[] = {
 
 std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
 
-/// First and last value of a kind on this printer.
+/// First and last value that a kind tries on this printer unless the request gives others.
 std::pair<double, double> usualRange(const CalibrationRequest& request) {
   const CalibrationRow& kind = rowOf(request.kind);
   const Printer& printer = request.project.printer;
@@ -44,6 +44,7 @@ std::pair<double, double> usualRange(const CalibrationRequest& request) {
   }
 }
 
+/// Refuses ranges that are not finite, or too narrow for their number of values.
 std::optional<Error> checkRange(const CalibrationRequest& request) {
   const CalibrationRow& kind = rowOf(request.kind);
   const bool fixedValues = request.kind == CalibrationKind::Directions || request.kind == CalibrationKind::Swatch;
@@ -56,7 +57,7 @@ std::optional<Error> checkRange(const CalibrationRequest& request) {
   if (!std::isfinite(from) || !std::isfinite(to) || std::abs(from) > 1e4 || std::abs(to) > 1e4) {
     return invalid("from and to must be numbers from -10000 to 10000");
   }
-  // The writing tells the values apart, or nobody can.
+  // Neighbouring values must differ in the digits that are written, or their labels would be equal.
   const double step = std::pow(10.0, -kind.digits);
   if (!fixedValues && to - from < (kind.count - 1) * step * (1 - 1e-9)) {
     return invalid(std::string(kind.name) + " from " + decimal(from, 4) + " to " + decimal(to, 4) + " has " +
@@ -66,6 +67,7 @@ std::optional<Error> checkRange(const CalibrationRequest& request) {
   return std::nullopt;
 }
 
+/// Evenly spaced values, rounded to the digits of the kind.
 std::vector<double> valuesOf(const CalibrationRequest& request) {
   const CalibrationRow& kind = rowOf(request.kind);
   const auto [low, high] = usualRange(request);
@@ -80,7 +82,7 @@ std::vector<double> valuesOf(const CalibrationRequest& request) {
   return values;
 }
 
-/// The range of the setting that the values are of.
+/// Refuses values outside the range of the setting that they are for.
 std::optional<Error> checkValues(const CalibrationRequest& request, const std::vector<double>& values) {
   const CalibrationRow& kind = rowOf(request.kind);
   const Printer& printer = request.project.printer;

@@ -7,16 +7,17 @@
 namespace sillon {
 namespace {
 
-constexpr double kOutline = 0.35;  // [mm], what is laid keeps off the edge of its base
+constexpr double kOutline = 0.35;  // [mm] distance of the beads from the edge of their base
 
-/// Lower left corners of cells, four in a row, from the upper left.
+/// Lower left corner of cell `k`: four cells in a row, rows from the top down.
 Vec2 cell(int k, Vec2 step) { return {(k % 4) * step.x, -(k / 4) * step.y}; }
 
+/// Lays one disc per flow, with its value on a band below it.
 void discs(PlateBuilder& plate) {
   constexpr double kRadius = 6.5;
   constexpr double kAround = kRadius + 0.5;
-  constexpr double kNumbers = 5;  // [mm] of the band below a disc
-  constexpr double kTouch = 0.7;  // [mm], by which a band reaches into what is above and below it
+  constexpr double kNumbers = 5;  // [mm] height of the band below a disc
+  constexpr double kTouch = 0.7;  // [mm] overlap of a band with its neighbours above and below
   plate.print().layers = 2;
   for (std::size_t k = 0; k < plate.values().size(); ++k) {
     const double value = plate.values()[k];
@@ -31,8 +32,9 @@ void discs(PlateBuilder& plate) {
   }
 }
 
-// One below the other, with the value on the left of each.
-// \param lay  (place of the row's lower left corner, value). \return how wide the writing is [mm].
+/// Lays one row per value, one below the other, each with its value on the left.
+/// \param length, high  size of a row, with its distance to the next [mm].
+/// \param lay  lays a row: (its lower left corner, value).
 template <class Lay>
 void rows(PlateBuilder& plate, double length, double high, const Lay& lay) {
   const int digits = plate.digits();
@@ -51,10 +53,11 @@ void rows(PlateBuilder& plate, double length, double high, const Lay& lay) {
   }
 }
 
+/// Lays one row per speed; the right half of each has constant flow.
 void speeds(PlateBuilder& plate) {
   plate.labels().speed = plate.values().front();
   const double width = plate.width();
-  const double half = 18 + width;  // two waves
+  const double half = 18 + width;  // two waves of 9 mm, and a bead
   const int lines = 2 * std::max(1, static_cast<int>(2 / width));
   rows(plate, 2 * half + 2, std::max(lines * width + 0.6, kHigh + 1.2), [&](Vec2 corner, double value) {
     for (const bool constant : {false, true}) {
@@ -67,6 +70,7 @@ void speeds(PlateBuilder& plate) {
   });
 }
 
+/// Lays one strip per fan speed.
 void fans(PlateBuilder& plate) {
   constexpr double kLength = 36;
   const double high = std::max(1.0, std::floor(4.6 / plate.width())) * plate.width();
@@ -75,7 +79,7 @@ void fans(PlateBuilder& plate) {
   });
 }
 
-// A wedge with its narrow end on the left, ticks and numbers below.
+/// Lays a wedge with its narrow end on the left, and ticks and numbers below it.
 void wedgeWithTicks(PlateBuilder& plate, Vec2 leftMiddle, double length, int lines) {
   const double nozzle = plate.width();
   const double least = plate.values().front();
@@ -90,6 +94,7 @@ void wedgeWithTicks(PlateBuilder& plate, Vec2 leftMiddle, double length, int lin
   }
 }
 
+/// Lays a wedge whose beads grow from the first width to the last.
 void widths(PlateBuilder& plate) {
   constexpr double kLength = 55;
   constexpr int kLines = 12;
@@ -103,12 +108,13 @@ void widths(PlateBuilder& plate) {
   }
   wedgeWithTicks(plate, {0, 0}, kLength, kLines);
 }
+/// Lays the star of directions within a dial of 24 ticks.
 void directions(PlateBuilder& plate) {
   constexpr double kInner = 5;
   constexpr double kOuter = 19;
   constexpr double kTick = 1.4;
   constexpr double kNumbers = 25.2;
-  constexpr double kSmall = 0.45;  // [mm] of writing
+  constexpr double kSmall = 0.45;  // [mm] unit of small writing: capitals of 2.7 mm
   plate.base(disc({0, 0}, 29.2));
   for (int k = 0; k < 24; ++k) {
     const double length = k % 3 == 0 ? kTick : kTick / 2;

@@ -7,9 +7,10 @@ namespace {
 
 using Factors = Eigen::LDLT<Eigen::MatrixXd>;
 
+/// Factors of the matrix, L D Lᵀ.
 Factors factored(const NormalEquations& of) {
   const auto n = static_cast<Eigen::Index>(of.size);
-  return Factors(Eigen::Map<const Eigen::MatrixXd>(of.matrix.data(), n, n));  // symmetric: rows are columns
+  return Factors(Eigen::Map<const Eigen::MatrixXd>(of.matrix.data(), n, n));  // rows are columns: it is symmetric
 }
 
 }  // namespace

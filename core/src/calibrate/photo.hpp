@@ -18,7 +18,8 @@
 
 namespace sillon {
 
-// Vectors and maps of space, no more than a photograph needs: headers that know all of algebra take compilers long.
+// Vectors and linear maps of space, with no more than a photograph needs: headers of whole algebra libraries compile
+// slowly.
 
 struct Vec3 {
   double x = 0, y = 0, z = 0;
@@ -34,7 +35,7 @@ struct Vec3 {
   friend Vec3 unit(Vec3 a) { return (1 / length(a)) * a; }
 };
 
-/// A linear map, by its columns.
+/// A linear map, given by its columns.
 struct Mat3 {
   Vec3 a{1, 0, 0}, b{0, 1, 0}, c{0, 0, 1};
 
@@ -50,67 +51,74 @@ struct Mat3 {
   }
 };
 
-/// Maps a point, in homogeneous coordinates.
+/// Maps a point of a plane by a homogeneous map.
 constexpr Vec2 mapped(const Mat3& map, Vec2 p) {
   const Vec3 at = map * Vec3{p.x, p.y, 1};
   return {at.x / at.z, at.y / at.z};
 }
 
-// The map from one plane onto another as a camera sees it, through pairs of points.
+// The map from one plane onto another as a camera sees it (a homography), through pairs of points.
 
+/// A point of the plate [mm], and the pixel that shows it.
 struct PointPair {
   Vec2 plate, pixel;
   double weight = 1;
-  Vec2 first{1, 0}, second{0, 1};  ///< what is measured of the pixel: its products with these
+  Vec2 first{1, 0}, second{0, 1};  ///< vectors whose products with the pixel are measured
 };
 
-/// Direct linear transform, on coordinates of about 1. At least four pairs, of which no three are in line.
-/// \param side  of the plate [mm], whose middle gets depth 1. \return plate to pixels, homogeneous.
+/// Fits a homography by the direct linear transform, on coordinates of about 1.
+/// \param pairs  at least four, of which no three are in line. \param side  length of the plate's side [mm]; the
+/// plate's middle gets depth 1. \return the map from plate to pixels, homogeneous.
 Mat3 mapThrough(const std::vector<PointPair>& pairs, double side);
 
-/// Residual that a map leaves of what is measured [pixels].
+/// Residual of a pair under a map, along the vectors that are measured [pixels].
 double leftOf(const PointPair& pair, const Mat3& map);
 
-/// The same, where pairs count less the farther they are off, half at 0.1 mm: some are seen where they are not.
-/// \param scale  [pixels/mm] \return weighted RMS of what is left, of what is measured [mm].
+/// Fits a homography by reweighted least squares. A pair counts less the farther it is off, and half at 0.1 mm,
+/// because some spirals are seen in a wrong place.
+/// \param scale  size of the plate in the picture [pixels/mm]. \return weighted RMS residual [mm].
 double fitMap(Mat3& map, const std::vector<PointPair>& pairs, double side, double scale);
 
 // Finds the outline of a square plate in a photograph.
 
-/// Corners of the one thing that lies on a plain ground [pixels from the upper left], as the picture's y goes down:
-/// clockwise to the eye. \return InvalidFile: no plain ground, nothing on it, cut off, or not of four sides.
+/// Finds the corners of the only thing that lies on a plain ground. \return corners [pixels from the upper left],
+/// clockwise to the eye; InvalidFile if there is no plain ground, or the thing on it is missing, cut off or not
+/// four-sided.
 Result<std::vector<Vec2>> findOutline(const Image& photograph);
 
 // Finds a coupon in a photograph.
 
 /// A photograph and the map from the plate into it.
 struct FoundCoupon {
-  Mat3 map;            ///< plate [mm] to pixels from the picture's upper left, homogeneous
-  double clarity = 0;  ///< 0..1, how clearly the turns of the spirals are seen
+  Mat3 map;            ///< homogeneous map from the plate [mm] to pixels from the picture's upper left
+  double clarity = 0;  ///< mean clarity of the spirals, 0..1: see SeenSpiral
 
+  /// Pixel that shows a place of the plate [mm].
   [[nodiscard]] Vec2 pixelOf(Vec2 plate) const;
-  /// Derivatives of the pixel by the place's x and y [pixels/mm].
+  /// Derivatives of the pixel with respect to the place's x and y [pixels/mm].
   struct Steps {
     Vec2 x, y;
   };
   [[nodiscard]] Steps stepsAt(Vec2 plate) const;
-  [[nodiscard]] double scaleAt(Vec2 plate) const;  ///< [pixels/mm]
+  [[nodiscard]] double scaleAt(Vec2 plate) const;  ///< scale at a place of the plate [pixels/mm]
 };
 
-/// First the plate's outline, on a plain ground; then, of four ways round, the one in which its spirals show.
-/// \param tones  luminance of `photograph`. \param spirals  all of the coupon.
+/// Finds the plate's outline on a plain ground, then the one of its four orientations in which the spirals show.
+/// \param tones  luminance of `photograph`. \param spirals  all spirals of the coupon.
 Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, const std::vector<CouponSpiral>& spirals,
                                const RunContext& run);
 
 // Finds spirals in a photograph, by the pattern of their turns.
 
+/// A spiral as the picture shows it.
 struct SeenSpiral {
-  Vec2 off;            ///< of the spiral from where the map has it [mm]
-  double clarity = 0;  ///< 1: nothing but a wave along its turns
+  Vec2 off;            ///< offset of the spiral from its place in the map [mm]
+  double clarity = 0;  ///< correlation with the wave of its turns; 1: there is nothing else
 };
 
-/// For each spiral, where its turns answer most to those that it should have.
-/// \param reach  how far off they may lie [mm]. \param stride  1: every place, and between them; 2: every other one.
+/// Finds for each spiral the place where its turns correlate most with those that it should have.
+/// \param reach  largest offset that is tried [mm]. \param stride  1: tries every place, and interpolates between
+/// them; 2: tries every other one.
 std::vector<SeenSpiral> findSpirals(const std::vector<CouponSpiral>& spirals, const FoundCoupon& found,
                                     const Tones& tones, double reach, int stride);
 
@@ -118,22 +126,24 @@ double meanClarity(const std::vector<SeenSpiral>& seen);
 
 // A photograph's pixels of the coupon's spirals, sorted by the direction of the bead and the place across it.
 
-inline constexpr int kAngles = 36;  ///< around a spiral's middle
-inline constexpr int kPhases = 10;  ///< from the middle of one turn to the next
+inline constexpr int kAngles = 36;  ///< bins around a spiral's middle
+inline constexpr int kPhases = 10;  ///< bins from the middle of one turn to the next
 
+/// Pixels of one spiral in bins.
 struct FoldedSpiral {
   struct Bin {
-    double light = 0;  ///< mean, as sRGB codes have it, 0..1
-    int count = 0;     ///< of pixels; 0 where too many are burnt
-    int burnt = 0;     ///< of these
+    double light = 0;  ///< mean light of the pixels, 0..1, from their sRGB codes
+    int count = 0;     ///< number of pixels; 0 where too many are burnt
+    int burnt = 0;     ///< burnt pixels among them
   };
   std::array<std::array<Bin, kPhases>, kAngles> bins;
-  double meanInverseRadius = 0;  ///< [1/mm], of the pixels
+  double meanInverseRadius = 0;  ///< mean of 1 / radius over the pixels [1/mm]
   int pixels = 0;
-  int burnt = 0;  ///< with a channel at its upper end
+  int burnt = 0;  ///< pixels with a channel at its upper end
 };
 
-/// Angle k is at (k + 0.5) / kAngles of a turn from +x, phase k at (k + 0.5) / kPhases of the pitch outward.
+/// Sorts a spiral's pixels into bins. Angle k is at (k + 0.5) / kAngles of a turn from +x, phase k at
+/// (k + 0.5) / kPhases of the pitch outward.
 FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, const Image& photograph,
                         const Tones& tones);
 
@@ -141,22 +151,24 @@ FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, co
 
 enum class SpiralKind { Mark, Loose, Flow };
 
+/// A spiral as it was printed, and as the photograph shows it.
 struct LitSpiral {
-  CouponSpiral spiral;  ///< as it was asked for
+  CouponSpiral spiral;  ///< geometry that was asked for
   SpiralKind kind = SpiralKind::Mark;
-  double flow = 1;    ///< asked for
-  double width = 0;   ///< of a bead of flow 1 [mm]
-  double height = 0;  ///< of a bead [mm]
+  double flow = 1;    ///< flow that was asked for
+  double width = 0;   ///< width of a bead of flow 1 [mm]
+  double height = 0;  ///< height of a bead [mm]
   FoldedSpiral seen;
-  Vec2 fromAxis;                  ///< from the picture's middle, in half widths and half heights
-  Vec2 blurX{1, 0}, blurY{0, 1};  ///< steps of one pixel on the plate [mm]
+  Vec2 fromAxis;                  ///< place from the picture's middle, y down, in half widths of the picture
+  Vec2 blurX{1, 0}, blurY{0, 1};  ///< steps on the plate for one pixel to the right and for one down [mm]
 };
 
+/// The camera, as far as it follows from the map.
 struct SeenFrom {
-  Vec3 place{0, 0, 1};         ///< of the camera, from the coupon's middle [mm]
-  double distanceError = 0.5;  ///< of the log of its distance
-  double directionError = 0;   ///< [radians]
-  double strange = 0;          ///< how far the map is from any that a whole picture has, by the map's error
+  Vec3 place{0, 0, 1};         ///< place of the camera, from the coupon's middle [mm]
+  double distanceError = 0.5;  ///< standard deviation of its distance's logarithm
+  double directionError = 0;   ///< error of its direction [radians]
+  double strange = 0;          ///< deviation of the map from those of whole pictures, in errors of the map
 };
 
 /// Prior of the lamp's elevation [degrees].
@@ -165,48 +177,52 @@ struct Elevation {
   double error = 9;
 };
 
-// Tilt x, tilt y, log of both variances, log blur, closing, lone, log of the camera's distance by the given one,
-// inverse distance of the lamp [1/m], contrast of the camera's tone curve, sharpening, and how far all spirals seem to
-// lie off, as they shine on their lamp's side [mm].
+/// Unknowns that all spirals share: tilt x, tilt y, log of both variances, log blur, closing, lone, log of the
+/// camera's distance over the given one, inverse distance of the lamp [1/m], contrast of the camera's tone curve,
+/// sharpening, and the offset x and y by which all spirals seem to lie off because they shine on the lamp's side [mm].
 inline constexpr std::size_t kGlobals = 13;
 using Globals = std::array<double, kGlobals>;
 
+/// Result of fitSpirals.
 struct SpiralFit {
-  Vec2 tilt;                 ///< slope that mirrors the lamp into the camera, in the coupon's middle
-  double alongVariance = 0;  ///< of slopes, the lamp's included
-  double acrossVariance = 0;
-  double blur = 0;                    ///< standard deviation [pixels]
-  double closing = 0;                 ///< width of beads in discs and marks, by what their flow asks for
-  double lone = 0;                    ///< width of lone beads, likewise
-  std::array<double, 7> variances{};  ///< of the first globals
+  Vec2 tilt;                          ///< slope that mirrors the lamp into the camera, in the coupon's middle
+  double alongVariance = 0;           ///< variance of slopes along the beads, the lamp's included
+  double acrossVariance = 0;          ///< variance of slopes across the beads, the lamp's included
+  double blur = 0;                    ///< standard deviation of the lens' blur [pixels]
+  double closing = 0;                 ///< width of beads in discs and marks over the width that their flow asks for
+  double lone = 0;                    ///< width of lone beads over the width that their flow asks for
+  std::array<double, 7> variances{};  ///< variances of the first seven globals
+  /// Information matrix of an offset.
   struct Surety {
     double xx = 0, xy = 0, yy = 0;
   };
-  std::vector<Surety> surety;         ///< of the offsets: inverse variances, up to a factor
-  std::vector<Vec2> offsets;          ///< of the spirals from where they were folded about [mm]
-  double misfit = 0;                  ///< RMS of what is left, by the brightest direction's light
-  double contrast = 0;                ///< brightest direction's light by the darkest's, of what was seen
-  Globals globals{};                  ///< to begin with again
-  double diffuse = 0;                 ///< mean light of what every direction sends [photograph's]
-  double veil = 0;                    ///< light that lies evenly over the picture, by the brightest beads'
-  std::array<double, 3> veilTerms{};  ///< [photograph's]: even, and by fromAxis
-  double sharpening = 0;              ///< share that an unsharp mask adds of what a blur takes off
+  std::vector<Surety> surety;         ///< inverse variances of the offsets, up to a factor
+  std::vector<Vec2> offsets;          ///< offsets of the spirals from the places about which they were folded [mm]
+  double misfit = 0;                  ///< RMS residual of a bin, relative to the brightest bin's light
+  double contrast = 0;                ///< ratio of the brightest direction's light to the darkest one's, as seen
+  Globals globals{};                  ///< values from which another fit may start
+  double diffuse = 0;                 ///< light that beads send in all directions, in the photograph's unit
+  double veil = 0;                    ///< stray light over the whole picture, relative to the brightest beads' light
+  std::array<double, 3> veilTerms{};  ///< even term of the veil and those by fromAxis, in the photograph's unit
+  double sharpening = 0;              ///< amount of an unsharp mask: share that it adds of what a blur takes off
 };
 
-/// \param before  a fit of the same spirals, folded about nearby places, to begin with; nullptr: none.
+/// Fits the appearance model to folded spirals.
+/// \param before  a fit of the same spirals, folded about nearby places, to start from; nullptr: none.
 SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& camera, const Elevation& elevation,
                      const SpiralFit* before, const RunContext& run);
 
-// The map from the plate into a photograph, through where a fit has found the spirals.
+// The map from the plate into a photograph, through the places at which a fit has found the spirals.
 
-/// Turns shine in few directions only. There a closed spiral looks nearly alike one turn farther along the lamp's
-/// tilt, and may have been found there: it is put where the others say.
-/// \param fit  of `spirals`, as they were seen through the map.
+/// Fits the map again, through the places at which the spirals were found. Turns shine in few directions only, so
+/// that a closed spiral looks nearly alike one turn farther along the lamp's tilt. If it was found there, it is put
+/// back where the others say that it lies.
+/// \param fit  fit of `spirals`, as they were seen through the map.
 void refineMap(FoundCoupon& found, const std::vector<LitSpiral>& spirals, const SpiralFit& fit);
 
-// Normal equations of least squares: gathered row by row, and solved.
+// Normal equations of least squares: they are gathered row by row, and solved.
 
-/// A symmetric matrix that is positive definite, and the right side of its equations.
+/// A symmetric, positive definite matrix, and the right side of its equations.
 struct NormalEquations {
   std::size_t size;
   std::vector<double> matrix = std::vector<double>(size * size, 0);
@@ -215,99 +231,106 @@ struct NormalEquations {
   [[nodiscard]] double& at(std::size_t row, std::size_t column) { return matrix[row * size + column]; }
   [[nodiscard]] double at(std::size_t row, std::size_t column) const { return matrix[row * size + column]; }
 
-  /// One equation: row * x = value.
+  /// Adds one equation: row * x = value.
   void add(const double* row, double value, double weight);
 
-  /// x of matrix * x = right.
+  /// Solves matrix * x = right for x.
   [[nodiscard]] std::vector<double> solved() const;
 
-  /// Diagonal of the matrix' inverse, its first `count`.
+  /// First `count` elements of the inverse matrix's diagonal.
   [[nodiscard]] std::vector<double> variances(std::size_t count) const;
 };
 
-// Errors that photographs of one spool have in common: large lamps look like rough surfaces, and the model is not
+// Errors that all photographs of one spool share: a large lamp looks like a rougher surface, and the model is not
 // exact.
 
-inline constexpr double kModelShare = 0.03;  ///< of a slope, as rendered photographs have it
+inline constexpr double kModelShare = 0.03;  ///< relative error of a slope due to the model, from rendered photographs
 
+/// Variance that the size of the lamp adds to that of the surface's slopes.
 struct LampPart {
-  double variance = 0;  ///< of slopes
-  double error = 0;     ///< of `variance`
+  double variance = 0;  ///< square of the lamp's slope
+  double error = 0;     ///< standard deviation of `variance`
 };
 
-/// \param slope  of the lamp, known within a twentieth; unset: evenly spread up to kUnknownLampSlope.
+/// Variance and its error for a lamp of known or unknown size.
+/// \param slope  slope of the lamp, known to 5 %; unset: evenly spread from 0 to kUnknownLampSlope.
 inline LampPart lampPartOf(const std::optional<double>& slope) {
   if (slope) return {*slope * *slope, 0.1 * *slope * *slope};
   constexpr double kMost = kUnknownLampSlope * kUnknownLampSlope;
   return {kMost / 3, kMost * std::sqrt(4.0 / 45)};
 }
 
-/// Error of a slope, out of that of its variance [degrees].
+/// Error of a slope [degrees] that follows from the error of its variance.
 inline double slopeErrorOf(double degrees, double varianceError) {
   const double slope = exact::tan(degrees * std::numbers::pi / 180);
   return varianceError / (2 * slope) / (1 + slope * slope) * 180 / std::numbers::pi;
 }
 
-// Model of folded spirals in the light of one lamp: the appearance model, and a camera's tone curve.
+// Model of folded spirals in the light of one lamp: the appearance model and a camera's tone curve.
 
-/// Slope that mirrors the lamp into a camera towards `eye`, and back.
+/// Slope that mirrors a lamp into a camera; both are given by unit vectors towards them.
 Vec2 tiltAt(Vec3 lamp, Vec3 eye);
+/// Inverse of tiltAt: the direction of the lamp that this slope mirrors into the camera.
 Vec3 lampOf(Vec2 tilt, Vec3 eye);
 
+/// Light of all bins of the spirals, as a function of the unknowns.
 class SpiralModel {
  public:
   static constexpr std::size_t kRows = std::size_t{kAngles} * kPhases;
   using Rows = std::array<double, kRows>;
   using Basis = std::array<Vec3, kRows>;
 
-  /// Keeps a reference to the spirals.
+  /// \param spirals  must outlive the model.
   SpiralModel(const std::vector<LitSpiral>& spirals, const SeenFrom& camera);
 
+  /// Weights of the bins, and the light of each times its weight.
   struct Light {
     Rows weight, seen;
   };
 
-  /// The light that a camera of this contrast has seen, weighted so that equal steps of codes count alike.
+  /// Light that a camera of this contrast has seen, weighted so that equal steps of codes count alike.
   [[nodiscard]] Light lightOf(std::size_t which, double contrast) const;
   /// Light of the brightest bin.
   [[nodiscard]] double brightest(double contrast) const;
 
-  static constexpr std::size_t kHarmonics = 6;  ///< of the pattern across a pitch; lenses leave no more
+  /// Harmonics of the pattern across a pitch, with the mean: lenses leave no more.
+  static constexpr std::size_t kHarmonics = 6;
+  /// A complex amplitude.
   struct Wave {
     double re = 0, im = 0;
   };
   using Pattern = std::array<Wave, kHarmonics>;
 
-  /// Light that a spiral sends, before lens and shift. The globals for blur, contrast, sharpening and offset do not
-  /// matter to it.
+  /// Light that a spiral sends, before lens and shift. It does not depend on the globals for blur, contrast, sharpening
+  /// and offset.
   struct Shape {
-    double light = 1;                                       ///< by the distance of the lamp
-    Pattern body{};                                         ///< at every angle
-    std::array<Pattern, std::size_t{2} * kAngles> shine{};  ///< at two points of each angle
-    std::array<Pattern, std::size_t{2} * kAngles> floor{};  ///< of loose spirals
+    double light = 1;                                       ///< factor that follows from the lamp's distance
+    Pattern body{};                                         ///< pattern of the bead itself, the same at every angle
+    std::array<Pattern, std::size_t{2} * kAngles> shine{};  ///< pattern of the highlight, at two points of each angle
+    std::array<Pattern, std::size_t{2} * kAngles> floor{};  ///< pattern of the base that is lit and seen, likewise
   };
   [[nodiscard]] Shape shapeOf(std::size_t which, const Globals& g) const;
 
-  /// Tones of a spiral for a highlight of 1, for a body of 1, and for gaps of 1 between loose turns where
+  /// Light of a spiral's bins for a highlight of 1, for a body of 1, and for a base of 1 that shows between turns where
   /// no bead stands before the lamp or the camera.
-  /// \param off  of the spiral from where it was folded about [mm].
+  /// \param off  offset of the spiral from the place about which it was folded [mm].
   [[nodiscard]] Basis basisOf(std::size_t which, const Shape& shape, const Globals& g, Vec2 off) const;
 
-  /// An unsharp mask over codes: it adds what a blur takes off them.
+  /// Light after an unsharp mask over codes, which adds what a blur takes off them.
   struct Sharpened {
     Rows light;
-    std::array<std::array<double, std::size_t{kPhases} * kPhases>, kAngles>
-        by;  ///< derivatives, of each angle's phases
+    /// Derivatives of the light after the mask with respect to the light before it, among the phases of each angle.
+    std::array<std::array<double, std::size_t{kPhases} * kPhases>, kAngles> by;
   };
-  /// \param light  that falls onto the camera.
+  /// Applies an unsharp mask to the light that falls onto the camera.
   [[nodiscard]] Sharpened sharpened(std::size_t which, const Rows& light, double contrast, double amount) const;
 
  private:
   const std::vector<LitSpiral>& spirals_;
   SeenFrom camera_;
   double profile_;
-  std::vector<Rows> codes_;  // of the bins; below 0: none
-  double brightest_ = 0;
+  std::vector<Rows> codes_;  // codes of the bins; below 0: the bin is not used
+  double brightest_ = 0;     // highest code
 };
 
 }  // namespace sillon

@@ -8,16 +8,17 @@
 namespace sillon {
 namespace {
 
-constexpr double kWave = 9;      // [mm], of the widths of a wavy row
-constexpr double kSwing = 0.25;  // [width] of a wavy row
-constexpr double kRounding = 1e-6;
+constexpr double kWave = 9;         // [mm] length of a wave of a wavy row's widths
+constexpr double kSwing = 0.25;     // [width] amplitude of that wave
+constexpr double kRounding = 1e-6;  // [mm] slack for rounding errors
 
 Vec2 onCircle(double radians) {
   const SinCos turn = sinCos(static_cast<float>(radians));
   return {static_cast<double>(turn.cos), static_cast<double>(turn.sin)};
 }
 
-// The part of the line at `v` across that lies at least `inset` within a convex polygon.
+// Finds the part of a line, at `v` along `across`, that lies at least `inset` within a convex polygon.
+// \param[out] begin, end  its ends, measured along `along`. \return false if there is no such part.
 bool chord(const Ring& polygon, Vec2 along, Vec2 across, double v, double inset, double& begin, double& end) {
   begin = -1e9;
   end = 1e9;
@@ -81,7 +82,7 @@ std::vector<PatchLine> filled(const Ring& polygon, Vec2 along, double width) {
 PatchLine spiral(Vec2 centre, double radius, double width, double pitch) {
   constexpr int kSteps = kSpiralSteps;
   PatchLine line;
-  // Round after round the bead's cell is a ring; all of them together have the disc's area.
+  // The bead's cell in each round is a ring; all rings together have the disc's area.
   const double turns = radius / pitch;
   const int last = static_cast<int>(std::ceil(turns * kSteps));
   for (int k = kSteps / 4; k <= last; ++k) {
@@ -121,7 +122,7 @@ PatchLine wavyRow(Vec2 corner, double length, int lines, double width) {
       constexpr double kTriangle[] = {0, 1, 0, -1};
       const double swing = kSwing * kTriangle[i % 4];
       const double own = width * (upper ? 1 - swing : 1 + swing);
-      const double bottom = (k - (upper ? 1 : 0)) * width;  // of the pair
+      const double bottom = (k - (upper ? 1 : 0)) * width;  // lower edge of the pair of beads
       const double middle = upper ? bottom + 2 * width - own / 2 : bottom + own / 2;
       line.points.push_back(corner + Vec2{width / 2 + run * i / knots, middle});
       line.widths.push_back(own);

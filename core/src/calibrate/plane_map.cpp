@@ -7,8 +7,8 @@
 namespace sillon {
 namespace {
 
-constexpr double kUsualOff = 0.1;  // [mm]
-constexpr int kRounds = 5;
+constexpr double kUsualOff = 0.1;  // [mm] residual at which a pair counts half
+constexpr int kRounds = 5;         // rounds of fitting and reweighting
 
 }  // namespace
 

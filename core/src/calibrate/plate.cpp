@@ -32,7 +32,7 @@ PlateBuilder::PlateBuilder(const CalibrationRequest& request, std::vector<double
   print.base = 1;
   print.layers = 1;
   print.rim = 0;
-  plate_.patches.patches.emplace_back();  // labels come first: what they are laid with is nobody's test
+  plate_.patches.patches.emplace_back();  // the first patch has the labels, which test nothing
   plate_.patches.patches.front().layer = 1;
 }
 

@@ -22,31 +22,33 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr std::int64_t kMostPixels = 64'000'000;
-constexpr int kLeastSide = 200;       // [pixels]
-constexpr double kUsualFocal = 1.2;   // [longer side], of a phone between no zoom and three times,
-constexpr double kFocalSpread = 0.6;  // of its log
-constexpr double kLeastFocal = 0.4, kMostFocal = 6;
-constexpr double kMapError = 0.0015;          // of lengths and right angles
-constexpr double kUsuallyStrange = 4;         // such errors of a map, of whole pictures,
-constexpr double kMostStrange = 15;           // and what is no picture that a camera takes
-constexpr double kStrangeTurn = 0.005;        // [radians], what such an error turns the camera by: it is a cut
-constexpr double kLeastDistanceError = 0.04;  // of its log
-constexpr int kRefolds = 3;                   // about where the spirals were found
-constexpr double kMostBlur = 0.3;             // [nozzle]
-constexpr double kMostBurnt = 0.02;           // of the spirals' pixels
-constexpr double kLeastContrast = 1.5;
-constexpr double kMostMisfit = 0.05;
-constexpr double kMostOff = 0.1;       // of beads, by their width
-constexpr double kMostError = 0.4;     // of a slope
-constexpr double kBentTilt = 1.6;      // the elevation's error by that of the fit, as rendered photographs have it
-constexpr double kElevationError = 2;  // [degrees], of one that was measured
-constexpr double kMostLampOff = 10;    // [degrees], of what was measured by what the photograph shows,
-constexpr double kMostBars = 3;        // if not by that many error bars
-constexpr double kSureBars = 2;
+constexpr int kLeastSide = 200;       // [pixels] least side of a photograph
+constexpr double kUsualFocal = 1.2;   // [longer side] focal length of a phone between no zoom and three times
+constexpr double kFocalSpread = 0.6;  // standard deviation of its logarithm: a factor of 1.8
+constexpr double kLeastFocal = 0.4, kMostFocal = 6;  // [longer side] range of focal lengths that are tried
+constexpr double kMapError = 0.0015;                 // relative error of lengths and right angles in the map
+constexpr double kUsuallyStrange = 4;                // deviation that whole pictures still have, in such errors
+constexpr double kMostStrange = 15;                  // deviation beyond which no camera takes such a picture
+constexpr double kStrangeTurn = 0.005;  // [radians] error of the camera's direction per error beyond kUsuallyStrange
+constexpr double kLeastDistanceError = 0.04;  // least standard deviation of the distance's logarithm
+constexpr int kRefolds = 3;                   // rounds of folding about the places at which the spirals were found
+constexpr double kMostBlur = 0.3;             // [nozzle] largest standard deviation of the blur
+constexpr double kMostBurnt = 0.02;           // largest share of burnt pixels in the spirals
+constexpr double kLeastContrast = 1.5;        // least ratio of the brightest direction's light to the darkest one's
+constexpr double kMostMisfit = 0.05;          // largest RMS residual, relative to the brightest bin's light
+constexpr double kMostOff = 0.1;              // largest relative deviation of beads from the width asked for
+constexpr double kMostError = 0.4;            // largest relative error of a slope
+constexpr double kBentTilt = 1.6;  // factor on the fit's error of the lamp's elevation, found in rendered photographs
+constexpr double kElevationError = 2;  // [degrees] error of an elevation that was measured
+// A measured elevation is refused if the photograph's differs from it by more than both of these.
+constexpr double kMostLampOff = 10;  // [degrees]
+constexpr double kMostBars = 3;      // in error bars
+constexpr double kSureBars = 2;      // error bars beyond the tried flows from which a flow surely lies outside
 constexpr Vec2 kMiddle{kCouponSide / 2, kCouponSide / 2};
 
 Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
 
+/// All spirals of a coupon, as they were asked for.
 std::vector<LitSpiral> spiralsOf(const CalibrationPlate& plate) {
   const double nozzle = plate.printer.nozzle;
   std::vector<LitSpiral> all;
@@ -67,23 +69,24 @@ std::vector<LitSpiral> spiralsOf(const CalibrationPlate& plate) {
   return all;
 }
 
-/// Where a camera of this focal length [pixels] stands, from the coupon's middle [mm].
-/// \param h  from the plate about its middle to pixels about the picture's, y up.
+/// Place of a camera of this focal length [pixels], from the coupon's middle [mm].
+/// \param h  map from the plate about its middle to pixels about the picture's middle, y up.
 Vec3 placeOf(const Mat3& h, double focal) {
   const Mat3 m = Mat3{{1 / focal, 0, 0}, {0, 1 / focal, 0}, {0, 0, 1}} * h;
   const double scale = 2 / (length(m.a) + length(m.b));
-  // x right, y up and depth are a left-handed frame.
+  // The axes x right, y up and depth make a left-handed frame.
   const Vec3 a = unit(m.a), b = unit(m.b - dot(m.b, a) * a);
   const Vec3 place = -scale * (Mat3{a, b, cross(b, a)}.transposed() * m.c);
   return {place.x, place.y, std::abs(place.z)};
 }
 
-/// Where the camera is, out of the map alone: axes of the plate are at right angles and equally long, which tells the
-/// focal length the better the more the camera is tilted; for the rest, it is a phone's.
+/// Finds the camera from the map alone. The plate's axes are at right angles and equally long, which determines the
+/// focal length, the better the more the camera is tilted. A phone's focal length is the prior. The result is the mean
+/// of all that are tried, weighted by their probability.
 SeenFrom cameraOf(const FoundCoupon& found, int width, int height) {
   constexpr std::size_t kSteps = 160;
   const Mat3 shift{{1, 0, 0}, {0, 1, 0}, {kMiddle.x, kMiddle.y, 1}};
-  // About the picture's middle, y up.
+  // The origin moves to the picture's middle, and y points up.
   const Mat3 centred{{1, 0, 0}, {0, -1, 0}, {-width / 2.0, height / 2.0, 1}};
   const Mat3 h = centred * found.map * shift;
   const double side = std::max(width, height);
@@ -121,14 +124,14 @@ SeenFrom cameraOf(const FoundCoupon& found, int width, int height) {
 
 double errorOf(double variance) { return std::sqrt(std::max(0.0, variance)); }
 
-/// Degrees of a surface whose slopes and the lamp's together have this variance.
+/// Slope angle of a surface [degrees], from a variance that contains the lamp's.
 Measured slopeOf(double variance, double relativeError, const LampPart& lamp) {
   const double degrees = exact::atan(std::sqrt(std::max(1e-6, variance - lamp.variance))) * kDegrees;
   return {degrees, exact::hypot(slopeErrorOf(degrees, exact::hypot(variance * relativeError, lamp.error)),
                                 kModelShare * degrees)};
 }
 
-// What is wrong with a photograph before anything is looked for in it.
+/// Refuses a request or photograph that cannot be read, before anything is looked for in it.
 std::optional<Error> unfit(const Image& photograph, const PhotoRequest& request) {
   if (request.lampSlope && !(*request.lampSlope >= 0 && *request.lampSlope <= 2)) {
     return Error{ErrorCode::InvalidArgument, outOfRange("lamp size", *request.lampSlope, "", "0 to 2")};
@@ -155,7 +158,7 @@ std::optional<Error> unfit(const Image& photograph, const PhotoRequest& request)
   return std::nullopt;
 }
 
-// Whether what shines on the coupon is the coupon, in one light and in focus.
+/// Refuses a fit if the coupon was not in focus, under a single lamp that shows its beads.
 std::optional<Error> doubtful(const SpiralFit& fit, double blur, double nozzle) {
   if (fit.misfit > kMostMisfit) {
     return unreadable(
@@ -180,7 +183,7 @@ std::optional<Error> doubtful(const SpiralFit& fit, double blur, double nozzle) 
   return std::nullopt;
 }
 
-// Where the lamp stands, by the slope that mirrors it into the camera.
+/// Reports the lamp's azimuth and elevation, which follow from the slope that mirrors it into the camera.
 void tellLamp(const SpiralFit& fit, const SeenFrom& camera, CouponReading& out) {
   const Vec3 to = unit(lampOf(fit.tilt, unit(camera.place)));
   const double flat = std::max(0.02, exact::hypot(to.x, to.y));
@@ -193,7 +196,7 @@ void tellLamp(const SpiralFit& fit, const SeenFrom& camera, CouponReading& out) 
                    exact::hypot(kBentTilt * turn, camera.directionError) * kDegrees};
 }
 
-// What was measured of the lamp is what the photograph shows, or it is another's.
+/// Refuses a measured elevation of the lamp that the photograph contradicts.
 std::optional<Error> otherLamp(double measured, const Measured& shown) {
   const double off = std::abs(measured - shown.value);
   if (off <= std::max(kMostLampOff, kMostBars * exact::hypot(shown.error, kElevationError))) return std::nullopt;
@@ -203,7 +206,7 @@ std::optional<Error> otherLamp(double measured, const Measured& shown) {
                                                "; measure it again at the coupon, over the table, or leave it out"};
 }
 
-// The flow whose beads close, if the coupon has tried it.
+/// Reports the flow at which beads close if the coupon has tried it, else the side on which it lies.
 void tellFlow(const SpiralFit& fit, const std::vector<CalibrationValue>& tried, CouponReading& out) {
   double lowest = 1e9, highest = 0;
   for (const CalibrationValue& value : tried) {
@@ -211,17 +214,19 @@ void tellFlow(const SpiralFit& fit, const std::vector<CalibrationValue>& tried, 
     highest = std::max(highest, value.value);
   }
   const double closing = 1 / fit.closing, error = closing * closing * errorOf(fit.variances[5]);
+  // A flow is still reported if it lies beyond the highest disc by up to a third of the range.
   highest += (highest - lowest) / 3;
   if (closing >= lowest && closing <= highest) {
     out.flow = Measured{closing, error};
     return;
   }
-  // Whoever prints another coupon should do so for a reason.
+  // Another coupon is worth printing only if the flow surely lies outside.
   out.flowIsLower = closing + kSureBars * error < lowest;
   out.flowIsHigher = closing - kSureBars * error > highest;
 }
 
-// Of the darkest tenth, as bright as a colour gets.
+/// Colour of the beads that do not shine: the mean of all places darker than twice the diffuse light, scaled so that
+/// its largest channel is 200.
 std::array<std::uint8_t, 3> colourOf(const Image& photograph, const Tones& tones, const FoundCoupon& coupon,
                                      double diffuse) {
   std::array<std::uint8_t, 3> colour{};
@@ -290,7 +295,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   }
   const Elevation elevation = request.lampElevation ? Elevation{*request.lampElevation, kElevationError} : Elevation{};
   SpiralFit fit = fitSpirals(spirals, camera, elevation, nullptr, run);
-  // The map is good to a fraction of a bead. Directions about the true middles are better.
+  // The map is exact to a fraction of a bead only: bead directions are better about the middles that the fit has found.
   for (int round = 0; round < kRefolds && !run.cancelled(); ++round) {
     refineMap(coupon, spirals, fit);
     camera = cameraOf(coupon, photograph.width, photograph.height);

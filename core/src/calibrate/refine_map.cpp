@@ -9,10 +9,10 @@
 namespace sillon {
 namespace {
 
-constexpr double kFits = 0.02;   // [mm], what is left where all spirals are in their places
-constexpr double kBetter = 0.6;  // what must be left at most once one is put elsewhere
+constexpr double kFits = 0.02;   // [mm] residual below which all spirals are in their places
+constexpr double kBetter = 0.6;  // largest share of the residual that moved spirals may leave
 
-/// RMS of what an even fit leaves [pixels].
+/// RMS residual of a map that is fitted to all pairs alike [pixels].
 double leftBy(const std::vector<PointPair>& pairs) {
   const Mat3 map = mapThrough(pairs, kCouponSide);
   double sum = 0;
@@ -31,18 +31,21 @@ void refineMap(FoundCoupon& found, const std::vector<LitSpiral>& spirals, const 
     const LitSpiral& s = spirals[k];
     const Vec2 middle = s.spiral.centre;
     PointPair pair{middle, found.pixelOf(middle + fit.offsets[k])};
-    // Turns tell where they are across themselves: the fit knows how well either way.
+    // A turn shows its place only across itself, so a spiral's place is surer in one direction than in another. The
+    // Cholesky factor of the fit's information matrix gives the vectors that are measured, weighted accordingly.
     const SpiralFit::Surety& sure = fit.surety[k];
     const double xx = std::sqrt(std::max(1e-12, sure.xx)), xy = sure.xy / xx;
     const double yy = std::sqrt(std::max(1e-12, sure.yy - xy * xy));
-    const Vec2 x{s.blurX.x, s.blurY.x}, y{s.blurX.y, s.blurY.y};  // the place by the pixel
+    const Vec2 x{s.blurX.x, s.blurY.x}, y{s.blurX.y, s.blurY.y};  // gradients of the place's x and y over the picture
     pair.first = xx * x + xy * y, pair.second = yy * y;
     sum += dot(pair.first, pair.first) + dot(pair.second, pair.second);
     pairs.push_back(pair);
   }
+  // Scales all vectors to an RMS length of 1, so that residuals are in pixels.
   const double even = std::sqrt(2 * static_cast<double>(pairs.size()) / sum);
   for (PointPair& p : pairs) p.first = even * p.first, p.second = even * p.second;
-  // One by one, as long as that helps; then it must have helped much.
+  // Spirals are moved by one turn, one after the other, as long as the residual shrinks. The moves are kept only if
+  // it has shrunk much.
   const double before = leftBy(pairs);
   std::vector<PointPair> moved = pairs;
   double least = before;

@@ -14,12 +14,12 @@
 namespace sillon {
 namespace {
 
-constexpr int kFine = 24;  // places across a pitch
-constexpr double kGauss = 0.28867513459481287;
-constexpr double kInGap = 0.3;        // light of a place in shadow, by what beads send in all directions
-constexpr double kLeadSpread = 0.15;  // variance of 1 / r over a spiral, by its mean's square
-constexpr double kSharp = 1.5;        // [pixels], standard deviation of an unsharp mask's blur
-constexpr double kEdge = 0.9;         // height of what casts a bead's shadow, by the layer's: its edges are round
+constexpr int kFine = 24;                       // places across a pitch
+constexpr double kGauss = 0.28867513459481287;  // 1/(2√3): distance of Gauss's two points from an interval's middle
+constexpr double kInGap = 0.3;                  // light of a place in shadow, relative to the body's
+constexpr double kLeadSpread = 0.15;            // variance of 1 / r over a spiral, relative to its mean's square
+constexpr double kSharp = 1.5;                  // [pixels] standard deviation of an unsharp mask's blur
+constexpr double kEdge = 0.9;  // height of the edge that casts a bead's shadow over the layer's: beads are round
 
 using Wave = SpiralModel::Wave;
 using Pattern = SpiralModel::Pattern;
@@ -30,13 +30,15 @@ Wave waveOf(double size, double angle) { return {size * exact::cos(angle), size 
 
 Wave product(Wave a, Wave b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
 
-double placeOf(int i) { return (i + 0.5) / kFine - 0.5; }  // outward, from the bead's middle [pitch]
+/// Place i across a bead, outward from its middle [pitch].
+double placeOf(int i) { return (i + 0.5) / kFine - 0.5; }
 
+/// Tables of waves and directions, which are the same for all spirals.
 struct Waves {
-  std::array<Pattern, kFine> fine;      // of place k
-  std::array<Pattern, kPhases> phase;   // at phase k, averaged over its bin
-  std::array<Vec2, kPoints> outward{};  // Gauss's two points of each angle
-  std::array<double, kPhases> turn{};   // cosine of phase k's
+  std::array<Pattern, kFine> fine;      // harmonics at place k, which patternOf sums
+  std::array<Pattern, kPhases> phase;   // harmonics at phase k, averaged over its bin
+  std::array<Vec2, kPoints> outward{};  // unit vectors towards Gauss's two points of each angle
+  std::array<double, kPhases> turn{};   // cosine of phase k
 };
 
 const Waves& waves() {
@@ -64,6 +66,7 @@ const Waves& waves() {
   return made;
 }
 
+/// Fourier coefficients of values across a pitch.
 Pattern patternOf(const std::array<double, kFine>& values) {
   const Waves& w = waves();
   Pattern out{};
@@ -77,24 +80,25 @@ Pattern patternOf(const std::array<double, kFine>& values) {
   return out;
 }
 
-/// A code, and how the light grows with it.
+/// A code, its light, and the derivative of the light with respect to the code.
 struct Point {
   double code, light, slope;
 };
 
+/// Tone curve of a camera over a code: it adds contrast.
 double bent(double x, double contrast) { return x + contrast * (x * x * (3 - 2 * x) - x); }
 
-/// sRGB's, straight on below black.
+/// Derivative of light with respect to its sRGB code; the straight part goes on below black.
 double slopeOf(double x, double light) { return x > 0.04045 ? 2.4 * light / (x + 0.055) : 1 / 12.92; }
 
-/// The camera's code of light.
+/// Code that the camera gives to light.
 Point codeAt(double light, double contrast) {
   const double x =
       light > 0.0031308 ? static_cast<double>(codeOfLight(static_cast<float>(std::min(1.0, light)))) : 12.92 * light;
   return {bent(x, contrast), light, slopeOf(x, light) / (1 + contrast * (6 * x * (1 - x) - 1))};
 }
 
-/// The other way round, by Newton's method.
+/// Light to which the camera gives a code: the inverse of codeAt, by Newton's method.
 Point lightAt(double code, double contrast) {
   double x = code;
   for (int k = 0; k < 4; ++k) {
@@ -157,7 +161,7 @@ SpiralModel::Sharpened SpiralModel::sharpened(std::size_t which, const Rows& lig
     const Vec2 n{exact::cos(angle), exact::sin(angle)};
     const double x = dot(n, s.blurX), y = dot(n, s.blurY);
     const double rate = 0.5 * w * w * kSharp * kSharp * (x * x + y * y);
-    std::array<double, kPhases> kernel{};  // by the phases between
+    std::array<double, kPhases> kernel{};  // weight of a phase at each distance [phases]
     for (int h = 0; h < kPhases; ++h) {
       const int turns = std::min(h, kPhases - h);
       const double factor = 1 + amount * (1 - exact::exp(-rate * turns * turns));
@@ -189,7 +193,7 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
   const double va = exact::exp(g[2]), vc = exact::exp(g[3]);
   const double half = 0.5 * s.flow * (loose ? g[6] : g[5]) * s.width / pitch;  // [pitch]
   const double lead = pitch / (2 * std::numbers::pi) * s.seen.meanInverseRadius;
-  // How far a bead hides the gap outward of it from the lamp and from the camera [pitch].
+  // Reach of a bead that hides the gap outward of it, from the lamp or from the camera [pitch].
   const auto reach = [&](Vec3 towards) {
     const double by = -kEdge * s.height / pitch / std::max(0.1, towards.z);
     return Vec2{by * towards.x, by * towards.y};
@@ -199,8 +203,8 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
   const double spread = kPiece * kPiece / 12 + lead * lead * kLeadSpread;
   Shape shape;
   const Vec3 way = lamp - 1e-3 * g[8] * middle;
-  shape.light = 1 / dot(way, way);    // falls off with the distance
-  std::array<double, kFine> share{};  // of a place that is bead: smooth in the width
+  shape.light = 1 / dot(way, way);    // the light falls with the square of the distance
+  std::array<double, kFine> share{};  // share of each place that the bead covers: smooth in its width
   int first = kFine, last = -1;
   for (int i = 0; i < kFine; ++i) {
     const double here = std::clamp((half - std::abs(placeOf(i))) * kFine + 0.5, 0.0, 1.0);
@@ -215,11 +219,11 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
     const Vec3 at = middle + (1 / s.seen.meanInverseRadius) * Vec3{n.x, n.y, 0};
     const Vec2 m = tiltAt(unit(lamp - 1e-3 * g[8] * at), unit(from - at));
     const double a = dot(m, t), c = cross(t, m);
-    // Directions within a bin differ: a spiral's turns are made of straight pieces, and lead outward less the larger.
+    // Directions spread within a bin: turns consist of straight pieces, and larger ones lead outward less.
     const double wide = va + spread * c * c;
     const double along = std::sqrt(va / wide) * exact::exp(-a * a / (2 * wide));
-    // The top falls outward: to the left is inward. exp(-(c + slope)²/2vc) at even steps is a product of products,
-    // from its largest place on, as it vanishes elsewhere.
+    // The slope across a bead falls outward; left of the bead is inward. At even steps exp(-(c + slope)²/2vc) follows
+    // from running products. They start at its largest value, as it may vanish elsewhere.
     const double rate = profile_ / half;
     const int top = std::clamp(static_cast<int>(std::lround((0.5 - c / rate) * kFine - 0.5)), first, last);
     const double across = c + rate * placeOf(top), step = rate / kFine;
@@ -235,7 +239,7 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
       }
     }
     shape.shine[k] = patternOf(lit);
-    std::array<double, kFine> open{};  // the part of the gap that is lit and seen
+    std::array<double, kFine> open{};  // share of each place where the base is lit and seen
     const double lowest = half + std::max({0.0, dot(shadow, n), dot(hidden, n)});
     const double highest = 1 - half + std::min({0.0, dot(shadow, n), dot(hidden, n)});
     for (int i = 0; i < kFine && lowest < highest; ++i) {
@@ -257,11 +261,11 @@ SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, c
   Basis basis;
   for (std::size_t k = 0; k < kAngles; ++k) {
     Pattern body{}, shine{}, floor{};
-    for (std::size_t at = 2 * k; at < 2 * k + 2; ++at) {  // the mean over the bin
+    for (std::size_t at = 2 * k; at < 2 * k + 2; ++at) {  // two points give the mean over the bin
       const Vec2 n = waving.outward[at];
       const double x = dot(n, s.blurX), y = dot(n, s.blurY);
       const double w = 2 * std::numbers::pi / pitch;
-      // A Gaussian blur leaves b^(h²) of harmonic h: from one to the next, by b, b³, b⁵ ...
+      // A Gaussian blur multiplies harmonic h by b^(h²): from one harmonic to the next by b, b³, b⁵ ...
       const double least = exact::exp(-0.5 * w * w * blur * blur * (x * x + y * y));
       const Wave turn = waveOf(1, -w * dot(shifted, n));
       Wave move{0.5, 0};

@@ -5,7 +5,7 @@
 
 namespace sillon {
 
-// Cosines of 0, 15, ..., 90 degrees: the angles of the star are exact.
+// The cosines of 0, 15, ..., 90 degrees in closed form make the star's angles exact.
 Vec2 spoke(int k) {
   const double root2 = std::sqrt(2.0);
   const double root3 = std::sqrt(3.0);
@@ -20,8 +20,8 @@ Vec2 spoke(int k) {
                         : Vec2{first.y, -first.x};
 }
 void layStar(PlateBuilder& plate, Vec2 centre, double inner, double outer, bool tell) {
-  constexpr double kTangent = 0.13165249758739583;  // of half a sector
-  constexpr double kGap = 0.15;                     // [mm] off each side
+  constexpr double kTangent = 0.13165249758739583;  // tangent of half a sector, 7.5 degrees
+  constexpr double kGap = 0.15;                     // [mm] gap between a sector's beads and each of its sides
   const double apex = kGap / kTangent;
   for (int k = 0; k < 24; ++k) {
     const Vec2 along = spoke(k);

@@ -3,7 +3,7 @@
 namespace sillon {
 namespace {
 
-// Points as two digits, x 0..4 and y 0..6; a blank between them, a semicolon between strokes.
+// Strokes of a letter. A point is two digits, x 0..4 and y 0..6; blanks separate points, semicolons strokes.
 const char* strokesOf(char letter) {
   switch (letter) {
     case ' ':

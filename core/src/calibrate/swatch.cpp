@@ -16,15 +16,16 @@
 namespace sillon {
 namespace {
 
-constexpr Vec2 kCard{85.6, 53.98};  // [mm], ISO/IEC 7810 ID-1
-constexpr double kCorner = 3.18;    // [mm], likewise
-constexpr double kPixel = 0.2;      // [mm]
-constexpr double kCardMargin = 5;   // [mm]
-constexpr double kLargest = 1.4;    // [mm] per unit of writing
-constexpr double kBold = 0.9;       // [units], thickness of strokes
-constexpr int kPatches = 12;        // of directions, along the lower edge
-constexpr double kPatchHeight = 7;  // [mm]
+constexpr Vec2 kCard{85.6, 53.98};  // [mm] size of a card of ISO/IEC 7810 ID-1
+constexpr double kCorner = 3.18;    // [mm] radius of the card's corners, by the same standard
+constexpr double kPixel = 0.2;      // [mm] side of a pixel of the direction map
+constexpr double kCardMargin = 5;   // [mm] margin between the writing and the card's edge
+constexpr double kLargest = 1.4;    // [mm] largest unit of writing
+constexpr double kBold = 0.9;       // [units] thickness of strokes
+constexpr int kPatches = 12;        // patches along the lower edge, one per direction
+constexpr double kPatchHeight = 7;  // [mm] height of these patches
 
+/// Distance of a point from the segment from a to b.
 double distance(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 d = b - a;
   const double along = dot(d, d);
@@ -32,6 +33,7 @@ double distance(Vec2 p, Vec2 a, Vec2 b) {
   return length(p - a - t * d);
 }
 
+/// Direction map of the card, into which writing and patches are drawn.
 struct Picture {
   DirectionMap map;
 
@@ -41,11 +43,12 @@ struct Picture {
     map.angle.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height), stored(0));
   }
 
-  /// \param degrees  -90..90
+  /// Value of a direction in the map. \param degrees  -90..90.
   static std::uint16_t stored(double degrees) {
     return static_cast<std::uint16_t>(std::lround((degrees + 90) / 180 * 65535));
   }
 
+  /// Gives a direction to the pixels of a box whose middles are inside.
   template <class Inside>
   void fill(Bounds where, double degrees, const Inside& inside) {
     const auto clamped = [](double at, int count) { return std::clamp(static_cast<int>(at), 0, count - 1); };
@@ -61,6 +64,7 @@ struct Picture {
     }
   }
 
+  /// Draws text whose bold strokes have a direction of 90 degrees.
   void write(const std::string& text, Vec2 corner, double unit) {
     const double reach = kBold * unit / 2;
     for (const std::vector<Vec2>& points : textStrokes(text, corner, unit)) {
@@ -76,7 +80,7 @@ struct Picture {
   }
 };
 
-// Printable letters, cut where they would become too small to read.
+// Cuts a text after 16 letters: more would become too small to read.
 std::string shown(std::string text) {
   constexpr std::size_t kLongest = 16;
   text.resize(std::min(text.size(), kLongest));
@@ -95,7 +99,7 @@ std::optional<Error> addSwatch(CalibrationPlate& plate, const Project& project, 
     return text;
   };
   std::string layers = words({decimal(printer.nozzle, 2), "X", decimal(print.layerHeight, 2), "MM"});
-  // Else the speed depends on what else the printer knows.
+  // A speed is written only if the printer sets one; otherwise it depends on other settings.
   if (printer.showSpeed > 0) layers += words({" ", decimal(printer.showSpeed, 0), "MM/S"});
   const std::string lines[] = {
       shown(name), words({decimal(printer.nozzleTemperature, 0), "C BED ", decimal(printer.bedTemperature, 0)}),

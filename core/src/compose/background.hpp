@@ -1,4 +1,4 @@
-// Directions below the layers, on the raster of these.
+// Directions below the layers, resampled to the raster of the layers.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,14 @@
 
 namespace sillon {
 
-/// Mean line of the texels of a map that lie under a texel of another raster, or its nearest texel where they are
-/// larger.
+/// Samples a direction map on another raster: the mean line of the map's texels under a texel, or the nearest map texel
+/// if these are larger.
 class Background {
  public:
   Background(const DirectionMap& map, int width, int height)
       : map_(map), stepX_(static_cast<double>(map.width) / width), stepY_(static_cast<double>(map.height) / height) {}
 
+  /// Returns the stored angle at a texel of the other raster.
   [[nodiscard]] std::uint16_t angleAt(int x, int y) const {
     const int left = first(x, stepX_, map_.width), right = last(x, stepX_, map_.width);
     const int top = first(y, stepY_, map_.height), bottom = last(y, stepY_, map_.height);

@@ -29,7 +29,7 @@ Error ofLayer(std::size_t number, const Error& error) {
   return told;
 }
 
-/// Content and place of each layer that is read; the others keep their size.
+/// Content and place of a layer that has been read.
 struct ReadLayer {
   LayerContent content;
   Placement place;
@@ -43,12 +43,14 @@ Result<ReadLayer> readLayer(const Project& project, std::size_t number, const Sh
   return ReadLayer{std::move(content).value(), place};
 }
 
-/// \param spacing  of the beads that letters may be too thin for; 0: that is known.
+/// Collects the facts about a placed layer.
+/// \param spacing  spacing of the beads, to test letters for thin places; 0 skips the test, because the result is
+/// known.
 PlacedLayer placedLayer(const Layer& told, const ReadLayer& layer, double spacing) {
   PlacedLayer placed{layer.place.middle(), layer.place.size(), 0, {}, {}};
   const auto tell = [&](DrawingFacts facts) {
     placed.lacked.insert(placed.lacked.end(), facts.lacked.begin(), facts.lacked.end());
-    facts.lacked.clear();  // they are told with the layer's own
+    facts.lacked.clear();  // reported separately, in placed.lacked
     placed.drawings.push_back(std::move(facts));
   };
   const auto withoutColours = [](DrawingFacts facts) {
@@ -56,7 +58,7 @@ PlacedLayer placedLayer(const Layer& told, const ReadLayer& layer, double spacin
     return facts;
   };
   if (layer.content.shape) tell(layer.content.shape->drawing);
-  if (layer.content.picture) tell(withoutColours(layer.content.painted));  // it shows them all
+  if (layer.content.picture) tell(withoutColours(layer.content.painted));  // a picture shows all its colours
   if (layer.content.mask) tell(withoutColours(layer.content.mask->drawing));
   if (spacing > 0 && outlined(told)) {
     Shape shape = *layer.content.shape;
@@ -68,7 +70,7 @@ PlacedLayer placedLayer(const Layer& told, const ReadLayer& layer, double spacin
   return placed;
 }
 
-/// The box of a layer that is not made.
+/// Returns the box of a layer that is not drawn.
 PlacedLayer boxOf(const Layer& layer, const Shape& shape, std::optional<Error> problem = {}) {
   return {layer.at.value_or(shape.page * 0.5), layer.size, 0, std::move(problem), {}};
 }
@@ -85,11 +87,12 @@ int texelsOn(double side, double spacing) {
 /// Inputs of a stack besides its project.
 struct StackRun {
   const ReadInput& read;
-  std::optional<Lamp> lamp;  ///< of pictures that name none
-  /// Stack whose pictures are solved for anew; null: they are solved for as they are asked for
+  std::optional<Lamp> lamp;  ///< lamp for pictures that name none
+  /// Stack whose pictures are solved anew; null: pictures are solved for the first time
   const LayerStack* before = nullptr;
 };
 
+/// Reads, places and draws all visible layers above the ground. Layers with letters that no font has are left out.
 Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const StackRun& with, const RunContext& run) {
   LayerStack stack;
   const double spacing = project.toolpath.spacing;
@@ -121,12 +124,13 @@ Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const 
   return stack;
 }
 
-/// The lamp of the pictures at the bottom: under it, those of layers show at the same time.
+/// Returns the lamp of the ground's pictures, under which pictures of layers show at the same time; nothing if there
+/// are none.
 std::optional<Lamp> lampOf(const PlatePictures& pictures) {
   return !pictures.shown.empty() ? std::optional(pictures.shown[0].lamp) : std::nullopt;
 }
 
-/// Warnings about layers that are left out, and about letters that come from other fonts or from none.
+/// Makes warnings about layers that are left out, and about letters that come from other fonts or from none.
 std::vector<Warning> letterWarnings(const std::vector<PlacedLayer>& placed) {
   std::vector<Warning> warnings;
   for (std::size_t k = 0; k < placed.size(); ++k) {
@@ -160,7 +164,7 @@ std::optional<Error> redrawLayers(const Project& project, Composition& made, con
                                   const RunContext& run) {
   auto layers = makeLayers(project, made.ground.shape, {read, lampOf(made.pictures), &made.layers}, run);
   if (!layers) return layers.error();
-  layers.value().placed = std::move(made.layers.placed);  // with what thin letters were told of
+  layers.value().placed = std::move(made.layers.placed);  // keeps the facts about thin letters
   made.layers = std::move(layers).value();
   return std::nullopt;
 }

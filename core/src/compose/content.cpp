@@ -12,11 +12,12 @@
 namespace sillon {
 namespace {
 
-constexpr double kShareOfPage = 0.6;  // of its shorter side: QR codes without a size
-constexpr double kMostOfPage = 0.9;   // drawings that are larger than the page
+constexpr double kShareOfPage = 0.6;  // share of the page's shorter side for QR codes without a size
+constexpr double kMostOfPage = 0.9;   // share of the page that larger drawings are fitted into
 
-/// The size that is asked for, of a content with these proportions.
-/// \param usual  where none is asked for [mm]
+/// Returns the size of a content with these proportions.
+/// \param asked  size from the project; 0 in a coordinate leaves it open
+/// \param usual  size if both are open [mm]
 Vec2 sizeOf(Vec2 asked, Vec2 proportions, Vec2 usual) {
   if (asked.x > 0 && asked.y > 0) return asked;
   if (asked.x > 0) return {asked.x, asked.x * proportions.y / proportions.x};
@@ -24,13 +25,13 @@ Vec2 sizeOf(Vec2 asked, Vec2 proportions, Vec2 usual) {
   return usual;
 }
 
-/// The largest size of these proportions within a box.
+/// Returns the largest size of these proportions within a box.
 Vec2 within(Vec2 box, Vec2 proportions) {
   const double scale = std::min(box.x / proportions.x, box.y / proportions.y);
   return proportions * scale;
 }
 
-/// A drawing on a page as large as its ink.
+/// Crops a drawing's page to its ink.
 Shape onItsInk(Shape shape) {
   const Bounds ink = bounds(shape);
   movePoints(shape, [&](Vec2 point) { return point - ink.min; });
@@ -38,6 +39,7 @@ Shape onItsInk(Shape shape) {
   return shape;
 }
 
+/// Reads the letters of a layer and sets their size.
 std::optional<Error> readText(const Layer& layer, const ReadInput& read, LayerContent& content) {
   const LayerLetters& letters = *layer.as<LayerLetters>();
   Result<Shape> shape = textShape(
@@ -46,13 +48,14 @@ std::optional<Error> readText(const Layer& layer, const ReadInput& read, LayerCo
   if (!shape) return shape.error();
   content.shape = std::move(shape).value();
   const Vec2 drawn = content.shape->page;
-  // Letters on a circle have the size of their circle; stretched letters would be another font.
+  // Letters on a circle have the size of their circle. Letters are not stretched, because that would change their font.
   const bool sized = letters.circle == 0 && (layer.size.x > 0 || layer.size.y > 0);
   const Vec2 box{layer.size.x > 0 ? layer.size.x : 1e9, layer.size.y > 0 ? layer.size.y : 1e9};
   content.size = sized ? within(box, drawn) : drawn;
   return std::nullopt;
 }
 
+/// Makes a QR code with its quiet zone.
 std::optional<Error> readCode(const Layer& layer, Vec2 page, const ReadInput& read, LayerContent& content) {
   const Result<Image> modules = qrModules(layer.as<LayerWords>()->text, layer.as<CodeLayer>()->correction, read);
   if (!modules) return modules.error();
@@ -72,13 +75,15 @@ std::optional<Error> readCode(const Layer& layer, Vec2 page, const ReadInput& re
   return std::nullopt;
 }
 
-/// Size of the box of a picture.
-/// \param fills  without a size of its own it is the page; else the largest box of its proportions within it.
+/// Returns the size of a picture's box.
+/// \param fills  if true, a picture without a size fills the page; otherwise it gets the largest box of its proportions
+/// on it.
 Vec2 boxOf(const Layer& layer, const Image& image, Vec2 page, bool fills) {
   const Vec2 proportions{static_cast<double>(image.width), static_cast<double>(image.height)};
   return sizeOf(layer.size, proportions, fills ? page : within(page, proportions));
 }
 
+/// Reads a picture of directions.
 std::optional<Error> readMap(const Layer& layer, Vec2 page, bool lowest, const ReadInput& read, LayerContent& content) {
   const MapLayer& map = *layer.as<MapLayer>();
   Result<Image> image = readPicture(read, map.file, "direction picture");
@@ -91,6 +96,7 @@ std::optional<Error> readMap(const Layer& layer, Vec2 page, bool lowest, const R
   return std::nullopt;
 }
 
+/// Reads the pictures of a layer as tones; the first one gives the size.
 std::optional<Error> readPictures(const Layer& layer, Vec2 page, bool lowest, const ReadInput& read,
                                   LayerContent& content) {
   const PictureLayer& pictures = *layer.as<PictureLayer>();
@@ -104,6 +110,7 @@ std::optional<Error> readPictures(const Layer& layer, Vec2 page, bool lowest, co
   return std::nullopt;
 }
 
+/// Reads a picture whose tones give directions.
 std::optional<Error> readTones(const Layer& layer, Vec2 page, bool lowest, const ReadInput& read,
                                LayerContent& content) {
   const TonesLayer& tones = *layer.as<TonesLayer>();
@@ -116,6 +123,7 @@ std::optional<Error> readTones(const Layer& layer, Vec2 page, bool lowest, const
   return std::nullopt;
 }
 
+/// Reads a drawing, cropped to its ink; one that is larger than the page is made smaller.
 std::optional<Error> readDrawingOf(const Layer& layer, Vec2 page, const ReadInput& read, LayerContent& content) {
   Result<Shape> shape = readDrawing(read, layer.as<LayerFile>()->file, "drawing");
   if (!shape) return shape.error();
@@ -126,6 +134,7 @@ std::optional<Error> readDrawingOf(const Layer& layer, Vec2 page, const ReadInpu
   return std::nullopt;
 }
 
+/// Reads the content of a layer by its kind.
 std::optional<Error> readKind(const Layer& layer, Vec2 page, bool lowest, const ReadInput& read,
                               LayerContent& content) {
   content.size = sizeOf(layer.size, page, page);

@@ -1,4 +1,4 @@
-// The content of a layer, read from its files.
+// Content of a layer, read from its files.
 #pragma once
 
 #include <optional>
@@ -14,35 +14,36 @@
 
 namespace sillon {
 
-/// The content of one layer, in its own millimetres or shares; what its kind does not have is empty.
+/// Content of one layer, in its own millimetres or shares; fields that do not apply to its kind are empty.
 struct LayerContent {
-  Vec2 size;                   ///< of its box [mm]
+  Vec2 size;                   ///< size of its box [mm]
   std::optional<Shape> shape;  ///< letters or a drawing; its page is the box
   std::optional<DirectionMap> map;
   ModeMap modes;
-  std::vector<Tones> tones;      ///< of pictures under lamps
-  std::optional<Image> picture;  ///< whose tones tell directions
-  bool fills = false;            ///< that picture is the lowest layer's, and covers the page where it is clear, too
-  DrawingFacts painted;          ///< of the drawing that it was painted from, if it was
+  std::vector<Tones> tones;      ///< tones of pictures under lamps
+  std::optional<Image> picture;  ///< picture whose tones give directions
+  bool fills = false;    ///< true if `picture` belongs to the lowest layer and also covers the page where it is clear
+  DrawingFacts painted;  ///< facts of the drawing that `picture` was painted from
   std::optional<Image> modules;
   std::optional<Shape> mask;  ///< its page is the box
 };
 
-inline constexpr double kTexelsPerBead = 4;  ///< of rasters
-inline constexpr int kMostTexels = 4096;     ///< on a side of them
+inline constexpr double kTexelsPerBead = 4;  ///< texels of rasters per spacing
+inline constexpr int kMostTexels = 4096;     ///< texels on a side of a raster
 
-/// The surface that layers lie on.
+/// Surface that layers lie on.
 struct LayerPlate {
   const Project& project;
   const Shape& shape;
-  int width = 0;  ///< of the raster
+  int width = 0;  ///< width and height of the raster [texels]
   int height = 0;
-  std::optional<Lamp> lamp = {};  ///< of pictures that name none
+  std::optional<Lamp> lamp = {};  ///< lamp for pictures that name none
 };
 
-/// \param page  of the surface [mm].
-/// \param lowest  it fills the page where it has no size.
-/// \return the errors of reading, readSvg, decodeImage, textShape and qrModules.
+/// Reads the content of a layer.
+/// \param page  size of the surface [mm].
+/// \param lowest  if true, maps and pictures without a size fill the page.
+/// \return the errors of reading files, readSvg(), decodeImage(), textShape() and qrModules().
 Result<LayerContent> readContent(const Layer& layer, Vec2 page, bool lowest, const ReadInput& read);
 
 }  // namespace sillon

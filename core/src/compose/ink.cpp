@@ -18,7 +18,7 @@ LineAt oneLine(double degrees) {
   return [line = lineOf(degrees * kDegree)](Vec2 /*anywhere*/) { return line; };
 }
 
-/// Lines of a layer wherever it shows.
+/// Returns the lines of a layer at every place where it shows.
 Result<LineAt> linesOf(const Layer& layer, const LayerContent& content, const Placement& place, const LayerPlate& plate,
                        LayerPictures& pictures, const RunContext& run) {
   const double spacing = plate.project.toolpath.spacing;
@@ -36,7 +36,7 @@ Result<LineAt> linesOf(const Layer& layer, const LayerContent& content, const Pl
   return oneLine(layer.as<LayerAngle>()->angle);
 }
 
-/// Mode of a layer at a place, which a map may have a picture of.
+/// Returns the mode of a layer at a place; a picture of modes may decide.
 DirectionMode modeAt(const Layer& layer, const LayerContent& content, const Placement& place, Vec2 at) {
   const ModeMap& modes = content.modes;
   if (modes.mode.size() == 1) return modes.mode[0];
@@ -47,7 +47,7 @@ DirectionMode modeAt(const Layer& layer, const LayerContent& content, const Plac
 }  // namespace
 
 void blend(LayerStack::Texel& texel, std::optional<Vec2f> line, float cover) {
-  const float kept = line ? 1 - cover : 1 - 2 * cover;  // across a line is its negative
+  const float kept = line ? 1 - cover : 1 - 2 * cover;  // the line across another one is its negative
   texel.line = texel.line * kept;
   if (line) texel.line = texel.line + *line * cover;
   texel.through *= kept;
@@ -95,7 +95,7 @@ std::optional<Error> drawLayer(std::size_t number, const LayerContent& content, 
       blend(texel, line, cover[k]);
     }
   }
-  // Beside the page, nothing has been solved for.
+  // A layer entirely beside the page has no solved pictures.
   if (!pictures.shown.empty()) stack.pictures[number] = std::move(pictures);
   return std::nullopt;
 }

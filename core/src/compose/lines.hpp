@@ -17,17 +17,17 @@ namespace sillon {
 
 inline constexpr double kDegree = std::numbers::pi / 180;
 
-/// e^(2i angle): lines have no sense, so that means of these are means of lines.
+/// Returns e^(2i angle). A line has no sense, and with the doubled angle the mean of such vectors is the mean of lines.
 Vec2f lineOf(double radians);
 
-/// The line of a direction of any length > 0.
+/// Returns the line of a direction of any length > 0.
 Vec2f lineAlong(Vec2 direction);
 
-/// Line of a layer's beads at a place on the page.
+/// Function that returns the line of a layer's beads at a place on the page.
 using LineAt = std::function<Vec2f(Vec2 page)>;
 
-/// Texel of a picture at a place in the layer's own millimetres.
-/// \param size  of the layer's box; the picture is stretched over it.
+/// Returns the texel of a picture at a place in the layer's own millimetres; nothing outside.
+/// \param size  size of the layer's box; the picture is stretched over it.
 template <class Picture>
 std::optional<std::size_t> texelOf(const Picture& picture, Vec2 own, Vec2 size) {
   const double x = (own.x / size.x + 0.5) * picture.width, y = (0.5 - own.y / size.y) * picture.height;
@@ -35,11 +35,11 @@ std::optional<std::size_t> texelOf(const Picture& picture, Vec2 own, Vec2 size) 
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
 }
 
-// Lines of each kind. What they refer to must outlive them.
+// Lines of each kind of layer. Their arguments must outlive the result.
 
 LineAt mapLines(const LayerContent& content, const Placement& place);
 
-/// The lines of a code's dark and light modules.
+/// Lines of a code's dark and light modules.
 struct CodeLines {
   Vec2f dark;
   Vec2f light;
@@ -47,17 +47,17 @@ struct CodeLines {
 CodeLines codeLines(const CodeLayer& code);
 LineAt codeLinesAt(const CodeLayer& code, const LayerContent& content, const Placement& place);
 
-/// Along contours of equal distance from a shape's border, on cells of half a spacing.
+/// Returns lines along contours of equal distance from a shape's border, on cells of half a spacing.
 Result<LineAt> alongLines(const Shape& shape, double spacing, const RunContext& run);
 
-/// \param pattern  no echo.
+/// Returns the lines of a pattern. \param pattern  any pattern except Echo.
 LineAt patternLines(const PatternLayer& pattern, const Placement& place);
 
-/// \param content  its picture is the decoded file, cropped.
+/// Returns the lines for tones. \param content  content whose picture is the decoded, cropped file.
 LineAt tonesLines(const TonesLayer& tones, const LayerContent& content, const Placement& place, double spacing);
 
-/// Lines that show pictures under their lamps, solved for within the layer's box and the surface.
-/// \param known  of the plate before, whose lit tones are solved for anew; filled.
+/// Returns lines that show pictures under their lamps, solved for where the layer's box and the surface overlap.
+/// \param known  pictures of the previous plate, whose tones are solved anew; filled if empty.
 Result<LineAt> pictureLines(const Layer& layer, const LayerContent& content, const Placement& place,
                             const LayerPlate& plate, LayerPictures& known, const RunContext& run);
 

@@ -1,4 +1,5 @@
-// The one loop that looks at a path and asks for what its pictures lack, and the one judge of pictures.
+// Improves the pictures of a plate in rounds: makes a path, compares it with the pictures, and corrects the tones by
+// the difference.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,24 +15,25 @@
 namespace sillon {
 namespace {
 
-/// The pictures of one layer, and what is seen of them.
+/// Pictures of one layer, and the light that is seen of them.
 struct SeenWindow {
-  std::size_t layer = 0;  ///< index
+  std::size_t layer = 0;  ///< index of the layer
   std::span<const ShownPicture> shown;
   int columns = 0;
   int rows = 0;
-  std::vector<std::vector<float>> light;  ///< per picture; negative where its layer is not on top
+  std::vector<std::vector<float>> light;  ///< light per cell of each picture; negative where the layer is not on top
 };
 
-/// Index in a raster of the page of a place in shares of it, from its upper left corner.
+/// Returns the index in a raster of the page for a place in shares of the page, from its upper left corner.
 std::size_t indexIn(int width, int height, Vec2 share) {
   const int x = std::clamp(static_cast<int>(share.x * width), 0, width - 1);
   const int y = std::clamp(static_cast<int>(share.y * height), 0, height - 1);
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
 }
 
-/// Light in the cells of a window. \param top  LayerStack::Texel::top of its layer. \param lamp  its first one's
-/// number.
+/// Fills the light in the cells of a window.
+/// \param lamp  index of its first lamp.
+/// \param top  LayerStack::Texel::top of its layer.
 void fillWindow(SeenWindow& window, Vec2 origin, Vec2 size, const Composition& of, const SeenCells& seen,
                 std::size_t lamp, std::size_t top) {
   const Vec2 page = of.ground.shape.page;
@@ -51,7 +53,7 @@ void fillWindow(SeenWindow& window, Vec2 origin, Vec2 size, const Composition& o
   }
 }
 
-/// The windows of all layers with pictures, the ground's first.
+/// Returns the windows of all layers with pictures, that of the ground first.
 Result<std::vector<SeenWindow>> seeWindows(const Composition& of, const Toolpath& toolpath, const RunContext& run) {
   std::vector<Lamp> lamps;
   for (const ShownPicture& picture : of.pictures.shown) lamps.push_back(picture.lamp);
@@ -79,6 +81,7 @@ Result<std::vector<SeenWindow>> seeWindows(const Composition& of, const Toolpath
   return windows;
 }
 
+/// Compares what is seen in all windows with their pictures.
 std::vector<JudgedPicture> judged(const std::vector<SeenWindow>& windows) {
   std::vector<JudgedPicture> all;
   for (const SeenWindow& window : windows) {
@@ -90,8 +93,8 @@ std::vector<JudgedPicture> judged(const std::vector<SeenWindow>& windows) {
   return all;
 }
 
-/// Adds what is missing of pictures to the tones that are solved for next.
-/// \param directions  that were solved for last, over the window.
+/// Adds the missing part of pictures to the tones that are solved next.
+/// \param directions  directions that were solved last, over the window.
 void addMissing(const SeenWindow& window, const DirectionMap& directions, const Roughness& roughness, double level,
                 std::vector<Tones>& solved) {
   std::vector<Tones> asked;
@@ -121,7 +124,7 @@ std::optional<Error> solveGround(const Project& project, Composition& of, const 
   return std::nullopt;
 }
 
-/// Asks for what a path leaves out of the pictures.
+/// Corrects the tones by the differences that a path shows, and solves again.
 std::optional<Error> correct(const Project& project, Composition& of, const std::vector<SeenWindow>& windows,
                              const ReadInput& read, const RunContext& run) {
   auto window = windows.begin();
@@ -156,7 +159,7 @@ Result<ToolpathResult> makeShown(const Project& project, Composition& compositio
   const int rounds = composition.showsPictures() ? pathsFor(project) : 1;
   Result<ToolpathResult> best = make(composition.laid());
   if (!best || rounds == 1) return best;
-  double highest = -1e9;  // sum of the pictures' r
+  double highest = -1e9;  // sum of the pictures' correlations r
   Composition tried = composition;
   Result<ToolpathResult> plate = best;
   for (int round = 1;; ++round) {

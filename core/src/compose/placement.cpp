@@ -7,7 +7,7 @@
 namespace sillon {
 namespace {
 
-/// Shapes take points on a grid of 1 nm alone: the same bytes on every machine.
+/// Rounds to the grid of 1 nm that shapes use, so that every machine gets the same bytes.
 Vec2 onGrid(Vec2 point) { return {std::round(point.x * 1e6) / 1e6, std::round(point.y * 1e6) / 1e6}; }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// From a layer's own millimetres to those of the page, and back.
+// Converts a layer's own millimetres to those of the page, and back.
 #pragma once
 
 #include "base/exact_math.hpp"
@@ -8,7 +8,7 @@
 
 namespace sillon {
 
-/// Places are told from the middle of the layer's box.
+/// Place of a layer. Its own coordinates have their origin in the middle of its box.
 class Placement {
  public:
   Placement(const Layer& layer, Vec2 middle, Vec2 size);
@@ -18,12 +18,12 @@ class Placement {
   [[nodiscard]] Vec2 middle() const { return middle_; }
   [[nodiscard]] Vec2 size() const { return size_; }
   [[nodiscard]] bool mirror() const { return mirror_; }
-  /// Radians, counter-clockwise.
+  /// Rotation [radians], counter-clockwise.
   [[nodiscard]] double rotation() const { return rotation_; }
 
-  /// The layer's box on a page.
+  /// Returns the layer's box on a page.
   [[nodiscard]] Shape box(Vec2 page) const;
-  /// A shape whose page is stretched over the box. \param page  of what is returned
+  /// Stretches a shape's page over the box. \param page  page of the result
   [[nodiscard]] Shape stretched(const Shape& shape, Vec2 page) const;
 
  private:

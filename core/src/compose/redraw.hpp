@@ -1,4 +1,4 @@
-// A composition drawn once more.
+// Draws a composition once more.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace sillon {
 
-/// Draws the layers above the ground anew, with pictures for which LayerPictures::solved is solved.
-/// \return as compose.
+/// Draws the layers above the ground anew, with pictures solved for LayerPictures::solved.
+/// \return the errors of compose().
 std::optional<Error> redrawLayers(const Project& project, Composition& made, const ReadInput& read,
                                   const RunContext& run);
 

@@ -13,7 +13,7 @@ namespace sillon {
 Cells borderCells(const LayerPlate& plate, double width) {
   Cells cells = insideCells(plate.shape, plate.width, plate.height);
   const double cell = plate.shape.page.x / plate.width;
-  // Cells beyond the page are outside, too: a margin of one cell.
+  // Cells beyond the page are outside, too, hence a margin of one cell.
   const int columns = plate.width + 2, rows = plate.height + 2;
   Cells outside(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1);
   const auto at = [&](int x, int y) {
@@ -45,7 +45,7 @@ bool outlined(const Layer& layer) { return layer.as<TextLayer>() != nullptr || l
 
 namespace {
 
-/// Hides cells where a picture with opacity is more clear than opaque.
+/// Hides cells where a picture with opacity is less than half opaque.
 void hideClear(const LayerContent& content, const Placement& place, const LayerPlate& plate, Cells& shown) {
   const Image& picture = *content.picture;
   if (picture.channels % 2 == 1) return;
@@ -100,7 +100,7 @@ Region regionOf(const Layer& layer, const LayerContent& content, const Placement
   return region;
 }
 
-/// Share that a layer has in each cell: 1 inside and 0 outside of it, and in between over the width of its soft edge.
+/// Returns the share of a layer in each cell: 1 inside, 0 outside, with a ramp over the width of its soft edge.
 std::vector<float> coverOf(const Cells& shown, const LayerPlate& plate, double soft) {
   std::vector<float> cover(shown.begin(), shown.end());
   const double cell = plate.shape.page.x / plate.width;

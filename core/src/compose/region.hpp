@@ -12,25 +12,24 @@ namespace sillon {
 
 using Cells = std::vector<char>;
 
-/// Cells where a layer shows: its mask, and in it letters and drawings where nothing is behind them.
+/// Cells where a layer shows: its mask, and within it only letters or the drawing if the layer has no ground.
 struct Region {
   Cells shown;
-  Cells content;  ///< letters or a drawing among them; empty: all
+  Cells content;  ///< cells of letters or a drawing among them; empty: all cells
 };
 
 /// Tells whether a layer has letters or a drawing, which a ground may surround.
 bool outlined(const Layer& layer);
 
-/// Tells whether a layer lies where the plate is, wherever its middle is.
+/// Tells whether a layer covers the plate regardless of its own place.
 bool unbounded(const Layer& layer);
 
 Region regionOf(const Layer& layer, const LayerContent& content, const Placement& place, const LayerPlate& plate);
 
-/// Cells of the plate within a distance of its border [mm].
+/// Returns the cells of the plate within a distance of its border [mm].
 Cells borderCells(const LayerPlate& plate, double width);
 
-/// Share that a layer has in each cell: 1 inside and 0 outside of it, and in between over the width of its soft edge
-/// [mm].
+/// Returns the share of a layer in each cell: 1 inside, 0 outside, with a ramp over the width `soft` of its edge [mm].
 std::vector<float> coverOf(const Cells& shown, const LayerPlate& plate, double soft);
 
 }  // namespace sillon

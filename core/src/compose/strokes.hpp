@@ -1,4 +1,4 @@
-// Gestures of brushes over the layers below.
+// Brush strokes over the layers below.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace sillon {
 
-/// Replays strokes in order over the stack below; an eraser brings that back.
-/// \param number  of the layer.
-/// \return Cancelled.
+/// Replays strokes in order over the stack below, which an eraser restores.
+/// \param number  index of the layer.
+/// \return Cancelled, or nothing.
 std::optional<Error> drawStrokes(const StrokesLayer& strokes, std::size_t number, const LayerPlate& plate,
                                  LayerStack& stack, const RunContext& run);
 

@@ -17,7 +17,7 @@ double thinShare(const Shape& shape, double spacing) {
   const auto radius = static_cast<float>(spacing / cell);
   const int width = static_cast<int>(std::ceil(shape.page.x / cell)) + 2;
   const int height = static_cast<int>(std::ceil(shape.page.y / cell)) + 2;
-  Shape padded = shape;  // a margin of one cell, since borders of the raster are no walls
+  Shape padded = shape;  // has a margin of one cell, because the edge of the raster is no wall
   padded.page = {width * cell, height * cell};
   movePoints(padded, [cell](Vec2 point) { return point + Vec2{cell, cell}; });
   const Cells inside = insideCells(padded, width, height);

@@ -19,21 +19,21 @@ using Texel = LayerStack::Texel;
 using Ink = LayerStack::Ink;
 using Place = LayerStack::Place;
 
-/// Lines that are 15 degrees apart are told apart under a lamp.
-constexpr double kAlikeFrom = 0.8660254037844386;  // the cosine of twice that
+/// Lines 15 degrees or more apart are distinguishable under a lamp.
+constexpr double kAlikeFrom = 0.8660254037844386;  // cosine of 30 degrees, twice that angle
 
 bool alike(Vec2 a, Vec2 b) { return dot(a, b) >= kAlikeFrom * std::sqrt(dot(a, a) * dot(b, b)); }
 
-/// A part of the raster of all texels, of the page and around it: cells of `step` texels by `step`, row 0 on top.
+/// Part of a raster that extends beyond the page: cells of `step` by `step` texels, row 0 on top.
 struct Window {
-  std::int64_t left = 0;  ///< texel of its lower left corner, from that of the page
+  std::int64_t left = 0;  ///< texel of the lower left corner, counted from that of the page
   std::int64_t bottom = 0;
-  int step = 1;  ///< odd: the middle of a cell is that of a texel
+  int step = 1;  ///< odd, so that the middle of a cell is the middle of a texel
   int columns = 0;
   int rows = 0;
 };
 
-/// The least window around a layer's box, with cells as small as memory allows.
+/// Returns the smallest window around a layer's box, with cells as small as the limit on their number allows.
 Window windowAround(const Placement& place, const LayerPlate& plate) {
   constexpr std::int64_t kMostCells = 1 << 22;
   const Vec2 page = plate.shape.page;
@@ -51,13 +51,13 @@ Window windowAround(const Placement& place, const LayerPlate& plate) {
   return window;
 }
 
-/// Tells whether a layer's region ends at the page, so that none of it lies beyond.
+/// Tells whether a layer's region ends at the page, so that nothing of it lies beyond.
 bool endsAtPage(const Layer& layer) {
   const bool everywhere = layer.mask == LayerMask::Page || layer.mask == LayerMask::Outside || unbounded(layer);
   return layer.as<BorderLayer>() != nullptr || (everywhere && !outlined(layer));
 }
 
-/// Ink of a layer in a window, by where it lies.
+/// Ink of a layer in a window, counted by its place.
 struct InkCount {
   std::size_t beside = 0;
   std::size_t underRim = 0;
@@ -66,6 +66,7 @@ struct InkCount {
   void add(Place place) { ++(place == Place::Open ? open : place == Place::UnderRim ? underRim : beside); }
 };
 
+/// Counts the ink in a window by its place.
 InkCount countIn(const Window& window, const Region& region, const LayerStack& stack) {
   const Cells& drawn = region.content.empty() ? region.shown : region.content;
   InkCount count;
@@ -86,6 +87,7 @@ InkCount countIn(const Window& window, const Region& region, const LayerStack& s
   return count;
 }
 
+/// Finds the texel in the middle of each module of a code; -1 beside the page.
 PlacedCode placedCode(const LayerContent& content, const Placement& place, const LayerPlate& plate) {
   const Image& modules = *content.modules;
   const Vec2 page = plate.shape.page;
@@ -103,7 +105,7 @@ PlacedCode placedCode(const LayerContent& content, const Placement& place, const
   return code;
 }
 
-/// The stack on what lies below it.
+/// A stack of layers on the directions below it.
 class Laid {
  public:
   Laid(const LayerStack& stack, const DirectionMap& below)
@@ -126,11 +128,11 @@ class Laid {
   Background background_;
 };
 
-/// \param spacing  of the beads [mm]; narrower modules have none.
+/// Tells whether a code can be read. \param spacing  spacing of the beads [mm]; narrower modules contain none.
 bool reads(const PlacedCode& code, const Layer& layer, double module, double spacing, const LayerStack& stack,
            const Laid& laid) {
-  constexpr double kContrast = 0.5;  // of directions 30 degrees apart, 1 - cos 60 degrees
-  constexpr double kClear = 0.25;    // of the way from between the two directions to either
+  constexpr double kContrast = 0.5;  // contrast of directions 30 degrees apart, 1 - cos 60 degrees
+  constexpr double kClear = 0.25;    // share of the way from midway between the directions to either
   const CodeLines lines = codeLines(*layer.as<CodeLayer>());
   const Vec2 dark = wide(lines.dark), light = wide(lines.light);
   const double contrast = 1 - dot(dark, light);

@@ -14,14 +14,14 @@ namespace sillon {
 /// Marks the texels that lie on the plate, and those that its rim hides.
 void markPlate(const LayerPlate& plate, LayerStack& stack);
 
-/// Measures a layer's ink where it lies, also beyond the page.
-/// \param region  of the layer on the plate's raster.
+/// Measures a layer's ink by its place, also beyond the page.
+/// \param region  region of the layer on the plate's raster.
 LayerInk inkOf(std::size_t number, const LayerContent& content, const Placement& place, const LayerPlate& plate,
                const Region& region, const LayerStack& stack);
 
-/// Tells how ink meets what it stands out from: the ground around it, or what it is drawn over.
-/// \param texel  before the ink is drawn.
-/// \param line  of the ink; none: it lies across what is there.
+/// Tells how ink stands out from the ground around it, or from the layer that it is drawn over.
+/// \param texel  texel before the ink is drawn.
+/// \param line  line of the ink; none: across the direction that is there.
 LayerStack::Ink inkOver(const LayerStack::Texel& texel, std::optional<Vec2f> line, std::optional<Vec2f> ground);
 
 }  // namespace sillon

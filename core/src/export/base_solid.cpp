@@ -15,6 +15,7 @@
 namespace sillon {
 namespace {
 
+// Unit normal of a triangle; 0 if it has no area.
 std::array<double, 3> normal(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
   const auto& p = mesh.points[triangle[0]];
   std::array<double, 3> u{};
@@ -44,7 +45,7 @@ Result<Mesh> baseBody(const Shape& given, const Printer& printer, const PrintPar
   if (box.empty()) return Error{ErrorCode::EmptyShape, "the shape has no points; there is nothing to print"};
   const Result<FlatBody> flat = flatBody(shape, placement(box, printer, params));
   if (!flat) return flat.error();
-  const int below = params.showSide == ShowSide::Up ? 0 : params.layers;  // oriented layers on the bed
+  const int below = params.showSide == ShowSide::Up ? 0 : params.layers;  // number of oriented layers on the bed
   const double bottom = below == 0 ? params.startHeight : layerTop(params, below - 1);
   const double top = layerTop(params, below + params.base - 1);
   Mesh mesh;
@@ -73,7 +74,7 @@ Result<std::string> writeStl(const Mesh& mesh) {
   if (std::string defect = meshDefect(mesh); !defect.empty()) {
     return Error{ErrorCode::InvalidArgument, std::move(defect)};
   }
-  std::string out = "base body by Sillon, mm";  // must not begin with "solid", the other kind's first word
+  std::string out = "base body by Sillon, mm";  // must not begin with "solid", the first word of a text STL
   out.resize(80, ' ');
   append(out, mesh.triangles.size(), 4);
   const auto number = [&](double value) {

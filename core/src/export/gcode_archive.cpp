@@ -23,13 +23,14 @@ bool isZip(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t kMostMetadata = std::size_t{64} << 20;
-constexpr std::size_t kMostRecords = std::size_t{1} << 16;  // [bytes] by which all but the G-code grows
-constexpr double kMoved = 0.5;                              // [mm] by which a box is another
-constexpr int kSmallPicture = 128;                          // [pixels], of plate_1_small.png
+// Growth of all but the G-code when a file is replaced [bytes]; the reserve of its buffer.
+constexpr std::size_t kMostRecords = std::size_t{1} << 16;
+constexpr double kMoved = 0.5;      // [mm]; a box that changes by less has not moved
+constexpr int kSmallPicture = 128;  // [pixels], side of plate_1_small.png
 
 Error damaged(const char* what) { return damagedFile(".gcode.3mf", what); }
 
-// ---- a new one
+// ---- A new package.
 
 std::string metadata(std::string_view key, const std::string& value) {
   return "    <metadata key=\"" + std::string(key) + "\" value=\"" + value + "\"/>\n";
@@ -47,7 +48,7 @@ std::string metresOf(std::string_view gcode) {
   return value ? fixed(*value / 1000, 2) : "";
 }
 
-// This is the whole print's time. Bambu's own files tell it in their header block, behind that of the beads.
+// Time of the whole print. Bambu's own files give it in their header block, behind the time of the beads.
 std::optional<std::uint64_t> secondsOf(std::string_view gcode) {
   std::string text = toldValue(gcode, "estimated printing time (normal mode)");
   if (text.empty()) text = toldValue(gcode, "total estimated time", "");
@@ -55,6 +56,7 @@ std::optional<std::uint64_t> secondsOf(std::string_view gcode) {
   return text.empty() ? std::nullopt : std::optional(toldSeconds(text));
 }
 
+// slice_info.config, from which the printer reads time, weight and filament.
 std::string sliceInfo(std::string_view gcode, int filament) {
   std::string out = std::string(kXml) + "<config>\n  <plate>\n" + metadata("index", "1");
   out += metadata("nozzle_diameters", toldValue(gcode, "nozzle_diameter"));
@@ -67,7 +69,8 @@ std::string sliceInfo(std::string_view gcode, int filament) {
          metresOf(gcode) + "\" used_g=\"" + weightOf(gcode) + "\"/>\n  </plate>\n</config>\n";
 }
 
-// Bambu's printers and slicers have a block of their own at the head. Orca writes it for all printers.
+// Tells whether the G-code is for a Bambu printer. Its header block alone does not, because Orca writes it for all
+// printers.
 bool isForBambu(std::string_view gcode) {
   if (gcode.substr(0, kTold).find("; HEADER_BLOCK_START") == std::string_view::npos) return false;
   const std::optional<PrinterProfile> known = profileOf(toldValue(gcode, "printer_model"));
@@ -81,7 +84,7 @@ OrderedJson corners(const Bounds& box) {
   return OrderedJson::array({rounded(box.min.x), rounded(box.min.y), rounded(box.max.x), rounded(box.max.y)});
 }
 
-// What the printer's screen and the slicers read of a plate: where it lies.
+// plate_1.json, from which the printer's screen and the slicers read where the plate lies.
 std::string plateInfo(std::string_view gcode, int filament) {
   OrderedJson object = OrderedJson::object();
   const Bounds box = printedBox({gcode});
@@ -99,7 +102,7 @@ std::string plateInfo(std::string_view gcode, int filament) {
   return root.dump() + "\n";
 }
 
-// The PNG whose width is nearest; empty: there is none.
+// The PNG whose width is nearest to `width`; empty: there is none.
 std::string nearestPng(const std::vector<ToldPicture>& pictures, int width) {
   const ToldPicture* best = nullptr;
   for (const ToldPicture& picture : pictures) {
@@ -109,9 +112,9 @@ std::string nearestPng(const std::vector<ToldPicture>& pictures, int width) {
   return best == nullptr ? "" : best->bytes;
 }
 
-// ---- one with another file in it
+// ---- A package whose G-code is replaced.
 
-// The first plate: plate_2 before plate_10.
+// Finds the first plate, by number: plate_2 comes before plate_10.
 const ZipEntry* plateOf(const ZipDirectory& directory) {
   const ZipEntry* best = nullptr;
   for (const ZipEntry& entry : directory.entries) {
@@ -124,6 +127,7 @@ const ZipEntry* plateOf(const ZipDirectory& directory) {
   return best;
 }
 
+// Error of an archive without G-code; it tells whether the plate is just not sliced yet.
 Error holdsNoPlate(const ZipDirectory& directory) {
   const auto& parts = directory.entries;
   const bool package =
@@ -133,6 +137,7 @@ Error holdsNoPlate(const ZipDirectory& directory) {
           "the file is an archive (ZIP) without G-code in it; export the G-code from your slicer"};
 }
 
+// Width of a PNG [pixels]; 0 if it is none.
 int widthOfPng(std::string_view png) {
   if (!png.starts_with("\x89PNG") || png.size() < 24) return 0;
   int width = 0;
@@ -140,7 +145,7 @@ int widthOfPng(std::string_view png) {
   return width;
 }
 
-/// Puts another value there; an empty one changes nothing.
+/// Replaces the value of an attribute; an empty value changes nothing.
 void replaceAttribute(std::string& xml, std::string_view before, std::string_view name, const std::string& value,
                       std::size_t from, std::size_t& to) {
   const Place place = attribute(xml, before, name, from, to);
@@ -149,7 +154,8 @@ void replaceAttribute(std::string& xml, std::string_view before, std::string_vie
   to = to + value.size() - (place.end - place.begin);
 }
 
-// A slicer's prediction changes by as much as the time in the file, whatever else it counts. Empty: it stays.
+// New prediction of a slicer: it changes by the difference of the two times in the files, because the slicer may count
+// other times as well. Empty: it stays.
 std::string newPrediction(std::string_view old, std::string_view before, std::string_view after) {
   const auto was = secondsOf(before);
   const auto is = secondsOf(after);
@@ -160,14 +166,14 @@ std::string newPrediction(std::string_view old, std::string_view before, std::st
   return fixed(std::max(0.0, *told + more), 0);
 }
 
-// The part of slice_info.config that is about a plate; empty without one.
+// Finds the part of slice_info.config about a plate; empty without one.
 Place partOf(std::string_view xml, std::string_view plate) {
   const std::size_t from = xml.find("<metadata key=\"index\" value=\"" + std::string(plate) + "\"");
   if (from == std::string::npos) return {};
   return {from, std::min(xml.find("</plate>", from), xml.size())};
 }
 
-// Time and weight of the plate, where the new file tells others than the old one.
+// Updates time and weight of the plate where they differ between the two files.
 std::string newSliceInfo(std::string xml, std::string_view plate, std::string_view before, std::string_view after) {
   auto [from, to] = partOf(xml, plate);
   if (to == 0) return xml;
@@ -179,13 +185,14 @@ std::string newSliceInfo(std::string xml, std::string_view plate, std::string_vi
   replaceAttribute(xml, "<metadata key=\"weight\"", "value", weightOf(after), from, to);
   const std::size_t filament = xml.find("<filament ", from);
   const bool single = filament < to && xml.find("<filament ", filament + 1) >= to;
-  if (single) {  // of several it is not told which one gave what
+  if (single) {  // with several filaments their shares are unknown
     replaceAttribute(xml, "<filament ", "used_m", metresOf(after), from, to);
     replaceAttribute(xml, "<filament ", "used_g", weightOf(after), from, to);
   }
   return xml;
 }
 
+// Replaces the boxes in plate_1.json.
 std::string newPlateInfo(const std::string& text, const Bounds& box) {
   OrderedJson root = OrderedJson::parse(text, nullptr, false);
   if (!root.is_object() || box.empty()) return text;
@@ -199,7 +206,7 @@ std::string newPlateInfo(const std::string& text, const Bounds& box) {
   return root.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
-// The first bytes of a text in parts.
+// Joins the first `size` bytes of a text in parts.
 std::string firstOf(const std::vector<std::string_view>& parts, std::size_t size) {
   std::string out;
   out.reserve(size);
@@ -210,7 +217,7 @@ std::string firstOf(const std::vector<std::string_view>& parts, std::size_t size
   return out;
 }
 
-// What toldValue and toldPictures read of it.
+// The part of a text that toldValue and toldPictures read: its beginning and its end.
 std::string toldPart(const std::vector<std::string_view>& parts, std::size_t size) {
   if (size <= 2 * kTold) return firstOf(parts, size);
   std::vector<std::string_view> ending;
@@ -324,7 +331,8 @@ Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::st
       break;
   }
   std::string file;
-  file.reserve(container.file.size() + gcode.size() + kMostRecords);  // grown step by step, it would be held twice
+  // Growing step by step would hold the file twice.
+  file.reserve(container.file.size() + gcode.size() + kMostRecords);
   const auto problem = writeGcodeContainer(container, {gcode}, [&](std::string_view piece) { file += piece; });
   if (problem) return *problem;
   return file;
@@ -360,7 +368,7 @@ std::optional<Error> writeGcodeContainer(const GcodeContainer& container, const 
       !pictures.empty() && nearestPng(pictures, 4096) != nearestPng(toldPictures(container.gcode), 4096);
   const Bounds before = printedBox({container.gcode});
   const Bounds after = printedBox(gcode);
-  // A bead that lies otherwise by a hair is no other place; objects keep the boxes that their slicer gave them.
+  // A bead that lies slightly differently does not move the plate; its objects keep the boxes of their slicer.
   const bool moved =
       before.empty() != after.empty() ||
       (!after.empty() && std::max(length(before.min - after.min), length(before.max - after.max)) > kMoved);

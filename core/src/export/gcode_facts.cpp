@@ -19,6 +19,7 @@ bool isPlain(char c) {
          c == '-' || c == '+' || c == '#';
 }
 
+// Decodes Base64; all other characters, such as "; " and line ends, are skipped.
 std::string unpackBase64(std::string_view text) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
@@ -36,7 +37,7 @@ std::string unpackBase64(std::string_view text) {
   return bytes;
 }
 
-// "32x24 1234" to 32 and 24.
+// Reads the size of a picture, such as 32 and 24 from "32x24 1234".
 bool readSize(std::string_view text, ToldPicture& picture) {
   const auto read = [&](int& out) {
     std::size_t digits = 0;
@@ -51,6 +52,7 @@ bool readSize(std::string_view text, ToldPicture& picture) {
   return read(picture.height);
 }
 
+// Value of a word of G-code, such as X1.5.
 std::optional<double> word(std::string_view line, char letter) {
   const std::size_t at = line.find(std::string{' ', letter});
   double value = 0;

@@ -49,7 +49,7 @@ std::string md5(const std::vector<std::string_view>& parts) {
     sum[2] += c;
     sum[3] += d;
   };
-  std::string kept;  // less than a block, or the last ones
+  std::string kept;  // bytes of an unfinished block; at the end the last one or two blocks
   std::uint64_t size = 0;
   for (std::string_view part : parts) {
     size += part.size();

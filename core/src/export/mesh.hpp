@@ -11,9 +11,9 @@
 
 namespace sillon {
 
-// A mesh as the resources of a 3MF model.
+// Meshes as resources of a 3MF model.
 
-/// The <resources> element: the mesh as object 1, on a grid of 0.001 mm, heights 0.000001 mm.
+/// The <resources> element, with the mesh as object 1. Coordinates are rounded to 0.001 mm, heights to 0.000001 mm.
 std::string resourcesOf(const Mesh& mesh);
 
 // Prisms over shapes.
@@ -21,16 +21,17 @@ std::string resourcesOf(const Mesh& mesh);
 using PrismPoint = Vec2T<std::int64_t>;  ///< [µm]
 using PrismRings = std::vector<std::vector<std::uint32_t>>;
 
+/// A shape in the plane, cut into triangles.
 struct FlatBody {
   std::vector<PrismPoint> points;
-  Triangulation triangulation;  ///< of the points
+  Triangulation triangulation;  ///< triangles and rings, as indices of points
 };
 
-/// A shape on the grid of 1 µm, cut into triangles that cover it once. \param offset  added to all points.
-/// \return EmptyShape, or TooLarge where that is too much work.
+/// Rounds a shape to 1 µm and cuts it into triangles that cover it once. \param offset  added to all points.
+/// \return EmptyShape, or TooLarge if the outline is too entangled.
 Result<FlatBody> flatBody(const Shape& shape, PrismPoint offset);
 
-/// Appends the prism between two heights [mm]. \param flat  of `points`.
+/// Appends the prism between two heights [mm]. \param flat  triangulation of `points`.
 void addPrism(const Triangulation& flat, const std::vector<PrismPoint>& points, PrismPoint offset, double bottom,
               double top, Mesh& mesh);
 

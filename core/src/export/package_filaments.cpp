@@ -16,10 +16,11 @@ namespace {
 
 /// A filament that a package lists.
 struct Listed {
-  int number = 0;  ///< from 0
+  int number = 0;  ///< number of the filament, from 0
   std::string_view type;
 };
 
+/// Reads the filaments of one plate from slice_info.config.
 std::vector<Listed> listedIn(std::string_view plate) {
   std::vector<Listed> listed;
   for (std::size_t at = plate.find("<filament "); at != std::string_view::npos; at = plate.find("<filament ", at + 1)) {
@@ -28,7 +29,7 @@ std::vector<Listed> listedIn(std::string_view plate) {
       const Place place = attribute(tag, "<filament", name, 0, tag.size());
       return tag.substr(place.begin, place.end - place.begin);
     };
-    const std::optional<double> id = plainNumber(value(" id"));  // not that of group_id
+    const std::optional<double> id = plainNumber(value(" id"));  // the blank excludes group_id
     if (id && *id >= 1 && *id < 255) listed.push_back({static_cast<int>(*id) - 1, value(" type")});
   }
   return listed;
@@ -38,7 +39,7 @@ bool has(const std::vector<int>& numbers, int number) {
   return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
-/// "filaments 1 and 3": people count from 1.
+/// Names filaments in a message, such as "filaments 1 and 3", counted from 1.
 std::string named(const std::vector<int>& numbers) {
   if (numbers.empty()) return "no filament";
   std::string out = numbers.size() == 1 ? "filament " : "filaments ";
@@ -48,7 +49,7 @@ std::string named(const std::vector<int>& numbers) {
   return out;
 }
 
-/// PLA of "PLA-CF" and of "pla": its kind decides how hot it may be fed.
+/// Family of a filament type, such as PLA for "PLA-CF" and "pla"; it decides how hot the filament may be fed.
 std::string family(std::string_view type) {
   std::string out;
   for (const char c : type) {
@@ -100,7 +101,7 @@ std::optional<Error> packageDisagrees(const PlateLists& lists, const FilamentsOf
   const std::vector<Listed> entries = listedIn(lists.sliceInfo);
   std::vector<int> listed;
   for (const Listed& entry : entries) listed.push_back(entry.number);
-  // Whoever began with all of its filaments and goes on with some would have the printer ask for spools in vain.
+  // If the new G-code loads fewer filaments than the old one, the printer would ask for spools in vain.
   const bool all = std::all_of(before.loaded.begin(), before.loaded.end(), [&](int n) { return has(after.loaded, n); });
   const bool known = std::all_of(after.loaded.begin(), after.loaded.end(), [&](int n) { return has(listed, n); });
   if (!all || !known) return disagree(named(listed), named(after.loaded));
@@ -111,7 +112,7 @@ std::optional<Error> packageDisagrees(const PlateLists& lists, const FilamentsOf
   for (const char* key : {"first_extruder", "filament_ids"}) {
     if (!plate.is_object() || !plate.contains(key)) continue;
     std::vector<int> told;
-    for (const nlohmann::json& number : plate[key]) {  // of a single value: this one
+    for (const nlohmann::json& number : plate[key]) {  // a single value counts as a list of one
       if (number.is_number_integer() && number >= 0 && number < 255) told.push_back(number.get<int>());
     }
     if (!told.empty() && !has(told, only)) return disagree(named(told), named(after.loaded));

@@ -21,12 +21,13 @@ struct Edge {
 
 bool less(PrismPoint a, PrismPoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
-// Whether direction b comes before direction c when a is turned to the left, starting from a itself.
+// Tells whether direction b comes before direction c when turning left, counter-clockwise, from a.
 bool comesBefore(PrismPoint a, PrismPoint b, PrismPoint c) {
   const auto half = [&](PrismPoint d) { return cross(a, d) > 0 || (cross(a, d) == 0 && dot(a, d) > 0) ? 0 : 1; };
   return half(b) != half(c) ? half(b) < half(c) : cross(b, c) > 0;
 }
 
+// Rounds the segments of an outline to µm and sorts them by their starts.
 std::vector<Edge> edgesOf(const Outline& outline, PrismPoint offset) {
   const auto exact = [&](Vec2 p) { return PrismPoint{std::llround(p.x * 1000), std::llround(p.y * 1000)} + offset; };
   std::vector<Edge> edges;
@@ -36,8 +37,9 @@ std::vector<Edge> edgesOf(const Outline& outline, PrismPoint offset) {
   return edges;
 }
 
-// Rings of edges with the inside on the left; from each point as many edges go as come. Where several meet in a point,
-// each goes on with the edge that bounds the same corner of the inside: holes that touch are one ring.
+// Joins edges into rings with the inside on their left; as many edges must leave each point as reach it. Where several
+// meet in a point, a ring goes on with the edge that bounds the same corner of the inside, so that holes that touch
+// become one ring.
 PrismRings ringsOf(const std::vector<Edge>& edges, std::vector<PrismPoint>& points) {
   PrismRings rings;
   std::vector<char> used(edges.size(), 0);
@@ -59,7 +61,7 @@ PrismRings ringsOf(const std::vector<Edge>& edges, std::vector<PrismPoint>& poin
       std::size_t next = edges.size();
       for (std::size_t k = from(here); k < edges.size() && edges[k].a == here; ++k) {
         if (used[k] && k != first) continue;
-        // The inside lies to the right of the way back: the last direction on the way round to the left bounds it.
+        // The inside lies to the right of the way back, so the last direction when turning left bounds it.
         if (next == edges.size() || comesBefore(back, edges[next].b - here, edges[k].b - here)) next = k;
       }
       edge = next;
@@ -69,7 +71,7 @@ PrismRings ringsOf(const std::vector<Edge>& edges, std::vector<PrismPoint>& poin
   return rings;
 }
 
-// From the triangles of the top: the same below, and walls along the rings.
+// Adds the triangles of the top, the same reversed at the bottom, and walls along the rings.
 void extrude(const Triangulation& flat, std::uint32_t count, std::uint32_t first, Mesh& mesh) {
   const auto top = [&](std::uint32_t k) { return first + count + k; };
   const auto bottom = [&](std::uint32_t k) { return first + k; };
@@ -99,7 +101,7 @@ Result<FlatBody> flatBody(const Shape& shape, PrismPoint offset) {
     return Error{ErrorCode::TooLarge, "the outline has " + std::to_string(flat.points.size()) +
                                           " points, too entangled to cut into triangles; it must be simpler"};
   }
-  // Without regard to sign: triangles that are turned over would take from the sum what others have too much.
+  // The areas are summed without sign; otherwise reversed triangles would cancel the surplus of others.
   double area = 0;
   for (const Triangle& t : cut.triangles) {
     const PrismPoint a = flat.points[t[0]];
@@ -126,8 +128,8 @@ void addPrism(const Triangulation& flat, const std::vector<PrismPoint>& points, 
 }
 
 Result<Mesh> prismOf(const Shape& shape, double height) {
-  constexpr double kLeast = 0.05;  // [mm]
-  constexpr double kMost = 5000;   // [mm]
+  constexpr double kLeast = 0.05;  // [mm], least height
+  constexpr double kMost = 5000;   // [mm], greatest height
   if (!(height >= kLeast && height <= kMost))
     return Error{ErrorCode::InvalidArgument, outOfRange("height", height, " mm", "0.05 to 5000 mm")};
   const Result<FlatBody> flat = flatBody(shape, {});

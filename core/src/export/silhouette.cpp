@@ -20,7 +20,8 @@ Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner) {
   mask.width = static_cast<int>(std::ceil(size.x / cell));
   mask.height = static_cast<int>(std::ceil(size.y / cell));
   mask.channels = 1;
-  // How many triangles more than at the pixel to the left lie at each: one that is large takes no longer for it.
+  // Difference array: number of triangles at each pixel less that at the pixel to its left, so that a triangle costs
+  // two entries per row, however wide it is.
   const auto stride = static_cast<std::size_t>(mask.width) + 1;
   std::vector<std::int32_t> more(stride * static_cast<std::size_t>(mask.height), 0);
   const double pitch = size.x / mask.width;
@@ -42,7 +43,7 @@ Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner) {
         from = std::min(from, x);
         to = std::max(to, x);
       }
-      if (from > to) continue;  // a corner at most
+      if (from > to) continue;  // the row meets a corner at most
       const int left = std::max(0, static_cast<int>(std::ceil(from / pitch - 0.5)));
       const int right = std::min(mask.width - 1, static_cast<int>(std::floor(to / pitch - 0.5)));
       if (left > right) continue;

@@ -18,12 +18,13 @@ namespace {
 constexpr std::size_t kHeader = 84;
 constexpr std::size_t kFacet = 50;
 constexpr std::size_t kMostFacets = 10'000'000;
-constexpr double kLargest = 10000;  // [mm]
+constexpr double kLargest = 10000;  // [mm], largest coordinate
 
 using Corner = std::array<double, 3>;
 
 Error broken(const char* why) { return {ErrorCode::InvalidFile, std::string("the STL ") + why}; }
 
+// Reads the corners of a binary STL.
 Result<std::vector<Corner>> cornersOfBytes(std::string_view bytes, std::size_t facets) {
   std::vector<Corner> corners;
   corners.reserve(3 * facets);
@@ -42,6 +43,7 @@ Result<std::vector<Corner>> cornersOfBytes(std::string_view bytes, std::size_t f
   return corners;
 }
 
+// Reads the corners of a text STL.
 Result<std::vector<Corner>> cornersOfText(std::string_view text) {
   constexpr std::string_view kVertex = "vertex";
   std::vector<Corner> corners;
@@ -77,7 +79,7 @@ Result<Mesh> readStl(std::string_view bytes) {
   }
   if (corners.empty() || corners.size() % 3 != 0) return broken("has no triangles, or an unfinished one");
 
-  // Corners at the same place, to 1 µm, are one point.
+  // Corners at the same place, to 1 µm, become one point.
   std::vector<std::pair<std::array<std::int64_t, 3>, std::size_t>> keys;
   keys.reserve(corners.size());
   for (std::size_t k = 0; k < corners.size(); ++k) {

@@ -13,22 +13,22 @@
 namespace sillon {
 namespace {
 
-constexpr std::int64_t kWidthTolerance = 10;  // [µm] around a stroke's width
+constexpr std::int64_t kWidthTolerance = 10;  // [µm]; beads whose widths differ by less share a stroke
 constexpr double kColourTolerance = 2.5 / 180 * kDirectionColours;
 
-/// Point in the drawing: µm, y down.
+/// Point in the drawing [µm], y down.
 struct Micron {
   std::int64_t x = 0;
   std::int64_t y = 0;
 };
 
-/// What is not a number, or far outside any page, becomes something that can be printed.
+/// Converts millimetres to µm. Values that are no numbers or lie far outside any page become printable ones.
 std::int64_t microns(double mm) {
   constexpr double kFarthest = 1e6;  // [mm]
   return std::isfinite(mm) ? std::llround(std::clamp(mm, -kFarthest, kFarthest) * 1000) : 0;
 }
 
-/// Millimetres with at most 3 decimals and no needless zeros: 12.3, -.05, 0.
+/// Appends µm as millimetres with at most 3 decimals and no needless zeros: 12.3, -.05, 0.
 void appendMm(std::string& out, std::int64_t micron) {
   if (micron < 0) out += '-';
   const std::int64_t size = std::abs(micron);
@@ -41,7 +41,7 @@ void appendMm(std::string& out, std::int64_t micron) {
   out.append(fraction, rest % 10 != 0 ? 4 : rest % 100 != 0 ? 3 : 2);
 }
 
-/// The minus sign separates numbers as well as a space does.
+/// Appends two numbers; a minus sign separates them as well as a space does.
 void appendPair(std::string& out, std::int64_t x, std::int64_t y) {
   appendMm(out, x);
   if (y >= 0) out += ' ';
@@ -67,18 +67,20 @@ void appendColour(std::string& out, Rgb colour) {
   }
 }
 
-/// One bead segment: mean width [µm] and place of its direction among the colours.
+/// One segment of a bead: its mean width [µm] and the place of its direction on the wheel of colours.
 struct Bead {
   std::int64_t width = 0;
   double colour = 0;
 };
 
+/// Tells whether a bead can share a stroke with another one, by width and colour.
 bool fits(const Bead& bead, const Bead& stroke) {
   const double apart = std::abs(bead.colour - stroke.colour);
   return std::abs(bead.width - stroke.width) <= kWidthTolerance &&
          std::min(apart, kDirectionColours - apart) <= kColourTolerance;
 }
 
+/// Appends a cycle: strokes of like beads, then the path of the nozzle as a thin line.
 void appendCycle(std::string& out, const Cycle& cycle, double pageHeight, std::size_t number) {
   const std::size_t count = cycle.points.size();
   const auto at = [&](std::size_t k) {

@@ -1,4 +1,4 @@
-// Zip archives as 3MF packages use them, uncompressed.
+// Zip archives, as 3MF packages use them: written uncompressed.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,8 @@
 
 namespace sillon {
 
-/// A zip of stored entries: files are sent once, over a local network, and the same bytes everywhere are worth more.
+/// Writer of a zip with stored entries. Files are sent once, over a local network, so equal bytes on every platform are
+/// worth more than compression.
 class Zip {
  public:
   void add(std::string_view name, std::string_view bytes) {
@@ -63,7 +64,8 @@ class Zip {
 
 inline constexpr const char* kXml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 
-/// What every 3MF begins with: the types of its parts, and that the model is 3D/3dmodel.model.
+/// Adds the parts that every 3MF begins with: the types of its parts, and the relation that names 3D/3dmodel.model as
+/// the model.
 inline void addPackageParts(Zip& zip, std::string_view moreTypes = "") {
   zip.add(
       "[Content_Types].xml",
@@ -79,13 +81,14 @@ inline void addPackageParts(Zip& zip, std::string_view moreTypes = "") {
               "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n</Relationships>\n");
 }
 
-// Entries of a zip, as its directory tells them.
+// Entries of a zip, as listed in its directory.
 
+/// One entry of a zip.
 struct ZipEntry {
   std::string_view name;
   std::size_t listed = 0;  ///< offset of its record in the directory
   std::size_t begin = 0;   ///< offset of its local record
-  std::size_t end = 0;     ///< one past it: where the next one or the directory begins
+  std::size_t end = 0;     ///< offset just past it, where the next one or the directory begins
   std::uint64_t flags = 0;
   std::uint64_t method = 0;  ///< 0 stored, 8 deflated
   std::uint64_t crc = 0;
@@ -93,23 +96,23 @@ struct ZipEntry {
   std::uint64_t size = 0;    ///< [bytes], unpacked
 };
 
-/// A zip's directory; points into the zip.
+/// Directory of a zip; its names point into the zip.
 struct ZipDirectory {
-  std::vector<ZipEntry> entries;  ///< as they are listed
-  std::size_t begin = 0;          ///< of the directory
-  std::size_t end = 0;            ///< of the record behind it
+  std::vector<ZipEntry> entries;  ///< entries in the order of the directory
+  std::size_t begin = 0;          ///< offset of the directory
+  std::size_t end = 0;            ///< offset of the record behind the directory
 };
 
-/// \return InvalidFile with the words that follow "the .gcode.3mf": broken or cut off.
+/// Reads the directory of a zip. \return InvalidFile, in words about a .gcode.3mf, if it is broken or cut off.
 Result<ZipDirectory> readZip(std::string_view zip);
 
-/// An entry's bytes. \param most  [bytes], unpacked.
-/// \return InvalidFile or TooLarge, in words as above.
+/// Unpacks an entry and checks its checksum. \param most  largest unpacked size [bytes].
+/// \return InvalidFile or TooLarge, in the same words.
 Result<std::string> unpackEntry(std::string_view zip, const ZipEntry& entry, std::size_t most);
 
-/// The zip with other contents in some entries, which are stored. All other entries keep their bytes and place.
-/// \param contents  in parts, by index of the directory, as long as it; no part: the entry keeps its own.
-/// \param take  is given the zip in pieces.
+/// Rewrites a zip with other contents in some entries, which are stored uncompressed. All other entries keep their
+/// bytes and their order. \param contents  one list of parts per entry of the directory; an empty list keeps the entry
+/// as it is. \param take  receives the zip in pieces.
 void withContents(std::string_view zip, const ZipDirectory& directory,
                   const std::vector<std::vector<std::string_view>>& contents,
                   const std::function<void(std::string_view)>& take);

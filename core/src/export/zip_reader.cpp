@@ -76,7 +76,7 @@ Result<std::string> unpackEntry(std::string_view zip, const ZipEntry& entry, std
       (entry.method == 0 && entry.size != entry.packed)) {
     return damaged("has a broken entry");
   }
-  // stb_image's inflate looks 4 bytes beyond the end; the directory follows there.
+  // stb_image's inflate reads 4 bytes past the end, where at least the directory follows.
   const auto begin = static_cast<std::size_t>(data);
   const auto length = static_cast<std::size_t>(entry.packed);
   std::optional<std::string> out = entry.method == 0
@@ -89,7 +89,7 @@ Result<std::string> unpackEntry(std::string_view zip, const ZipEntry& entry, std
 void withContents(std::string_view zip, const ZipDirectory& directory,
                   const std::vector<std::vector<std::string_view>>& contents,
                   const std::function<void(std::string_view)>& take) {
-  // In the order of the file, which need not be that of the directory.
+  // Entries are written in the order of the file, which may differ from that of the directory.
   std::vector<std::size_t> order(directory.entries.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   sortBy(order, [&](std::size_t entry) { return directory.entries[entry].begin; });

@@ -10,9 +10,9 @@
 namespace sillon {
 namespace {
 
-constexpr int kBins = 720;  // of a quarter of a degree
+constexpr int kBins = 720;  // bins of a quarter of a degree
 
-// The mean direction of a bin's share: by doubled angles, as directions have no head.
+// Mean direction of the bins that centre k owns, by doubled angles, because a direction equals its opposite.
 double meanDirection(const std::vector<double>& weights, const std::vector<int>& owner, int k) {
   Vec2 sum;
   for (std::size_t bin = 0; bin < weights.size(); ++bin) {
@@ -24,7 +24,8 @@ double meanDirection(const std::vector<double>& weights, const std::vector<int>&
   return angle < 0 ? angle + 180 : angle;
 }
 
-// Lloyd's rounds from shares of equal weight, begun at several places; the best of them.
+// Chooses directions by Lloyd's algorithm (k-means) on a histogram. It starts from shares of equal weight at several
+// offsets and keeps the result of least error.
 std::vector<double> chosenDirections(const DirectionPicture& picture, int most) {
   constexpr int kStarts = 12;
   constexpr int kRounds = 60;
@@ -79,7 +80,7 @@ std::vector<double> chosenDirections(const DirectionPicture& picture, int most) 
   return best;
 }
 
-// The means of the directions themselves, not of bins, in whole tenths; what is the same then is one.
+// Replaces directions by the means of the cells nearest to them, in whole tenths of a degree, and merges equal ones.
 std::vector<double> refined(const DirectionPicture& picture, std::vector<double> directions) {
   std::vector<Vec2> sums(directions.size());
   for (std::size_t k = 0; k < picture.inside.size(); ++k) {

@@ -14,13 +14,14 @@ namespace {
 
 constexpr int kEvenRounds = 12;
 constexpr int kWideRounds = 6;
-constexpr double kEvenShare = 0.5;  // of the time
+constexpr double kEvenShare = 0.5;  // share of the time, for progress
 constexpr int kPollRows = 32;
-constexpr double kEven = 12;  // [degrees] of error that a place takes for as many neighbours as it has
+// Error that weighs as much as all eight neighbours of a cell [degrees]; larger: smoother borders.
+constexpr double kEven = 12;
 
 using Labels = std::vector<std::int32_t>;
 
-// Directions averaged over squares as wide as the narrowest zone: what is finer would only fray the borders.
+// Averages directions over squares as wide as the narrowest zone, because finer detail would only fray the borders.
 std::vector<float> smoothed(const DirectionPicture& picture, double least) {
   const Grid& grid = picture.grid;
   const int reach = static_cast<int>(least / 2 / grid.cell);
@@ -29,7 +30,7 @@ std::vector<float> smoothed(const DirectionPicture& picture, double least) {
     const double twice = static_cast<double>(picture.degrees[k]) * std::numbers::pi / 90;
     if (picture.inside[k] != 0) sums[k] = {std::cos(twice), std::sin(twice)};
   }
-  // Along rows, then along columns, by sums from the beginning.
+  // A box filter along rows, then along columns, by prefix sums.
   for (const bool rows : {true, false}) {
     const int lines = rows ? grid.ny : grid.nx;
     const int size = rows ? grid.nx : grid.ny;
@@ -51,6 +52,7 @@ std::vector<float> smoothed(const DirectionPicture& picture, double least) {
   return out;
 }
 
+// Gives each cell the direction that suits it and its neighbours best: the Potts model, by iterated conditional modes.
 Labels nearestDirections(const DirectionPicture& picture, const std::vector<double>& directions, double least,
                          const RunContext& run) {
   const std::vector<float> degrees = smoothed(picture, least);
@@ -68,7 +70,7 @@ Labels nearestDirections(const DirectionPicture& picture, const std::vector<doub
       if (errorOf(k, zone) < errorOf(k, label[k])) label[k] = zone;
     }
   }
-  // Each place in turn takes what suits it and its neighbours best.
+  // Each cell in turn takes the label of least cost.
   for (int round = 0; round < kEvenRounds; ++round) {
     run.report(kEvenShare * round / kEvenRounds);
     for (int y = 1; y + 1 < grid.ny; ++y) {
@@ -95,7 +97,8 @@ Labels nearestDirections(const DirectionPicture& picture, const std::vector<doub
   return label;
 }
 
-// What no disc as wide as `least` gets into goes to the neighbours; the border of the shape bounds no disc.
+// Gives all places that no disc of diameter `least` reaches to their neighbours: a morphological opening of each zone.
+// The border of the shape does not limit the discs.
 void widen(Labels& label, int count, const DirectionPicture& picture, double least, const RunContext& run) {
   const Grid& grid = picture.grid;
   const auto radius = static_cast<float>(least / 2 / grid.cell);
@@ -121,7 +124,7 @@ void widen(Labels& label, int count, const DirectionPicture& picture, double lea
       }
     }
     if (std::none_of(kept.begin(), kept.end(), [](std::int32_t zone) { return zone >= 0; })) {
-      // All is narrow: one zone, the one that has most.
+      // All zones are too narrow: the largest one takes the whole shape.
       std::array<std::size_t, 16> cells{};
       for (const std::int32_t zone : label) cells[zone >= 0 ? static_cast<std::size_t>(zone) : 15] += zone >= 0 ? 1 : 0;
       const auto most = static_cast<std::int32_t>(std::max_element(cells.begin(), cells.end()) - cells.begin());
@@ -134,7 +137,7 @@ void widen(Labels& label, int count, const DirectionPicture& picture, double lea
   }
 }
 
-// Parts of a zone that are smaller than a square of the least width go to the zone they touch most.
+// Gives parts of a zone that are smaller than a square of side `least` to the zone they touch most.
 void dropSpecks(Labels& label, const DirectionPicture& picture, double least) {
   const Grid& grid = picture.grid;
   const double cells = least * least / (grid.cell * grid.cell);

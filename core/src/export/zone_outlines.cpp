@@ -10,9 +10,10 @@
 namespace sillon {
 namespace {
 
-constexpr double kStraight = 0.75;  // [cells] that a straight line may lie beside the steps
+constexpr double kStraight = 0.75;  // [cells], distance of a straight line from the steps it replaces
 
-// Cells that meet in a corner only would make rings that touch themselves: one of them becomes its neighbour's.
+// Separates cells that meet in a corner only, which would make rings touch themselves: a cell beside the corner changes
+// its zone.
 void partCorners(std::vector<std::int32_t>& zone, int columns, int rows) {
   const auto at = [&](int x, int y) -> std::int32_t& {
     return zone[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
@@ -37,19 +38,21 @@ void partCorners(std::vector<std::int32_t>& zone, int columns, int rows) {
   }
 }
 
+// A node of the lattice between the cells.
 struct Corner {
   int x = 0;
   int y = 0;
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
-// A stretch of border between two corners where three zones meet, or a whole ring.
+// A stretch of border between two junctions, where three zones meet, or a whole ring; zones left and right of it.
 struct Chain {
   std::vector<Corner> corners;
   std::int32_t left = -1;
   std::int32_t right = -1;
 };
 
+// Traces the borders between zones.
 class Tracer {
  public:
   Tracer(const std::vector<std::int32_t>& zone, int columns, int rows) : zone_(zone), columns_(columns), rows_(rows) {
@@ -72,7 +75,7 @@ class Tracer {
   }
 
  private:
-  // Ways: east, north, west, south.
+  // Directions of a way: 0 east, 1 north, 2 west, 3 south.
   static Corner step(Corner c, int way) {
     constexpr std::array<int, 4> kX{1, 0, -1, 0};
     constexpr std::array<int, 4> kY{0, 1, 0, -1};
@@ -130,7 +133,8 @@ class Tracer {
   std::vector<std::array<bool, 4>> used_;
 };
 
-// Douglas and Peucker: keeps the corner that lies furthest from the straight line, and goes on beside it.
+// Simplifies a chain by the Douglas-Peucker algorithm: keeps the corner furthest from the straight line, and repeats on
+// both sides of it.
 void keepCorners(const std::vector<Corner>& corners, std::size_t first, std::size_t last, std::vector<char>& kept) {
   std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
   while (!open.empty()) {
@@ -156,12 +160,13 @@ void keepCorners(const std::vector<Corner>& corners, std::size_t first, std::siz
   }
 }
 
+// Simplifies a chain and keeps its ends.
 void straighten(Chain& chain) {
   std::vector<Corner>& corners = chain.corners;
   std::vector<char> kept(corners.size(), 0);
   kept.front() = kept.back() = 1;
   std::size_t middle = corners.size() - 1;
-  if (corners.front() == corners.back()) {  // a ring: two anchors, far from each other
+  if (corners.front() == corners.back()) {  // a ring gets two anchors, far from each other
     double most = -1;
     for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
       const double away = std::hypot(corners[k].x - corners[0].x, corners[k].y - corners[0].y);
@@ -191,7 +196,8 @@ std::vector<std::vector<Ring>> zoneOutlines(std::vector<std::int32_t> zone, int 
   for (Chain& chain : chains) straighten(chain);
   std::vector<std::vector<Ring>> rings(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) {
-    // Each with the zone on its left, by where it begins: three zones meet in a corner at most.
+    // Chains with the zone on their left, by their start. At most one starts at each junction, because at most three
+    // zones meet there.
     std::map<std::pair<int, int>, std::vector<Corner>> from;
     std::vector<std::vector<Corner>> closed;
     for (const Chain& chain : chains) {

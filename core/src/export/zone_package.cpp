@@ -15,21 +15,23 @@
 namespace sillon {
 namespace {
 
-constexpr double kFurthest = 10000;              // [mm]
-constexpr std::size_t kMostTriangles = 400'000;  // of the zones
+constexpr double kFurthest = 10000;              // [mm], largest coordinate
+constexpr std::size_t kMostTriangles = 400'000;  // triangles of all zones
 
 std::string metadata(const char* type, const char* key, const std::string& value) {
   return "   <metadata type=\"" + std::string(type) + "\" key=\"" + key + "\" value=\"" + value + "\"/>\n";
 }
 
+// A volume of the package: a range of triangles, with its settings.
 struct Volume {
   std::string name;
-  std::size_t first = 0;  ///< triangle
+  std::size_t first = 0;  ///< index of its first triangle
   std::size_t last = 0;
   std::string settings;
   bool modifier = false;
 };
 
+// Cuts a zone into triangles.
 FlatBody flatZone(const DirectionZone& zone) {
   FlatBody flat;
   PrismRings rings;
@@ -86,7 +88,7 @@ Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2
     for (const char* key : {"fill_angle", "infill_direction", "solid_infill_direction", "top_layer_direction"}) {
       volume.settings += metadata("volume", key, degrees);
     }
-    // Other patterns turn by 90 degrees on every other layer, and nobody but the slicer knows on which one a top lies.
+    // Other patterns turn by 90 degrees on every other layer, and only the slicer knows on which layer a top lies.
     for (const char* key : {"top_fill_pattern", "top_surface_pattern"}) {
       volume.settings += metadata("volume", key, "alignedrectilinear");
     }

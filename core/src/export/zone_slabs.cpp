@@ -9,16 +9,16 @@
 namespace sillon {
 namespace {
 
-constexpr double kBeyond = 1;         // [mm] below and above the body
-constexpr double kLeastArea = 1;      // [mm²] of the tops in a step that count
-constexpr double kLevel = 1e-3;       // [mm] that a level triangle may rise
-constexpr double kSolidDepth = 2;     // [mm] below a top that slicers fill solidly, at most
-constexpr double kSolidLayers = 8;    // or so many, if they are thicker
-constexpr double kNarrowStep = 0.45;  // [mm]; on a slope of narrower steps only walls are seen
+constexpr double kBeyond = 1;         // [mm] by which slabs reach beyond the body
+constexpr double kLeastArea = 1;      // [mm²]; steps with a smaller area of tops are ignored
+constexpr double kLevel = 1e-3;       // [mm], largest rise of a level triangle
+constexpr double kSolidDepth = 2;     // [mm], depth below a top that slicers fill solidly at most
+constexpr double kSolidLayers = 8;    // layers, the same if they are thicker together
+constexpr double kNarrowStep = 0.45;  // [mm], width of a step; steeper slopes show walls only
 
 using Corner3 = std::array<double, 3>;
 
-// Below 0 where the triangles face inwards.
+// Six times the volume of a body; below 0 if its triangles face inwards.
 double volumeOf(const Mesh& body) {
   double six = 0;
   for (const auto& t : body.triangles) {
@@ -43,11 +43,11 @@ std::vector<Slab> slabsOf(const Mesh& body, double layerHeight, std::size_t most
     low = std::min(low, p[2]);
     high = std::max(high, p[2]);
   }
-  // Steps as high as a layer, wherever the slicer begins its own.
+  // Heights are counted in steps of one layer, which need not coincide with the slicer's layers.
   const auto stepOf = [&](double z) { return static_cast<std::size_t>((z - low) / layerHeight); };
   const std::size_t count = stepOf(high) + 1;
   std::vector<double> level(count, 0);       // area of the tops in each step [mm²]
-  std::vector<double> change(count + 1, 0);  // of the slopes' area, from the step below
+  std::vector<double> change(count + 1, 0);  // difference of the slopes' area from the step below [mm²]
   const double steepest = layerHeight / kNarrowStep;
   const double outwards = volumeOf(body) < 0 ? -1 : 1;
   for (const auto& t : body.triangles) {

@@ -15,10 +15,11 @@
 namespace sillon {
 namespace {
 
-constexpr double kFinest = 0.15;    // [mm], of a cell
-constexpr double kMostCells = 1e6;  // in all
+constexpr double kFinest = 0.15;    // [mm], smallest side of a cell
+constexpr double kMostCells = 1e6;  // cells of a page at most
 constexpr double kBorder = 1;       // [mm] beyond the page
 
+// Samples a map of directions on the cells of a page.
 DirectionPicture rastered(const Shape& shape, const DirectionMap& map) {
   DirectionPicture picture;
   Grid& grid = picture.grid;

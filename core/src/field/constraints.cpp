@@ -9,7 +9,7 @@
 namespace sillon {
 namespace {
 
-constexpr float kNoAverage = 0.1f;  ///< below this length an average of lines says nothing
+constexpr float kNoAverage = 0.1f;  ///< an average of lines shorter than this means nothing
 
 // Texels covered by [centre - reach, centre + reach] along one axis, with the share of each.
 struct Footprint {
@@ -17,7 +17,8 @@ struct Footprint {
   std::vector<float> weight;
 };
 
-// A box as wide as the cell, or as a texel where texels are larger: then the average is bilinear interpolation.
+// Footprints of a row or column of cells: boxes as wide as a cell, or as a texel where texels are larger, so that the
+// average becomes bilinear interpolation. The two axes are separable, so that one list for each is enough.
 std::vector<Footprint> footprints(int count, double origin, double cell, double page, int texels, bool flipped) {
   std::vector<Footprint> all(static_cast<std::size_t>(count));
   const double scale = texels / page;
@@ -25,6 +26,7 @@ std::vector<Footprint> footprints(int count, double origin, double cell, double 
   for (int k = 0; k < count; ++k) {
     double centre = (origin + (k + 0.5) * cell) * scale;
     if (flipped) centre = texels - centre;
+    // Clamp to the map; at its edge at least one texel remains.
     const double limit = static_cast<double>(texels);
     const double low = std::clamp(centre - reach, 0.0, limit - 1);
     const double high = std::clamp(centre + reach, 1.0, limit);
@@ -40,6 +42,7 @@ std::vector<Footprint> footprints(int count, double origin, double cell, double 
 
 }  // namespace
 
+// A table of all angles saves a sine and a cosine for each texel under each cell.
 std::vector<Vec2f> beadLines() {
   std::vector<Vec2f> lines;
   lines.reserve(65536);
@@ -52,6 +55,7 @@ std::vector<Vec2f> beadLines() {
   return lines;
 }
 
+// Decides zone, mode and line of each cell that is not masked.
 Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const DirectionMap& directions,
                                         const ModeMap& modes, Vec2 page, const ToolpathParams& params,
                                         const RunContext& run) {
@@ -61,13 +65,15 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
   const float spacing = static_cast<float>(params.spacing);
   const float shellDepth = static_cast<float>(countedPerimeters(params)) * spacing;
 
+  // Prepare what cells of a row or column share: lines by angle, footprints and columns of modes.
   std::vector<Vec2f> lineOf = beadLines();
   for (Vec2f& line : lineOf) line = acrossBead(line);
+  // The page's y points up, rows of maps go down: rows are flipped.
   const auto columns = footprints(grid.nx, grid.origin.x, grid.cell, page.x, directions.width, false);
   const auto rows = footprints(grid.ny, grid.origin.y, grid.cell, page.y, directions.height, true);
   std::vector<int> modeColumn;
   for (int x = 0; x < grid.nx; ++x) modeColumn.push_back(texelColumn(grid.centre(x, 0).x, page.x, modes.width));
-  const auto angles = [&](int x, int y) {  // of the texel and those to the right of it
+  const auto angles = [&](int x, int y) {  // angles of the texel and of those to the right of it
     return &directions.angle[static_cast<std::size_t>(y) * static_cast<std::size_t>(directions.width) +
                              static_cast<std::size_t>(x)];
   };
@@ -81,12 +87,14 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
       for (int x = 0; x < grid.nx; ++x) {
         const std::size_t i = grid.index(x, y);
         const float distance = sdf.distance[i];
+        // Zones are bands of the exact distance (Sec. 4).
         cells.zone[i] = distance > -0.5f * spacing ? Zone::Masked
                         : distance > -spacing      ? Zone::Ring
                         : distance > -shellDepth   ? Zone::Shell
                                                    : Zone::Infill;
         if (cells.zone[i] == Zone::Masked) continue;
         cells.mode[i] = modeRow[modeColumn[x]];
+        // Average z = e^{2i angle}, as d and -d are the same line: their z add up and do not cancel out.
         Vec2f sum{};
         float total = 0;
         if (params.mapFilter == MapFilter::Average) {
@@ -101,9 +109,11 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
           }
         }
         const float size = length(sum);
+        // Take the average if it is long enough to mean anything.
         if (size > kNoAverage * total) {
           cells.mapLine[i] = sum * (1 / size);
         } else {
+          // No direction prevails: take the texel at the cell's centre.
           const TexelIndex t = texelAt(grid.centre(x, y), page, directions.width, directions.height);
           cells.mapLine[i] = lineOf[*angles(t.x, t.y)];
         }

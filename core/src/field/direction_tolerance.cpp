@@ -10,28 +10,31 @@
 namespace sillon {
 namespace {
 
-constexpr float kCosJump = 0.36235776f;  ///< of 1.2 rad: a residual above this is no gradient
-constexpr float kAlike = 0.7f;           ///< lines that agree less than this are no neighbours
-constexpr int kAverages = 2;
+constexpr float kCosJump = 0.36235776f;  ///< cosine of 1.2 rad: a larger residual is a jump of the phase, no gradient
+constexpr float kAlike = 0.7f;           ///< cosine below which two lines are no neighbours
+constexpr int kAverages = 2;             ///< rounds of averaging over neighbours
 
-// What a cell gives: the turn of its line, as a small angle, and the logarithm of its frequency.
+// Change of one cell: the turn of its line, as a small angle, and the logarithm of its frequency.
 struct Give {
   float turn = 0;
   float logFrequency = 0;
   bool known = false;
 };
 
+// Difference of the phases of two cells, if it is smooth.
 struct Difference {
-  float phase = 0;  ///< of the wave over one cell [rad]
+  float phase = 0;  ///< gain of the wave's phase over one cell [rad]
   bool smooth = false;
 };
 
-// From cell i to a neighbour `side` cells along x or y, seen along the wave of i.
+// Measures the gain of phase from cell i to its neighbour j, seen along the wave of i. \param move  from i to j
+// [cells].
 Difference difference(const SineField& waves, std::size_t i, std::size_t j, Vec2f move) {
   const Vec2f ki = waves.wave[i];
   Vec2f kj = waves.wave[j];
   Vec2f qj = waves.phase[j];
   if (qj == Vec2f{}) return {};
+  // Turn the neighbour's wave to the same side: (k, phi) = (-k, pi - phi).
   if (dot(ki, kj) < 0) {
     kj = -kj;
     qj.x = -qj.x;
@@ -39,14 +42,15 @@ Difference difference(const SineField& waves, std::size_t i, std::size_t j, Vec2
   const Vec2f qi = waves.phase[i];
   const float step = 0.25f * kPi * dot(move, ki + kj);  // the unit wave turns by pi/2 per cell
   const SinCos back = sinCos(-step);
-  // qj conj(qi) e^{-i step}
+  // The rest beyond the expected step is small where waves agree: qj conj(qi) e^{-i step}.
   const Vec2f turned{qj.x * qi.x + qj.y * qi.y, qj.y * qi.x - qj.x * qi.y};
   const Vec2f rest{turned.x * back.cos - turned.y * back.sin, turned.x * back.sin + turned.y * back.cos};
   if (rest.x <= kCosJump) return {};
   return {step + asinApprox(std::clamp(rest.y, -1.0f, 1.0f)), true};
 }
 
-// The gradient in units of the unit wave; not known where a neighbour is missing or the phase jumps.
+// Central differences of the phase along x and y, in units of the unit wave. Unknown where a neighbour is missing or
+// the phase jumps.
 bool gradientAt(const SineField& waves, int x, int y, Vec2f& gradient) {
   const Grid& grid = waves.grid;
   if (x < 1 || y < 1 || x + 1 >= grid.nx || y + 1 >= grid.ny) return false;
@@ -70,9 +74,11 @@ Result<RelaxedDirections> relaxDirections(const LineField& asked, const std::vec
   const bool ring = countedPerimeters(params) >= 1;
   const float most = static_cast<float>(params.directionTolerance) * kPi / 180;
   const float bend = static_cast<float>(params.spacingVariation);
+  // Masked cells have no line, and the ring follows the border.
   const auto stays = [&](std::size_t i) {
     return cells.zone[i] == Zone::Masked || (ring && cells.zone[i] == Zone::Ring);
   };
+  // 1. Compare each line with the gradient of the phases around it: the angle is its turn, the size its frequency.
   std::vector<Give> give(grid.size());
   const int grain = rowGrain(run, grid.ny, 30.0 * grid.nx);
   parallelFor(run, grid.ny, grain, [&](int begin, int end) {
@@ -83,16 +89,18 @@ Result<RelaxedDirections> relaxDirections(const LineField& asked, const std::vec
         if (stays(i) || !gradientAt(waves, x, y, gradient)) continue;
         const Vec2f d = asked.direction[i];
         const float size = length(gradient);
+        // Gradients far from that of the unit wave tell nothing about a bead.
         if (size < 0.25f || size > 4) continue;
         Vec2f g = gradient * (1 / size);
         if (dot(d, g) < 0) g = -g;
         if (dot(d, g) < kAlike) continue;
         const float turn = asinApprox(std::clamp(cross(d, g), -1.0f, 1.0f));
-        const float log = (size - 1) - (size - 1) * (size - 1) / 2;  // near 1, which is where it is used
+        const float log = (size - 1) - (size - 1) * (size - 1) / 2;  // series of log near 1, where it is used
         give[i] = {std::clamp(turn, -most, most), std::clamp(size < 2 ? log : bend, -bend, bend), true};
       }
     }
   });
+  // 2. Average over the 3 x 3 neighbours that run alike, which also fills cells without a gradient.
   for (int round = 0; round < kAverages && !run.cancelled(); ++round) {
     const std::vector<Give> before = give;
     parallelFor(run, grid.ny, grain, [&](int begin, int end) {
@@ -114,6 +122,7 @@ Result<RelaxedDirections> relaxDirections(const LineField& asked, const std::vec
       }
     });
   }
+  // 3. Turn the lines, and exponentiate the frequencies by a series.
   RelaxedDirections given{asked, frequency};
   for (std::size_t i = 0; i < grid.size(); ++i) {
     if (stays(i) || !give[i].known) continue;

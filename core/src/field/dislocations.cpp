@@ -13,9 +13,10 @@ namespace sillon {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
-constexpr int kSigma = 4;           ///< of the smoothing [cells], 2 tau
-constexpr int kReach = 3 * kSigma;  ///< of its Gaussian [cells]
+constexpr int kSigma = 4;           ///< sigma of the smoothing [cells]: 2 tau
+constexpr int kReach = 3 * kSigma;  ///< reach of its Gaussian [cells]
 
+// A cell's wave with its phase as an angle.
 struct Wave {
   Vec2f k;
   double phi = 0;
@@ -24,8 +25,8 @@ struct Wave {
 // The same wave seen along a direction that agrees with `k`: (k, phi) = (-k, pi - phi).
 Wave alike(Vec2f k, Wave w) { return dot(k, w.k) < 0 ? Wave{-w.k, kTurn / 2 - w.phi} : w; }
 
-// Of the cells of one row: the arc tangent of each is taken once, not for each of its four blocks. Its error of 1e-5
-// falls out of the sum round a block, where each is added and taken off again.
+// Reads the waves of one row: the arc tangent of each cell is taken once, not for each of its four blocks. Its error of
+// 1e-5 falls out of the sum round a block, where each angle is added and taken off again.
 void wavesOfRow(const SineField& waves, int y, std::vector<Wave>& row) {
   row.resize(static_cast<std::size_t>(waves.grid.nx));
   for (int x = 0; x < waves.grid.nx; ++x) {
@@ -35,17 +36,18 @@ void wavesOfRow(const SineField& waves, int y, std::vector<Wave>& row) {
   }
 }
 
-// As std::round, which costs a call.
+// Rounds like std::round, which costs a call.
 int nearestWhole(double v) { return static_cast<int>(v < 0 ? v - 0.5 : v + 0.5); }
 
+// Result of one way round a block.
 struct PhaseTurn {
-  int index = 0;
-  bool flips = false;
+  int index = 0;       ///< whole turns that the phase gains; each is a dislocation
+  bool flips = false;  ///< the line comes back reversed: a singularity of the lines
 };
 
-// Round the block whose lower left cell is at x, counter-clockwise.
+// Goes round the block whose lower left cell is at x, counter-clockwise, and adds up the phase from cell to cell.
 PhaseTurn roundBlock(const std::vector<Wave>& lower, const std::vector<Wave>& upper, std::size_t x) {
-  constexpr double kHalfStep = kTurn / 8;  // of the unit wave over half a cell of tau/2
+  constexpr double kHalfStep = kTurn / 8;  // phase of the unit wave over half a cell of tau/2
   constexpr std::array<Vec2f, 4> kMoves{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   const std::array<Wave, 4> corners{lower[x], lower[x + 1], upper[x + 1], upper[x]};
   Wave here = corners[0];
@@ -53,6 +55,7 @@ PhaseTurn roundBlock(const std::vector<Wave>& lower, const std::vector<Wave>& up
   for (std::size_t k = 0; k < 4; ++k) {
     const Wave there = alike(here.k, corners[(k + 1) % 4]);
     const double step = kHalfStep * static_cast<double>(dot(kMoves[k], here.k + there.k));
+    // The waves predict `step`; the rest is taken to the nearest whole turn.
     const double gain = there.phi - here.phi - step;
     sum += step + gain - kTurn * nearestWhole(gain / kTurn);
     here = there;
@@ -60,7 +63,7 @@ PhaseTurn roundBlock(const std::vector<Wave>& lower, const std::vector<Wave>& up
   return {nearestWhole(sum / kTurn), dot(here.k, corners[0].k) < 0};
 }
 
-// Sums of z along rows, then columns, weighted by the Gaussian; masked cells count nothing.
+// Gaussian smoothing by sums along rows, then columns; masked cells count nothing.
 std::vector<Vec2f> smoothed(const Grid& grid, const std::vector<Vec2f>& z, const RunContext& run) {
   std::array<float, kReach + 1> weight{};
   for (int k = 0; k <= kReach; ++k) {
@@ -68,7 +71,7 @@ std::vector<Vec2f> smoothed(const Grid& grid, const std::vector<Vec2f>& z, const
   }
   std::vector<Vec2f> rows(z.size());
   std::vector<Vec2f> out(z.size());
-  // Tap by tap over whole rows, which compilers make vectors of; each sum has its order all the same.
+  // Sums go tap by tap over whole rows, which compilers turn into vector code; the order of each sum stays the same.
   const auto add = [&](std::vector<Vec2f>& to, std::size_t at, const std::vector<Vec2f>& from, std::size_t fromAt,
                        int count, int tap) {
     const float w = weight[std::abs(tap)];
@@ -94,8 +97,9 @@ std::vector<Vec2f> smoothed(const Grid& grid, const std::vector<Vec2f>& z, const
   return out;
 }
 
-// Directions of the waves, smoothed over the infill; null where there are none.
+// Directions of the waves, smoothed over the infill; (0, 0) where there are none.
 std::vector<Vec2f> smoothDirections(const LineField& lines, const CellConstraints& cells, const RunContext& run) {
+  // The ring is left out: its beads follow the border.
   std::vector<Vec2f> z(lines.grid.size());
   for (std::size_t i = 0; i < z.size(); ++i) {
     if (cells.zone[i] == Zone::Infill || cells.zone[i] == Zone::Shell) z[i] = lineOf(lines.direction[i]);
@@ -108,6 +112,8 @@ std::vector<Vec2f> smoothDirections(const LineField& lines, const CellConstraint
   return z;
 }
 
+// Estimates the dislocations that fanning lines need: the integral of |div t| over the infill, divided by 2 tau. Beads
+// end at a rate of div t / tau, and one dislocation ends two of them. `z` holds the smoothed directions.
 double boundOf(const std::vector<Vec2f>& z, const CellConstraints& cells, const RunContext& run) {
   const Grid& grid = cells.grid;
   const double most = 0.25 / grid.cell;  // 1/(2 tau), as the cell is tau/2
@@ -117,7 +123,7 @@ double boundOf(const std::vector<Vec2f>& z, const CellConstraints& cells, const 
       for (int x = 0; x < grid.nx; ++x) {
         if (cells.zone[grid.index(x, y)] != Zone::Infill) continue;
         const Vec2f d = z[grid.index(x, y)];
-        // t = (d_y, -d_x): div t is the slope of d_y along x less that of d_x along y.
+        // t = (d_y, -d_x), so that div t is the slope of d_y along x minus that of d_x along y.
         const auto slope = [&](int dx, int dy) {
           Vec2f sum{};
           double span = 0;
@@ -141,7 +147,8 @@ double boundOf(const std::vector<Vec2f>& z, const CellConstraints& cells, const 
   return total * grid.cell * grid.cell / (4 * grid.cell);
 }
 
-// The integral along the border as one over the outermost tau of the infill, divided by tau.
+// U-turns that lines force where they meet the border at an angle. The integral along the border is taken as one over
+// the outermost tau of the infill, divided by tau.
 double borderTurnsOf(const std::vector<Vec2f>& z, const SignedDistanceField& sdf, const CellConstraints& cells,
                      double depth) {
   const Grid& grid = cells.grid;
@@ -159,6 +166,7 @@ double borderTurnsOf(const std::vector<Vec2f>& z, const SignedDistanceField& sdf
 Dislocations findDislocations(const LineField& lines, const SineField& waves, const CellConstraints& cells,
                               const SignedDistanceField& sdf, const ToolpathParams& params, const RunContext& run) {
   const Grid& grid = waves.grid;
+  // 1. Count per row, as rows are worked on by several threads, and sum up in order.
   std::vector<std::int64_t> counts(static_cast<std::size_t>(grid.ny), 0);
   std::vector<std::int64_t> singular(static_cast<std::size_t>(grid.ny), 0);
   parallelFor(run, grid.ny - 1, rowGrain(run, grid.ny, 40.0 * grid.nx), [&](int begin, int end) {
@@ -166,6 +174,7 @@ Dislocations findDislocations(const LineField& lines, const SineField& waves, co
     std::vector<Wave> upper;
     wavesOfRow(waves, begin, upper);
     for (int y = begin; y < end; ++y) {
+      // Each row of waves serves the blocks below and above it.
       std::swap(lower, upper);
       wavesOfRow(waves, y + 1, upper);
       for (int x = 0; x + 1 < grid.nx; ++x) {
@@ -185,6 +194,7 @@ Dislocations findDislocations(const LineField& lines, const SineField& waves, co
     found.count += counts[y];
     found.singularities += singular[y];
   }
+  // 2. Compare with what the lines ask for.
   const std::vector<Vec2f> z = smoothDirections(lines, cells, run);
   found.bound = boundOf(z, cells, run);
   const int perimeters = countedPerimeters(params);

@@ -67,7 +67,7 @@ inline Planes makePlanes(const LevelShape& shape) {
   return planes;
 }
 
-/// Where the neighbour at (dx, dy) in {-1, 0, 1}² of a cell of some colour lies.
+/// Place of the neighbour at (dx, dy) in {-1, 0, 1}² of a cell of some colour.
 struct NeighbourPlane {
   std::size_t colour;
   std::ptrdiff_t offset;  ///< added to the plane index of the cell
@@ -80,8 +80,8 @@ inline NeighbourPlane neighbourPlane(const LevelShape& shape, std::size_t colour
   return {colourOf(x, y), static_cast<std::ptrdiff_t>(halved(y)) * shape.stride + halved(x)};
 }
 
-/// Gaussian weights of the 8 neighbours, sigma = tau/3 at the finest level and doubled per level: exp(-|dp|² / 2
-/// sigma²).
+/// Gaussian weights of the 8 neighbours, exp(-|dp|² / 2 sigma²), with sigma = tau/3 at the finest level and doubled per
+/// level.
 inline constexpr float kSideWeight = 0.32465247f;    // exp(-9/8)
 inline constexpr float kCornerWeight = 0.10539922f;  // exp(-9/4)
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kNoLine = 1e-6f;  ///< an average shorter than this has no direction
 
-// Lines of one level as z = e^{2i angle}; z = 0 marks masked cells, which so count for nothing in any sum.
+// Lines of one level as z = e^{2i angle}. Masked cells have z = 0, and so count for nothing in any sum.
 struct LineLevel {
   LevelShape shape;
   Planes re;
@@ -21,13 +21,15 @@ struct LineLevel {
   Planes free;  ///< 1 where smoothing may change the line, else 0
 };
 
+// Lines at the finest level before smoothing, and which of them stay.
 struct LineInput {
   std::vector<Vec2f> line;          ///< z per cell, 0 where masked
-  std::vector<std::uint8_t> fixed;  ///< per cell
+  std::vector<std::uint8_t> fixed;  ///< 1 where the line stays, per cell
 };
 
 LineLevel makeLevel(LevelShape shape) { return {shape, makePlanes(shape), makePlanes(shape), makePlanes(shape)}; }
 
+// Sorts the cells by colour into the planes of the finest level.
 LineLevel finestLevel(const Grid& grid, const LineInput& input) {
   LineLevel level = makeLevel(LevelShape(grid.nx, grid.ny));
   for (int y = 0; y < grid.ny; ++y) {
@@ -44,7 +46,8 @@ LineLevel finestLevel(const Grid& grid, const LineInput& input) {
   return level;
 }
 
-// A parent is the average of its fixed children if it has any, else of all; it is fixed if one of them is.
+// Makes the next coarser level. A parent is the average of its fixed children if it has any, else of all; it is fixed
+// if one of them is.
 LineLevel restricted(const LineLevel& fine) {
   LineLevel coarse = makeLevel(fine.shape.coarser());
   for (int y = 0; y < fine.shape.py; ++y) {
@@ -55,6 +58,7 @@ LineLevel restricted(const LineLevel& fine) {
       Vec2f any{};
       bool fixed = false;
       for (std::size_t c = 0; c < kColours; ++c) {
+        // Sum up the children that are not masked, and the fixed ones apart.
         const Vec2f z{fine.re[c][child], fine.im[c][child]};
         if (z == Vec2f{}) continue;
         any = z;
@@ -65,6 +69,7 @@ LineLevel restricted(const LineLevel& fine) {
         }
       }
       if (any == Vec2f{}) continue;
+      // Any child's line serves if the lines cancel out.
       Vec2f z = fixed ? fixedSum : all;
       const float size = length(z);
       z = size > kNoLine ? z * (1 / size) : any;
@@ -78,6 +83,7 @@ LineLevel restricted(const LineLevel& fine) {
   return coarse;
 }
 
+// Gives each free child its parent's line, to begin the sweeps of its level with.
 void prolong(const LineLevel& coarse, LineLevel& fine) {
   for (int y = 0; y < fine.shape.py; ++y) {
     for (int x = 0; x < fine.shape.px; ++x) {
@@ -93,10 +99,11 @@ void prolong(const LineLevel& coarse, LineLevel& fine) {
   }
 }
 
-// Eq. 4 for one colour, in place: each cell gets the line that minimises the energy of Eq. 1 among its weighted
-// neighbours. That minimum, the average of Eq. 2, has a closed form: the angle of the sum of the lines' z.
+// One sweep of one colour in place (Eq. 4): each cell gets the line that minimises the energy of Eq. 1 among its
+// weighted neighbours. That minimum, the average of Eq. 2, has a closed form: the angle of the sum of the lines' z.
 void sweepColour(LineLevel& level, std::size_t colour, const RunContext& run) {
   const LevelShape& shape = level.shape;
+  // The eight neighbours, each as a pointer into its plane: they lie at unit stride, so that loops can use vectors.
   struct Source {
     const float* re;
     const float* im;
@@ -125,6 +132,7 @@ void sweepColour(LineLevel& level, std::size_t colour, const RunContext& run) {
           sumRe = sumRe + splat(s.weight) * load4(s.re + i);
           sumIm = sumIm + splat(s.weight) * load4(s.im + i);
         }
+        // Normalise where the sum has a direction and the cell is free; all other cells keep their line.
         const F4 size2 = sumRe * sumRe + sumIm * sumIm;
         const I4 change = (size2 > splat(kNoLine * kNoLine)) & (load4(free + i) > splat(0));
         const F4 scale = splat(1) / sqrt4(max4(size2, splat(kNoLine * kNoLine)));
@@ -135,12 +143,15 @@ void sweepColour(LineLevel& level, std::size_t colour, const RunContext& run) {
   });
 }
 
-// Lowers the field's energy (Eq. 3) by the update of Eq. 5 over the hierarchy: restrict to the top, then prolong and
-// sweep level by level.
+// Lowers the field's energy (Eq. 3) by the update of Eq. 5 over the hierarchy: restricts to the top, then prolongs and
+// sweeps level by level.
 std::vector<Vec2f> smoothLines(const Grid& grid, const LineInput& input, int sweeps, const RunContext& run) {
   std::vector<LineLevel> levels;
+  // Up: each level has a quarter of the cells.
   levels.push_back(finestLevel(grid, input));
   while (!levels.back().shape.coarsest()) levels.push_back(restricted(levels.back()));
+  // Down: coarse lines carry far in few sweeps, and finer levels add detail. In place by colours, 8 sweeps reach what
+  // 32 reach from old values.
   for (std::size_t k = levels.size() - 1; k-- > 0;) {
     prolong(levels[k + 1], levels[k]);
     levels.pop_back();
@@ -148,6 +159,7 @@ std::vector<Vec2f> smoothLines(const Grid& grid, const LineInput& input, int swe
       for (std::size_t colour = 0; colour < kColours; ++colour) sweepColour(levels[k], colour, run);
     }
   }
+  // Back from the planes to rows.
   std::vector<Vec2f> lines(grid.size());
   const LineLevel& finest = levels.front();
   for (int y = 0; y < grid.ny; ++y) {
@@ -165,6 +177,8 @@ Result<LineField> lineField(const SignedDistanceField& sdf, const CellConstraint
                             const RunContext& run) {
   const Grid& grid = cells.grid;
   const bool ring = countedPerimeters(params) >= 1;
+  // Smoothing is skipped where no mode needs it: the base line serves shells and the modes along and across the border,
+  // the final one only smoothest cells.
   bool needsBase = ring && params.perimeters >= 2;
   bool needsFinal = false;
   for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -179,7 +193,8 @@ Result<LineField> lineField(const SignedDistanceField& sdf, const CellConstraint
       for (std::size_t i = grid.index(0, begin); i < grid.index(0, end); ++i) visit(i);
     });
   };
-  // Everything begins as the normal of the nearest border.
+  // 1. Base line: everything begins as the normal of the nearest border, and the ring's normals are diffused over the
+  // shape.
   LineInput base{std::vector<Vec2f>(grid.size()), std::vector<std::uint8_t>(grid.size(), 0)};
   forCells([&](std::size_t i) {
     if (cells.zone[i] == Zone::Masked) return;
@@ -188,6 +203,7 @@ Result<LineField> lineField(const SignedDistanceField& sdf, const CellConstraint
   });
   if (needsBase) base.line = smoothLines(grid, base, params.sweepsPerLevel, run);
 
+  // 2. Fix the lines that are asked for: further perimeters, modes along and across the border, and the map.
   LineInput lines = std::move(base);
   forCells([&](std::size_t i) {
     const Zone zone = cells.zone[i];
@@ -197,8 +213,10 @@ Result<LineField> lineField(const SignedDistanceField& sdf, const CellConstraint
     if (zone == Zone::Shell || mode == DirectionMode::Smoothest || mode == DirectionMode::Parallel) return;
     lines.line[i] = mode == DirectionMode::Orthogonal ? -lines.line[i] : cells.mapLine[i];
   });
+  // 3. Smooth the rest between them.
   if (needsFinal) lines.line = smoothLines(grid, lines, params.sweepsPerLevel, run);
 
+  // 4. From z to one of its two directions.
   LineField field{grid, std::vector<Vec2f>(grid.size()), std::move(lines.fixed)};
   forCells([&](std::size_t i) {
     if (cells.zone[i] != Zone::Masked) field.direction[i] = directionOf(lines.line[i]);

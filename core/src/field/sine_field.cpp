@@ -11,17 +11,17 @@
 namespace sillon {
 namespace {
 
-/// Nodes reached by a cell in each direction, in half cells.
+/// Reach of a cell's wave in each direction [half cells].
 constexpr int kNodeReach = 4;
 
-/// Cells are taken in vectors: rows are as long as a multiple of this, with no wave after their end.
+/// Cells per vector: rows are as long as a multiple of this, with no wave after their end.
 constexpr std::size_t kLanes = 4;
 
 using Weights = std::array<float, kNodeReach + 1>;
 
-// exp(-(k tau/4)² / 2 sigma²), divided by the sum over the nodes of the same parity, so that the whole stencil sums to
-// one. Cells outside the shape are left out of the sum without renormalising: that scales the field along the border
-// but moves no zero.
+// Weights exp(-(k tau/4)² / 2 sigma²), divided by the sum over the nodes of the same parity, so that the whole stencil
+// sums to one. Cells outside the shape are left out of the sum without renormalising: that scales the field along the
+// border but moves no zero.
 Weights weights(double sigma) {
   const double exponent = 1 / (32 * sigma * sigma);
   double inverse = 0;  // e^exponent by its series, alike on all machines
@@ -42,7 +42,7 @@ Weights weights(double sigma) {
   return weights;
 }
 
-// e^{i k angle} for k from 0 to kNodeReach, of each cell of a row.
+// Powers e^{i k angle} for k from 0 to kNodeReach, for each cell of a row.
 struct Powers {
   std::array<std::vector<float>, kNodeReach + 1> cos;
   std::array<std::vector<float>, kNodeReach + 1> sin;
@@ -53,6 +53,7 @@ struct Powers {
     std::fill(cos[0].begin(), cos[0].end(), 1.0f);
   }
 
+  // One sine and cosine per cell; each further power is a complex product.
   void fill(const std::vector<float>& angle) {
     for (std::size_t x = 0; x < angle.size(); x += kLanes) {
       const SinCos4 first = sillon::sinCos(load4(&angle[x]));
@@ -73,8 +74,8 @@ struct Powers {
 // The waves of one row of cells (Eq. 6) at the nodes around them: q and the powers e^{i k pi/4 d_x}, e^{i k pi/4 d_y},
 // k = 0..4, by which a wave advances k nodes.
 struct CellRow {
-  std::size_t cells;   ///< without those after the row's end
-  std::size_t padded;  ///< with them
+  std::size_t cells;   ///< cells of the row
+  std::size_t padded;  ///< cells with those after the row's end, a multiple of kLanes
   std::vector<float> qr, qi, angleX, angleY;
   Powers alongX, alongY;
 
@@ -102,13 +103,14 @@ struct NodeRow {
   explicit NodeRow(std::size_t padded) : even(padded + 6), odd(padded + 6) {}
 };
 
-// A row's waves in the row of nodes to which they are added.
+// A row's waves, advanced to the row of nodes to which they are added.
 struct WaveRow {
   std::vector<float> re, im;
   explicit WaveRow(std::size_t padded) : re(padded), im(padded) {}
 };
 
-// Eq. 13 for one row of cells and the row of nodes `b` half cells above it. \param waves  room for them.
+// Adds the waves of one row of cells to the row of nodes `b` half cells above it (Eq. 13). \param waves  memory for the
+// advanced waves.
 void addRow(const CellRow& cells, const Weights& weights, int b, WaveRow& waves, NodeRow& out) {
   const std::size_t up = static_cast<std::size_t>(std::abs(b));
   const F4 weightY = splat(weights[up]);
@@ -124,6 +126,7 @@ void addRow(const CellRow& cells, const Weights& weights, int b, WaveRow& waves,
     const F4 qi = load4(&cells.qi[x]);
     const F4 c = load4(cy + x);
     const F4 s = sign * load4(sy + x);
+    // Advance each wave by b nodes along y; its imaginary part is the sine, its value.
     const F4 i = weightY * (qr * s + qi * c);
     store4(re + x, weightY * (qr * c - qi * s));
     store4(im + x, i);
@@ -148,6 +151,7 @@ void addRow(const CellRow& cells, const Weights& weights, int b, WaveRow& waves,
   }
 }
 
+// Mixes in the border: a ramp from 0 at a depth of tau/2 to 1 at the border, so that all contours close inside.
 float borderRamp(float value, float distance, float spacing) {
   if (distance >= 0) return 1;
   return distance >= -0.5f * spacing ? 2 * distance / spacing + 1 : value;
@@ -161,11 +165,13 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
   const std::size_t nx = static_cast<std::size_t>(grid.nx);
   const std::size_t columns = 2 * nx + 1;
   const int nodeRows = 2 * grid.ny + 1;
+  // Nodes are tau/4 apart, cells tau/2: sigma = tau/3 on this lattice raises alignment by 0.004, and lowers overlap by
+  // a third, against tau/6 on tau/2.
   std::vector<float> values(columns * static_cast<std::size_t>(nodeRows));
   const float spacing = static_cast<float>(field.spacing);
   const Weights weight = weights(params.kernelRadius / 3);
-  // A band of cell rows owns the node rows 2y and 2y + 1 of its rows; sums run in order of the cell rows, so bands of
-  // any height give the same result.
+  // A band of cell rows owns the node rows 2y and 2y + 1 of its rows; sums run in order of the cell rows, so that bands
+  // of any height give the same result.
   const int grain = std::max(8, grid.ny / (4 * run.threads()));
   parallelFor(run, grid.ny + 1, grain, [&](int begin, int end) {
     const int firstNode = 2 * begin;
@@ -185,6 +191,7 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
       std::fill(row.even.begin(), row.even.end(), 0.0f);
       std::fill(row.odd.begin(), row.odd.end(), 0.0f);
     };
+    // Cell rows beyond the band's ends reach into it, too; two bands compute them both.
     int flushed = firstNode;
     const int firstCell = std::max(0, begin - 3);
     const int lastCell = std::min(grid.ny - 1, end + 2);

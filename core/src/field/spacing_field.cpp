@@ -10,16 +10,17 @@
 namespace sillon {
 namespace {
 
-constexpr int kCoarsening = 4;               ///< cells of the line field per cell of this one's grid
-constexpr int kSweeps = 24;                  ///< of Gauss-Seidel; the solution reaches 8 spacings = 4 of these cells
-constexpr float kReach = 8;                  ///< over which u is held to 0 [tau]
-constexpr float kMaxDivergence = 0.5f;       ///< of lines that are taken seriously [1/tau]
-constexpr float kAlike = 0.7f;               ///< lines that agree less than this are no neighbours
+constexpr int kCoarsening = 4;  ///< cells of the line field along a cell of the coarse grid, which is 2 tau wide
+constexpr int kSweeps = 24;     ///< sweeps of Gauss-Seidel; the solution reaches 8 spacings = 4 coarse cells
+constexpr float kReach = 8;     ///< length over which u is held to 0 [tau]
+constexpr float kMaxDivergence = 0.5f;       ///< highest divergence of lines that counts [1/tau]
+constexpr float kAlike = 0.7f;               ///< cosine below which two lines are no neighbours
 constexpr float kCell = 0.5f * kCoarsening;  ///< side of a coarse cell [tau]
 
+// The line of a coarse cell and how fast lines fan out there.
 struct CoarseCell {
   Vec2f direction;   ///< d; (0, 0) where masked
-  Vec2f divergence;  ///< kappa t, the same for d and -d [1/tau]
+  Vec2f divergence;  ///< divergence kappa times t, the same for d and -d [1/tau]
 };
 
 struct CoarseGrid {
@@ -37,6 +38,7 @@ struct CoarseGrid {
 
 bool masked(const CoarseCell& cell) { return cell.direction == Vec2f{}; }
 
+// Averages lines over coarse cells, and takes their divergence by differences.
 CoarseGrid coarseLines(const LineField& lines, const CellConstraints& cells, bool ring, const RunContext& run) {
   const Grid& grid = lines.grid;
   CoarseGrid coarse{(grid.nx - 1) / kCoarsening + 1, (grid.ny - 1) / kCoarsening + 1, {}};
@@ -48,6 +50,7 @@ CoarseGrid coarseLines(const LineField& lines, const CellConstraints& cells, boo
   };
   forRows([&](int cy) {
     for (int cx = 0; cx < coarse.nx; ++cx) {
+      // Lines add up as z, without the ring, whose beads follow the border in any case.
       Vec2f z{};
       int count = 0;
       for (int y = cy * kCoarsening; y < std::min((cy + 1) * kCoarsening, grid.ny); ++y) {
@@ -60,19 +63,19 @@ CoarseGrid coarseLines(const LineField& lines, const CellConstraints& cells, boo
         }
       }
       const float size = length(z);
-      if (size <= 0.1f * static_cast<float>(count)) continue;  // empty, or lines of all directions
+      if (size <= 0.1f * static_cast<float>(count)) continue;  // the cell is empty, or holds lines of all directions
       coarse.cells[static_cast<std::size_t>(cy) * static_cast<std::size_t>(coarse.nx) + static_cast<std::size_t>(cx)]
           .direction = directionOf(z * (1 / size));
     }
   });
-  // kappa = -curl d by differences, neighbours' signs matched.
+  // The divergence kappa = -curl d by differences; d and -d are the same line, so that neighbours' signs are matched.
   forRows([&](int y) {
     for (int x = 0; x < coarse.nx; ++x) {
       CoarseCell& cell =
           coarse.cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(coarse.nx) + static_cast<std::size_t>(x)];
       const Vec2f d = cell.direction;
       if (masked(cell)) continue;
-      const auto slope = [&](int dx, int dy) {  // of d along (dx, dy)
+      const auto slope = [&](int dx, int dy) {  // slope of d along (dx, dy)
         Vec2f sum{};
         float span = 0;
         for (const int side : {-1, 1}) {
@@ -91,14 +94,15 @@ CoarseGrid coarseLines(const LineField& lines, const CellConstraints& cells, boo
   return coarse;
 }
 
-// Rows four by four: lane l of the vector at step s of a band is cell (s - 2 l, 4 band + l). Where a cell is updated
-// after its neighbours to the left and in the row below it in the order of rows, all four lanes can be at once: what
-// lane l reads of lane l - 1 was written one step ago. The other way round, from the last step to the first, holds as
-// well. (Measured on 497,000 cells of the lines, interpolation by vectors included: 7 ms instead of 28, same bits.)
+// Layout for Gauss-Seidel on vectors. Rows are taken four by four: lane l of the vector at step s of a band is the cell
+// in column s - 2 l of row 4 band + l. Where a cell is updated after its neighbours to the left and in the row below it
+// in the order of rows, all four lanes can be updated together: the cells that lane l reads of lane l - 1 were written
+// one step ago. The other way round, from the last step to the first, holds as well. (Measured on 497,000 cells of the
+// lines, interpolation by vectors included: 7 ms instead of 28, same bits.)
 struct SkewedRows {
   int bands;
   int steps;
-  std::size_t pitch;  ///< steps of a band and of what is read beside it
+  std::size_t pitch;  ///< steps of a band and of the padding that is read beside it
 
   explicit SkewedRows(const CoarseGrid& grid)
       : bands((grid.ny + 3) / 4), steps(grid.nx + 6), pitch(static_cast<std::size_t>(steps) + 2 * kBeside) {}
@@ -110,16 +114,19 @@ struct SkewedRows {
   }
 };
 
-// What the 8 neighbours of four cells ask of them: u there less the target, with a weight; weight 0 is no neighbour.
+// The wishes of the 8 neighbours of four cells: each asks for u at its own place minus the target, with a weight;
+// weight 0 is no neighbour.
 struct Links {
   F4 weight[8];
   F4 target[8];
-  F4 weights;  ///< of all that acts on the cell
+  F4 weights;  ///< sum of all weights that act on the cell
 };
 
 constexpr int kNeighbourX[8] = {-1, 0, 1, -1, 1, -1, 0, 1};
 constexpr int kNeighbourY[8] = {-1, -1, -1, 0, 0, 1, 1, 1};
 
+// Sets up the least-squares problem: for two neighbours, u should change along the beads by the divergence between
+// them. The pull to 0 with weight 1 / kReach² keeps the solution local.
 std::vector<Links> linksOf(const CoarseGrid& grid, const SkewedRows& rows, const RunContext& run) {
   std::vector<Links> links(rows.size());
   parallelFor(run, rows.bands, 1, [&](int begin, int end) {
@@ -138,6 +145,7 @@ std::vector<Links> linksOf(const CoarseGrid& grid, const SkewedRows& rows, const
             const float size = length(to);
             const Vec2f e = to * (1 / size);
             const float span = size * kCell;
+            // The equation holds along the bead t only: a neighbour across the bead asks for nothing.
             const float across = dot(cell.direction, e);
             const float along2 = 1 - across * across;  // (t . e)²
             const float weight = along2 * along2 / (span * span);
@@ -152,10 +160,11 @@ std::vector<Links> linksOf(const CoarseGrid& grid, const SkewedRows& rows, const
   return links;
 }
 
-// u by Gauss-Seidel in row order, forward and back in turn; on one thread, as the grid is small.
+// Solves for u by Gauss-Seidel in row order, forward and back in turn; on one thread, as the grid is small.
 std::vector<float> logFrequency(const CoarseGrid& grid, float limit, const RunContext& run) {
   const SkewedRows rows(grid);
   const std::vector<Links> links = linksOf(grid, rows, run);
+  // The band is padded on all sides with u = 0 and weight 0, so that no access needs a test.
   std::vector<F4> u(rows.size(), splat(0));
   const auto relax = [&](int band, int step) {
     const std::size_t at = rows.at(band, step);
@@ -163,6 +172,8 @@ std::vector<float> logFrequency(const CoarseGrid& grid, float limit, const RunCo
     F4 sum = splat(0);
     for (std::size_t k = 0; k < 8; ++k) {
       const std::size_t beside = at + static_cast<std::size_t>(kNeighbourX[k]);
+      // Neighbours in the rows below and above lie in the other lanes, two steps away; the outermost ones in the next
+      // band.
       F4 from = u[beside];
       if (kNeighbourY[k] < 0) {
         const F4 same = u[beside - 2];
@@ -173,6 +184,7 @@ std::vector<float> logFrequency(const CoarseGrid& grid, float limit, const RunCo
       }
       sum = sum + link.weight[k] * (from - link.target[k]);
     }
+    // Projected Gauss-Seidel: the limit of u is kept in every step.
     u[at] = min4(max4(sum / link.weights, splat(-limit)), splat(limit));
   };
   for (int sweep = 0; sweep < kSweeps && !run.cancelled(); ++sweep) {
@@ -186,6 +198,7 @@ std::vector<float> logFrequency(const CoarseGrid& grid, float limit, const RunCo
       }
     }
   }
+  // Back from the skewed layout to rows.
   std::vector<float> cells(grid.cells.size());
   for (int y = 0; y < grid.ny; ++y) {
     for (int x = 0; x < grid.nx; ++x) {
@@ -202,13 +215,15 @@ Result<std::vector<float>> spacingField(const LineField& lines, const CellConstr
                                         const ToolpathParams& params, const RunContext& run) {
   const Grid& grid = lines.grid;
   std::vector<float> frequency(grid.size(), 1.0f);
+  // Without variation all waves have the length of the paper's (Eq. 6).
   if (params.spacingVariation == 0) return frequency;
+  // Solve on the coarse grid, then interpolate.
   const bool ring = countedPerimeters(params) >= 1;
   const CoarseGrid coarse = coarseLines(lines, cells, ring, run);
   const std::vector<float> u = logFrequency(coarse, static_cast<float>(params.spacingVariation), run);
 
-  // Bilinear between the unmasked coarse cells, the same four for each four cells of a row; e^u by its series,
-  // |u| <= 1/2.
+  // Bilinear interpolation of u between the unmasked coarse cells, the same four for each four cells of a row; then e^u
+  // by its series, as |u| <= 1/2.
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 8.0 * grid.nx), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       const int y0 = (y + kCoarsening / 2) / kCoarsening - 1;
@@ -226,6 +241,7 @@ Result<std::vector<float>> spacingField(const LineField& lines, const CellConstr
           dx[k] = d[k].x;
           dy[k] = d[k].y;
         }
+        // Coarse cells whose line disagrees with a cell's have no say in it.
         F4 sum = splat(0);
         F4 weights = splat(0);
         for (int k = 0; k < 4; ++k) {
@@ -242,6 +258,7 @@ Result<std::vector<float>> spacingField(const LineField& lines, const CellConstr
           weights = weights + weight;
         }
         const F4 v = sum / weights;
+        // Horner's scheme; five terms.
         const F4 e =
             splat(1) +
             v * (splat(1) +

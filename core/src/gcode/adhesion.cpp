@@ -8,19 +8,20 @@
 namespace sillon {
 namespace {
 
-constexpr double kEdge = 5;           // [mm] from the bed's edge to the purge line
-constexpr double kNarrowEdge = 1;     // [mm], where that leaves no room
-constexpr double kClear = 2;          // [mm] between purge line and plate
-constexpr double kPurgeSection = 2;   // [nozzle²] of a bead; Klipper takes 4
-constexpr double kLongestPass = 100;  // [mm]
-constexpr double kShortestPass = 8;   // [mm]
-constexpr double kSkirtDistance = 5;  // [mm]
+constexpr double kEdge = 5;           // [mm] between the bed's edge and the purge line
+constexpr double kNarrowEdge = 1;     // [mm], the same if kEdge leaves no room
+constexpr double kClear = 2;          // [mm] between the purge line and the plates
+constexpr double kPurgeSection = 2;   // [nozzle²], section of the purge line; Klipper allows up to 4
+constexpr double kLongestPass = 100;  // [mm], longest pass of the purge line
+constexpr double kShortestPass = 8;   // [mm], shortest pass of the purge line
+constexpr double kSkirtDistance = 5;  // [mm] between skirt and beads
 
+// Tells whether all paths lie on the bed.
 bool fit(const std::vector<BeadPath>& paths, const Bed& bed) {
   return std::all_of(paths.begin(), paths.end(), [&](const BeadPath& path) { return fits(path, bed); });
 }
 
-// Passes side by side, out along `along` and back.
+// Lays passes side by side, out along `along` and back.
 BeadPath serpentine(Vec2 corner, Vec2 along, Vec2 across, double pass, int passes, double width) {
   Polyline line;
   for (int k = 0; k < passes; ++k) {
@@ -32,7 +33,7 @@ BeadPath serpentine(Vec2 corner, Vec2 along, Vec2 across, double pass, int passe
   return placed(line, {}, width, false);
 }
 
-// Near an edge of the bed, clear of the box by 2 mm. Without points where there is no room.
+// Finds a purge line near an edge of the bed, clear of the box by 2 mm; no points if there is no room.
 BeadPath purgePath(const Bounds& box, const Printer& printer, double width, double wanted) {
   const Bed bed(printer);
   const Vec2 lo = printer.bedMin;
@@ -46,14 +47,14 @@ BeadPath purgePath(const Bounds& box, const Printer& printer, double width, doub
     std::vector<Side> sides;
     const auto add = [&](Vec2 corner, Vec2 along, Vec2 across, double room) {
       sides.push_back({corner, along, across, room});
-      const Vec2 zone = printer.excludedMax - printer.excludedMin;  // beyond it there may be room
+      const Vec2 zone = printer.excludedMax - printer.excludedMin;  // the excluded box; there may be room behind it
       const double past = dot(printer.excludedMax - corner, along) + inset;
       if (bed.hasZone() && dot(zone, along) > 0 && past > 0) {
         sides.push_back({corner + past * along, along, across, room - past});
       }
     };
     if (printer.roundBed) {
-      const double half = 0.25 * bed.radius();  // chords half a radius long
+      const double half = 0.25 * bed.radius();  // half of a chord, which is half a radius long
       const double off = 0.97 * bed.radius() - edge - width;
       const Vec2 c = bed.centre();
       add(c + Vec2{-half, -off}, {1, 0}, {0, 1}, 2 * half);
@@ -106,7 +107,7 @@ void addSkirt(GcodeJob& job, const Bounds& box, const Printer& printer, int loop
 }
 
 void addPurge(GcodeJob& job, const Bounds& box, const Printer& printer, const PrintParams& params) {
-  // A flat bead, as wide as what comes out of the nozzle makes it.
+  // The bead is flat, and as wide as its section makes it at that height.
   job.purgeHeight = std::max(firstLayerHeight(params), 0.6 * printer.nozzle);
   const double section = kPurgeSection * printer.nozzle * printer.nozzle;
   const double width = section / job.purgeHeight;
@@ -118,7 +119,7 @@ void addPurge(GcodeJob& job, const Bounds& box, const Printer& printer, const Pr
   job.purge = purgePath(all, printer, width, length);
   if (job.purge.points.empty() && !job.skirt.empty()) {
     job.purge = purgePath(box, printer, width, length);
-    if (!job.purge.points.empty()) {  // a skirt primes less than it takes to fill an empty nozzle
+    if (!job.purge.points.empty()) {  // a skirt extrudes too little to fill an empty nozzle
       job.skirt.clear();
       job.warn(WarningCode::SkirtLeftOut);
     }

@@ -14,12 +14,12 @@
 namespace sillon {
 namespace {
 
-constexpr double kMinCover = 0.98;  // [area of the shape]
-constexpr double kCell = 0.125;     // [line width], of the raster that covered area is measured on
-constexpr double kOverlap = 0.1;    // [line width] of the hatch with its perimeter
-constexpr int kMaxLoops = 1000;     // of a concentric layer
+constexpr double kMinCover = 0.98;  // [area of the shape]; less cover gives a warning
+constexpr double kCell = 0.125;     // [line width], cell of the raster on which cover is measured
+constexpr double kOverlap = 0.1;    // [line width], overlap of the hatch with its perimeter
+constexpr int kMaxLoops = 1000;     // loops of a concentric layer at most
 
-// Cells of the plate, and which of them the body takes.
+// A raster of the plate that measures how much of its body a base layer covers.
 class BaseCover {
  public:
   BaseCover(const Shape& body, PointUm offset, double lineWidth)
@@ -31,8 +31,8 @@ class BaseCover {
     }
   }
 
-  // The share of the body that lines cover. Gaps narrower than a cell are none: beads are squeezed into them.
-  // \param inset  that lines keep off the border [mm].
+  // Share of the body that lines cover. Gaps narrower than a cell do not count, because beads are squeezed into them.
+  // \param inset  distance that lines keep from the border [mm].
   [[nodiscard]] double shareOf(const std::vector<BeadPath>& paths, double inset) const {
     BeadRaster::Bits covered = raster_.none();
     const auto point = [](PointUm p) { return Vec2f{static_cast<float>(mm(p).x), static_cast<float>(mm(p).y)}; };
@@ -48,7 +48,7 @@ class BaseCover {
   }
 
  private:
-  // Drawings like round numbers: the border should not run through centres of cells.
+  // The margin keeps the border of drawings, which like round numbers, off the centres of cells.
   static Bounds placedBox(const Shape& body, PointUm offset) {
     const Bounds box = bounds(body);
     const Vec2 margin{0.019, 0.019};
@@ -60,8 +60,8 @@ class BaseCover {
   BeadRaster::Bits body_;
 };
 
-// What hatched layers have along the border: the same for all of them.
-// \param smaller  not null: where the same for a border that lies `inset` further inside goes.
+// Loops along the border, the same for all base layers.
+// \param smaller  null, or the destination of the same loops for a border `inset` further inside.
 Result<std::vector<Polyline>> borderLoops(const Shape& shape, const Printer& printer, const PrintParams& params,
                                           std::vector<Polyline>* smaller, double inset) {
   const bool closed = params.basePattern == BasePattern::Concentric;
@@ -70,6 +70,7 @@ Result<std::vector<Polyline>> borderLoops(const Shape& shape, const Printer& pri
   return offsetLoops(shape, -printer.nozzle / 2, -printer.nozzle, count, smaller, inset);
 }
 
+// Lays out one base layer: its loops along the border, and its hatch inside them. \param turn  odd: the hatch falls.
 std::vector<BeadPath> basePaths(const Shape& shape, PointUm offset, const Printer& printer, const PrintParams& params,
                                 const std::vector<Polyline>& loops, int turn, double inset) {
   const double width = printer.nozzle;
@@ -88,7 +89,7 @@ std::vector<BeadPath> basePaths(const Shape& shape, PointUm offset, const Printe
 
 }  // namespace
 
-// A base layer that is missing somewhere leaves the layers above it hanging in the air there.
+// Cover is checked because a base layer with a gap leaves the layers above it hanging in the air there.
 std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& body, PointUm offset, const Printer& printer,
                                    const PrintParams& params) {
   if (params.basePattern == BasePattern::Same) return std::nullopt;

@@ -9,17 +9,18 @@
 namespace sillon {
 namespace {
 
-constexpr double kSlack = 1e-6;  // [mm]
+constexpr double kSlack = 1e-6;  // [mm], covers rounding
 
-// All plates in the middle of the bed.
+// All plates, as one group in the middle of the bed.
 struct Group {
-  Vec2 plate;        // box of one [mm]
-  double reach = 0;  // of the shape from the middle of its box [mm]
+  Vec2 plate;        // size of the box around one plate [mm]
+  double reach = 0;  // radius of the shape around the middle of its box [mm]
   Vec2 copies;
-  double brim = 0;  // [mm]
-  double gap = 0;   // between boxes, brims included [mm]
+  double brim = 0;  // width of the brim [mm]
+  double gap = 0;   // distance between boxes, brims included [mm]
 };
 
+// Tells whether a group, its plates scaled, lies on the bed and clear of its excluded box.
 bool fits(const Group& group, double scale, const Printer& printer, const Bed& bed) {
   const auto along = [&](double plate, double copies) {
     return copies * (plate * scale + 2 * group.brim) + (copies - 1) * group.gap;

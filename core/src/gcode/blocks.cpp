@@ -18,28 +18,30 @@
 namespace sillon {
 namespace {
 
-constexpr double kHotEnough = 20;  // [degrees Celsius] below what the first layer has
-constexpr double kNozzleBody = 2;  // [mm] around its middle, and more than any bead's half width
+constexpr double kHotEnough = 20;  // [degrees Celsius], shortfall at which a nozzle still counts as hot
+constexpr double kNozzleBody = 2;  // [mm], half width of the nozzle's tip; more than any bead's half width
 
 std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
 
+// Turns a warning into an error, for faults that are refused.
 std::optional<Error> refusal(const Warning& warning) {
   return Error{ErrorCode::InvalidArgument, warning.message, warningName(warning.code), warning.values};
 }
 
-// \param height  of what stands on the bed while the block runs [mm].
+// Warns of a block that moves below what stands on the bed. \param height  height of that [mm].
 void warnLow(GcodeJob& job, const std::string& block, const GcodeCheck& check, double height) {
   if (check.lowest >= height) return;
   job.warn(WarningCode::BlockMovesLow, {{"block", block}, {"z", check.lowest}, {"height", height}});
 }
 
-// Of a block that may be printed with all the same.
+// Tells whether a finding is worth a warning, although the block may be used all the same.
 bool isWorthALook(const GcodeFinding& finding) {
   return finding.rule == "bounds" || finding.rule == "settings" || finding.rule == "modes" ||
          finding.code == "bead-in-bed" || finding.code == "too-high";
 }
 
-// Harms the machine, or reaches beyond the print: refused whatever dialect the block's writer claims.
+// Tells whether a finding harms the machine, or has an effect beyond the print. Such blocks are refused in every
+// dialect.
 bool isDangerous(const GcodeFinding& finding) {
   return finding.error && (finding.rule == "commands" || finding.code == "too-hot" || finding.code == "below-bed" ||
                            finding.rule == "grammar" || finding.code == "volumetric");
@@ -49,7 +51,8 @@ Warning lineWarning(WarningCode code, std::int64_t line, const GcodeFinding& fin
   return {code, {{"line", static_cast<double>(line)}, {"what", finding.message}, {"rule", finding.rule}}};
 }
 
-// As copied out of a slicer's settings file: a printer reads one long line, and does the first command of it.
+// Refuses line breaks written as "\n", as in a block copied out of a slicer's settings file: the printer would read one
+// long line and run its first command only.
 std::optional<Error> checkBreaks(const std::string& block, const char* name) {
   for (std::size_t at = block.find("\\n"); at != std::string::npos; at = block.find("\\n", at + 2)) {
     const std::string_view next = std::string_view(block).substr(at + 2, 2);
@@ -61,45 +64,46 @@ std::optional<Error> checkBreaks(const std::string& block, const char* name) {
   return std::nullopt;
 }
 
-// A start block that leaves out homing or heating prints cold or beside the bed, and nobody is there to stop it.
+// Checks the start block. One that leaves out homing or heating prints cold or beside the bed, with nobody there to
+// stop it.
 std::optional<Error> checkStart(const std::string& block, const Printer& printer, const PrintParams& params,
                                 GcodeJob& job) {
-  // Makers of Bambu machines wipe far off the bed, in code that is theirs.
+  // The maker's blocks for Bambu machines wipe far off the bed.
   const bool trusted = printer.flavor == GcodeFlavor::Bambu;
   const GcodeCheck check = checkGcode(block, printer);
-  // Above another print Z may be known from that one: to home it could drive into it.
+  // Above another print Z may be known from that print, and homing Z could drive the nozzle into it.
   const bool homes = params.startHeight > 0 ? check.homesPlane : check.homes;
   if (!homes) return invalid("startGcode does not home; it must have G28 or a start macro");
   job.startRetracted = check.retracted;
   job.otherHotTools = check.otherHotTools;
   job.hotChamber = check.chamberTarget > 0;
   if (check.firmwareRetracted) return invalid("startGcode draws filament back by G10; it must give it back by G11");
-  // Many blocks level the bed with a nozzle that is too cold to drip; firmwares refuse to move its filament.
+  // Many blocks level the bed with a nozzle too cold to drip; firmwares refuse to move filament then.
   job.hotStart = check.nozzleReady >= std::max(kColdest, printer.firstLayerNozzleTemperature - kHotEnough);
-  // What it lays itself is laid at its own temperature; the job's own is written after it.
+  // The block extrudes at its own temperature; the job's is written only behind it.
   if (check.filamentMm > 0 && std::abs(check.nozzleTarget - printer.firstLayerNozzleTemperature) > kHotEnough) {
     job.warn(WarningCode::StartTemperature,
              {{"hot", check.nozzleTarget}, {"meant", printer.firstLayerNozzleTemperature}});
   }
   warnLow(job, "printer.startGcode", check, params.startHeight > 0 ? params.startHeight + printer.zOffset : 0);
   for (const GcodeFinding& finding : check.findings) {
-    if (finding.line == 0) continue;  // of whole files
+    if (finding.line == 0) continue;  // findings about whole files
     const Warning warning = lineWarning(WarningCode::StartLine, finding.line, finding);
-    const bool elsewhere = finding.code == "origin-shift";  // whoever wrote the block: the plate would lie there
+    const bool elsewhere = finding.code == "origin-shift";  // the plate would move with the origin
     if (isDangerous(finding) || elsewhere || (finding.error && !trusted)) return refusal(warning);
     if (isWorthALook(finding)) job.warnings.push_back(warning);
   }
   return std::nullopt;
 }
 
-// What has been printed when the end block begins [mm].
+// The print that stands on the bed when the end block begins [mm].
 struct Standing {
   Bounds box;
   double height;
 };
 
-// Runs a block. \param take  called with each line that says anything, its command, and the move that it makes, if any;
-// the machine's homed axes are those of this line.
+// Runs a block. \param take  called with each line that has code, its command, and its move, if any; the machine's
+// homed axes are those that this line homes.
 template <class Take>
 void runBlock(const std::string& block, MachineState& machine, Take&& take) {
   forEachLine(block, [&](const GcodeLine& line) {
@@ -111,7 +115,7 @@ void runBlock(const std::string& block, MachineState& machine, Take&& take) {
   });
 }
 
-// A printer that is at `from` [mm], above what was printed, runs the block: whether it comes down on that.
+// Checks that a printer which runs the block from `from` [mm], above the print, does not come down on it.
 std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, const Standing& plate,
                               const Printer& printer, GcodeJob& job) {
   MachineState machine(printer.flavor);
@@ -128,7 +132,7 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
           WarningCode::EndLine,
           {{"line", static_cast<double>(line.number)}, {"what", std::string(what)}, {"rule", std::string("height")}});
     };
-    // Deltas home at their top.
+    // A delta printer, whose bed is round, homes at its top.
     if (command.is('G', 28) && machine.homed(kAxisZ) && !printer.roundBed) {
       warn("homes Z, for which most printers come down on the plate");
     }
@@ -150,7 +154,7 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
   return refused;
 }
 
-// A block that purges where the plate comes, as one that was made for another place does.
+// Warns of a block that extrudes where the plate will lie, such as a purge line made for another place.
 void warnUnder(const std::string& block, const Standing& plate, const Printer& printer, GcodeJob& job) {
   MachineState machine(printer.flavor);
   bool warned = false;
@@ -167,7 +171,7 @@ void warnUnder(const std::string& block, const Standing& plate, const Printer& p
   });
 }
 
-// The end block begins above the middle of the last plate, or near it; what it reaches from there must be bed too.
+// Checks the end block, which begins near the middle of the last plate; its moves from there must stay on the bed.
 std::optional<Error> checkEnd(const std::string& block, Vec2 from, double height, const Printer& printer,
                               GcodeJob& job) {
   std::string stillHot = job.hotChamber ? "M141 S60\n" : "";
@@ -191,13 +195,14 @@ std::optional<Error> checkEnd(const std::string& block, Vec2 from, double height
   return std::nullopt;
 }
 
-// Homing while it warms up. Lifting, going aside and waiting for heat follow every start block.
+// Sillon's own start block, which homes while the printer warms up. Lifting, going aside and waiting for heat follow
+// every start block.
 std::string ownStart(const Printer& printer) {
   return std::string(printer.flavor == GcodeFlavor::RepRap ? "T0\n" : "") + "M140 S" +
          fixed(printer.bedTemperature, 0) + "\nM104 S150\nG28\n";
 }
 
-// What an {if} has left out leaves lines without anything.
+// Removes empty lines, which remain of branches that were left out.
 std::string withoutBlankLines(std::string_view block) {
   std::string out;
   while (!block.empty()) {
@@ -207,7 +212,7 @@ std::string withoutBlankLines(std::string_view block) {
   return out;
 }
 
-// The percentage that the block leaves by M221, on all flow, or by M220, on all speed.
+// Percentage that a block leaves set: by M221 for all flow, by M220 for all speeds.
 double percentAfter(std::string_view block, int code) {
   double percent = 100;
   while (!block.empty()) {
@@ -217,7 +222,7 @@ double percentAfter(std::string_view block, int code) {
   return percent;
 }
 
-// A maker's own block sets what is usual for its machine.
+// Tells whether a block is that of a printer profile; a maker's own block sets what is usual for its machine.
 bool isOfProfile(const std::string& block) {
   static const std::vector<PrinterProfile> all = profiles(ProfileKind::Printer);
   return std::any_of(all.begin(), all.end(),
@@ -264,7 +269,7 @@ std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Pri
         "startGcode is empty; Bambu printers need the start block of a file that their own slicer made: "
         "sillon import cube.gcode.3mf > mine.json reads it");
   }
-  // Where blocks meet it: they are written in the printer's own Z.
+  // Its height includes zOffset, because blocks are written in the printer's own Z.
   const Standing plate{beads, layerTop(params, layerCount(params) - 1) + printer.zOffset};
   for (const BeadPath& path : job.skirt) addBeads(beads, path);
   if (auto error = checkBreaks(printer.startGcode, "startGcode")) return error;

@@ -6,26 +6,28 @@
 namespace sillon {
 namespace {
 
-// Moves per second are averaged over half of a small firmware's buffer of 16: a short move between long ones does no
-// harm.
+// Window over which moves per second are averaged: half of a small firmware's buffer of 16 moves. A short move between
+// long ones does no harm.
 constexpr std::size_t kWindow = 8;
-constexpr std::size_t kMostJoined = 64;  // [moves]
-constexpr double kLongest = 3;           // [mm], so that speeds can follow curves
-constexpr double kFewSlowed = 0.02;      // [length], then no coarser moves are tried
-constexpr double kManySlowed = 0.25;     // [length]: what the common speed leaves to be slower
-constexpr double kStep = 0.9;            // between the speeds of one path
-constexpr double kCrawl = 12;            // [mm/s], what is slower is not slowed for the sake of few speeds
-constexpr double kHold = 1;              // [mm] before and after a slow stretch that stay slow with it
+constexpr std::size_t kMostJoined = 64;  // [moves], most that one joined move replaces
+constexpr double kLongest = 3;           // [mm], longest joined move, so that speeds can follow curves
+constexpr double kFewSlowed = 0.02;      // [length]; if at most this share is slowed, no coarser tolerance is tried
+constexpr double kManySlowed = 0.25;     // [length], share of a path that may be slower than its common speed
+constexpr double kStep = 0.9;            // ratio between neighbouring speeds of one path
+constexpr double kCrawl = 12;            // [mm/s]; below this, speeds are not lowered to the next step
+constexpr double kHold = 1;              // [mm] before and after a slow stretch that are slowed with it
 
+// Tolerance of points and widths that joined moves leave out.
 struct Tolerance {
   double position;  // [um]
   double width;     // [mm]
 };
+// Tolerances of joined moves, tried from the finest on.
 constexpr Tolerance kTolerances[] = {{1, 0.01}, {2, 0.02}, {4, 0.04}, {6, 0.06}, {8, 0.07}, {10, 0.08}};
 
 Vec2 fromTo(PointUm a, PointUm b) { return {static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)}; }
 
-// Whether all points between the first and the last one are at most so far from the line from one to the other.
+// Tells whether all points between the first and the last one lie within `most` [um] of the line that joins these two.
 bool nearLine(const PointUm* first, const PointUm* last, double most) {
   const Vec2 line = fromTo(*first, *last);
   const double square = dot(line, line);
@@ -34,19 +36,19 @@ bool nearLine(const PointUm* first, const PointUm* last, double most) {
     const Vec2 q = fromTo(*first, *p);
     const double along = dot(q, line);
     const double across = cross(q, line);
-    // Nearly all points are told without a division and a root.
+    // Fast path for nearly all points, without a division and a root.
     if (along > 0 && along < square && across * across < surely) continue;
     if (length(q - std::clamp(along / square, 0.0, 1.0) * line) > most) return false;
   }
   return true;
 }
 
-// Highest speed of each segment such that no window of moves passes faster than the limit.
+// Finds the highest speed of each segment such that no window of moves passes the board faster than its limit.
 std::vector<double> windowSpeeds(const std::vector<double>& lengths, const MotionLimits& limits) {
   std::vector<double> speeds(lengths.size(), limits.speed);
   double window = 0;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
-    // Summed anew now and then, so that rounding cannot pile up over a long path.
+    // The sum is renewed now and then, so that rounding errors cannot add up over a long path.
     if (i % 1024 == 0) {
       window = 0;
       for (std::size_t k = i < kWindow ? 0 : i - kWindow; k < i; ++k) window += lengths[k];
@@ -61,6 +63,7 @@ std::vector<double> windowSpeeds(const std::vector<double>& lengths, const Motio
   return speeds;
 }
 
+// Length of all segments that are slower than `speed` [mm].
 double slowedLength(const std::vector<double>& lengths, const std::vector<double>& speeds, double speed) {
   double sum = 0;
   for (std::size_t i = 0; i < lengths.size(); ++i) sum += speeds[i] < speed ? lengths[i] : 0;
@@ -73,6 +76,7 @@ double total(const std::vector<double>& lengths) {
   return sum;
 }
 
+// Joins neighbouring moves greedily, as far as the tolerance allows.
 Motion joined(const Motion& motion, const Tolerance& tolerance) {
   Motion out;
   const std::size_t segments = motion.lengths.size();
@@ -80,7 +84,7 @@ Motion joined(const Motion& motion, const Tolerance& tolerance) {
   for (std::vector<double>* values : {&out.widths, &out.lengths, &out.areas}) values->reserve(segments + 1);
   std::size_t from = 0;
   while (from < segments) {
-    const std::size_t last = from < motion.beads ? motion.beads : segments;  // coasting begins where it began
+    const std::size_t last = from < motion.beads ? motion.beads : segments;  // no move crosses the start of coasting
     std::size_t to = from + 1;
     double area = motion.areas[from];
     double along = motion.lengths[from];
@@ -137,7 +141,7 @@ std::vector<double> boardSpeeds(Motion& motion, const MotionLimits& limits) {
   motion.segmentSlowedMm = slowedLength(lengths, speeds, limits.speed);
   if (motion.segmentSlowedMm <= 0) return speeds;
 
-  // One speed for all of the path but its thickest places, and few steps below it.
+  // All of the path gets one speed, except its densest places, which get few steps below it.
   const double most = kManySlowed * total(lengths);
   double common = limits.speed;
   while (common > 1 && slowedLength(lengths, speeds, common) > most) common *= kStep;
@@ -146,6 +150,7 @@ std::vector<double> boardSpeeds(Motion& motion, const MotionLimits& limits) {
     while (step > speed && step > kCrawl) step *= kStep;
     speed = std::min(step, speed);
   }
+  // Slow stretches slow down their surroundings, too, within kHold.
   for (const bool back : {false, true}) {
     double held = limits.speed;
     double rest = 0;

@@ -1,4 +1,4 @@
-// Collects text and hands it to a sink in pieces of at most 64 KiB.
+// Output that collects text and hands it to a sink in pieces of at most 64 KiB.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace sillon {
 
-/// Drops everything without a sink, for estimates.
+/// Buffered text output. Without a sink all text is dropped, as estimates need it.
 class ChunkedOutput {
  public:
   explicit ChunkedOutput(const GcodeSink* sink) : sink_(sink) {}
@@ -34,7 +34,7 @@ class ChunkedOutput {
     return *this;
   }
 
-  /// scaled / 10^digits with all digits.
+  /// Writes value / 10^digits with all digits.
   ChunkedOutput& scaled(std::int64_t value, int digits) {
     if (sink_ == nullptr) return *this;
     if (kSize - used_ < 24) flush();

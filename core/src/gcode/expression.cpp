@@ -13,27 +13,29 @@ namespace sillon {
 namespace {
 
 constexpr int kMostNested = 100;
-constexpr int kMostSteps = 20000;  // of a pattern, each through the whole text
+constexpr int kMostSteps = 20000;  // steps that matching one pattern may take; each step scans the whole text
 constexpr std::size_t kLongestPattern = 200;
 constexpr std::size_t kLongestMatched = 5000;
-constexpr double kMostItems = 1000;  // of a list
+constexpr double kMostItems = 1000;  // items that a list may have
 constexpr double kMost = 1e9;
-constexpr int kDigits = 5;  // of numbers that are no whole ones
+constexpr int kDigits = 5;  // decimals of a number that is no integer
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
+// A value in an expression.
 struct Term {
   enum Kind { Number, Truth, Text, Nil } kind = Number;
-  double number = 0;  ///< a truth is 0 or 1
+  double number = 0;  ///< value; 0 or 1 for a truth
   bool whole = true;
-  std::string text;  ///< of a number: as it is written, where nothing was reckoned with it
+  std::string text;  ///< text; for a number, its spelling as long as nothing was calculated with it
 };
 
 Term truth(bool value) { return {Term::Truth, value ? 1.0 : 0.0, true, {}}; }
 Term number(double value, bool whole) { return {Term::Number, value, whole, {}}; }
 Term words(std::string text) { return {Term::Text, 0, false, std::move(text)}; }
 
+// Reads the text of a placeholder as a truth, a number or a text.
 Term termOf(const FoundValue& value) {
   const std::string& text = value.text;
   if (text == "true" || text == "false") return truth(text == "true");
@@ -44,38 +46,40 @@ Term termOf(const FoundValue& value) {
   return words(text);
 }
 
-// Operators by how tightly they bind, the loosest first.
+// Precedence of the operators, the loosest first.
 constexpr int kOr = 0, kAnd = 1, kEqual = 2, kLess = 3, kPlus = 4, kTimes = 5;
 struct Operator {
   std::string_view sign;
   int binds;
 };
-// What begins with another one stands before it.
+// Order of the list: an operator stands before every other one that it begins with, such as "<=" before "<".
 constexpr Operator kOperators[] = {{"||", kOr},    {"or", kOr},    {"&&", kAnd},   {"and", kAnd},  {"==", kEqual},
                                    {"!=", kEqual}, {"<>", kEqual}, {"=~", kEqual}, {"!~", kEqual}, {"<=", kLess},
                                    {">=", kLess},  {"<", kLess},   {">", kLess},   {"+", kPlus},   {"-", kPlus},
                                    {"*", kTimes},  {"/", kTimes},  {"%", kTimes}};
 
+// Spelling of a term in the output.
 std::string shown(const Term& term) {
   if (term.kind == Term::Text || !term.text.empty()) return term.text;
   if (term.kind == Term::Truth) return term.number != 0 ? "true" : "false";
   return decimal(term.number, kDigits);
 }
 
-// As texts two terms are compared of which one is a text. Settings that are true or false stand in files as 1 and 0.
+// Spelling of a term when it is compared with a text. Settings that are true or false stand in files as 1 and 0, so
+// beside "true" or "false" these two become truths.
 std::string asTextBeside(const Term& other, const Term& term) {
   const bool answer = other.kind == Term::Text && (other.text == "true" || other.text == "false");
   const bool flag = term.kind == Term::Number && (term.number == 0 || term.number == 1);
   return answer && flag ? shown(truth(term.number != 0)) : shown(term);
 }
 
-// A regular expression: characters, sets of them, groups, bars, and * + ? behind what may stand more or less than once.
-// It goes through all places of the text at once, so that no pattern takes long.
+// A regular expression with characters, sets, groups, alternatives and the quantifiers * + ?. It tracks all places of
+// the text at once, as a nondeterministic automaton does, so that no pattern takes exponential time.
 class Pattern {
  public:
   Pattern(std::string_view pattern, std::string_view text) : rest_(pattern), text_(text) {}
 
-  /// \return whether the whole text fits; nothing: the pattern is of another kind, or too long.
+  /// Matches the whole text. \return nothing if the pattern or the text is too long, or the pattern uses other syntax.
   std::optional<bool> fits() {
     if (rest_.size() > kLongestPattern || text_.size() > kLongestMatched) return std::nullopt;
     takes('^');
@@ -87,7 +91,8 @@ class Pattern {
   }
 
  private:
-  using Places = std::vector<char>;  // in the text, before each character and at its end: 1 where the pattern may be
+  // Flags before each character and at the end: 1 where a match may have arrived.
+  using Places = std::vector<char>;
 
   bool takes(char sign) {
     if (!rest_.starts_with(sign)) return false;
@@ -95,6 +100,7 @@ class Pattern {
     return true;
   }
 
+  // Adds places to a set. \return true if any was new.
   static bool grows(Places& by, const Places& more) {
     bool grew = false;
     for (std::size_t k = 0; k < by.size(); ++k) {
@@ -104,6 +110,7 @@ class Pattern {
     return grew;
   }
 
+  // Matches alternatives up to a closing bracket or the end.
   Places anyOf(const Places& from) {
     Places out(from.size(), 0);
     do {
@@ -114,6 +121,7 @@ class Pattern {
     return out;
   }
 
+  // Matches one item with its quantifier.
   Places repeated(const Places& from) {
     const std::string_view begin = rest_;
     Places out = once(from);
@@ -131,6 +139,7 @@ class Pattern {
     return out;
   }
 
+  // Matches one character, set or group.
   Places once(const Places& from) {
     steps_ += 1 + static_cast<int>(from.size() / 64);
     failed_ = failed_ || steps_ > kMostSteps;
@@ -164,6 +173,7 @@ class Pattern {
 
   using Set = std::bitset<256>;
 
+  // Reads one character or class (\d, \w, \s) into a set. \return the character, 0 for a class.
   int character(Set& set) {
     const bool special = takes('\\');
     if (rest_.empty()) return failed_ = true, 0;
@@ -188,11 +198,13 @@ class Pattern {
   bool failed_ = false;
 };
 
+// A recursive descent parser that evaluates an expression or an assignment while it reads.
 class Evaluation {
  public:
   Evaluation(std::string_view text, const std::vector<TemplateValue>& values, std::vector<TemplateValue>& own)
       : rest_(text), values_(values), own_(own) {}
 
+  // Evaluates one expression, and takes it off the text.
   std::optional<std::string> all(std::string_view& text) {
     const Term term = conditional();
     skip();
@@ -201,7 +213,7 @@ class Evaluation {
     return shown(term);
   }
 
-  // A value of the block's own; nothing is shown for it.
+  // Runs an assignment to a variable of the block, which shows nothing. \return false if the text is none.
   bool assigns(std::string_view& text) {
     const bool fresh = takes("local") || takes("global");
     const std::string_view name = word();
@@ -219,7 +231,7 @@ class Evaluation {
     skip();
     text = rest_;
     if (failed_) return true;
-    if (index >= 0) {  // of a list
+    if (index >= 0) {  // one item of a list
       failed_ = !(index < static_cast<double>(old->values.size())) || made.values.empty();
       if (failed_) return true;
       old->values[static_cast<std::size_t>(index)] = made.values.front();
@@ -237,6 +249,7 @@ class Evaluation {
  private:
   void skip() { rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size())); }
 
+  // Takes a sign or a whole word off the text, if it comes next.
   bool takes(std::string_view sign) {
     skip();
     if (!rest_.starts_with(sign) || (sign == "<" && rest_.starts_with("<>"))) return false;
@@ -253,6 +266,7 @@ class Evaluation {
     return {};
   }
 
+  // Takes a name off the text; empty if none comes next.
   std::string_view word() {
     skip();
     std::size_t size = 0;
@@ -277,7 +291,7 @@ class Evaluation {
     list.whole = list.whole && term.whole;
   }
 
-  // One value, (several, of them), repeat(count, value), or all of another list.
+  // Reads the value of an assignment: one item, (several, items), repeat(count, item), or a copy of another list.
   void items(TemplateValue& out) {
     const std::string_view begin = rest_;
     if (takes("repeat")) {
@@ -306,7 +320,7 @@ class Evaluation {
     return rest_.empty() || rest_[0] == ';' || rest_[0] == '}' || rest_[0] == 'e';
   }
 
-  // Behind a bracket that opens.
+  // Reads arguments behind an opening bracket, up to the closing one.
   std::vector<Term> arguments() {
     std::vector<Term> out;
     if (takes(")")) return out;
@@ -316,6 +330,7 @@ class Evaluation {
     return out;
   }
 
+  // Reads a ? b : c, or anything that binds more tightly.
   Term conditional() {
     if (++nested_ > kMostNested) return fail();
     Term condition = binary(kOr);
@@ -330,7 +345,7 @@ class Evaluation {
     return condition;
   }
 
-  // What does not count need not have a value.
+  // Reads a part of the expression. A skipped part, such as the branch not taken, need not have a value.
   template <class Read>
   Term unread(bool skipped, Read&& read) {
     skipped_ += skipped ? 1 : 0;
@@ -339,6 +354,7 @@ class Evaluation {
     return term;
   }
 
+  // Reads operators of one precedence, from left to right; those that bind more tightly are read first.
   Term binary(int binds) {
     if (binds > kTimes) return unary();
     Term left = binary(binds + 1);
@@ -359,7 +375,7 @@ class Evaluation {
     return left;
   }
 
-  // Between slashes, or in a text.
+  // Reads a pattern between slashes or quotes.
   std::string_view pattern() {
     skip();
     const char quote = rest_.empty() ? ' ' : rest_[0];
@@ -379,6 +395,7 @@ class Evaluation {
     return found.value_or(false);
   }
 
+  // Applies a binary operator.
   Term applied(std::string_view sign, const Term& a, const Term& b) {
     if (skipped_ == 0 && (a.kind == Term::Nil || b.kind == Term::Nil)) return fail();
     if (sign == "||" || sign == "or") return truth(a.number != 0 || b.number != 0);
@@ -426,6 +443,7 @@ class Evaluation {
     return term;
   }
 
+  // Reads a bracket, a text, a number, a name or a call.
   Term primary() {
     skip();
     if (takes("(")) {
@@ -471,6 +489,7 @@ class Evaluation {
     return skipped_ > 0 ? Term{} : fail();
   }
 
+  // Calls a function whose name and opening bracket are read.
   Term called(std::string_view name) {
     if (name == "size" || name == "empty") {
       const TemplateValue* list = variable(word());
@@ -492,7 +511,7 @@ class Evaluation {
       const bool larger = other.number > first.number;
       return number(larger == (name == "max") ? other.number : first.number, first.whole && other.whole);
     }
-    if (name == "random" && told.size() == 2) return first;  // any between the two will do; always the same
+    if (name == "random" && told.size() == 2) return first;  // any value between both will do; always the same
     if ((name == "digits" || name == "zdigits") && (told.size() == 2 || told.size() == 3)) {
       return padded(told, name == "zdigits" ? '0' : ' ');
     }
@@ -500,7 +519,7 @@ class Evaluation {
     return number(name == "int" ? std::trunc(first.number) : std::round(first.number), true);
   }
 
-  // one_of(value, other, /pattern/, ~"pattern")
+  // Reads one_of(value, other, /pattern/, ~"pattern"): true if the value equals one or matches a pattern.
   Term oneOf() {
     const Term value = conditional();
     bool found = false;
@@ -513,7 +532,7 @@ class Evaluation {
     return takes(")") ? truth(found) : fail();
   }
 
-  // interpolate_table(x, (x0, y0), (x1, y1)): straight between the points, and level before and behind them.
+  // Reads interpolate_table(x, (x0, y0), (x1, y1)): linear between the points, constant before and behind them.
   Term interpolated() {
     const double x = conditional().number;
     double beforeX = 0, beforeY = 0, value = 0;
@@ -532,7 +551,7 @@ class Evaluation {
     return takes(")") ? number(value, false) : fail();
   }
 
-  // digits(value, signs at least, digits behind the point)
+  // Formats digits(value, least width, decimals), filled up on the left.
   Term padded(const std::vector<Term>& arguments, char filler) {
     const double width = arguments[1].number;
     const double decimals = arguments.size() == 3 ? arguments[2].number : 0;
@@ -548,7 +567,7 @@ class Evaluation {
   const std::vector<TemplateValue>& values_;
   std::vector<TemplateValue>& own_;
   int nested_ = 0;
-  int skipped_ = 0;  // parts around this one that do not count
+  int skipped_ = 0;  // number of skipped parts that enclose this one
   bool failed_ = false;
 };
 
@@ -562,14 +581,15 @@ std::optional<FoundValue> templateValue(std::string_view name, std::size_t index
     });
   };
   auto found = find(name);
-  // first_layer_temperature_0
+  // The index may also stand behind the name: first_layer_temperature_0.
   const std::size_t line = name.rfind('_');
   if (found == values.end() && line != std::string_view::npos && line + 2 == name.size() && isDigit(name.back())) {
     index = static_cast<std::size_t>(name.back() - '0');
     found = find(name.substr(0, line));
   }
   if (found == values.end() || found->values.empty()) return std::nullopt;
-  return FoundValue{found->values[index < found->values.size() ? index : 0], found->whole};  // as PrusaSlicer has it
+  // An index beyond the end gives the first value, as in PrusaSlicer.
+  return FoundValue{found->values[index < found->values.size() ? index : 0], found->whole};
 }
 
 std::optional<std::string> evaluated(std::string_view expression, const std::vector<TemplateValue>& values) {

@@ -17,7 +17,7 @@
 namespace sillon {
 namespace {
 
-// User's text on one line of printable ASCII.
+// Puts the user's text on one line of printable ASCII.
 std::string plain(std::string text) {
   for (char& c : text) {
     if (c < ' ' || c > '~') c = c == '\n' || c == '\r' || c == '\t' ? ' ' : '?';
@@ -27,6 +27,7 @@ std::string plain(std::string text) {
 
 std::string whole(double value) { return fixed(value, 0); }
 
+// Spells a time as slicers do: 1d 2h 3m 4s.
 std::string duration(double seconds) {
   std::int64_t rest = std::llround(seconds);
   std::string text;
@@ -40,13 +41,13 @@ std::string duration(double seconds) {
   return text + std::to_string(rest) + "s";
 }
 
-// The bed's corners; those of a 24-gon for a round one.
+// Lists the bed's corners; a round bed becomes a 24-gon.
 std::string bedShape(const Printer& printer) {
   const Vec2 lo = printer.bedMin;
   const Vec2 hi = printer.bedMax;
   std::vector<Vec2> corners{lo, {hi.x, lo.y}, hi, {lo.x, hi.y}};
   if (printer.roundBed) {
-    constexpr double kCos = 0.96592582628906829;  // of 15 degrees
+    constexpr double kCos = 0.96592582628906829;  // cosine of 15 degrees, one step of the 24-gon
     constexpr double kSin = 0.25881904510252076;
     const Bed bed(printer);
     corners.clear();
@@ -64,7 +65,7 @@ std::string bedShape(const Printer& printer) {
   return text;
 }
 
-// Hosts drop a picture whose length differs from what its first line says.
+// Writes a picture. Hosts drop it if its length differs from the number in its first line.
 void writeThumbnail(ChunkedOutput& out, const Thumbnail& thumbnail) {
   constexpr std::size_t kRow = 78;
   const char* tag = thumbnail.format == ThumbnailFormat::Qoi ? "thumbnail_QOI" : "thumbnail";
@@ -101,7 +102,7 @@ void writeHeader(ChunkedOutput& out, const GcodeJob& job, const Printer& printer
         << " mm, of a print on the bed that homing and probing (G28, G29) must not touch\n";
   }
   out << "; external perimeters extrusion width = " << fixed(shown, 2) << "mm\n";
-  const bool block = printer.flavor == GcodeFlavor::Bambu;  // its printers and their services read a block
+  const bool block = printer.flavor == GcodeFlavor::Bambu;  // Bambu printers and their services read a header block
   if (block) {
     out << "; HEADER_BLOCK_START\n; model printing time: " << duration(seconds)
         << "; total estimated time: " << duration(seconds) << "\n";
@@ -142,7 +143,7 @@ void writeFooter(ChunkedOutput& out, const FileTotals& totals, const GcodeJob& j
       {"gcode_flavor", dialectName(printer.flavor)},
   };
   for (const auto& [key, value] : settings) out << "; " << key << " = " << value << "\n";
-  // By these whoever reads the file judges its blocks as they were judged here.
+  // These limits let a reader of the file judge its blocks as they were judged here.
   const auto limit = [&](const char* key, double degrees, double most) {
     if (!printer.generalHeatLimits && degrees < most) out << "; " << key << " = " << decimal(degrees, 3) << "\n";
   };

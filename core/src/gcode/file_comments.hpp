@@ -1,4 +1,4 @@
-// The comments before and after the moves, from which hosts, viewers and people learn what the file is.
+// Comments before and after the moves, from which hosts, viewers and people learn what the file is.
 #pragma once
 
 #include "gcode/chunked_output.hpp"
@@ -7,23 +7,23 @@
 
 namespace sillon {
 
-// Marks by which hosts leave out one of several plates.
+// Marks that let hosts leave out one of several plates.
 
-/// Klipper's list of the plates and where they stand; nothing for one plate, and for other dialects.
+/// Writes Klipper's list of the plates and their places; nothing for one plate or another dialect.
 void defineObjects(ChunkedOutput& out, const GcodeJob& job, GcodeFlavor flavor);
 
-/// Around the moves of one of several plates; nothing where there is one.
+/// Write the marks before and after the moves of one of several plates; nothing if there is only one.
 void beginObject(ChunkedOutput& out, const GcodeJob& job, GcodeFlavor flavor, int copy);
 void endObject(ChunkedOutput& out, const GcodeJob& job, GcodeFlavor flavor, int copy);
 
-/// Pictures, measures and parameters. \param seconds  the whole print, as estimated.
+/// Writes pictures, measures and parameters. \param seconds  estimated time of the whole print.
 void writeHeader(ChunkedOutput& out, const GcodeJob& job, const Printer& printer, const PrintParams& params,
                  double seconds);
 
-/// What the moves that follow print, in the words that viewers know.
+/// Role of the moves that follow, in the words that viewers know.
 struct Role {
-  const char* type;     ///< PrusaSlicer's word
-  const char* feature;  ///< Orca's and Bambu Studio's
+  const char* type;     ///< name in PrusaSlicer
+  const char* feature;  ///< name in Orca and Bambu Studio
 };
 inline constexpr Role kSkirtRole{"Skirt/Brim", "Skirt"};
 inline constexpr Role kBrimRole{"Skirt/Brim", "Brim"};
@@ -38,7 +38,7 @@ struct FileTotals {
   double seconds = 0;
 };
 
-/// Filament, time and settings as "; key = value".
+/// Writes filament, time and settings as "; key = value".
 void writeFooter(ChunkedOutput& out, const FileTotals& totals, const GcodeJob& job, const Printer& printer,
                  const PrintParams& params);
 

@@ -12,7 +12,7 @@ FileLayer layerAt(const PrintParams& params, int copy, int index) {
   layer.oriented = isOriented(params, index);
   layer.onBed = params.showSide == ShowSide::Both && index < params.layers;
   layer.rim = index >= layersBelowRim(params);
-  const int below = params.showSide == ShowSide::Up ? params.base : params.layers;  // where the other kind begins
+  const int below = params.showSide == ShowSide::Up ? params.base : params.layers;  // the other kind begins here
   layer.turn = index < below ? index : index - below;
   if (!layer.oriented && !layer.rim && needsAcross(params)) layer.across = nextTo(params, layer.turn);
   return layer;

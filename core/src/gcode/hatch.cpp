@@ -8,13 +8,13 @@
 namespace sillon {
 namespace {
 
-// A joint along the border longer than this many line widths (border flatter than 15 degrees to the lines) could leave
-// the shape between two rows.
+// Longest joint along the border, in line widths. A longer one (border flatter than 15 degrees to the lines) could
+// leave the shape between two rows.
 constexpr double kLongestJoint = 4;
 
 using Row = std::vector<Interval>;
 
-// A frame whose u axis runs along the lines.
+// A rotated frame whose u axis runs along the lines.
 struct Frame {
   double cosine;
   double sine;
@@ -22,13 +22,14 @@ struct Frame {
   [[nodiscard]] Vec2 from(Vec2 p) const { return {cosine * p.x - sine * p.y, sine * p.x + cosine * p.y}; }
 };
 
+// Turns a shape into a frame.
 Shape turned(const Shape& shape, const Frame& frame) {
   Shape result = shape;
   movePoints(result, [&](Vec2 p) { return frame.to(p); });
   return result;
 }
 
-// Intersection of a with b shrunk by `inset` at both ends; all lists ascend.
+// Intersects a with the intervals of b, shrunk by `inset` at both ends; all lists ascend.
 Row intersection(const Row& a, const Row& b, double inset) {
   Row result;
   std::size_t i = 0;
@@ -46,8 +47,9 @@ Row intersection(const Row& a, const Row& b, double inset) {
   return result;
 }
 
-// Where a line's middle may run: the shape eroded by a regular octagon around the bead, tested at the octagon's
-// corners. Exact for borders along, across and at 45 degrees to the lines, at most 8 % too deep between.
+// Intervals in which a line's centre may run: the shape eroded by a regular octagon around the bead, tested at the
+// octagon's corners. The erosion is exact for borders along, across and at 45 degrees to the lines, and at most 8 % too
+// deep between.
 std::vector<Row> erodedRows(const Shape& shape, double firstY, double step, int rows, double radius) {
   const double corner = (std::sqrt(2.0) - 1) * radius;
   std::vector<Row> result = insideIntervals(shape, firstY, step, rows);
@@ -62,6 +64,7 @@ std::vector<Row> erodedRows(const Shape& shape, double firstY, double step, int 
   return result;
 }
 
+// Tells whether a row holds x, up to `slack` outside its intervals.
 bool holds(const Row& row, double x, double slack) {
   return std::any_of(row.begin(), row.end(),
                      [&](const Interval& piece) { return piece.begin - slack <= x && x <= piece.end + slack; });
@@ -80,9 +83,9 @@ struct Run {
   bool atEnd;
 };
 
-// Boustrophedon: each line continues a zigzag that stopped next to it in the row before, or starts a new one.
-// \param halfRows  where a line's middle may run, half a step apart: every other row has lines.
-// \param radius    of the disc round each place of them that lies in the shape [mm].
+// Boustrophedon path: each line continues a zigzag that stopped next to it in the row before, or starts a new one.
+// \param halfRows  rows in which a line's centre may run, half a step apart; every other row gets lines.
+// \param radius    radius of the disc around every such centre that lies within the shape [mm].
 std::vector<Polyline> zigzags(const std::vector<Row>& halfRows, double firstY, double lineWidth, double radius) {
   std::vector<Polyline> result;
   std::vector<Run> previous;
@@ -97,8 +100,9 @@ std::vector<Polyline> zigzags(const std::vector<Row>& halfRows, double firstY, d
       const double to = before.atEnd ? line.end : line.begin;
       if (std::abs(to - from) > longest) return false;
       if (before.line.begin < line.end && line.begin < before.line.end) return true;
-      // In narrow places lines do not overlap: the discs at both ends and in the middle hold the way between them.
-      // Along a straight border the middle lies on the edge of its row, along a hollow one a little beyond.
+      // In narrow places neighbouring lines do not overlap; the joint stays inside if the discs at both ends and in its
+      // middle lie within the shape. Along a straight border the middle lies on the edge of its row, along a concave
+      // one a little beyond, hence the slack.
       const double slack = 0.1 * radius;
       return length(Vec2{to - from, lineWidth}) <= 4 * radius - 2 * slack &&
              holds(halfRows[r - 1], (from + to) / 2, slack);
@@ -142,7 +146,7 @@ std::vector<Polyline> hatchLines(const Shape& shape, double lineWidth, bool fall
 
   const int rows = std::max(1, static_cast<int>(box.size().y / lineWidth));
   const double firstY = box.min.y + (box.size().y - (rows - 1) * lineWidth) / 2;
-  const double radius = inset + 0.49 * lineWidth;  // a hair less than half: a line along the border does not graze it
+  const double radius = inset + 0.49 * lineWidth;  // not quite half, so that a line along the border does not touch it
   const std::vector<Row> inside = erodedRows(level, firstY, lineWidth / 2, 2 * rows - 1, radius);
   std::vector<Polyline> lines = zigzags(inside, firstY, lineWidth, radius);
   for (Polyline& line : lines) {

@@ -19,78 +19,79 @@
 
 namespace sillon {
 
-// A job that is ready to be written, and the heights of its layers.
+// The job that is ready to be written, and the heights of its layers.
 
-inline constexpr double kLeastBead = 0.6;   ///< [nozzle], thinner beads tear
-inline constexpr double kWidestBead = 1.6;  ///< [nozzle], wider beads do not reach their sides
+inline constexpr double kLeastBead = 0.6;   ///< [nozzle]; thinner beads tear
+inline constexpr double kWidestBead = 1.6;  ///< [nozzle]; the plastic of wider beads does not reach their sides
 
-constexpr double kParkLift = 10;  ///< [mm], above the finished plate, before the end block
+constexpr double kParkLift = 10;  ///< lift above the finished plate before the end block [mm]
 
-/// The highest place above the bed that the printer reaches: its Z is there maxZ [mm].
+/// Height above the bed that the printer reaches at most [mm]; its own Z reads maxZ there.
 inline double highest(const Printer& printer) { return printer.maxZ - printer.zOffset; }
 
-/// Above clips and screws of the bed, and above what stands there: no travel to or from its edge is lower [mm].
+/// Height of travels to and from the bed's edge [mm]: it clears clips and screws, and a print that stands there.
 inline double safeHeight(const Printer& printer, const PrintParams& params) {
   return std::min(params.startHeight + 10, highest(printer));
 }
 
-/// What a patch prints, and how: sillon/gcode/patches.hpp.
+/// A patch (sillon/gcode/patches.hpp) whose lines have been placed on the bed.
 struct PlacedPatch {
-  Patch how;  ///< its lines are `paths`
+  Patch how;  ///< settings of the patch; `paths` replace its lines
   std::vector<BeadPath> paths;
 };
 
-/// A job that is known to be printable, on the bed [µm].
+/// A job that has passed every check; its points lie on the bed [µm].
 struct GcodeJob {
-  BeadPath purge;                              ///< before the first layer; without points where there is none
-  double purgeHeight = 0;                      ///< [mm]
-  PointUm aside;                               ///< off the plates: where the nozzle waits for heat
-  std::vector<BeadPath> skirt;                 ///< layer on the bed only
-  std::vector<BeadPath> brim;                  ///< first layer of each copy
-  std::vector<BeadPath> firstBase;             ///< the first layer, where it is a base layer
-  std::array<std::vector<BeadPath>, 2> bases;  ///< of the other base layers, taking turns
-  std::vector<BeadPath> across;                ///< of the base layer next to the cycles; empty where it is as others
-  std::vector<BeadPath> bedAcross;             ///< next to the bed's cycles, likewise; ShowSide::Both
-  std::vector<BeadPath> cycles;                ///< of oriented layers, widths within 0.6..1.6 nozzle
-  std::vector<std::vector<BeadPath>> rim;      ///< of each layer above the oriented ones: the loops of each border
-  std::vector<BeadPath> bedCycles;             ///< of oriented layers below the base, mirrored; ShowSide::Both
-  std::vector<PointUm> copies{{}};             ///< where each plate stands, from the first
-  std::vector<PlacedPatch> patches;            ///< instead of cycles, on the layers above the base
-  double spacing = 0;                          ///< of the toolpath [mm]
+  BeadPath purge;                              ///< purge line before the first layer; no points: no purge
+  double purgeHeight = 0;                      ///< height of the purge line [mm]
+  PointUm aside;                               ///< place off the plates where the nozzle waits for heat
+  std::vector<BeadPath> skirt;                 ///< loops around all plates, in the layer on the bed
+  std::vector<BeadPath> brim;                  ///< loops around each copy, in its first layer
+  std::vector<BeadPath> firstBase;             ///< the first layer, if it is a base layer smaller than the others
+  std::array<std::vector<BeadPath>, 2> bases;  ///< the other base layers, in turns
+  std::vector<BeadPath> across;                ///< the base layer next to the cycles; empty if it is like the others
+  std::vector<BeadPath> bedAcross;             ///< the base layer next to bedCycles, likewise; ShowSide::Both
+  std::vector<BeadPath> cycles;                ///< an oriented layer; widths 0.6..1.6 nozzle
+  std::vector<std::vector<BeadPath>> rim;      ///< loops of each border, for every layer above the oriented ones
+  std::vector<BeadPath> bedCycles;             ///< an oriented layer below the base, mirrored; ShowSide::Both
+  std::vector<PointUm> copies{{}};             ///< offset of each plate from the first one
+  std::vector<PlacedPatch> patches;            ///< patches that replace the cycles above the base
+  double spacing = 0;                          ///< spacing of the toolpath [mm]
   Vec2 plate;                                  ///< size of the shape [mm]
-  double clampedMm = 0;                        ///< length with a width held at a limit, per oriented layer
+  double clampedMm = 0;                        ///< length whose width is held at a limit, per oriented layer
   double fillRatio = 0;                        ///< bead area over shape area, per oriented layer
-  bool knowsAdvance = false;                   ///< something sets pressure advance: turns may be slower than straights
-  double showSpeed = 0;                        ///< of oriented layers [mm/s]
-  Bounds firstPlate;                           ///< the first copy with its brim, on the bed [mm]
-  bool ownStart = false;                       ///< the start block is ours, and leaves the nozzle where it homes
-  bool hotStart = false;                       ///< the start block leaves the nozzle hot: what is in it drips
-  double startRetracted = 0;                   ///< filament that the start block draws back and leaves so [mm]
-  std::vector<int> otherHotTools;              ///< that the start block heats, beside the one that prints
-  bool hotChamber = false;                     ///< the start block heats it
-  double startFlow = 100;                      ///< by M221 of the start block [%], for the whole print
-  std::string startBlock;                      ///< values put in
+  bool knowsAdvance = false;       ///< pressure advance is set somewhere, so turns may be slower than straights
+  double showSpeed = 0;            ///< speed of oriented layers [mm/s]
+  Bounds firstPlate;               ///< the first copy with its brim, on the bed [mm]
+  bool ownStart = false;           ///< the start block is Sillon's own, and leaves the nozzle where it homes
+  bool hotStart = false;           ///< the start block leaves the nozzle hot, so that it drips
+  double startRetracted = 0;       ///< filament that the start block leaves drawn back [mm]
+  std::vector<int> otherHotTools;  ///< other tools that the start block heats
+  bool hotChamber = false;         ///< the start block heats the chamber
+  double startFlow = 100;          ///< flow that M221 in the start block sets for the whole print [%]
+  std::string startBlock;          ///< the block with its placeholders replaced
   std::string endBlock;
   std::vector<Warning> warnings;
 
   void warn(WarningCode code, std::vector<NamedValue> values = {}) { warnings.push_back({code, std::move(values)}); }
 };
 
-/// A share as warnings tell it, to a tenth.
+/// A share as a percentage for warnings, to a tenth.
 inline double percent(double share) { return std::round(1000 * share) / 10; }
 
 /// Cross-section of filament [mm²].
 inline double filamentArea(double diameter) { return 3.14159265358979323846 * diameter * diameter / 4; }
 
-/// Whether the first layer lies on the bed and not on a print that stands there: only then is it a special one.
+/// Tells whether the first layer lies on the bed and not on a print that stands there. Only then is it special: slower,
+/// hotter, without fan.
 inline bool beginsOnBed(const PrintParams& params) { return !(params.startHeight > 0); }
 
-/// Height of the first layer, which has a default [mm].
+/// Height of the first layer [mm]; layerHeight where none of its own is set.
 inline double firstLayerHeight(const PrintParams& params) {
   return params.firstLayerHeight > 0 && beginsOnBed(params) ? params.firstLayerHeight : params.layerHeight;
 }
 
-/// Layers of one plate that lie below its rim.
+/// Number of layers of one plate that lie below its rim.
 inline int layersBelowRim(const PrintParams& params) {
   return params.base + params.layers * (params.showSide == ShowSide::Both ? 2 : 1);
 }
@@ -103,18 +104,18 @@ inline int fileLayers(const GcodeJob& job, const PrintParams& params) {
   return layerCount(params) * static_cast<int>(job.copies.size());
 }
 
-/// Whether a layer, counted from 0, is an oriented one.
+/// Tells whether a layer, counted from 0, is oriented.
 inline bool isOriented(const PrintParams& params, int layer) {
   const bool onBed = params.showSide != ShowSide::Up && layer < params.layers;
   const int below = params.showSide == ShowSide::Up ? params.base : params.layers + params.base;
   return onBed || (layer >= below && layer < layersBelowRim(params));
 }
 
-/// What a base layer lies next to.
+/// The layers that a base layer lies next to.
 enum class NextTo { Base, Oriented, OrientedOnBed };
 
-/// \param turn  of the base layer among its kind, from the lowest. One between two oriented layers is next to the
-/// upper.
+/// Tells which layers a base layer lies next to; one between two oriented layers counts for the upper one.
+/// \param turn  number of the base layer among its kind, from the lowest.
 inline NextTo nextTo(const PrintParams& params, int turn) {
   if (turn == params.base - 1 && params.showSide != ShowSide::Bed) return NextTo::Oriented;
   if (turn == 0 && params.showSide == ShowSide::Bed) return NextTo::Oriented;
@@ -126,28 +127,28 @@ inline double layerTop(const PrintParams& params, int layer) {
   return params.startHeight + firstLayerHeight(params) + layer * params.layerHeight;
 }
 
-// The part of G-code export that can fail: it checks everything, and lays out what will be written.
+// The part of G-code export that can fail: it checks the input and lays out the job.
 
-/// \param across  null where needsAcross does not ask for it. \return InvalidArgument, DoesNotFit or EmptyShape, as
-/// writeGcode.
+/// Checks and lays out the plates of a toolpath. \param across  null where needsAcross does not ask for it.
+/// \return InvalidArgument, DoesNotFit or EmptyShape, as writeGcode.
 Result<GcodeJob> prepareGcodeJob(const Toolpath& toolpath, const Toolpath* across, const Shape& shape,
                                  const Printer& printer, const PrintParams& params);
 
-/// \return InvalidArgument, DoesNotFit or EmptyShape, as writePatches.
+/// Checks and lays out a plate of patches. \return InvalidArgument, DoesNotFit or EmptyShape, as writePatches.
 Result<GcodeJob> preparePatchJob(const PatchPlate& plate, const Printer& printer, const PrintParams& params);
 
-// Ranges of everything G-code export is given.
+// Range checks of the input of G-code export.
 
-/// Checks all that can be judged number by number, before anything is placed: text, ranges, finite coordinates and
-/// widths. \return the first fault: InvalidArgument, DoesNotFit (in height) or EmptyShape (no cycles). \param across
-/// read where needsAcross, and missing there if null.
+/// Checks, before anything is placed, all that single values tell: text, ranges, finite coordinates and widths.
+/// \return the first fault: InvalidArgument, DoesNotFit (in height) or EmptyShape (no cycles). \param across  read
+/// where needsAcross, and missing there if null.
 std::optional<Error> checkGcodeInput(const Toolpath& toolpath, const Toolpath* across, const Shape& shape,
                                      const Printer& printer, const PrintParams& params);
 
-/// The same for patches. \return InvalidArgument, DoesNotFit or EmptyShape (no lines).
+/// Checks a plate of patches likewise. \return InvalidArgument, DoesNotFit or EmptyShape (no lines).
 std::optional<Error> checkPatchInput(const PatchPlate& plate, const Printer& printer, const PrintParams& params);
 
-/// The part of it that needs no toolpath.
+/// The part of these checks that needs no toolpath.
 std::optional<Error> checkPlateInput(const Shape& shape, const Printer& printer, const PrintParams& params);
 
 }  // namespace sillon

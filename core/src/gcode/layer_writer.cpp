@@ -13,10 +13,11 @@
 namespace sillon {
 namespace {
 
-constexpr double kFastest = 1.5;     // [speed], of narrow beads with constantFlow
-constexpr double kSlowestPace = 5;   // [mm/s], slower nozzles drop more than they lay
-constexpr double kSeamStep = 0.382;  // golden section: seams of neighbouring layers lie far apart
+constexpr double kFastest = 1.5;     // [speed], limit for narrow beads with constantFlow
+constexpr double kSlowestPace = 5;   // [mm/s]; a slower nozzle drips more than it lays
+constexpr double kSeamStep = 0.382;  // golden section, which keeps the seams of neighbouring layers far apart
 
+// Number of seams from the one of a layer to that of the next.
 std::size_t toSeam(std::size_t count) { return static_cast<std::size_t>(kSeamStep * static_cast<double>(count)); }
 
 }  // namespace
@@ -33,7 +34,7 @@ void LayerWriter::write(const FileLayer& layer) {
   }
   setMachine(layer);
   if (begins) {
-    // The skirt is around all copies, and is there whichever of them is left out.
+    // The skirt surrounds all copies, so it is printed whichever of them a host leaves out.
     if (layer.copy == 0) paths(job_.skirt, kSkirtRole, params_.baseFlow, layer);
     beginObject(nozzle_.out(), job_, printer_.flavor, layer.copy);
     paths(job_.brim, kBrimRole, params_.baseFlow, layer);
@@ -56,6 +57,7 @@ void LayerWriter::write(const FileLayer& layer) {
   }
 }
 
+// Writes the marks by which viewers, hosts and screens follow the layers.
 void LayerWriter::announce(const FileLayer& layer) {
   const std::string top = decimal(layer.top, 3);
   nozzle_.out() << ";BEFORE_LAYER_CHANGE\n;" << top << "\n;LAYER_CHANGE\n;Z:" << top
@@ -66,11 +68,12 @@ void LayerWriter::announce(const FileLayer& layer) {
   }
   if (printer_.flavor == GcodeFlavor::Bambu) {
     nozzle_.out() << "; CHANGE_LAYER\n; Z_HEIGHT: " << top << "\n; LAYER_HEIGHT: " << decimal(layer.height, 3) << "\n";
-    const int count = layer.copy * layerCount(params_) + layer.index;  // the printer's screen shows it
+    const int count = layer.copy * layerCount(params_) + layer.index;  // number on the printer's screen
     nozzle_.out() << "M73 L" << std::to_string(count + 1) << "\nM991 S0 P" << std::to_string(count) << "\n";
   }
 }
 
+// Sets fan, acceleration and temperature where they change: on the first layer and on the one above it.
 void LayerWriter::setMachine(const FileLayer& layer) {
   if (layer.first) {
     nozzle_.fan(printer_.firstLayerFan);
@@ -91,11 +94,12 @@ void LayerWriter::setMachine(const FileLayer& layer) {
   }
 }
 
+// Lays the paths of one role; each closed path begins at a seam of this layer.
 void LayerWriter::paths(const std::vector<BeadPath>& paths, const Role& role, double flow, const FileLayer& layer) {
   if (paths.empty()) return;
   MotionLimits limits = pacedLimits(layer, flow);
   if (params_.constantFlow && layer.oriented && !layer.first) evenFlow(limits, job_.spacing);
-  const bool oriented = &role == &kOrientedRole;  // the skirt of an oriented first layer is not
+  const bool oriented = &role == &kOrientedRole;  // the skirt of an oriented first layer is not oriented
   limits.coast = oriented ? params_.coast : 0;
   limits.scarf = oriented ? params_.scarf : 0;
 
@@ -104,8 +108,8 @@ void LayerWriter::paths(const std::vector<BeadPath>& paths, const Role& role, do
     std::size_t start = 0;
     if (path.closed) {
       const std::size_t count = path.seams.empty() ? path.points.size() : path.seams.size();
-      // Toolpaths begin where their sweep does, so that neighbouring beads are laid in time: the layer that is seen
-      // begins there, and others elsewhere.
+      // A toolpath begins at the start of its sweep, so that neighbouring beads are laid soon after each other. The
+      // visible layer keeps that start; the others begin elsewhere.
       const bool kept = oriented && path.beginsUnseen;
       const bool seen = layer.onBed || layer.index == layersBelowRim(params_) - 1;
       const std::size_t chosen = static_cast<std::size_t>(layer.turn + (kept ? 1 : 0)) * toSeam(count) % count;
@@ -116,7 +120,8 @@ void LayerWriter::paths(const std::vector<BeadPath>& paths, const Role& role, do
   }
 }
 
-// Layers take the borders there and back, so that each begins where the one below it ends.
+// Lays the rim. Layers go through the borders forwards and backwards in turns, so that each begins where the one below
+// it ended.
 void LayerWriter::rim(const FileLayer& layer) {
   const MotionLimits limits = pacedLimits(layer, params_.baseFlow);
   writeRole(nozzle_.out(), kRimRole);
@@ -131,6 +136,7 @@ void LayerWriter::rim(const FileLayer& layer) {
   }
 }
 
+// Lays the patches of a layer, each with its own fan, flow and speed.
 void LayerWriter::patches(const FileLayer& layer) {
   writeRole(nozzle_.out(), kBaseRole);
   const double layerFan = nozzle_.fanPercent();
@@ -147,7 +153,7 @@ void LayerWriter::patches(const FileLayer& layer) {
   }
 }
 
-// Goes there, lays the bead, leaves it. \param oriented  neither base nor skirt.
+// Travels to a path, lays it and leaves it. \param oriented  the path counts for the oriented length.
 void LayerWriter::lay(const BeadPath& path, std::size_t start, const MotionLimits& limits, const FileLayer& layer,
                       bool oriented) {
   const Motion& motion = plans_.of(path, start, limits);
@@ -169,12 +175,14 @@ void LayerWriter::lay(const BeadPath& path, std::size_t start, const MotionLimit
   oriented_.curveSlowed += motion.curveSlowedMm;
 }
 
+// Limits of a layer, slowed by its pace so that the plastic below can set.
 MotionLimits LayerWriter::pacedLimits(const FileLayer& layer, double flow) const {
   MotionLimits limits = layerLimits(layer, flow);
   limits.speed = std::max(limits.speed * pace_[kindOf(layer)], std::min(limits.speed, kSlowestPace));
   return limits;
 }
 
+// Limits of a layer at full pace.
 MotionLimits LayerWriter::layerLimits(const FileLayer& layer, double flow) const {
   MotionLimits limits = nozzle_.machineLimits();
   limits.layerHeight = layer.height;
@@ -191,6 +199,7 @@ MotionLimits LayerWriter::layerLimits(const FileLayer& layer, double flow) const
   return limits;
 }
 
+// Makes the volume per second constant: beads narrower than `spacing` are faster, wider ones slower.
 void LayerWriter::evenFlow(MotionLimits& limits, double spacing) const {
   limits.evenFlow = limits.speed * spacing;
   limits.speed *= kFastest;

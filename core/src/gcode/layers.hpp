@@ -19,30 +19,31 @@ namespace sillon {
 struct FileLayer {
   int index = 0;
   int copy = 0;
-  double top = 0;      // [mm]
-  double height = 0;   // [mm]
-  bool first = false;  // upon the bed itself: slower, hotter, without fan
+  double top = 0;      // height of its top [mm]
+  double height = 0;   // thickness [mm]
+  bool first = false;  // on the bed itself: slower, hotter, without fan
   bool oriented = false;
-  bool onBed = false;            // oriented, below the base
-  bool rim = false;              // on top of the oriented layers, along the border
-  int turn = 0;                  // among its kind
-  NextTo across = NextTo::Base;  // a base layer that runs across the beads next to it
+  bool onBed = false;            // oriented and below the base
+  bool rim = false;              // on top of the oriented layers, along the borders
+  int turn = 0;                  // number of the layer among its kind
+  NextTo across = NextTo::Base;  // the beads that a base layer runs across, if it does
 };
 
 FileLayer layerAt(const PrintParams& params, int copy, int index);
 
-/// Layers that take the same time: the first of the first copy, those of others, base layers both ways, oriented layers
-/// above and below the base, base layers across these, and those of the rim.
+/// Number of kinds of layers; layers of one kind take the same time. The kinds: first layer of the first copy, first
+/// layers of the other copies, base layers in either direction, oriented layers above and below the base, base layers
+/// across either of these, and rim layers.
 inline constexpr std::size_t kLayerKinds = 9;
-/// \return 0..kLayerKinds - 1
+/// Kind of a layer, 0..kLayerKinds - 1.
 std::size_t kindOf(const FileLayer& layer);
 
 // Writes the layers of a job, one after the other.
 
-/// Share of its speed that each kind of layer runs at.
+/// Share of its full speed at which each kind of layer runs.
 using Paces = std::array<double, kLayerKinds>;
 
-/// Oriented beads so far, and how much of their length was slowed, by what [mm].
+/// Length of the oriented beads written so far, and the parts of it that each limit slowed [mm].
 struct OrientedLength {
   double all = 0;
   double flowSlowed = 0;
@@ -50,6 +51,7 @@ struct OrientedLength {
   double curveSlowed = 0;
 };
 
+/// Writes the layers of a job; it has to get them in printing order.
 class LayerWriter {
  public:
   LayerWriter(const GcodeJob& job, const Printer& printer, const PrintParams& params, MotionPlans& plans,
@@ -58,7 +60,7 @@ class LayerWriter {
     pace_.fill(1);
   }
 
-  /// \param pace  counts for layers that follow.
+  /// Sets the speeds of the layers that follow.
   void setPace(const Paces& pace) { pace_ = pace; }
   void write(const FileLayer& layer);
   [[nodiscard]] const OrientedLength& oriented() const { return oriented_; }
@@ -81,7 +83,7 @@ class LayerWriter {
   MotionPlans& plans_;
   Nozzle& nozzle_;
   Paces pace_;
-  const BeadPath* rimEnd_ = nullptr;  // loop of the rim that the nozzle stands at
+  const BeadPath* rimEnd_ = nullptr;  // loop of the rim at which the nozzle stands
   OrientedLength oriented_;
 };
 

@@ -9,17 +9,17 @@
 namespace sillon {
 namespace {
 
-constexpr double kNoBead = 0.01;  // [nozzle], what is thinner is meant as a thread across a gap
-constexpr double kThread = 0.02;  // [nozzle], a hair, of which each move still carries a step of E
-constexpr double kSlack = 1e-6;   // [mm], widths and points are floats
+constexpr double kNoBead = 0.01;  // [nozzle]; thinner beads are meant as threads across gaps
+constexpr double kThread = 0.02;  // [nozzle], width of a thread; thick enough that each move carries a step of E
+constexpr double kSlack = 1e-6;   // [mm], slack because widths and points are floats
 
-// From one copy to the next [mm].
+// Distance from one copy to the next, per axis [mm].
 Vec2 copyStep(const Bounds& box, const Printer& printer, const PrintParams& params) {
   const double around = 2 * params.brim * printer.nozzle + params.copyGap;
   return box.size() + Vec2{around, around};
 }
 
-// Of one copy: how far its border and its beads stick out [mm].
+// Overhang of one copy: the distance by which its border and its beads stick out over the bed [mm].
 double overhangOf(const Shape& outline, Vec2 place, const GcodeJob& job, PointUm copy, const Bed& bed) {
   double overhang = 0;
   for (const FilledPath& path : outline.paths) {
@@ -37,6 +37,7 @@ double overhangOf(const Shape& outline, Vec2 place, const GcodeJob& job, PointUm
   return overhang;
 }
 
+// Tells whether the border or a bead of one copy touches the excluded box of the bed.
 bool touchesZone(const Shape& outline, Vec2 place, const GcodeJob& job, PointUm copy, const Bed& bed) {
   for (const FilledPath& path : outline.paths) {
     for (const Ring& ring : path.rings) {
@@ -104,7 +105,7 @@ std::optional<Error> placeCycles(const Toolpath& toolpath, PointUm offset, doubl
       path.points.push_back(point);
       const bool thread = width > 0 && width < kNoBead * nozzle;
       path.widths.push_back(thread ? kThread * nozzle : std::clamp(width, low, high));
-      held.push_back(!thread && (width < low - 1e-6 || width > high + 1e-6));  // widths are floats, limits are not
+      held.push_back(!thread && (width < low - 1e-6 || width > high + 1e-6));  // slack, as widths are floats
     }
     while (path.points.size() > 1 && path.points.back() == path.points.front()) {
       path.points.pop_back();

@@ -9,22 +9,23 @@
 namespace sillon {
 namespace {
 
-constexpr double kWidthStep = 0.02;           // [mm] between moves of a bead that changes its width
-constexpr double kShortest = 0.033;           // [mm], three of them in the quarter of a spacing that points lie apart
-constexpr double kSlopeShare = 0.75;          // of the slope at which pressure advance would pull filament back
-constexpr double kAnyGrowth = 1e6;            // of widths, where they may jump
-constexpr double kRounding = 1e-6;            // so that 14.9999999 is 15
-constexpr double kLeastCurveSpeed = 5;        // [mm/s], slower nozzles drop more than they lay
-constexpr double kFeedrateHysteresis = 2;     // [mm/s], smaller gains of speed are not worth a visible step
+constexpr double kWidthStep = 0.02;           // [mm], step of width between the moves of a bead that changes it
+constexpr double kShortest = 0.033;           // [mm]; three fit into a quarter of a spacing, the distance of points
+constexpr double kSlopeShare = 0.75;          // share of the slope of widths at which pressure advance would retract
+constexpr double kAnyGrowth = 1e6;            // growth of widths where they may jump: no limit
+constexpr double kRounding = 1e-6;            // makes 14.9999999 count as 15
+constexpr double kLeastCurveSpeed = 5;        // [mm/s]; a slower nozzle drips more than it lays
+constexpr double kFeedrateHysteresis = 2;     // [mm/s]; smaller gains are not worth a visible step
 constexpr double kKlipperExtruderCorner = 1;  // [mm/s of filament], instantaneous_corner_velocity
 constexpr double kMarlinExtruderJerk = 5;     // [mm/s of filament], DEFAULT_EJERK
 
-Vec2 direction(const Motion& motion, std::size_t i) {  // of a segment; the lengths are measured
+Vec2 direction(const Motion& motion, std::size_t i) {  // unit vector along a segment; needs the lengths
   const PointUm d = motion.points[i + 1] - motion.points[i];
   const double scale = 0.001 / motion.lengths[i];
   return {static_cast<double>(d.x) * scale, static_cast<double>(d.y) * scale};
 }
 
+// Fills in the lengths of all segments.
 void measure(Motion& motion) {
   motion.lengths.resize(motion.points.size() - 1);
   for (std::size_t i = 0; i < motion.lengths.size(); ++i) {
@@ -32,6 +33,7 @@ void measure(Motion& motion) {
   }
 }
 
+// Copies the points in printing order, from vertex `start` on.
 void order(const BeadPath& path, std::size_t start, Motion& motion) {
   const std::size_t count = path.points.size();
   const std::size_t total = path.closed ? count + 1 : count;
@@ -46,7 +48,7 @@ void order(const BeadPath& path, std::size_t start, Motion& motion) {
   measure(motion);
 }
 
-// Cuts the path where it begins to coast, to the micrometre.
+// Cuts the path where it begins to coast, on the grid of the file.
 void cutForCoast(Motion& motion, double coast, bool closed) {
   motion.beads = motion.lengths.size();
   if (!closed || coast <= 0) return;
@@ -76,8 +78,8 @@ void cutForCoast(Motion& motion, double coast, bool closed) {
   }
 }
 
-// A written move has one width from end to end: a segment along which the width changes much becomes several. Together
-// they stay as long as it was, though their ends are rounded: that adds no plastic.
+// Splits segments along which the width changes much, because a written move has one width from end to end. The lengths
+// of the pieces are scaled to that of the segment, so that their rounded ends add no plastic.
 void splitWidths(Motion& motion) {
   Motion split;
   split.beads = motion.beads;
@@ -88,7 +90,7 @@ void splitWidths(Motion& motion) {
     const PointUm d = motion.points[i + 1] - motion.points[i];
     const double change = motion.widths[i + 1] - motion.widths[i];
     int pieces = 1;
-    if (std::abs(change) > kWidthStep) {  // seldom
+    if (std::abs(change) > kWidthStep) {  // rarely true
       const double wanted =
           std::min(std::ceil(std::abs(change) / kWidthStep - kRounding), std::floor(motion.lengths[i] / kShortest));
       pieces = std::max(1, static_cast<int>(wanted));
@@ -120,6 +122,7 @@ void splitWidths(Motion& motion) {
   motion = std::move(split);
 }
 
+// Fills in the area that each segment covers, from its length and the mean of its widths.
 void setAreas(Motion& motion) {
   motion.areas.resize(motion.lengths.size());
   for (std::size_t i = 0; i < motion.lengths.size(); ++i) {
@@ -127,12 +130,12 @@ void setAreas(Motion& motion) {
   }
 }
 
-// Where the two envelopes differ the widths become a blend of both, one per stretch, chosen to keep the volume there.
+// Replaces the widths where the two envelopes differ: each stretch gets one blend of both, chosen to keep its volume.
 void blend(Motion& motion, const std::vector<double>& low, const std::vector<double>& high, bool closed) {
   const std::size_t segments = motion.lengths.size();
   const std::size_t count = closed ? segments : segments + 1;
   std::vector<double>& widths = motion.widths;
-  // A closed path is walked from a smooth vertex on, so that no stretch is cut by the seam.
+  // The walk along a closed path begins at a smooth vertex, so that the seam cuts no stretch.
   std::size_t first = 0;
   while (closed && first < count && low[first] < high[first]) ++first;
   const auto at = [&](std::size_t k) { return first + k < count ? first + k : (first + k) % count; };
@@ -154,15 +157,16 @@ void blend(Motion& motion, const std::vector<double>& low, const std::vector<dou
   if (closed) widths.back() = widths.front();
 }
 
-// Holds |dw/dL| <= 0.75 w / (K v). Two envelopes keep that slope: the largest function below the widths and the
-// smallest above. They meet wherever the widths are smooth enough already, so those stay bit for bit; between, any
-// convex combination keeps the slope too, and the one of equal volume is taken, one per rough stretch.
+// Limits the slope of the widths to |dw/dL| <= 0.75 w / (K v). Two envelopes keep that slope: the largest function
+// below the widths and the smallest above. They meet wherever the widths are smooth enough already, so those stay bit
+// for bit. Elsewhere any convex combination of the two keeps the slope as well; each rough stretch takes the one of
+// equal volume.
 void limitSlope(Motion& motion, const std::vector<double>& speeds, const MotionLimits& limits, bool closed) {
   if (limits.pressureAdvance <= 0) return;
   const std::size_t segments = motion.lengths.size();
   std::vector<double>& widths = motion.widths;
   std::vector<double> growth(segments);  // largest ratio of the widths at the two ends
-  std::vector<double> shrink(segments);  // its inverse: divisions in a row take a quarter of the time of writing
+  std::vector<double> shrink(segments);  // inverse of growth; dividing instead takes a quarter of the time of writing
   bool smooth = true;
   for (std::size_t i = 0; i < segments; ++i) {
     const bool thread = std::min(widths[i], widths[i + 1]) < limits.leastBead - kRounding;
@@ -174,7 +178,7 @@ void limitSlope(Motion& motion, const std::vector<double>& speeds, const MotionL
 
   std::vector<double> low = widths;
   std::vector<double> high = widths;
-  const int rounds = closed ? 2 : 1;  // the second carries what came round to the first point
+  const int rounds = closed ? 2 : 1;  // the second round carries the envelopes past the seam
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < segments; ++i) {
       low[i + 1] = std::min(low[i + 1], low[i] * growth[i]);
@@ -197,8 +201,8 @@ void limitSlope(Motion& motion, const std::vector<double>& speeds, const MotionL
   }
 }
 
-// The angle a path heads at, along its length. It stands still in a segment's middle and changes evenly around a
-// corner, for at most half a bead's width on either side: a bead shows no more of it.
+// Heading of a path, as an angle along its length. It is constant in the middle of a segment and turns evenly around a
+// corner, within half a bead's width on either side: the bead shows no finer detail.
 class Heading {
  public:
   Heading(const Motion& motion, double width) {
@@ -215,7 +219,7 @@ class Heading {
     }
   }
 
-  /// \param knot  where the last search ended; s must not fall from call to call.
+  /// \param knot  index where the last search ended; s must not decrease from call to call.
   [[nodiscard]] double at(double s, std::size_t& knot) const {
     while (knot + 1 < knots_.size() && knots_[knot + 1].x <= s) ++knot;
     const Vec2 from = knots_[knot];
@@ -231,10 +235,10 @@ class Heading {
     return atan2Approx(static_cast<float>(cross(before, after)), static_cast<float>(dot(before, after)));
   }
 
-  std::vector<Vec2> knots_;  // length [mm], angle [radians]
+  std::vector<Vec2> knots_;  // x: length along the path [mm], y: angle [radians]
 };
 
-// Lowers the speeds in curves: v² <= a r, with the radius that the path has over one bead's width. Then evens out all
+// Lowers the speeds in curves to v² <= a r, where r is the path's mean radius over one bead's width. Then evens out the
 // speeds.
 void slowCurves(Motion& motion, const MotionLimits& limits, std::vector<double>& speeds) {
   const double acceleration = std::min(limits.curveAcceleration, limits.acceleration);
@@ -250,7 +254,7 @@ void slowCurves(Motion& motion, const MotionLimits& limits, std::vector<double>&
   const Heading heading(motion, width);
   std::vector<double> squared(segments);
   for (std::size_t i = 0; i < segments; ++i) squared[i] = speeds[i] * speeds[i];
-  // Nothing is known of the heading beyond the ends.
+  // The heading is unknown beyond the ends, so the window stays inside.
   const double first = (std::min(motion.lengths.front(), width) + width) / 2;
   const double last = total - (std::min(motion.lengths.back(), width) + width) / 2;
   double begin = 0;
@@ -263,7 +267,7 @@ void slowCurves(Motion& motion, const MotionLimits& limits, std::vector<double>&
     if (turn * squared[i] > acceleration * width) squared[i] = acceleration * width / turn;
     begin += length;
   }
-  // What is slow stays slow for a bead's width before and after: less would show as flicker, not as speed.
+  // Slow segments slow down a bead's width before and after them; shorter changes of speed would show as flicker.
   for (const bool back : {false, true}) {
     double held = 0;
     double rest = 0;
@@ -285,7 +289,7 @@ void slowCurves(Motion& motion, const MotionLimits& limits, std::vector<double>&
   }
 }
 
-// Feedrate per segment in whole mm/s, never above what flow and segment rate allow.
+// Sets the feedrate of each segment in whole mm/s, never above the limits of flow and segment rate.
 void setFeedrates(Motion& motion, const std::vector<double>& speeds, const MotionLimits& limits) {
   motion.feedrates.resize(motion.lengths.size());
   double current = 0;
@@ -300,17 +304,17 @@ void setFeedrates(Motion& motion, const std::vector<double>& speeds, const Motio
     }
     const double step = allowed < limits.speed ? std::floor(allowed + kRounding) : limits.speed;
     if (step < current || step >= current + kFeedrateHysteresis) current = step;
-    // Below 1 mm/s, which only a swarm of micrometre segments asks for, whole mm/min are the steps.
+    // Below 1 mm/s, which only dense micrometre segments need, the steps are whole mm/min.
     const double feedrate =
         current >= 1 ? std::floor(current * 60) : std::max(1.0, std::floor(allowed * 60 + kRounding));
     motion.feedrates[i] = static_cast<std::int32_t>(feedrate);
   }
 }
 
-constexpr double kUnlimited = 1e12;  // [mm²/s²]
+constexpr double kUnlimited = 1e12;  // [mm²/s²], squared speed of a corner without a limit
 
-// Square of the speed at which one axis changes by no more than Marlin's jerk. An axis that turns round counts with its
-// faster side, as in Marlin, not with both.
+// Squared speed at which no axis changes by more than Marlin's jerk. An axis that reverses counts with its faster side,
+// as in Marlin, and not with the sum of both.
 double jerkSpeedSquared(Vec2 before, Vec2 after, const MotionLimits& limits) {
   const auto change = [](double a, double b) {
     return a * b >= 0 ? std::abs(b - a) : std::max(std::abs(a), std::abs(b));
@@ -320,7 +324,7 @@ double jerkSpeedSquared(Vec2 before, Vec2 after, const MotionLimits& limits) {
   return most * most * kUnlimited <= jerk * jerk ? kUnlimited : jerk * jerk / (most * most);
 }
 
-// Square of the highest speed through the corner between two unit directions.
+// Squared highest speed through the corner between two unit directions: Klipper's junction deviation, or jerk.
 double cornerSpeedSquared(Vec2 before, Vec2 after, double shorter, const MotionLimits& limits) {
   if (limits.flavor != GcodeFlavor::Klipper) return jerkSpeedSquared(before, after, limits);
   const double cosine = dot(before, after);
@@ -332,25 +336,25 @@ double cornerSpeedSquared(Vec2 before, Vec2 after, double shorter, const MotionL
   return std::min(deviation, 0.5 * shorter * limits.acceleration / tangent);
 }
 
-// Square of the speed at which a path sets off or stops: none for Klipper, the jerk for the others.
+// Squared speed at which a path starts or stops: 0 for Klipper, the jerk for the others.
 double endSpeedSquared(Vec2 heading, double speed, const MotionLimits& limits) {
   if (limits.flavor == GcodeFlavor::Klipper) return 0;
   return std::min(speed * speed, jerkSpeedSquared({}, heading, limits));
 }
 
-// Trapezoids with look-ahead, from rest to rest.
+// Times all segments by trapezoidal speed profiles with look-ahead, from rest to rest.
 void setSeconds(Motion& motion, const MotionLimits& limits) {
   const std::size_t segments = motion.lengths.size();
   const double bead = limits.filamentArea > 0 ? limits.flow * limits.layerHeight / limits.filamentArea : 0;
   const double extruderStep = limits.flavor == GcodeFlavor::Klipper ? kKlipperExtruderCorner : kMarlinExtruderJerk;
-  std::vector<double> squared(segments + 1, 0.0);  // of the speed at each point
+  std::vector<double> squared(segments + 1, 0.0);  // squared speed at each point
   Vec2 before;
   double speedBefore = 0;
   double feedBefore = 0;
   for (std::size_t i = 0; i < segments; ++i) {
     const Vec2 heading = direction(motion, i);
     const double speed = motion.feedrates[i] / 60.0;
-    const double feed = bead * motion.areas[i] / motion.lengths[i];  // filament per mm
+    const double feed = bead * motion.areas[i] / motion.lengths[i];  // mm of filament per mm
     if (i > 0) {
       const double slower = std::min(speed, speedBefore);
       const double shorter = std::min(motion.lengths[i], motion.lengths[i - 1]);

@@ -10,8 +10,8 @@
 namespace sillon {
 namespace {
 
-constexpr double kWipeLength = 3;  // [mm]
-constexpr double kLiftSpeed = 10;  // [mm/s], what Z axes take without complaint
+constexpr double kWipeLength = 3;  // [mm], length of a wipe
+constexpr double kLiftSpeed = 10;  // [mm/s]; every Z axis takes this speed
 
 }  // namespace
 
@@ -46,12 +46,13 @@ MotionLimits Nozzle::machineLimits() const {
   return limits;
 }
 
-// The number after E. \param amount  [0.00001 mm]
+// Writes the number after E, absolute or relative. \param amount  [0.00001 mm]
 void Nozzle::extrude(std::int64_t amount) {
   e_ += amount;
   out_.scaled(printer_.absoluteE ? e_ : amount, 5);
 }
 
+// Moves filament alone, without the nozzle. \param length  below 0 to draw back [mm].
 void Nozzle::filamentMove(double length) {
   const std::int64_t amount = std::llround(length * 1e5);
   if (amount == 0) return;
@@ -80,7 +81,7 @@ void Nozzle::approach(const std::vector<PointUm>& way, double top) {
     if (point + shift_ != points.back()) points.push_back(point + shift_);
   }
   if (points.size() > 1) seconds_ += travelSeconds(points, printer_.travelSpeed, machineLimits());
-  if (points.size() == 1) points.push_back(at_);  // a host sees where it begins
+  if (points.size() == 1) points.push_back(at_);  // a travel to the same place shows hosts where the bead begins
   for (std::size_t k = 1; k < points.size(); ++k) moveTo(points[k], printer_.travelSpeed);
   moveZ(top);
   clearance_ = 0;
@@ -103,11 +104,12 @@ void Nozzle::leave(const Motion& motion, double speed, double top, bool retractO
     if (target != points.back()) points.push_back(target);
   }
   wipe(points, speed, std::max(0.0, printer_.retractLength - retracted_));
-  retract();  // what a path of no length has left
+  retract();  // draws back here if the path was too short to wipe
   moveZ(top + printer_.lift);
 }
 
-// \param points  from where the nozzle stands. \param retraction  drawn back evenly along them [mm of filament].
+// Wipes along points, beginning where the nozzle stands, and retracts evenly on the way. It slows down if the extruder
+// could not keep up. \param retraction  [mm of filament].
 void Nozzle::wipe(const std::vector<PointUm>& points, double speed, double retraction) {
   std::vector<double> along{0};
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -136,8 +138,8 @@ void Nozzle::wipe(const std::vector<PointUm>& points, double speed, double retra
   seconds_ += travelSeconds(points, speed, machineLimits());
 }
 
-// One path of beads. What rounding takes from one E the next one brings. Each move brings something: threads across
-// gaps need less than the last digit, but a move without filament would be a travel inside of a path.
+// E carries its rounding error over to the next move. Every move brings at least one step of E: threads across gaps
+// need less, but a move without filament would be read as a travel inside the path.
 void Nozzle::bead(const Motion& motion, double flow, double height) {
   const double perArea = flow * height / filamentArea(printer_.filamentDiameter);
   for (std::size_t i = 0; i < motion.beads; ++i) {
@@ -174,7 +176,7 @@ void Nozzle::fan(double percent) {
   out_ << "M106 S" << std::to_string(value) << "\n";
 }
 
-// F is modal: written only when it changes, at the end of a move.
+// Ends a move. F is modal, so it is written only when it changes.
 void Nozzle::feedrate(std::int64_t mmPerMin) {
   if (mmPerMin != feedrate_) {
     feedrate_ = mmPerMin;

@@ -1,4 +1,4 @@
-// Follows the nozzle from move to move: text, place, filament and time. All times are from rest to rest between paths.
+// The nozzle from move to move: its text, place, filament and time. Every path is timed from rest to rest.
 #pragma once
 
 #include <cmath>
@@ -11,53 +11,54 @@
 
 namespace sillon {
 
+/// The nozzle of a job. It writes moves, and sums up their time and filament.
 class Nozzle {
  public:
-  /// \param sink  null: only the time counts, and nothing is written.
+  /// \param sink  null: the time is summed, and nothing is written.
   Nozzle(const Printer& printer, const GcodeSink* sink)
       : printer_(printer), out_(sink), silent_(sink == nullptr), zOffset_(std::llround(printer.zOffset * 1000)) {}
 
-  /// For commands that move nothing.
+  /// Output for commands that move nothing.
   ChunkedOutput& out() { return out_; }
   [[nodiscard]] const ChunkedOutput& out() const { return out_; }
 
-  /// \param seconds  the whole print takes, of which progress is told.
+  /// \param seconds  time of the whole print, for progress().
   void expect(double seconds) { expectedSeconds_ = seconds; }
-  /// M73. Beads tell it by themselves, at each percent.
+  /// Writes the progress (M73). bead() does so by itself at each percent.
   void progress();
 
-  /// Straight up or down, to a height above the bed [mm]. The printer's zOffset is added only to what is written.
+  /// Moves straight up or down to a height above the bed [mm]. The printer's zOffset is added in the text only.
   void moveZ(double z);
   void travel(PointUm target, double speed);
-  /// Over what stands in the way, down to a layer, with filament at the tip.
-  /// \param way  of the first copy, up to where a bead begins. \param top  of the layer [mm].
+  /// Travels above all that stands in the way, goes down to a layer and brings the filament back to the tip.
+  /// \param way  places on the first copy, the last one where a bead begins. \param top  top of the layer [mm].
   void approach(const std::vector<PointUm>& way, double top);
-  /// One path of beads of the first copy, from its first point. \param height  of the layer [mm].
+  /// Lays one path of beads of the first copy, from its first point. \param height  height of the layer [mm].
   void bead(const Motion& motion, double flow, double height);
-  /// Retract, wipe back along the path, lift: the nozzle leaves the plate clean and never crosses it low.
-  /// \param retractOnTheWay  draws back while it wipes: standing still it would leave a dot.
+  /// Retracts, wipes back along the path and lifts, so that the nozzle leaves the plate clean and never crosses it low.
+  /// \param retractOnTheWay  retracts while it wipes, because it would leave a dot standing still.
   void leave(const Motion& motion, double speed, double top, bool retractOnTheWay = false);
-  /// Draws back what is missing to the printer's retraction: a start block may have drawn back already.
+  /// Retracts by what is missing from the printer's retraction; a start block may have drawn back some already.
   void retract();
   void unretract();
-  /// \param percent  of its speed; written when it changes.
+  /// Sets the fan; written only when it changes. \param percent  share of its full speed.
   void fan(double percent);
   [[nodiscard]] double fanPercent() const { return fan_ * 100.0 / 255; }
-  /// Axes that count from the start of the print go back to 0: firmwares count in 32 bit floats.
+  /// Sets an absolute E axis back to 0, because firmwares count it in 32-bit floats, which lose digits as it grows.
   void restartAxis();
 
-  /// The next travel passes over plates of this height [mm].
+  /// Makes the next travel pass over plates of this height [mm].
   void passOver(double height) { clearance_ = height; }
-  /// \param shift  from the first copy to the one that is printed.
+  /// Chooses the copy that is printed. \param shift  from the first copy to that one.
   void standAt(PointUm shift) { shift_ = shift; }
-  /// \param length  that is drawn back already [mm of filament].
+  /// Notes that filament is drawn back already. \param length  [mm of filament].
   void isRetracted(double length) { retracted_ = length; }
-  /// What follows begins without a residue of filament from rounding.
+  /// Drops the residue of filament that rounding left, so that what follows begins without it.
   void dropResidue() { filament_ = filamentMm(); }
 
-  /// What the printer allows without beads.
+  /// Limits of moves without beads.
   [[nodiscard]] MotionLimits machineLimits() const;
-  /// Its place over the first copy, whichever is printed.
+  /// Place of the nozzle, moved back to the first copy.
   [[nodiscard]] PointUm at() const { return at_ - shift_; }
   [[nodiscard]] double z() const { return static_cast<double>(z_) / 1000; }
   [[nodiscard]] double seconds() const { return seconds_; }
@@ -75,19 +76,19 @@ class Nozzle {
   ChunkedOutput out_;
   bool silent_;
   std::int64_t zOffset_;  // [µm]
-  int fan_ = -1;          // [0..255] as written
+  int fan_ = -1;          // last written value of M106 [0..255]; -1: none yet
   double expectedSeconds_ = 0;
   double seconds_ = 0;
-  double nextProgress_ = 0;  // [s]
+  double nextProgress_ = 0;  // time of the next M73 [s]
   PointUm at_;
-  PointUm shift_;                     // of the copy that is printed
+  PointUm shift_;                     // offset of the printed copy from the first one
   double clearance_ = 0;              // [mm], height of the plates that the next travel passes over
   std::int64_t z_ = -1;               // [µm]; -1: not known yet
   std::int64_t feedrate_ = 0;         // [mm/min]
-  double retracted_ = 0;              // [mm]
-  double filament_ = 0;               // [mm], exact
-  std::int64_t filamentWritten_ = 0;  // [0.00001 mm]
-  std::int64_t e_ = 0;                // where the file's E axis stands [0.00001 mm]
+  double retracted_ = 0;              // filament drawn back [mm]
+  double filament_ = 0;               // filament extruded, exact [mm]
+  std::int64_t filamentWritten_ = 0;  // filament extruded, as written [0.00001 mm]
+  std::int64_t e_ = 0;                // value of the file's E axis [0.00001 mm]
   std::int64_t moves_ = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace sillon {
 namespace {
 
-// Where a copy stands, for maps of the bed.
+// Centre and outline of a copy, in Klipper's words, for maps of the bed.
 std::string place(const GcodeJob& job, std::size_t copy) {
   const Vec2 lo = job.firstPlate.min + mm(job.copies[copy]);
   const Vec2 hi = job.firstPlate.max + mm(job.copies[copy]);

@@ -13,8 +13,8 @@ namespace sillon {
 namespace {
 
 constexpr double kMostNodes = 4e6;
-constexpr double kTolerance = 0.005;  // [mm], of points left out
-constexpr double kLongest = 2;        // [mm], so that speeds can follow
+constexpr double kTolerance = 0.005;  // [mm], distance of omitted points from the loop
+constexpr double kLongest = 2;        // [mm], longest piece of a loop, so that speeds can follow
 
 }  // namespace
 
@@ -33,18 +33,19 @@ Result<std::vector<Polyline>> offsetLoops(const Shape& shape, double first, doub
   lattice.origin = box.min - Vec2{reach + lattice.cell, reach + lattice.cell};
 
   const RunContext run(1);
-  // Blocks twice as large as for this lattice: with a quarter as many of them, half of the time for a detailed border.
+  // Blocks are twice as large as this lattice needs: with a quarter as many of them, a detailed border takes half the
+  // time.
   const Grid coarse{lattice.origin, 2 * lattice.cell, lattice.nx / 2 + 1, lattice.ny / 2 + 1};
   const Result<BorderIndex> border = buildBorderIndex(outline.value(), coarse, run);
   if (!border) return border.error();
-  // The loops' own samples are those beside their levels.
+  // Distances are only needed near the levels of the loops.
   const Result<std::vector<float>> measured =
       bandDistance(shape, border.value(), lattice,
                    static_cast<float>(std::max(std::abs(first), std::abs(last)) + 2 * lattice.cell), run);
   if (!measured) return measured.error();
   const std::vector<float>& distance = measured.value();
   std::vector<float> values(distance.size());
-  // Distances far outside: plain linear roots, no waves.
+  // All points count as far outside, so that contourCycles takes linear roots and not those of a wave.
   const std::vector<float> far(values.size(), 1e9F);
   std::vector<Polyline> own;
   for (std::vector<Polyline>* loops : {&own, second}) {

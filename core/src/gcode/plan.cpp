@@ -14,12 +14,12 @@
 namespace sillon {
 namespace {
 
-constexpr double kMinFlowSpeed = 5;  // [mm/s], slower than this the hot end is the wrong one
-constexpr double kMinArea = 1e-6;    // [mm²], less is rounding
+constexpr double kMinFlowSpeed = 5;  // [mm/s]; a hot end that allows less is too small for the job
+constexpr double kMinArea = 1e-6;    // [mm²]; a smaller area is rounding
 
 std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
 
-// The hot end must melt the widest bead at a speed worth printing.
+// Checks that the hot end can melt the widest bead at a speed worth printing.
 std::optional<Error> checkFlow(const GcodeJob& job, const Printer& printer, const PrintParams& params) {
   double widest = 0;
   for (const BeadPath& path : job.cycles) {
@@ -43,22 +43,24 @@ std::optional<Error> checkFlow(const GcodeJob& job, const Printer& printer, cons
                  " mm2 need at least " + decimal(kMinFlowSpeed * area, 3) + " to print at 5 mm/s");
 }
 
-// Nothing goes down to the bed where a print stands: no skirt, no purge line. Homing does, and is not ours to change.
+// Warns of a print on the bed: there is no skirt and no purge line, because the nozzle must not go down to the bed.
+// Homing, in the user's start block, may still do so.
 void warnAbovePrint(GcodeJob& job, const Printer& printer, const PrintParams& params, const Bounds& beads) {
   job.warn(WarningCode::PrintOnBed, {{"height", params.startHeight}});
-  // What a macro does is not told.
+  // A macro may prime the nozzle; its commands are unknown.
   if (!primesItself(printer, params, beads) && !runsStartMacro(printer.startGcode))
     job.warn(WarningCode::NotPrimedAbovePrint);
 }
 
-// Of the bed, or near it: nothing is printed there.
+// A corner of the bed, or its front if it is round, where nothing is printed.
 PointUm corner(const Printer& printer) {
   const Bed bed(printer);
   if (printer.roundBed) return rounded(bed.centre() - Vec2{0, 0.9 * bed.radius()});
   return rounded(printer.bedMin + Vec2{1, 1});
 }
 
-// Seen from below, a plate is its mirror image; only shapes that are their own can show the same on both sides.
+// Places the cycles that face the bed. Seen from below, a plate is its mirror image, so the shape must equal its own
+// mirror image to show the same on both sides.
 Result<std::vector<BeadPath>> bedCycles(const Toolpath& given, const Shape& givenShape, const PlateTransform& turn,
                                         const ShapeScan& inside, PointUm offset, const Printer& printer) {
   const Bounds box = bounds(givenShape);
@@ -77,13 +79,14 @@ Result<std::vector<BeadPath>> bedCycles(const Toolpath& given, const Shape& give
   return std::move(placedCycles.paths);
 }
 
-// Without pressure advance the extruder lags behind every change of speed: beads are thick where the nozzle slows down
-// and thin where it sets off. Slow and constant is even. Klipper and RepRapFirmware have it in their own settings.
+// Chooses the speed of oriented layers. Without pressure advance the extruder lags behind every change of speed: beads
+// are thick where the nozzle slows down and thin where it speeds up. A slow, constant speed keeps them even. Klipper
+// and RepRapFirmware keep pressure advance in their own settings.
 void setShowSpeed(GcodeJob& job, const Printer& printer, double cyclesMm, const PrintParams& params) {
   const bool own = printer.flavor == GcodeFlavor::Klipper || printer.flavor == GcodeFlavor::RepRap;
   job.knowsAdvance = own || printer.setPressureAdvance || setsPressureAdvance(job.startBlock);
   job.showSpeed = printer.showSpeed > 0 ? printer.showSpeed : printer.speed;
-  const bool unused = !job.patches.empty() && cyclesMm == 0;  // all patches have speeds of their own
+  const bool unused = !job.patches.empty() && cyclesMm == 0;  // all patches set their own speeds
   if (job.knowsAdvance || unused || printer.showSpeed > 0 || job.showSpeed <= kEvenSpeed) return;
   job.showSpeed = kEvenSpeed;
   const double length = cyclesMm * (layersBelowRim(params) - params.base) * static_cast<double>(job.copies.size());
@@ -92,6 +95,7 @@ void setShowSpeed(GcodeJob& job, const Printer& printer, double cyclesMm, const 
            {{"speed", kEvenSpeed}, {"minutes", std::ceil(minutes)}, {"asked", printer.speed}});
 }
 
+// Adds the warnings about settings and beads that are allowed but unusual.
 void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& params) {
   const double d = printer.filamentDiameter;
   if (std::abs(d - 1.75) > 0.1 && std::abs(d - 2.85) > 0.15) {
@@ -111,7 +115,7 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
   std::int64_t flat = 0;
   for (const BeadPath& path : job.cycles) {
     flat += std::count_if(path.widths.begin(), path.widths.end(), [&](double w) {
-      return w <= params.layerHeight && w >= kLeastBead * printer.nozzle - 1e-6;  // threads are no beads
+      return w <= params.layerHeight && w >= kLeastBead * printer.nozzle - 1e-6;  // threads do not count
     });
   }
   if (flat > 0) {
@@ -129,7 +133,7 @@ void addWarnings(GcodeJob& job, const Printer& printer, const PrintParams& param
   }
 }
 
-// Box around all copies of what is on the bed, which must fit it; the first plate's box stays in the job.
+// Finds the box around all copies and checks that it fits on the bed. The box of the first plate is stored in the job.
 Result<Bounds> fittedBox(GcodeJob& job, const Shape& shape, const Bounds& shapeBox, PointUm offset,
                          const Printer& printer) {
   Bounds box{shapeBox.min + mm(offset), shapeBox.max + mm(offset)};
@@ -148,13 +152,13 @@ Result<Bounds> fittedBox(GcodeJob& job, const Shape& shape, const Bounds& shapeB
   return box;
 }
 
-// The shape as base layers, brims and rims see it: one body where paths touch, as in the oriented layers.
+// The shape for base layers, brims and rims: paths that touch are united into one body, as in the oriented layers.
 Result<Shape> bodyOf(const Shape& shape, const PrintParams& params) {
   const bool filled = params.base > 0 && params.basePattern != BasePattern::Same;
   return filled || params.brim > 0 || params.rim > 0 ? unitedOnGrid(shape) : shape;
 }
 
-// What is laid around the plates, and what comes before and after them.
+// Adds the skirt and the purge line around the plates, and the blocks before and after them.
 std::optional<Error> addSurroundings(GcodeJob& job, const Bounds& box, const Printer& printer,
                                      const PrintParams& params) {
   if (beginsOnBed(params)) {
@@ -266,7 +270,7 @@ Result<GcodeJob> preparePatchJob(const PatchPlate& plate, const Printer& printer
   job.spacing = printer.nozzle;
   job.plate = shapeBox.size();
   const PointUm offset = placement(shapeBox, printer, params);
-  double lengthOfAll = 0;  // [mm] at the job's own speed
+  double lengthOfAll = 0;  // [mm], length printed at the job's speed
   for (const Patch& patch : plate.patches) {
     PlacedPatch placedPatch{patch, {}};
     placedPatch.how.lines.clear();

@@ -12,6 +12,7 @@ struct Rotation {
   double sin;
 };
 
+// Cosine and sine of an angle; quarter turns are exact.
 Rotation rotation(double degrees) {
   const double quarters = degrees / 90;
   if (quarters == std::floor(quarters)) {

@@ -11,11 +11,11 @@
 namespace sillon {
 namespace {
 
-constexpr double kSameHeight = 1e-4;  // [mm], a tenth of what files tell
-constexpr double kMargin = 1;         // [mm] around the page: beads may reach a little over the shape
-constexpr float kWidestTold = 100;    // [mm], of a move too short to tell its width
+constexpr double kSameHeight = 1e-4;  // [mm], a tenth of the last digit of Z in files
+constexpr double kMargin = 1;         // [mm] around the page, as beads may reach a little beyond the shape
+constexpr float kWidestTold = 100;    // [mm], limit for moves too short to tell their width
 
-/// Collects the beads of the layer that is seen.
+/// Collects the beads of the visible layer.
 class ReadBackLayer {
  public:
   ReadBackLayer(const Shape& shape, const Printer& printer, const PrintParams& params, double spacing)
@@ -59,7 +59,7 @@ class ReadBackLayer {
   [[nodiscard]] bool onPage(Vec2 p) const {
     return p.x > -kMargin && p.y > -kMargin && p.x < page_.x + kMargin && p.y < page_.y + kMargin;
   }
-  /// A path that does not end where it began is open: its last point is one more.
+  /// Ends the current path. One that does not end where it began is open, and keeps its last point.
   void close() {
     if (toolpath_.cycles.empty()) return;
     Cycle& cycle = toolpath_.cycles.back();

@@ -1,4 +1,4 @@
-// The side of a plate that is seen, as its finished G-code lays it.
+// The visible side of a plate, read back from its finished G-code.
 #pragma once
 
 #include <string_view>
@@ -10,10 +10,10 @@
 
 namespace sillon {
 
-/// Follows a file of writeGcode as a printer would and takes the oriented layer of the first copy that is seen: the
-/// lowest for ShowSide::Bed, else the highest. Its beads come back on the page, unturned and unmirrored, each move with
+/// Follows a file of writeGcode as a printer would and returns the visible oriented layer of the first copy: the lowest
+/// one for ShowSide::Bed, else the highest. Its beads lie on the page again, unturned and unmirrored, and each move has
 /// the width that its filament fills, so that they can be judged like the toolpath that was written.
-/// \param shape, printer, params  as they were written with. \param spacing  tau [mm], of the toolpath.
+/// \param shape, printer, params  as given to writeGcode. \param spacing  spacing tau of the toolpath [mm].
 /// \return InvalidFile if there is no oriented layer in it.
 Result<Toolpath> readBack(std::string_view gcode, const Shape& shape, const Printer& printer, const PrintParams& params,
                           double spacing);

@@ -11,12 +11,13 @@
 namespace sillon {
 namespace {
 
-constexpr double kInset = 0.02;  // [mm], more than loops are off their distance: no bead may stick out
+constexpr double kInset = 0.02;  // [mm] beyond half a line; more than the error of offsetLoops: no bead may stick out
 constexpr int kMaxLoops = 1000;
-constexpr double kStraight = 5;      // [mm] that the nozzle goes straight: from one loop to its neighbour
-constexpr std::size_t kSought = 16;  // places around a loop from which its closest point to another is sought
-constexpr std::size_t kSeams = 21;   // places around a border at which its layers begin in turn
+constexpr double kStraight = 5;      // [mm]; shorter travels go straight, such as those from one loop to its neighbour
+constexpr std::size_t kSought = 16;  // places around a loop where a search for its closest point to another starts
+constexpr std::size_t kSeams = 21;   // places around a border at which its layers begin, in turns
 
+// Index of the point of a path that is nearest to p.
 std::size_t nearestPoint(const BeadPath& path, PointUm p) {
   const auto distance = [p](PointUm a) { return dot(wide(a - p), wide(a - p)); };
   const auto nearest = std::min_element(path.points.begin(), path.points.end(),
@@ -24,7 +25,7 @@ std::size_t nearestPoint(const BeadPath& path, PointUm p) {
   return static_cast<std::size_t>(nearest - path.points.begin());
 }
 
-// From a point to the nearest place of a closed line [mm].
+// Distance from a point to a closed line [mm].
 double distanceTo(const BeadPath& loop, PointUm point) {
   const Vec2 p = mm(point);
   double least = std::numeric_limits<double>::infinity();
@@ -39,7 +40,7 @@ double distanceTo(const BeadPath& loop, PointUm point) {
   return least;
 }
 
-// The shorter way around a loop from one of its points to another, both included.
+// Appends the shorter way around a loop from one of its points to another, both included.
 void addAlong(const BeadPath& loop, std::size_t from, std::size_t to, std::vector<PointUm>& way) {
   const std::size_t count = loop.points.size();
   double forward = 0;
@@ -54,13 +55,15 @@ void addAlong(const BeadPath& loop, std::size_t from, std::size_t to, std::vecto
   way.push_back(loop.points[to]);
 }
 
-// Points at which two loops are closest.
+// The points at which two loops are closest, as indices, and their distance.
 struct Crossing {
   std::size_t leave = 0;
   std::size_t enter = 0;
-  double length = std::numeric_limits<double>::infinity();  // [mm]
+  double length = std::numeric_limits<double>::infinity();  // distance [mm]
 };
 
+// Finds where two loops are closest, by alternating nearest points from several places; the result may be a local
+// minimum.
 Crossing crossing(const BeadPath& from, const BeadPath& to) {
   Crossing best;
   for (std::size_t k = 0; k < kSought; ++k) {
@@ -74,15 +77,16 @@ Crossing crossing(const BeadPath& from, const BeadPath& to) {
   return best;
 }
 
-// All loops of one border stand together, each next to the one before it, and begin beside it: between two loops lies
-// no way over the face.
+// Groups the loops by border. Within a group each loop follows one beside it and begins beside its start, so that no
+// travel between them crosses the face. The widest border comes first, the others by their distance from the one
+// before.
 std::vector<std::vector<BeadPath>> byBorder(std::vector<BeadPath> loops, double step) {
-  constexpr double kBeside = 1.1;  // [step]
+  constexpr double kBeside = 1.1;  // [step], largest distance of a loop from the one beside it
   const std::size_t count = loops.size();
   std::vector<std::vector<std::size_t>> inner(count);
   std::vector<std::size_t> borders;
   for (std::size_t k = 0; k < count; ++k) {
-    std::size_t outer = k;  // those that are nearer to the border come first, the last ones are the nearest
+    std::size_t outer = k;  // loops nearer to the border come first, so the search runs backwards from the nearest one
     while (outer-- > 0 && distanceTo(loops[outer], loops[k].points.front()) > kBeside * step) continue;
     std::vector<std::uint32_t>& seams = loops[k].seams;
     if (outer >= count) {

@@ -8,9 +8,9 @@
 namespace sillon {
 namespace {
 
-constexpr double kSteps = 8;  // of the flow along a scarf, at least
+constexpr double kSteps = 8;  // least number of steps in the flow along a scarf
 
-// Appends segment i of `motion` from the share `begin` to the share `end` of its length.
+// Appends the part of segment i of `motion` from the share `begin` to the share `end` of its length.
 void append(const Motion& motion, std::size_t i, double begin, double end, Motion& out) {
   const PointUm from = motion.points[i];
   const PointUm d = motion.points[i + 1] - from;
@@ -31,10 +31,10 @@ void addScarf(Motion& motion, std::vector<double>& speeds, double length) {
   for (const double piece : motion.lengths) total += piece;
   length = std::min(length, total / 4);
 
-  // Cut where the scarf ends, and into steps.
+  // Cut the path where the scarf ends, and the scarf into steps.
   Motion cut;
   std::vector<double> cutSpeeds;
-  std::size_t ramp = 0;  // segments of the scarf
+  std::size_t ramp = 0;  // number of segments in the scarf
   double along = 0;
   for (std::size_t i = 0; i < motion.lengths.size(); ++i) {
     const double piece = motion.lengths[i];
@@ -44,7 +44,7 @@ void addScarf(Motion& motion, std::vector<double>& speeds, double length) {
     if (inside * piece < 0.001) {
       append(motion, i, 0, 1, cut);
     } else {
-      // A rest of less than a micrometre could not be written.
+      // A remainder of less than a micrometre could not be written, so it joins the last step.
       const double end = (1 - inside) * piece < 0.001 ? 1 : inside;
       for (int k = 0; k < steps; ++k) append(motion, i, end * k / steps, end * (k + 1) / steps, cut);
       ramp = cut.lengths.size();

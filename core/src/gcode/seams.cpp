@@ -5,12 +5,12 @@
 namespace sillon {
 namespace {
 
-// Corners that the shape lies around, where a seam hides best: between the two sides, a little way off, is nothing.
-// None where there are very many: no seam shows among them.
+// Finds the concave corners of the shape, where a seam hides best: the point between the two sides, a little way off,
+// lies outside. Returns none if there are very many, because no seam shows among them.
 std::vector<Vec2> concaveCorners(const Shape& shape, const ShapeScan& scan) {
-  constexpr double kAway = 0.5;  // [mm]
+  constexpr double kAway = 0.5;  // [mm] from the corner to the point that is tested
   constexpr std::size_t kMost = 100;
-  constexpr double kStraight = -0.94;  // cosine between the sides; blunter corners hide nothing
+  constexpr double kStraight = -0.94;  // cosine between the sides; blunter corners hide no seam
   std::vector<Vec2> corners;
   for (const FilledPath& path : shape.paths) {
     for (const Ring& ring : path.rings) {

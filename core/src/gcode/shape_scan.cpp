@@ -7,6 +7,7 @@
 namespace sillon {
 namespace {
 
+// Tells whether a row holds x, or ends at most kOutsideTolerance before it.
 bool rowHolds(const std::vector<Interval>& row, double x) {
   const auto after = std::upper_bound(row.begin(), row.end(), x + kOutsideTolerance,
                                       [](double value, const Interval& piece) { return value < piece.begin; });
@@ -29,7 +30,7 @@ ShapeScan scanShape(const Shape& shape, const Bounds& box) {
 }
 
 bool holds(const ShapeScan& scan, Vec2 p) {
-  const double row = (p.y - scan.firstY) / scan.step + 0.5;  // counted from the lower edge of the first
+  const double row = (p.y - scan.firstY) / scan.step + 0.5;  // row number, counted from the lower edge of the first one
   return row >= 0 && row < static_cast<double>(scan.rows.size()) &&
          rowHolds(scan.rows[static_cast<std::size_t>(row)], p.x);
 }
@@ -44,7 +45,7 @@ std::int64_t countOutside(const Toolpath& toolpath, const ShapeScan& scan) {
     for (const Vec2f p : cycle.points) {
       const double at = (static_cast<double>(p.y) - scan.firstY) / scan.step;
       const double reach = kOutsideTolerance / scan.step;
-      bool found = holds(std::floor(at), p.x);  // nearly always
+      bool found = holds(std::floor(at), p.x);  // nearly always true
       for (double row = std::floor(at - reach); !found && row <= std::ceil(at + reach); ++row) found = holds(row, p.x);
       if (!found) ++outside;
     }

@@ -12,9 +12,9 @@
 namespace sillon {
 namespace {
 
-// From whatever a start block leaves to a hot nozzle that stands aside, above all that may be on the bed. It draws back
-// what is given back before the first bead, so that no thread is drawn and no bead lacks filament, whether or not the
-// block drew back itself. Waiting again costs nothing where the block has waited for the same.
+// Takes over from the start block, whatever its state: the nozzle is lifted above all that may be on the bed, goes
+// aside and is heated. Filament is retracted, unless the block did so, and given back before the first bead, so that no
+// string is drawn and no bead lacks filament. Waiting for heat again costs no time if the block has already waited.
 void takeOver(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params) {
   nozzle.out() << "G21\nG90\n" << (printer.absoluteE ? "M82" : "M83") << "\nG92 E0\nM220 S100\n";
   nozzle.isRetracted(job.startRetracted);
@@ -28,6 +28,7 @@ void takeOver(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const
   if (job.purge.points.empty()) nozzle.retract();
 }
 
+// Lays the purge line, if there is one.
 void purge(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params) {
   if (job.purge.points.empty()) return;
   MotionLimits limits = nozzle.machineLimits();
@@ -46,8 +47,9 @@ void purge(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const Pr
   nozzle.passOver(safeHeight(printer, params) - printer.lift);
 }
 
+// Restores the settings of the machine that the file has changed.
 void restoreMachine(ChunkedOutput& out, const GcodeJob& job, const Printer& printer) {
-  // Klipper knows no cap and keeps what it is told: nothing is raised there above what was set at the start.
+  // Klipper does not cap these values and keeps those of the file, so nothing is raised there after the print.
   const bool capped = printer.flavor != GcodeFlavor::Klipper;
   if (printer.setPressureAdvance && capped) {
     out << pressureAdvanceCommand(printer.flavor, 0);
@@ -65,8 +67,8 @@ void restoreMachine(ChunkedOutput& out, const GcodeJob& job, const Printer& prin
 
 void writeStart(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params) {
   writeRole(nozzle.out(), kCustomRole);
-  // A block is written for a printer that was just switched on, not for the modes that the last file left. The flow
-  // that it sets, itself or in a macro, is the owner's or the maker's, and holds for the whole print.
+  // A block is written for a printer that was just switched on, not for the modes that the last file left. A flow that
+  // the block or its macros set is the owner's or the maker's choice, and holds for the whole print.
   nozzle.out() << "G21\nG90\nM82\nM221 S100\n" << job.startBlock;
   takeOver(nozzle, job, printer, params);
   if (printer.flavor == GcodeFlavor::Klipper) {
@@ -81,13 +83,13 @@ void writeStart(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, con
 
 void writeEnd(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params) {
   endObject(nozzle.out(), job, printer.flavor, static_cast<int>(job.copies.size()) - 1);
-  // Some hosts read only the last MiB, and would take the lift for the height of the plate.
+  // Some hosts read only the last MiB, and would otherwise take the lift for the height of the plate.
   nozzle.out() << ";BEFORE_LAYER_CHANGE\n;" << decimal(layerTop(params, layerCount(params) - 1), 3) << "\n";
   writeRole(nozzle.out(), kCustomRole);
   nozzle.moveZ(std::min(highest(printer), nozzle.z() + kParkLift));
   restoreMachine(nozzle.out(), job, printer);
   if (!job.endBlock.empty()) {
-    if (printer.absoluteE) nozzle.out() << "G92 E0\n";  // a block's "G1 E-2" draws back 2 mm, wherever the axis stood
+    if (printer.absoluteE) nozzle.out() << "G92 E0\n";  // so that "G1 E-2" in the block draws back 2 mm
     nozzle.out() << job.endBlock << "M73 P100 R0\n";
     return;
   }

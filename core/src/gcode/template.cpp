@@ -13,6 +13,7 @@
 namespace sillon {
 namespace {
 
+// Replaces all that is not printable ASCII: blanks for tabs, question marks for the rest.
 std::string printable(std::string_view text) {
   std::string out(text);
   for (char& c : out) {
@@ -22,6 +23,7 @@ std::string printable(std::string_view text) {
   return out;
 }
 
+// The expansion of one block, character by character.
 class Expansion {
  public:
   Expansion(std::string_view text, const std::vector<TemplateValue>& values, std::string_view block)
@@ -33,17 +35,18 @@ class Expansion {
     while (at_ < text_.size() && !error_) next();
     if (!error_ && !branches_.empty()) refuse(branches_.back().begin, "has no {endif}");
     if (error_) return *error_;
-    // The block has left the filament drawn back, and tells its slicer to push it forward; ours begins primed.
+    // A block that leaves the filament drawn back sets e_retracted, so that its slicer pushes it forward again. The
+    // print begins primed, so the filament is pushed forward here.
     if (const std::string& pulled = own_[0].values[0]; pulled != "0") out_ += "\nG92 E0\nG1 E" + pulled + " F1500";
     return std::move(out_);
   }
 
  private:
-  // An {if}.
+  // An {if} that is open.
   struct Branch {
     std::size_t begin;
-    bool shown;  ///< this part of it
-    bool done;   ///< one of its parts was shown, or none can be
+    bool shown;  ///< the current branch is shown
+    bool done;   ///< a branch was shown already, or none can be
   };
 
   [[nodiscard]] bool shown() const { return branches_.empty() || branches_.back().shown; }
@@ -62,7 +65,7 @@ class Expansion {
     if (shown()) out_ += value;
   }
 
-  // What stands for no value: as it is in a comment, and an error elsewhere.
+  // Handles a bracket that stands for no value: it is kept in a comment, and an error elsewhere.
   void leave(std::size_t end) {
     if (!shown()) {
       at_ = end;
@@ -73,7 +76,7 @@ class Expansion {
     }
   }
 
-  // "[name[0]]" ends at the second bracket.
+  // Expands [name] or <NAME>; "[name[0]]" ends at the second bracket.
   void brackets(char close) {
     std::size_t end = text_.find_first_of(std::string{close, '\n'}, at_ + 1);
     if (close == ']' && end != npos && text_.substr(at_ + 1, end - at_ - 1).find('[') != npos) {
@@ -87,7 +90,7 @@ class Expansion {
     at_ = end + 1;
   }
 
-  // Statements between semicolons, and branches; several may stand in one pair of braces.
+  // Expands {...}: statements between semicolons, and branches; one pair of braces may hold several.
   void braces() {
     std::string_view rest = text_.substr(at_ + 1);
     if (rest.starts_with('}')) return leave(at_ + 2);
@@ -111,10 +114,11 @@ class Expansion {
     }
     const std::size_t end = text_.size() - rest.size();
     for (; at_ <= end; ++at_) {
-      if (text_[at_] == '\n') out_ += '\n';  // so that lines keep their numbers
+      if (text_[at_] == '\n') out_ += '\n';  // line breaks stay, so that lines keep their numbers
     }
   }
 
+  // Returns the branch keyword that a text begins with; empty if there is none.
   static std::string_view branchWord(std::string_view text) {
     const std::size_t size = std::min(text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789"), text.size());
     const std::string_view word = text.substr(0, size);
@@ -122,11 +126,12 @@ class Expansion {
     return known ? word : std::string_view();
   }
 
+  // Tells whether a statement can end before this text.
   static bool ends(std::string_view text) {
     return text.empty() || text[0] == '}' || text[0] == ';' || !branchWord(text).empty();
   }
 
-  // Skips what does not count, up to the next statement or branch. Texts and patterns may hold anything.
+  // Skips a statement that is not run, up to the next statement or branch. Quoted texts and patterns may hold anything.
   static void skip(std::string_view& rest) {
     for (char before = ' '; !ends(rest);) {
       const char c = rest[0];
@@ -142,6 +147,7 @@ class Expansion {
     }
   }
 
+  // Handles a branch keyword: if, then, elsif, else or endif.
   void branch(std::string_view head, std::string_view& rest) {
     if (head == "then") return;
     if (head == "if") {
@@ -164,6 +170,7 @@ class Expansion {
     }
   }
 
+  // Evaluates the condition of an if or elsif, and shows its branch if it holds.
   void choose(std::string_view& rest) {
     const std::optional<std::string> value = statement(rest, values_, own_);
     const bool yes = value == "true" || value == "1";
@@ -173,6 +180,7 @@ class Expansion {
     branches_.back().shown = branches_.back().done = yes;
   }
 
+  // Sets the error message, with the line and the text that begins at `begin`.
   void refuse(std::size_t begin, const char* why) {
     const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
     std::string_view whole = text_.substr(begin, text_.find_first_of("}]>\n", begin) - begin);
@@ -191,7 +199,7 @@ class Expansion {
   std::size_t at_ = 0;
   bool comment_ = false;
   std::vector<Branch> branches_;
-  std::vector<TemplateValue> own_;  // e_retracted, and what the block sets: {local ...}
+  std::vector<TemplateValue> own_;  // e_retracted, and the variables that the block sets: {local ...}
   std::string out_;
   std::optional<Error> error_;
 };
@@ -203,7 +211,7 @@ std::vector<TemplateValue> templateValues(const Printer& printer, const PrintPar
   const auto whole = [](double value) { return std::vector<std::string>{fixed(value, 0)}; };
   const auto number = [](double value) { return std::vector<std::string>{decimal(value, 3)}; };
   const int layers = layerCount(params);
-  std::vector<std::string> used(16, "false");  // by tool
+  std::vector<std::string> used(16, "false");  // one per tool
   used[0] = "true";
   return {
       {{"first_layer_temperature", "nozzle_temperature_initial_layer", "material_print_temperature_layer_0",
@@ -237,7 +245,7 @@ std::vector<TemplateValue> templateValues(const Printer& printer, const PrintPar
       {{"print_bed_size"}, pair(printer.bedMax - printer.bedMin), false},
       {{"travel_speed"}, number(printer.travelSpeed), false},
       {{"z_offset"}, number(printer.zOffset), false},
-      {{"zhop"}, {"0"}, false},  // at the beginning of a block
+      {{"zhop"}, {"0"}, false},  // no lift at the beginning of a block
       {{"filament_max_volumetric_speed"}, number(printer.maxFlow), false},
   };
 }
@@ -250,8 +258,8 @@ Result<std::string> expandTemplate(std::string_view text, const std::vector<Temp
   for (std::string_view rest = out.value(); !rest.empty();) {
     std::string line(nextLine(rest));
     std::replace(line.begin(), line.end(), '\r', ' ');
-    line.resize(line.find_last_not_of(" \t") + 1);  // npos + 1 is 0
-    // A faulty line stays as it was written: printable() would hide what is wrong with it.
+    line.resize(line.find_last_not_of(" \t") + 1);  // npos + 1 is 0, for a line of blanks only
+    // A faulty line stays as it was written, because printable() would hide its fault.
     lines.append(spellingFault(line) == nullptr ? printable(line) : line) += '\n';
   }
   while (lines.size() > 1 && lines.ends_with("\n\n")) lines.pop_back();

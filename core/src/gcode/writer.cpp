@@ -17,7 +17,7 @@ namespace {
 constexpr double kManyMoves = 2e6;
 constexpr double kManyBytes = 100e6;
 
-// What is known of a file before it is written.
+// Estimate of a file before it is written: its time, and the pace of each kind of layer.
 struct Estimate {
   double seconds = 0;
   Paces pace;
@@ -25,8 +25,8 @@ struct Estimate {
   Estimate() { pace.fill(1); }
 };
 
-// Time for all copies without writing them. Layers of one kind differ by the seam only, so one of each is planned, and
-// those that are too short for the plastic to set are slowed.
+// Estimates the time of all copies without writing them. Layers of one kind differ by the seam only, so one of each
+// kind is planned. Layers too short for the plastic to set are slowed.
 Estimate estimateFile(const GcodeJob& job, const Printer& printer, const PrintParams& params, MotionPlans& plans) {
   std::array<double, kLayerKinds> known;
   known.fill(-1);
@@ -46,7 +46,7 @@ Estimate estimateFile(const GcodeJob& job, const Printer& printer, const PrintPa
       const FileLayer layer = layerAt(params, copy, i);
       const std::size_t kind = kindOf(layer);
       double& seconds = known[kind];
-      if (layer.oriented && !job.patches.empty()) {  // each layer its own, at the speeds it asks for
+      if (layer.oriented && !job.patches.empty()) {  // patches differ per layer, and keep their own speeds
         estimate.seconds += timeOf(layer);
         continue;
       }
@@ -63,6 +63,7 @@ Estimate estimateFile(const GcodeJob& job, const Printer& printer, const PrintPa
   return estimate;
 }
 
+// Sums up a finished file, with warnings about its speed and size.
 GcodeSummary summaryOf(const Nozzle& nozzle, const OrientedLength& oriented, const GcodeJob& job,
                        const Printer& printer, const PrintParams& params) {
   GcodeSummary summary;
@@ -91,6 +92,7 @@ GcodeSummary summaryOf(const Nozzle& nozzle, const OrientedLength& oriented, con
   return summary;
 }
 
+// Writes a prepared job: header, start, layers, end and footer.
 Result<GcodeSummary> writeFile(const GcodeJob& job, const Printer& printer, const PrintParams& params,
                                const GcodeSink& sink) {
   MotionPlans plans;
@@ -116,6 +118,7 @@ Result<GcodeSummary> writeFile(const GcodeJob& job, const Printer& printer, cons
 
 using Prepare = std::function<Result<GcodeJob>(const Printer&)>;
 
+// Prepares and writes a job with the speeds that the machine allows, and warns of those that were lowered.
 Result<GcodeSummary> write(const Prepare& prepare, const Printer& given, const PrintParams& params,
                            const GcodeSink& sink) {
   if (!sink) return Error{ErrorCode::InvalidArgument, "no sink was given to write to"};

@@ -10,8 +10,9 @@
 namespace sillon {
 namespace {
 
-constexpr double kMostCells = 4e6;
+constexpr double kMostCells = 4e6;  // greatest number of cells, one bit each: half a megabyte
 
+// Sets the bits of a row from cell `first` to cell `last`, both included.
 void fillCells(std::uint64_t* row, int first, int last) {
   std::uint64_t* word = row + first / 64;
   std::uint64_t* const end = row + last / 64;
@@ -28,6 +29,7 @@ void fillCells(std::uint64_t* row, int first, int last) {
 BeadRaster::BeadRaster(const Bounds& box, double finest) : min_(box.min) {
   const Vec2 size = box.size();
   cell_ = std::max(finest, std::sqrt(size.x * size.y / kMostCells));
+  // A box that is almost a line has hardly any area, but must not get more columns or rows either.
   cell_ = std::max({cell_, size.x / kMostCells, size.y / kMostCells});
   perMm_ = 1 / cell_;
   columns_ = static_cast<int>(size.x / cell_) + 1;

@@ -24,7 +24,7 @@ std::vector<std::string> uncheckedIn(std::string_view text, const std::optional<
   if (settings.bed.empty()) unchecked.push_back("bed");
   if (settings.maxZ <= 0) unchecked.push_back("height");
   if (settings.nozzle <= 0) unchecked.push_back("nozzle");
-  unchecked.insert(unchecked.end(), {"flow", "speed"});  // no file tells them
+  unchecked.insert(unchecked.end(), {"flow", "speed"});  // checkGcode takes them from `printer` alone
   return unchecked;
 }
 

@@ -14,18 +14,18 @@
 namespace sillon {
 namespace {
 
+// Effects of commands, from the harmless to the worst; rowOf compares them.
 enum class CommandKind {
-  Safe,        // ends with the print, or is followed by the reader
-  Outlives,    // still holds when the print is over
-  Runs,        // runs commands that stand somewhere else
-  Unfollowed,  // moves, heats or switches in a way that is not followed here
-  Files,       // files, network, other programs
+  Safe,        // its effect ends with the print, or MachineState follows it
+  Outlives,    // its effect outlasts the print
+  Runs,        // runs commands that are written elsewhere
+  Unfollowed,  // moves, heats or switches in a way that MachineState does not follow
+  Files,       // reaches files, the network or other programs
   Never,       // has no place in a print
 };
 using enum CommandKind;
 
-// Where a command is described. Each row of the table names one of these pages, on which its commands are found by
-// name.
+// Pages that describe the commands. Each row of the table names one of them, on which its commands are found by name.
 //   Marlin   https://marlinfw.org/meta/gcode/
 //   Klipper  https://www.klipper3d.org/G-Codes.html
 //   RepRap   https://docs.duet3d.com/User_manual/Reference/Gcodes
@@ -34,15 +34,16 @@ using enum CommandKind;
 //   Wiki     https://reprap.org/wiki/G-code, for older firmwares
 enum Source : unsigned { Marlin = 1, Klipper = 2, RepRap = 4, Prusa = 8, Bambu = 16, Wiki = 32 };
 
+// One row of the table: commands of the same kind and from the same page.
 struct Row {
   CommandKind kind;
-  unsigned sources;        ///< of these pages, and for the machines they are about
-  bool error;              ///< else a warning
-  std::string_view names;  ///< separated by spaces; G and M with a range: M201-M205
+  unsigned sources;        ///< bits of Source: the pages, and so the machines that the row is for
+  bool error;              ///< true: a finding about it is an error; false: a warning
+  std::string_view names;  ///< commands, separated by spaces; M201-M205 is a range
 };
 
-// Where two rows have the same command, that of the machine's own dialect counts. Such rows may differ in warnings
-// only.
+// The table of commands. If several rows have the same command, the one for the machine's own dialect counts. Such rows
+// may differ in warnings only.
 constexpr Row kRows[] = {
     // Moves, modes, homing, levelling, waiting.
     {Safe, Marlin, false, "G0-G4 G10-G12 G17 G20-G21 G27-G32 G34-G35 G60 G80 G90-G92 M82-M84 M17-M18 M400-M402 M420 T"},
@@ -56,12 +57,12 @@ constexpr Row kRows[] = {
     {Safe, Klipper, false,
      "BED_MESH_CALIBRATE BED_MESH_CLEAR QUAD_GANTRY_LEVEL Z_TILT_ADJUST SCREWS_TILT_CALCULATE SAVE_GCODE_STATE "
      "RESTORE_GCODE_STATE SET_VELOCITY_LIMIT TEMPERATURE_WAIT STATUS GET_POSITION M204 M220-M221"},
-    // Heaters and fans: their targets are judged by value.
+    // Heaters and fans, whose targets are judged by value.
     {Safe, Marlin, false, "M104 M109 M140-M141 M190-M192 M106-M107 M123 M144 M155 M105 M114-M115 M119 M122"},
     {Safe, RepRap, false, "M568 M135"},
     {Safe, Prusa, false, "M142 M410.1"},
     {Safe, Klipper, false, "SET_HEATER_TEMPERATURE TURN_OFF_HEATERS SET_FAN_SPEED SET_TEMPERATURE_FAN_TARGET"},
-    // How it prints until the next file says otherwise.
+    // Settings of printing that hold until the next file changes them.
     {Safe, Marlin, false,
      "M200-M205 M207-M209 M220-M221 M217 M302 M412-M413 M425 M486 M493 M572 M592-M593 M600-M603 M605 M851.1 M900 M569"},
     {Safe, RepRap, false, "M566-M567 M571-M572 M591-M593 M309 M309.1 M280"},
@@ -103,7 +104,7 @@ constexpr Row kRows[] = {
     {Unfollowed, Marlin, true, "G6 G53 G61 M428"},
     {Unfollowed, Marlin, false, "G33 G54-G59 G59.1-G59.9 G425"},
     {Unfollowed, RepRap, false, "G68 G93 VAR SET GLOBAL"},
-    {Unfollowed, RepRap, true, "IF ELIF ELSE WHILE"},  // their lines may run often or never
+    {Unfollowed, RepRap, true, "IF ELIF ELSE WHILE"},  // the lines below them may run many times or never
     {Unfollowed, RepRap, true, "M260-M261 M452 M574 M584-M585 M667 M669"},
     {Unfollowed, Klipper, true,
      "FORCE_MOVE SET_KINEMATIC_POSITION MANUAL_STEPPER STEPPER_BUZZ MANUAL_PROBE TESTZ SET_TMC_CURRENT "
@@ -118,7 +119,7 @@ constexpr Row kRows[] = {
      "CALL_REMOTE_METHOD ACTION_CALL_REMOTE_METHOD ACTION_RESPOND_INFO UPDATE_MANAGER"},
 
     {Never, Marlin, true, "M43 M81.1 M112 M303 M410 M502 M510-M513 M524 M575.1 M810-M819 M993-M999 D"},
-    {Outlives, Marlin, false, "M81"},  // powers off, which some end blocks do
+    {Outlives, Marlin, false, "M81"},  // switches the power off, as some end blocks do
     {Never, RepRap, true, "M143 M570 M576 M952-M953"},
     {Never, Klipper, true,
      "RESTART FIRMWARE_RESTART HOST_RESTART PID_CALIBRATE MPC_CALIBRATE PROBE_CALIBRATE DELTA_CALIBRATE "
@@ -126,6 +127,7 @@ constexpr Row kRows[] = {
      "SHAPER_CALIBRATE SHUTDOWN REBOOT CANCEL_PRINT ACCEPT ABORT SET_HEATER_PID"},
 };
 
+// The page of a dialect.
 unsigned sourceOf(GcodeFlavor flavor) {
   switch (flavor) {
     case GcodeFlavor::Klipper:
@@ -144,6 +146,7 @@ unsigned sourceOf(GcodeFlavor flavor) {
 
 using Rows = std::map<std::string, std::vector<const Row*>, std::less<>>;
 
+// Enters a row under each of its commands, and under every number of its ranges.
 void addNames(Rows& rows, const Row& row) {
   std::string_view rest = row.names;
   while (!rest.empty()) {
@@ -156,7 +159,7 @@ void addNames(Rows& rows, const Row& row) {
       rows[std::string(name)].push_back(&row);
       continue;
     }
-    // M201-M205, G38.1-G38.9
+    // Ranges count behind the letter (M201-M205) or behind the point (G38.1-G38.9).
     const std::string_view first = name.substr(0, dash);
     const std::string_view last = name.substr(dash + 1);
     const std::size_t point = first.find('.');
@@ -171,6 +174,7 @@ void addNames(Rows& rows, const Row& row) {
   }
 }
 
+// The row for a command by its name: that for the dialect, else the one of the worst kind; null: none.
 const Row* rowOf(std::string_view name, GcodeFlavor flavor) {
   static const Rows rows = [] {
     Rows made;
@@ -187,6 +191,7 @@ const Row* rowOf(std::string_view name, GcodeFlavor flavor) {
   return worst;
 }
 
+// Tells whether a command homes, or changes what later coordinates mean: units, modes, offsets.
 bool movesOrigin(const GcodeCommand& command) {
   for (const int code : {20, 28, 30, 90, 91}) {
     if (command.is('G', code)) return true;
@@ -197,6 +202,7 @@ bool movesOrigin(const GcodeCommand& command) {
   return false;
 }
 
+// The row for a command as it was read; null: none.
 const Row* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
   if (command.letter == 0) {
     const std::string name = upperCase(command.name);
@@ -210,21 +216,21 @@ const Row* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
   const std::string name = command.letter + std::to_string(command.code);
   if (command.sub != 0) {
     if (const Row* row = rowOf(name + "." + std::to_string(command.sub), flavor)) return row;
-    // Marlin runs G1.5 as G1, others do not: what it does cannot be followed.
+    // Marlin runs G1.5 as G1 and others do not, so that its effect cannot be followed.
     static constexpr Row kOfAnother{Unfollowed, 0, true, ""};
     GcodeCommand whole = command;
     whole.sub = 0;
     if (readsWords(whole) || movesOrigin(whole)) return &kOfAnother;
   }
-  // Prusa's boards read the area of the print after it (Prusa-Firmware-Buddy, M555: X Y W H), and their files do not
-  // tell them from others; RepRapFirmware a mode after P.
+  // On Prusa's boards M555 takes the area of the print (Prusa-Firmware-Buddy: X Y W H), and their files do not say that
+  // they are for these boards; on RepRapFirmware it takes a mode after P.
   if (name == "M555" && !wordsOf(command.rest).has('P')) return rowOf(name, GcodeFlavor::PrusaBuddy);
-  // Bambu's camera at the nozzle; alone it is Marlin's, which copies the flash memory.
+  // M993 with A switches the camera at Bambu's nozzle; without A it is Marlin's, which copies the flash memory.
   if (name == "M993" && flavor == GcodeFlavor::Bambu && wordsOf(command.rest).has('A')) return rowOf("M991", flavor);
   return rowOf(name, flavor);
 }
 
-// What follows is text, a file's name or a list of its own, not words.
+// Tells whether an M command is followed by text, a file's name or a list of its own instead of words.
 bool takesText(const GcodeCommand& command) {
   if (command.letter != 'M') return false;
   switch (command.code) {
@@ -249,7 +255,7 @@ bool takesText(const GcodeCommand& command) {
   }
 }
 
-// The same of names: what is shown, said or called so.
+// Tells the same of any command; the named ones show a text, send it to the host, or name an object.
 bool takesAnyText(const GcodeCommand& command) {
   if (command.letter != 0) return takesText(command);
   const std::string name = upperCase(command.name);
@@ -258,9 +264,9 @@ bool takesAnyText(const GcodeCommand& command) {
 
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-constexpr double kMostAdvance = 2.5;  // [s] of pressure advance: twice that of the longest tubes
+constexpr double kMostAdvance = 2.5;  // [s], greatest pressure advance: twice that of the longest tubes
 
-// Letters of M commands have numbers within these limits.
+// Limits for the numbers behind some letters of an M command.
 struct Limits {
   int code;
   std::string_view letters;
@@ -268,14 +274,14 @@ struct Limits {
   double high;
 };
 constexpr Limits kLimits[] = {
-    {17, "XYZE", -3, 3},  // [A] of Bambu's motors
+    {17, "XYZE", -3, 3},  // current of Bambu's motors [A]
     {92, "E", 20, 10'000},
     {201, "XYZEPRTS", 1, 200'000},
     {203, "XYZE", 0.1, 60'000},  // [mm/s], or [mm/min] for RepRapFirmware
     {204, "PRTS", 10, 200'000},
     {205, "XYZE", -200, 200},
     {205, "J", 0, 1},
-    {206, "Z", -kMostLowered, kMostLowered},  // which of its signs lowers depends on the firmware
+    {206, "Z", -kMostLowered, kMostLowered},  // firmwares differ in which sign lowers the nozzle
     {207, "S", -25, 25},
     {207, "Z", -20, 20},
     {208, "S", -5, 5},
@@ -301,6 +307,7 @@ constexpr Limits kLimits[] = {
     {913, "XYZE", 0, 200},
 };
 
+// Limits for the parameters of Klipper's named commands.
 struct NamedLimits {
   std::string_view name;
   std::string_view key;
@@ -319,8 +326,8 @@ constexpr NamedLimits kNamedLimits[] = {
     {"SET_EXTRUDER_ROTATION_DISTANCE", "DISTANCE", 1, 1000},
 };
 
-// With one of these letters an M command is more than usual: it switches pins of heaters, changes steps, which heater a
-// fan cools, limits of axes, or a motor's sense.
+// Letters that make an M command riskier than its row says: with them it switches pins of heaters, or changes the steps
+// per mm, the heater that a fan cools, the limits of axes, or a motor's sense.
 struct Telling {
   int code;
   std::string_view letters;
@@ -332,6 +339,7 @@ constexpr Telling kTold[] = {
     {208, "XYZ", "outlives", false}, {569, "P", "unfollowed", true},
 };
 
+// Judges a line of code: its first command, and what some firmware may run behind that.
 class Judge {
  public:
   Judge(std::string_view code, GcodeFlavor flavor, double hottestNozzle, double hottestBed, bool strict)
@@ -341,10 +349,11 @@ class Judge {
   std::vector<GcodeFinding> take() { return std::move(findings_); }
 
  private:
-  static constexpr int kMostCommands = 100;     // in one line
-  static constexpr double kRoom = 25;           // [degrees Celsius]
-  static constexpr double kLongestWait = 3600;  // [s]
+  static constexpr int kMostCommands = 100;     // most commands of one line that are judged; ends the recursion
+  static constexpr double kRoom = 25;           // [degrees Celsius], coolest target that a heater may wait for
+  static constexpr double kLongestWait = 3600;  // [s], longest pause by G4
 
+  // Adds a finding, unless the line already has one with the same sentence.
   void add(std::string_view code, bool error, FindingValues values) {
     GcodeFinding finding = makeFinding(code, error, std::move(values));
     finding.count = 1;
@@ -354,11 +363,13 @@ class Judge {
     findings_.push_back(std::move(finding));
   }
 
+  // Adds a finding whose sentence names the command and nothing else.
   void told(std::string_view code, bool error, const std::string& command) { add(code, error, {{"command", command}}); }
 
+  // Judges a command and what follows it. `depth` counts the commands in front of it in the same line.
   void command(std::string_view code, int depth) {
     const std::size_t written = code.size();
-    // Remarks in brackets, a block's mark, and whatever firmwares skip before the first letter.
+    // Skips remarks in brackets, a block's mark, and whatever else firmwares skip before the first letter.
     while (!code.empty()) {
       if (code[0] == '(') {
         const std::size_t end = code.find(')');
@@ -377,11 +388,11 @@ class Judge {
     const Row* row = rowOf(head, flavor_);
     byKind(head, row, shown, depth);
     byValue(head, shown);
-    // Some firmwares run it, others do not.
+    // Some firmwares run a command behind another one or behind a remark; others do not.
     if (second_ && head.letter == 'G' && (readsWords(head) || movesOrigin(head))) {
       told("unfollowed", true, shown);
     }
-    // Some firmwares read the number behind a sign.
+    // Some firmwares read a number with a sign, as in G+1 or M-1, and run the command.
     if (head.letter == 0 && code.size() > 1 && (code[1] == '+' || code[1] == '-') && holds("GMgm", code.substr(0, 1))) {
       add("no-command", true, {{"text", shownText(code)}});
     }
@@ -389,11 +400,13 @@ class Judge {
     further(head, depth);
   }
 
+  // Name of a command as a sentence shows it: upper case, no quotes.
   [[nodiscard]] static std::string shownName(const GcodeCommand& head) {
     const std::string text = shownText(upperCase(head.name));
     return text.substr(1, text.size() - 2);
   }
 
+  // Adds the finding that the row asks for; about macros and unknown commands only if strict.
   void byKind(const GcodeCommand& head, const Row* row, const std::string& shown, int depth) {
     if (row == nullptr) {
       if (!strict_ || depth > 0) return;
@@ -417,25 +430,28 @@ class Judge {
     }
   }
 
+  // Adds a finding if a target is above its limit [degrees Celsius].
   void heat(double degrees, double limit) {
     if (degrees > limit) add("too-hot", true, {{"limit", decimal(limit, 0)}, {"degrees", decimal(degrees, 1)}});
   }
 
+  // Adds the finding about a number that is not within its limits.
   void beyond(const std::string& what, double value, double low, double high) {
     add("out-of-range", true,
         {{"command", what}, {"value", decimal(value, 3)}, {"low", decimal(low, 3)}, {"high", decimal(high, 3)}});
   }
 
-  // A printer in a warm room would wait for ever.
+  // Judges R, with which a command waits for cooling, too: in a warm room, less than kRoom is never reached.
   void coolest(const GcodeWords& words, const std::string& shown) {
     if (words.at('R', kRoom) < kRoom && words.at('R') > 0) beyond(shown + " R", words.at('R'), kRoom, 500);
   }
 
+  // Judges the numbers of a command with a letter.
   void byValue(const GcodeCommand& head, const std::string& shown) {
     if (head.letter == 0) return byName(head, shown);
     if (takesText(head)) return;
     const GcodeWords words = wordsOf(head.rest);
-    // S1e3 and S1_0 are more to some than to others; M115 U3.11.0 and M906 X800:800 mean what they say.
+    // Firmwares disagree on the value of S1e3 and S1_0, but not on M115 U3.11.0 and M906 X800:800.
     const bool odd =
         words.fault == GcodeWords::NotPlain && words.faultText.find_first_of("eE_", 1) != std::string_view::npos;
     const bool power = head.letter == 'M' && readsWords(head) && words.crowded && words.has('E');  // M104 S48E1
@@ -455,12 +471,12 @@ class Judge {
       if (head.code == 4) {
         const double minutes = std::max(words.at('S') / 60, words.at('P') / 60000);
         within("S", 0, kLongestWait);
-        within("P", 0, 1000 * kLongestWait);  // below 0 Marlin would wait for weeks
+        within("P", 0, 1000 * kLongestWait);  // below 0, Marlin would wait for weeks
         if (minutes > 10) add("long-wait", false, {{"command", shown}, {"minutes", decimal(minutes, 0)}});
       }
       if (setsTool(head, words)) hottest(hottestNozzle_);
       if (head.code == 10 && (words.has('P') || words.has('L'))) within("Z", -kMostLowered, kMostLowered);
-      // Alone it raises the print.
+      // G29 with a Z above 0, but without P and S, raises the print.
       const bool raises = !words.has('P') && !words.has('S') && words.at('Z') > 0;
       if (head.code == 29 && (head.sub > 0 || !raises)) within("ZC", -1, 1);
       if (head.code == 31 && words.has('Z')) {
@@ -507,10 +523,10 @@ class Judge {
         if (words.has('B')) heat(words.at('B'), hottestBed_);
         return;
       case 149:
-        if (!holds(upperCase(head.rest), "C")) told("never", true, shown);  // degrees of another kind
+        if (!holds(upperCase(head.rest), "C")) told("never", true, shown);  // any other unit than degrees Celsius
         return;
       case 122:
-        if (words.at('P') >= 1000) told("never", true, shown);  // tests that stop the machine
+        if (words.at('P') >= 1000) told("never", true, shown);  // runs tests that stop the machine
         return;
       case 302:
         if ((words.has('P') && words.at('P') > 0 && words.at('S', 999) >= 170) || words.at('S', 999) < 150)
@@ -524,12 +540,13 @@ class Judge {
     }
   }
 
+  // Judges the parameters of a named command: those with limits, and those that set a temperature.
   void byName(const GcodeCommand& head, const std::string& shown) {
     const std::string name = upperCase(head.name);
     const std::string words = upperCase(head.rest);
     if (name == "BED_MESH_PROFILE" && (holds(words, "SAVE") || holds(words, "REMOVE"))) told("outlives", false, shown);
     if (name == "RESPOND") toHost(words, shown);
-    if (name == "ECHO" && holds(words, ">")) told("files", true, shown);  // RepRapFirmware's language writes files
+    if (name == "ECHO" && holds(words, ">")) told("files", true, shown);  // RepRapFirmware's `echo >` writes a file
     if (name == "RESTORE_GCODE_STATE" || name == "EXCLUDE_OBJECT_DEFINE") return;
     const bool limits = name == "SET_VELOCITY_LIMIT";
     const bool advance = name == "SET_PRESSURE_ADVANCE";
@@ -543,7 +560,7 @@ class Judge {
     forEachParameter(head.rest, [&](const std::string& key, std::string_view text) {
       double value = 0;
       const std::size_t read = readNumber(text, value);
-      // Klipper reads as Python does: 4_80, 4e2, and "4"80.
+      // Klipper reads numbers as Python does: 4_80 is 480, 4e2 is 400, and "4"80 is 480.
       const std::string_view rest = head.rest.substr(static_cast<std::size_t>(text.data() - head.rest.data()));
       const std::size_t next = std::min(text.size() + 1, rest.size());
       const bool glued = rest.substr(text.size(), 1).find_first_of("\"'") == 0 && rest.substr(next, 1) > " ";
@@ -565,7 +582,7 @@ class Judge {
         return;
       }
       if (wait && key == "MAXIMUM" && value < kRoom) return beyond(what, value, kRoom, 500);
-      // These keys give a macro or a heater its temperature.
+      // Keys with these words give a macro or a heater its temperature.
       if (holds(key, "BED")) return heat(value, hottestBed_);
       if (holds(key, "CHAMBER")) return heat(value, 100);
       if (holds(key, "TEMP") || holds(key, "TARGET") || holds(key, "EXTRUDER") || holds(key, "HOTEND") ||
@@ -575,20 +592,21 @@ class Judge {
     });
   }
 
-  // Hosts pause, cancel, shut down or ask the user by it; only a notification is no more than text.
+  // Judges text for the host, which may tell it to pause, cancel, shut down or ask the user; a notification is only
+  // shown.
   void toHost(const std::string& words, const std::string& shown) {
     const std::size_t at = words.find("ACTION");
     if (at != std::string::npos && words.compare(at, 19, "ACTION:NOTIFICATION") != 0) told("runs", true, shown);
   }
 
-  // RepRapFirmware runs several commands of a line, old Marlins what follows ':' or '#'.
+  // Judges what follows a command: RepRapFirmware runs several commands of a line, old Marlins what follows ':' or '#'.
   void further(const GcodeCommand& head, int depth) {
     if (takesText(head)) {
       if (head.code == 118) toHost(upperCase(head.rest), "M118");
       second_ = true;
       const std::size_t cut = head.rest.find_first_of(":#");
       if (cut != std::string_view::npos) dangerous(head.rest.substr(cut + 1), depth);
-      // Behind the text of these RepRapFirmware reads on.
+      // RepRapFirmware reads on behind the text of these three.
       if (head.code != 486 && head.code != 862 && head.code != 1002) return;
       const std::size_t text = head.rest.rfind('"');
       for (std::size_t at = text == std::string_view::npos ? 1 : text + 1; at + 1 < head.rest.size(); ++at) {
@@ -598,7 +616,7 @@ class Judge {
       return;
     }
     if (head.letter == 0) return;
-    if (head.is('M', 106) && holds(head.rest, " N")) return;  // Prusa's fans of a chamber: M106 P3 N76 G3
+    if (head.is('M', 106) && holds(head.rest, " N")) return;  // fans of Prusa's chambers: M106 P3 N76 G3
     for (std::size_t at = 1; at < head.rest.size(); ++at) {
       const char letter = head.rest[at];
       if (letter == '"') {
@@ -613,7 +631,7 @@ class Judge {
     }
   }
 
-  // Of what may or may not be a command only faults are told.
+  // Judges what may or may not be a command, and keeps only the errors.
   void dangerous(std::string_view code, int depth) {
     const std::size_t before = findings_.size();
     command(trimmed(code), depth + 1);
@@ -626,7 +644,7 @@ class Judge {
   double hottestNozzle_;
   double hottestBed_;
   bool strict_;
-  bool second_ = false;  // behind another command of the line, or a remark
+  bool second_ = false;  // the command stands behind another one of its line, or behind a remark
   std::vector<GcodeFinding> findings_;
 };
 
@@ -647,7 +665,7 @@ const char* spellingFault(std::string_view line) {
     if (text) continue;
     if ((c < ' ' && c != '\t') || c > '~') return "no-ascii";
     if (c == '\\') return "no-plain-line";
-    // Marlin may take such a remark out of the words around it.
+    // Marlin may cut a remark in brackets out of the words around it.
     const std::size_t behind = letter && c == ')' ? line.find_first_not_of(" \t", at + 1) : std::string_view::npos;
     if (behind != std::string_view::npos && line[behind] != ';' && !quoted) return "no-plain-line";
   }

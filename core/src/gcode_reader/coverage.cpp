@@ -7,20 +7,20 @@
 namespace sillon {
 namespace {
 
-constexpr double kFinest = 0.05;                   // [mm]
-constexpr std::int64_t kMostVisits = 200'000'000;  // of cells, a second; a plate of 120 x 80 mm takes a quarter
+constexpr double kFinest = 0.05;                   // [mm], side of a cell
+constexpr std::int64_t kMostVisits = 200'000'000;  // visits to cells, a second's worth; 120 x 80 mm take a quarter
 
-// Cells of base beads and of oriented ones.
+// Two rasters of a stack: cells under its base beads, and cells under the current oriented layer.
 class Laid {
  public:
   explicit Laid(const Bounds& box) : raster_(box, kFinest), base_(raster_.none()), oriented_(raster_.none()) {}
 
-  /// \return how many cells it has looked at
+  /// Draws a bead on the raster of its kind. \return number of cells that it visited.
   std::int64_t draw(const LaidBead& bead) {
     return raster_.draw(bead.from, bead.to, static_cast<double>(bead.width), bead.base ? base_ : oriented_);
   }
 
-  // Share of the base that is covered; the oriented layer is taken off again.
+  // Share of the base that the oriented layer covers, -1 without a base; clears the oriented raster for the next layer.
   double takeCoverage() {
     const std::int64_t all = countOf(base_);
     std::int64_t covered = 0;
@@ -39,7 +39,7 @@ class Laid {
   BeadRaster::Bits oriented_;
 };
 
-// Without a base, or where that would take too long, the shares are -1.
+// Adds -1 for each oriented layer of a stack that has no base or would take too long.
 void addUnknown(std::vector<double>& shares, const LaidBead* begin, const LaidBead* end) {
   int last = -1;
   for (const LaidBead* bead = begin; bead != end; ++bead) {
@@ -48,7 +48,7 @@ void addUnknown(std::vector<double>& shares, const LaidBead* begin, const LaidBe
   }
 }
 
-/// \param rest  cells that may still be looked at
+/// Adds the shares that the oriented layers of one stack cover. \param rest  visits to cells that are still allowed.
 void addStack(std::vector<double>& shares, const LaidBead* begin, const LaidBead* end, std::int64_t& rest) {
   Bounds box;
   bool based = false;

@@ -12,8 +12,8 @@
 namespace sillon {
 namespace {
 
-// {first_layer_temperature} and [bed_temperature] become a number that is right for a nozzle and for a bed; of {if} and
-// its kin both ways count.
+// Fills in a block's placeholders: {first_layer_temperature} and [bed_temperature] become 60, which no limit of a
+// nozzle or a bed rejects; {if}, {else} and the like become a blank, so that the code of all branches is judged.
 std::string filledIn(std::string_view line) {
   std::string out;
   while (!line.empty()) {
@@ -47,7 +47,7 @@ std::vector<GcodeFinding> examineBlock(std::string_view block, GcodeFlavor flavo
       findings.push_back(makeFinding(code, error, std::move(values)));
     };
     if (line.end == "\r") add("cr", false, {});
-    // Else quotes may belong to an expression, and words to both its branches.
+    // Lines with placeholders are spared: quotes may belong to an expression, and words to either of its branches.
     const bool plain = text == line.text;
     const char* const odd = plain ? spellingFault(line.text) : nullptr;
     if (odd != nullptr) add(odd, true, {{"text", shownText(line.text)}});

@@ -16,34 +16,36 @@
 namespace sillon {
 namespace {
 
-constexpr double kLeastLength = 100;          // [mm] of beads, or too little is known
-constexpr double kShortest = 0.5;             // [mm] of a bead: its E is rounded
-constexpr double kLongest = 1000;             // [mm] of a bead: no bed is longer
-constexpr double kThinnest = 0.04;            // [mm] of a layer
-constexpr double kThickest = 1.6;             // [mm]
-constexpr std::size_t kMostPlaces = 100'000;  // that are judged
+constexpr double kLeastLength = 100;  // [mm], least length of all beads, or they tell nothing
+constexpr double kShortest = 0.5;     // [mm], shortest bead that counts: E is rounded, which weighs on short ones
+constexpr double kLongest = 1000;     // [mm], longest bead that counts: no bed is longer
+constexpr double kThinnest = 0.04;    // [mm], least height of a layer that counts
+constexpr double kThickest = 1.6;     // [mm], greatest height of such a layer
+constexpr std::size_t kMostPlaces = 100'000;  // places that are judged in a file, at most
 
-constexpr double kStep = 1;          // [mm] between places on a bead
-constexpr double kReach = 2.5;       // [mm] to a neighbour, at most
-constexpr double kSameLine = 0.05;   // [mm] between neighbours; less is the same line once more
-constexpr double kParallel = 0.1;    // sine
-constexpr double kAlike = 0.6;       // of the thicker bead's plastic; ironing and gap fill have less
-constexpr int kMostCompared = 600;   // places for each: solid layers have 300 within reach, hostile files all of theirs
-constexpr double kLeastBeside = 10;  // [places] with a neighbour, or their distances tell nothing
+constexpr double kStep = 1;          // [mm], distance of places on a bead
+constexpr double kReach = 2.5;       // [mm], greatest distance of neighbours
+constexpr double kSameLine = 0.05;   // [mm], least distance of neighbours; less is the same line once more
+constexpr double kParallel = 0.1;    // sine of the angle up to which beads count as parallel
+constexpr double kAlike = 0.6;       // least share of the thicker bead's plastic; ironing and gap fill have less
+constexpr int kMostCompared = 600;   // comparisons per place: solid layers have 300 in reach, hostile files all places
+constexpr double kLeastBeside = 10;  // places with a neighbour, or their distances tell nothing
 
-// Distances of neighbours over the width that 1.75 mm filament gives them. Beads that touch have 1, and those of 2.85
-// mm filament have 2.65. No slicer lays many beads closer than 0.6 of their width, which would be 1.6 there.
+// Distance of neighbours, divided by the width that their beads have if the filament is 1.75 mm thick. Beads that touch
+// have 1, or (2.85 / 1.75)² = 2.65 if it is 2.85 mm thick. No slicer lays many beads closer than 0.6 of their width,
+// which is 1.6 with 2.85 mm.
 constexpr std::pair<double, double> kTouching{0.6, 1.6};
 constexpr std::pair<double, double> kTouchingIfWide{2.2, 3.1};
-constexpr double kManyTouch = 0.1;   // of all places
-constexpr double kFewTouch = 0.02;   // of all places
-constexpr double kMostTouch = 0.3;   // of all places
-constexpr double kLeastFlat = 0.75;  // [height], widths; a bead lower than that would stand on edge
+constexpr double kManyTouch = 0.1;   // share of places that touch: enough for 1.75 mm
+constexpr double kFewTouch = 0.02;   // share of places that touch with 1.75 mm: 2.85 mm only below it
+constexpr double kMostTouch = 0.3;   // share of places that touch with 2.85 mm: 2.85 mm only from it on
+constexpr double kLeastFlat = 0.75;  // width over height of a bead; a narrower one would stand on edge
 
-constexpr std::pair<double, double> kBeads{0.755, 1.99};  // [nozzle], widths; of one of both filaments alone
-constexpr double kUsualNozzle = 0.4;                      // [mm]
-constexpr double kSameDiameter = 0.1;                     // of a diameter that is counted: headers round volumes
+constexpr std::pair<double, double> kBeads{0.755, 1.99};  // width over nozzle; only one of the filaments fits
+constexpr double kUsualNozzle = 0.4;                      // [mm], taken if the nozzle is not known
+constexpr double kSameDiameter = 0.1;  // share that a counted diameter may be off: headers round volumes
 
+// Cross-section of a filament [mm²].
 double areaOf(double diameter) { return std::numbers::pi * diameter * diameter / 4; }
 
 bool within(double value, const std::pair<double, double>& range) {
@@ -54,23 +56,23 @@ struct Bead {
   Vec2 from;
   Vec2 to;
   double length;
-  double filament;  ///< for each mm [mm/mm]
+  double filament;  ///< filament per mm of bead [mm/mm]
   bool straight;
 };
 
 /// One place on a bead.
 struct Place {
   Vec2 at;
-  Vec2 along;      ///< of length 1
-  double perFace;  ///< [1/mm]
+  Vec2 along;      ///< direction, of length 1
+  double perFace;  ///< filament per mm of bead and mm of layer height [1/mm]
 };
 
-/// What distances of neighbours say of all places.
+/// Numbers of places, by the distances of their neighbours.
 struct Distances {
   std::size_t places = 0;
-  std::size_t beside = 0;          ///< with a neighbour
-  std::size_t touching = 0;        ///< with 1.75 mm filament
-  std::size_t touchingIfWide = 0;  ///< with 2.85 mm filament
+  std::size_t beside = 0;          ///< places with a neighbour
+  std::size_t touching = 0;        ///< places whose neighbour touches if the filament is 1.75 mm thick
+  std::size_t touchingIfWide = 0;  ///< places whose neighbour touches if it is 2.85 mm thick
 
   [[nodiscard]] bool known() const { return static_cast<double>(beside) >= kLeastBeside; }
   [[nodiscard]] double share(std::size_t count) const {
@@ -78,6 +80,7 @@ struct Distances {
   }
 };
 
+/// Places on the straight beads of a layer, kStep apart or less; ends with the bead that reaches `most` places.
 std::vector<Place> placesOn(const std::vector<Bead>& layer, double height, std::size_t most) {
   std::vector<Place> places;
   for (const Bead& bead : layer) {
@@ -91,13 +94,15 @@ std::vector<Place> placesOn(const std::vector<Bead>& layer, double height, std::
   return places;
 }
 
-/// A square of the plane, of the size of kReach.
+/// Key of a square cell of the plane; keys of a column's cells follow each other.
 std::int64_t squareOf(std::int64_t x, std::int64_t y) { return x * (std::int64_t{1} << 32) + y; }
+/// Column or row of a coordinate; cells have a side of kReach.
 std::int64_t columnOf(double coordinate) {
   return static_cast<std::int64_t>(std::floor(std::clamp(coordinate, -1e6, 1e6) / kReach));
 }
 
-/// From a place to the nearest parallel bead as thick as its own [mm]; above kReach: there is none.
+/// Distance from a place to the nearest parallel bead about as thick as its own [mm]; above kReach: there is none.
+/// \param squares  key of the cell and index of each place, sorted.
 double neighbourOf(const Place& place, const std::vector<Place>& places,
                    const std::vector<std::pair<std::int64_t, std::size_t>>& squares) {
   double nearest = 2 * kReach;
@@ -118,6 +123,7 @@ double neighbourOf(const Place& place, const std::vector<Place>& places,
   return nearest;
 }
 
+/// Counts the places of a layer by the distances of their neighbours.
 void judge(const std::vector<Place>& places, Distances& distances) {
   std::vector<std::pair<std::int64_t, std::size_t>> squares;
   for (std::size_t k = 0; k < places.size(); ++k) {
@@ -144,9 +150,9 @@ class Scale {
   void finish();
 
   [[nodiscard]] const Distances& distances() const { return distances_; }
-  /// Half of the beads have less, by their length [1/mm]. \param flat  gets the same of widths over heights.
+  /// Median of Place::perFace, weighted by length [1/mm]. \param flat  gets that of perFace over layer height [1/mm²].
   [[nodiscard]] std::optional<double> perFace(double& flat);
-  /// The diameter by the header's volume, if it is one that is sold.
+  /// Diameter from the header's volume and the filament that was pushed, if it is one that is sold.
   [[nodiscard]] std::optional<double> counted() const;
 
  private:
@@ -159,14 +165,15 @@ class Scale {
   std::vector<Bead> layer_;
   double z_ = 0;
   double below_ = 0;
-  std::vector<std::pair<double, double>> faces_;  // filament per face [1/mm], length [mm]
-  std::vector<std::pair<double, double>> flats_;  // the same over the height [1/mm²], length [mm]
+  std::vector<std::pair<double, double>> faces_;  // perFace [1/mm] and length [mm] of each bead
+  std::vector<std::pair<double, double>> flats_;  // perFace over layer height [1/mm²] and length [mm]
   Distances distances_;
-  double pushed_ = 0;  // [mm] of filament, in beads
-  double volume_ = 0;  // [mm³]
+  double pushed_ = 0;  // filament in beads [mm]
+  double volume_ = 0;  // filament by the header [mm³]
   bool severalTools_ = false;
 };
 
+// Reads marks of layers, roles, and the header's volume.
 void Scale::comment(std::string_view text) {
   begun_ = begun_ || layerMark(text) != LayerMark::None;
   if (text.starts_with("TYPE:")) purges_ = isPurge(text.substr(5));
@@ -174,6 +181,7 @@ void Scale::comment(std::string_view text) {
   severalTools_ = severalTools_ || text.starts_with("EXTRUDER_TRAIN.1.");
 }
 
+// Runs a line, and keeps its bead if it lies level and is neither purged nor too short.
 void Scale::line(std::string_view text) {
   if (distances_.places >= kMostPlaces && !(volume_ > 0)) return;
   const GcodeParts parts = partsOf(text);
@@ -194,6 +202,7 @@ void Scale::line(std::string_view text) {
   layer_.push_back({move->from, move->to, move->length, move->e / move->length, !move->arc});
 }
 
+// Weighs the beads of the layer that has ended.
 void Scale::endLayer() {
   if (layer_.empty()) return;
   const double height = z_ - below_;
@@ -210,6 +219,7 @@ void Scale::endLayer() {
 
 void Scale::finish() { endLayer(); }
 
+// Median of values, weighted by length; nothing if the lengths add up to less than kLeastLength.
 std::optional<double> medianOf(std::vector<std::pair<double, double>>& values) {
   double total = 0;
   for (const auto& [value, length] : values) total += length;

@@ -8,6 +8,7 @@
 namespace sillon {
 namespace {
 
+// The sentence of a finding, and the rule it belongs to.
 struct Row {
   const char* rule;
   Sentence sentence;
@@ -107,7 +108,7 @@ constexpr Row kRows[] = {
     {"end", {"hot-chamber", "the chamber stays hot at the end"}},
 };
 
-// Apart, as a list of sentences alone.
+// The sentences without their rules, which findingSentences() returns as one span.
 constexpr auto kSentences = [] {
   std::array<Sentence, std::size(kRows)> sentences{};
   for (std::size_t k = 0; k < sentences.size(); ++k) sentences[k] = kRows[k].sentence;

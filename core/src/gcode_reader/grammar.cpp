@@ -6,11 +6,12 @@
 namespace sillon {
 namespace {
 
-constexpr std::size_t kLongestCommand = 95;  // Marlin's buffer holds 96 with the end
+constexpr std::size_t kLongestCommand = 95;  // characters; Marlin's buffer holds 96 with the final zero
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
 
+// Tells whether a text is a NAME of the grammar: two or more of A-Z, 0-9 and _, beginning with a letter.
 bool isName(std::string_view name) {
   if (name.size() < 2 || !isUpper(name[0])) return false;
   return std::all_of(name.begin(), name.end(), [](char c) { return isUpper(c) || isDigit(c) || c == '_'; });

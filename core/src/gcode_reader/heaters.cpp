@@ -9,19 +9,23 @@
 namespace sillon {
 namespace {
 
+// Sets a target without waiting: a lower one lets the heater cool to it.
 void ask(Heater& heater, double degrees) { heater = {degrees, std::min(heater.ready, degrees)}; }
 
+// Waits until a heater has reached its target.
 void await(Heater& heater) { heater.ready = heater.target; }
 
 std::size_t toIndex(double tool) { return static_cast<std::size_t>(std::clamp(tool, 0.0, 99.0)); }
 
 }  // namespace
 
+// The nozzle of a tool: its own if its temperature was ever set, else the one that was set last.
 std::size_t Heaters::indexOf(int tool) const {
   const auto index = static_cast<std::size_t>(std::max(tool, 0));
   return index < kTools && known_[index] ? index : told_;
 }
 
+// The nozzle with this index, which is now the one that was set last.
 Heater& Heaters::tell(std::size_t index) {
   told_ = std::min(index, kTools - 1);
   known_[told_] = true;
@@ -38,7 +42,7 @@ std::vector<int> Heaters::otherHotTools(int tool) const {
 
 void Heaters::run(const GcodeCommand& command, const GcodeWords& words, int tool, bool klipper) {
   if (command.letter == 0) return runNamed(command);
-  if (command.is('M', 116) || command.is('G', 1009)) {  // waits for all, as TriLAB's purge does
+  if (command.is('M', 116) || command.is('G', 1009)) {  // M116 and TriLAB's purge, G1009, wait for all heaters
     std::for_each(nozzles_.begin(), nozzles_.end(), await);
     await(chamber_);
     return await(bed_);
@@ -58,7 +62,7 @@ void Heaters::run(const GcodeCommand& command, const GcodeWords& words, int tool
     return tell(toIndex(words.at(letter)));
   };
   if (command.is('M', 568) && words.has('A') && words.at('A') < 1) return ask(heater(), 0);
-  const bool off = klipper && (nozzle || bed);  // without S, as Klipper reads no R
+  const bool off = klipper && (nozzle || bed);  // Klipper reads no R; without S it switches the heater off
   const char degrees = words.has('S') || ofTool || off ? 'S' : 'R';
   if (!words.has(degrees) && !off) return;
   Heater& told = heater();
@@ -66,6 +70,7 @@ void Heaters::run(const GcodeCommand& command, const GcodeWords& words, int tool
   if (command.code == 109 || command.code == 190 || command.code == 191) await(told);
 }
 
+// Runs Klipper's TURN_OFF_HEATERS, SET_HEATER_TEMPERATURE and TEMPERATURE_WAIT.
 void Heaters::runNamed(const GcodeCommand& command) {
   const std::string name = upperCase(command.name);
   if (name == "TURN_OFF_HEATERS") {
@@ -84,7 +89,7 @@ void Heaters::runNamed(const GcodeCommand& command) {
   });
   const bool bed = whose == "HEATER_BED";
   if (!bed && !whose.starts_with("EXTRUDER")) return;
-  double tool = 0;  // EXTRUDER, EXTRUDER1, ...
+  double tool = 0;  // number in EXTRUDER, EXTRUDER1, ...; the first has none
   if (!bed) readNumber(std::string_view(whose).substr(8), tool);
   Heater& heater = bed ? bed_ : tell(toIndex(tool));
   if (!waits) return ask(heater, degrees);

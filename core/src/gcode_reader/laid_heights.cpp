@@ -7,17 +7,19 @@
 namespace sillon {
 namespace {
 
-constexpr int kTile = 64;      // [cells]
-constexpr int kTiles = 160;    // in a row, from -5120 to 5120 mm
-constexpr double kStep = 0.7;  // [mm], shorter than a cell is wide
-constexpr int kMostSteps = 4096;
+constexpr int kTile = 64;         // [cells], side of a tile
+constexpr int kTiles = 160;       // [tiles], side of the plane, from -5120 to 5120 mm
+constexpr double kStep = 0.7;     // [mm] between places on a move; less than a cell, so that few are skipped
+constexpr int kMostSteps = 4096;  // places on a move, at most, which bounds the work
 
+// Address of a cell; not known beyond the tiles.
 struct Cell {
   std::size_t tile = 0;
   std::size_t index = 0;
   bool known = false;
 };
 
+// The cell of 1 mm that a place lies in.
 Cell cellAt(Vec2 p) {
   constexpr double kReach = kTile * kTiles / 2.0;
   if (!(std::abs(p.x) < kReach && std::abs(p.y) < kReach)) return {};
@@ -26,7 +28,7 @@ Cell cellAt(Vec2 p) {
   return {y / kTile * kTiles + x / kTile, y % kTile * kTile + x % kTile, true};
 }
 
-// \param take  called with each place on the way and the height there.
+// Steps along a move. \param take  called with each place on the way and the height there.
 template <class Take>
 void follow(const MachineMove& move, Take&& take) {
   const int steps = std::clamp(static_cast<int>(std::ceil(move.length / kStep)), 1, kMostSteps);

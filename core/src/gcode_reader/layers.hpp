@@ -1,4 +1,4 @@
-// The beginnings of layers.
+// Marks of layers, and heights of what is printed.
 #pragma once
 
 #include <string_view>
@@ -8,12 +8,14 @@
 
 namespace sillon {
 
-// The comments by which slicers mark where a layer begins, and what lies outside the print.
+// Comments by which slicers mark the beginning of a layer, and roles that are no part of the print.
 
-/// PrusaSlicer, Cura and Orca; Orca and Bambu Studio for Bambu's printers; Simplify3D.
+/// Kinds of marks. Usual: PrusaSlicer, Cura and OrcaSlicer; Bambu: OrcaSlicer and Bambu Studio for Bambu's printers;
+/// Simplify: Simplify3D.
 enum class LayerMark { None, Usual, Bambu, Simplify };
 
-/// \param comment  behind ';', trimmed. Cura counts the layers of a raft from below 0.
+/// Reads a comment as the mark of a layer. Cura gives the layers of a raft numbers below 0.
+/// \param comment  text behind ';', trimmed.
 inline LayerMark layerMark(std::string_view comment) {
   if (comment == "LAYER_CHANGE") return LayerMark::Usual;
   if (comment.starts_with("LAYER:")) {
@@ -25,7 +27,7 @@ inline LayerMark layerMark(std::string_view comment) {
   return simplify ? LayerMark::Simplify : LayerMark::None;
 }
 
-/// Whether what a role names is no part of the print: blocks of the machine, and what is purged beside it.
+/// Tells whether a role is no part of the print: the machine's blocks, and what is purged beside the print.
 inline bool isPurge(std::string_view role) {
   for (const std::string_view name : {"Custom", "Wipe tower", "Prime tower", "PRIME-TOWER", "Flush"}) {
     if (role == name) return true;
@@ -35,23 +37,23 @@ inline bool isPurge(std::string_view role) {
 
 // Heights of what a file has printed, place by place.
 
-/// Heights of the nozzle while it laid beads, on cells of 1 mm. All [mm].
+/// Greatest heights of the nozzle while it laid beads, on cells of 1 mm; lengths in mm.
 class LaidHeights {
  public:
-  /// Raises what a bead passes over; places further than 5 m from the origin are left out.
+  /// Raises the cells that a bead passes over; places further than 5 m from the origin are left out.
   void add(const MachineMove& bead);
 
-  /// Greatest depth of a move below what stands under it; 0 where it does not.
+  /// Greatest depth to which a move goes into what is printed; 0 if it stays above.
   [[nodiscard]] double depthOf(const MachineMove& move) const;
 
-  /// Length of a move that goes through what stands under it, or closer above it than `gap` [mm].
+  /// Length of a move that goes through what is printed, or less than `gap` above it [mm].
   [[nodiscard]] double touched(const MachineMove& move, double gap) const;
 
   /// Height of the highest bead; 0 before the first.
   [[nodiscard]] double top() const { return top_; }
 
  private:
-  std::vector<std::vector<float>> tiles_;  // rows of tiles of 64 x 64 cells, without any where nothing lies
+  std::vector<std::vector<float>> tiles_;  // rows of tiles of 64 x 64 cells; a tile on which nothing lies is empty
   double top_ = 0;
 };
 

@@ -8,11 +8,12 @@
 namespace sillon {
 namespace {
 
-constexpr double kInch = 25.4;     // [mm]
-constexpr double kArcSlack = 0.5;  // [mm] by which an arc's end may lie beside its circle
+constexpr double kInch = 25.4;     // [mm] per inch
+constexpr double kArcSlack = 0.5;  // [mm], distance that an arc's end may lie off its circle
 constexpr std::pair<char, unsigned> kAxisLetters[] = {{'X', kAxisX}, {'Y', kAxisY}, {'Z', kAxisZ}};
 
-// Of an arc of radius |r| from one place to another: of the two the longer one where r is below 0.
+// Centre of an arc with radius |r| between two places; r below 0 chooses the longer of the two arcs. Nothing if the
+// places are too far apart.
 std::optional<Vec2> centreOf(Vec2 from, Vec2 to, double r, bool clockwise) {
   const Vec2 chord = to - from;
   const double half = length(chord) / 2;
@@ -21,7 +22,7 @@ std::optional<Vec2> centreOf(Vec2 from, Vec2 to, double r, bool clockwise) {
   return from + 0.5 * chord + (0.5 * away / half) * Vec2{-chord.y, chord.x};
 }
 
-// G2 and G3 by their centre or radius; by their centre without a target they are a full turn.
+// Reads the centre and turn of G2 or G3, by I and J or else by R. With I and J but without a target it is a full turn.
 void readArc(MachineMove& move, const GcodeWords& words, double unit) {
   if (words.has('I') || words.has('J')) {
     move.centre = move.from + unit * Vec2{words.at('I'), words.at('J')};
@@ -44,6 +45,7 @@ void readArc(MachineMove& move, const GcodeWords& words, double unit) {
   move.length = length(a) * angle;
 }
 
+// Runs G0 to G3: reads the move, and sets place, speed and filament of the machine.
 MachineMove runMove(MachineState& state, int code, const GcodeWords& words) {
   const double unit = state.inches ? kInch : 1;
   MachineMove move;
@@ -78,12 +80,12 @@ MachineMove runMove(MachineState& state, int code, const GcodeWords& words) {
     if (move.e < 0) state.retracted -= move.e;
     if (move.e > 0) state.retracted = std::max(0.0, state.retracted - move.e);
   } else if (move.e < 0) {
-    state.retracted -= move.e;  // a wipe
+    state.retracted -= move.e;  // a wipe draws filament back on the way
   }
   return move;
 }
 
-// Those that a command names, with a number or without.
+// Axes that a command names, with a number or without.
 unsigned axesIn(std::string_view words) {
   unsigned axes = 0;
   for (const char c : words) {
@@ -94,6 +96,7 @@ unsigned axesIn(std::string_view words) {
   return axes;
 }
 
+// Homes axes, which sets their places and origins to 0.
 void home(MachineState& state, unsigned axes) {
   state.homedAxes |= axes;
   state.toldAxes &= ~axes;
@@ -102,7 +105,7 @@ void home(MachineState& state, unsigned axes) {
   if ((axes & kAxisZ) != 0) state.z = state.originZ = 0;
 }
 
-// Writes another coordinate for the same place.
+// Runs G92, which gives the same place other coordinates.
 void setOrigin(MachineState& state, const GcodeWords& words) {
   const double unit = state.inches ? kInch : 1;
   if (words.has('E')) state.e = words.at('E') * unit;
@@ -166,7 +169,7 @@ std::optional<MachineMove> runCommand(MachineState& state, const GcodeCommand& c
     state.volumetric = volumetricBy(command, words).value_or(state.volumetric);
     if (state.duet && command.code == 120) pushModes(state);
     if (state.duet && command.code == 121) popModes(state);
-    if (command.code == 18 || command.code == 84) {  // motors off: of all axes, unless it names some or sets a time
+    if (command.code == 18 || command.code == 84) {  // switches all motors off, unless it names axes or a time
       const unsigned axes = axesIn(command.rest);
       const bool others = command.rest.find_first_of("EeSs") != std::string_view::npos;
       state.homedAxes &= ~(axes != 0 ? axes : others ? 0 : kAllAxes);
@@ -189,7 +192,7 @@ std::optional<MachineMove> runCommand(MachineState& state, const GcodeCommand& c
     case 21:
       state.inches = command.code == 20;
       break;
-    case 161:  // MakerBot's
+    case 161:  // G161 and G162 are MakerBot's homing
     case 162:
     case 28: {
       const unsigned axes = axesIn(command.rest);

@@ -10,11 +10,12 @@
 namespace sillon {
 namespace {
 
-constexpr std::size_t kMostSaved = 16;    // states, more than any firmware's stack
-constexpr std::size_t kMostHolding = 64;  // tools
+constexpr std::size_t kMostSaved = 16;    // states, at most: more than the stack of any firmware holds
+constexpr std::size_t kMostHolding = 64;  // tools with filament held back, at most
 
 MachineMemory memoryOf(const MachineState& state) { return state.memory ? *state.memory : MachineMemory{}; }
 
+// Puts the state aside under a name, which replaces one of the same name; without a name, on the stack.
 void save(MachineState& state, std::string name) {
   MachineMemory memory = memoryOf(state);
   if (!name.empty()) std::erase_if(memory.states, [&](const auto& entry) { return entry.first == name; });
@@ -24,6 +25,7 @@ void save(MachineState& state, std::string name) {
   state.memory = std::make_shared<const MachineMemory>(std::move(memory));
 }
 
+// The last state with this name; null: none.
 const SavedState* savedAs(const MachineState& state, std::string_view name) {
   if (!state.memory) return nullptr;
   const auto& states = state.memory->states;
@@ -32,6 +34,7 @@ const SavedState* savedAs(const MachineState& state, std::string_view name) {
   return found == states.rend() ? nullptr : &found->second;
 }
 
+// Takes modes and speed from a state that was put aside.
 void restoreModes(MachineState& state, const SavedState& saved) {
   state.absolute = saved.absolute;
   state.absoluteE = saved.absoluteE;
@@ -39,7 +42,8 @@ void restoreModes(MachineState& state, const SavedState& saved) {
   state.speed = saved.speed;
 }
 
-// RESTORE_GCODE_STATE: modes, origin and what E is written as; with MOVE=1 the nozzle goes back, too.
+// Runs RESTORE_GCODE_STATE, which restores modes, origin and the last E. \param goes  MOVE=1: the nozzle goes back,
+// too. \param speed  of that move [mm/s]; 0: unchanged.
 std::optional<MachineMove> restore(MachineState& state, const std::string& name, bool goes, double speed) {
   const SavedState* const found = savedAs(state, name);
   if (found == nullptr) return std::nullopt;

@@ -5,17 +5,18 @@
 namespace sillon {
 namespace {
 
-constexpr double kHottestTold = 500;  // [degrees Celsius], more is no temperature
+constexpr double kHottestTold = 500;  // [degrees Celsius]; a greater number is no temperature
 
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-// In upper case; empty: no macro.
+// Name of a macro in upper case; empty if the command cannot be one.
 std::string macroName(const GcodeCommand& command) {
   std::string name = command.letter == 0 ? upperCase(command.name) : std::string();
   const bool plain = name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") == std::string::npos;
   return plain ? name : std::string();
 }
 
+// Tells whether a command is M98 with a file that has this part in its name.
 bool runsFile(const GcodeCommand& command, std::string_view part) {
   return command.is('M', 98) && holds(upperCase(command.rest), part);
 }
@@ -37,7 +38,7 @@ bool isStartMacro(const GcodeCommand& command) {
 bool isEndMacro(const GcodeCommand& command) {
   std::string name("_");
   name.append(macroName(command)).append("_");
-  // SUSPEND_PRINT is none.
+  // A name such as SUSPEND_PRINT must not count: hence the underscores.
   return holds(name, "PRINTEND") || holds(name, "ENDPRINT") || (holds(name, "PRINT") && holds(name, "_END_"));
 }
 
@@ -45,7 +46,7 @@ unsigned homedByMacro(const GcodeCommand& command) {
   const std::string name = macroName(command);
   if (holds(name, "CG28") || runsFile(command, "HOME")) return kAllAxes;
   const std::size_t home = name.find("HOME");
-  if (home == std::string::npos || name.starts_with("MMU")) return 0;  // a changer homes its own selector
+  if (home == std::string::npos || name.starts_with("MMU")) return 0;  // a filament changer homes only its own selector
   const std::string_view of = std::string_view(name).substr(home + 4);
   if (of.size() < 2 || of[0] != '_' || of.find_first_not_of("XYZ", 1) != std::string_view::npos) return kAllAxes;
   return (holds(of, "X") ? kAxisX : 0) | (holds(of, "Y") ? kAxisY : 0) | (holds(of, "Z") ? kAxisZ : 0);
@@ -69,7 +70,7 @@ MacroTargets macroTargets(std::string_view parameters) {
     double degrees = 0;
     if (readNumber(value, degrees) == 0) return;
     const bool first = holds(key, "FIRST") || holds(key, "INITIAL");
-    // A nozzle's diameter or a tool's number is less than what a nozzle prints with.
+    // Numbers below a nozzle's coolest temperature are its diameter, or a tool.
     const auto take = [first, degrees](double& target, bool& told) {
       if (target == 0 || (first && !told)) target = degrees;
       told = told || first;

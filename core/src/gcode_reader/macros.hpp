@@ -1,4 +1,4 @@
-// What owners' and makers' macros do, as far as their names and parameters tell it.
+// Effects of owners' and makers' macros, as far as their names and parameters show them.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace sillon {
 
+/// Copies a text with a-z in upper case.
 std::string upperCase(std::string_view text);
 
-/// Each KEY=value behind a command. \param take  called with the key in upper case and the value as written, which is a
-/// view into `rest`, without quotes.
+/// Reads each KEY=value behind a command. \param take  called with the key in upper case and the value as written,
+/// which is a view into `rest`, without quotes.
 template <class Take>
 void forEachParameter(std::string_view rest, Take&& take) {
   for (std::size_t equal = rest.find('='); equal != std::string_view::npos; equal = rest.find('=', equal + 1)) {
@@ -26,7 +27,8 @@ void forEachParameter(std::string_view rest, Take&& take) {
   }
 }
 
-/// Those that are numbers.
+/// Reads each KEY=value whose value begins with a number. \param take  called with the key in upper case and the
+/// number.
 template <class Take>
 void forEachNumber(std::string_view rest, Take&& take) {
   forEachParameter(rest, [&](const std::string& key, std::string_view text) {
@@ -35,32 +37,33 @@ void forEachNumber(std::string_view rest, Take&& take) {
   });
 }
 
-/// PRINT_START, START_PRINT, BEGIN_PRINT and their kin, which home and heat; G9111 of Anycubic's printers; M98 with a
-/// file that begins a print.
+/// Tells whether a command starts a print, homing and heating: PRINT_START, START_PRINT, BEGIN_PRINT and the like;
+/// G9111 of Anycubic's printers; M98 with a file for the start.
 bool isStartMacro(const GcodeCommand& command);
 
-/// PRINT_END, END_PRINT and their kin.
+/// Tells whether a command ends a print: PRINT_END, END_PRINT and the like.
 bool isEndMacro(const GcodeCommand& command);
 
-/// The axes that a macro homes by its name, CG28 and HOME_ALL among them, as machine.hpp counts axes; 0: none.
+/// Axes that a macro homes according to its name, such as CG28 or HOME_ALL; bits of machine.hpp, 0: none.
 unsigned homedByMacro(const GcodeCommand& command);
 
-/// What a start macro's parameter sets.
+/// Heater that a parameter of a start macro sets.
 enum class MacroHeat {
   None,
-  Nozzle,       ///< EXTRUDER, HOTEND_TEMP, ...
-  NozzleLater,  ///< of the layers above the first
+  Nozzle,       ///< nozzle in the first layer: EXTRUDER, HOTEND_TEMP, ...
+  NozzleLater,  ///< nozzle in the layers above the first
   Bed,
 };
 
-/// \param key  in upper case.
+/// Tells which heater a parameter sets. \param key  in upper case.
 MacroHeat macroHeat(std::string_view key);
 
-/// The temperatures of the first layer that a start macro is given [degrees Celsius], 0: not told.
+/// Temperatures of the first layer that a start macro is given [degrees Celsius], 0: not given.
 struct MacroTargets {
   double nozzle = 0;
   double bed = 0;
 };
+/// Reads the temperatures in a start macro's parameters.
 MacroTargets macroTargets(std::string_view parameters);
 
 }  // namespace sillon

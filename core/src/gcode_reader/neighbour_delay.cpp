@@ -13,21 +13,23 @@ constexpr auto kFarthest = static_cast<float>(kFarthestNeighbour);
 constexpr auto kAlong = static_cast<float>(kNeighbourAlong);
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 
-// A piece of a bead, no longer than the bead is wide.
+// A piece of a bead, about as long as the bead is wide.
 struct Piece {
   Vec2f at;
-  Vec2f along;  // unit
+  Vec2f along;  // direction, of length 1
   float width;
   float length;
-  float time;  // when its middle is laid [s]
+  float time;  // time at which its middle is laid [s]
 };
 
+// Wait of a piece for its neighbours [s], its length [mm], and whether both neighbours were laid before it.
 struct Wait {
   float seconds;
   float length;
   bool squeezed;
 };
 
+// Cuts a bead into pieces.
 void cutUp(const LaidBead& bead, std::vector<Piece>& pieces) {
   const Vec2f d = bead.to - bead.from;
   const float size = length(d);
@@ -40,7 +42,7 @@ void cutUp(const LaidBead& bead, std::vector<Piece>& pieces) {
   }
 }
 
-// The pieces of a layer, by square cells as wide as neighbours may be apart.
+// Pieces of a layer, sorted into square cells with a side of the greatest distance of neighbours.
 class Neighbourhood {
  public:
   explicit Neighbourhood(const std::vector<Piece>& pieces) {
@@ -63,9 +65,9 @@ class Neighbourhood {
     for (const Piece& piece : pieces) ordered_[next[cellOf(piece.at)]++] = piece;
   }
 
-  /// The longer of the waits for the neighbours on either side; infinite without any.
+  /// Waits for the neighbours on either side, of which the longer counts; infinite without any.
   [[nodiscard]] Wait wait(const Piece& piece) const {
-    float left = kUnknown;  // negative: the neighbour lies there already
+    float left = kUnknown;  // [s], negative: the neighbour was laid earlier
     float right = kUnknown;
     const int column = columnOf(piece.at);
     const int row = rowOf(piece.at);
@@ -100,10 +102,11 @@ class Neighbourhood {
   double cell_ = 0;
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<int> first_;      // of each cell: its first place in ordered_
-  std::vector<Piece> ordered_;  // cell by cell, since places in memory that jump cost more than the comparisons
+  std::vector<int> first_;      // first index in ordered_ for each cell
+  std::vector<Piece> ordered_;  // cell by cell, since jumps in memory cost more than the comparisons
 };
 
+// Adds the waits in the oriented beads of one layer.
 void addWaits(const LaidBead* begin, const LaidBead* end, std::vector<Wait>& waits) {
   std::vector<Piece> pieces;
   for (const LaidBead* bead = begin; bead != end; ++bead) {
@@ -131,7 +134,7 @@ std::optional<NeighbourDelay> neighbourDelay(const std::vector<LaidBead>& beads)
     begin = last;
   }
   if (waits.empty()) return std::nullopt;
-  // By length, too: sums of numbers in another order may end in another digit.
+  // Equal waits are sorted by length, too: sums in another order may differ in the last digit.
   std::sort(waits.begin(), waits.end(), [](const Wait& a, const Wait& b) {
     return std::tie(a.seconds, a.length, a.squeezed) < std::tie(b.seconds, b.length, b.squeezed);
   });

@@ -30,7 +30,7 @@ GcodeParts partsOf(std::string_view line) {
   const std::size_t semicolon = line.find(';');
   parts.code = trimmed(line.substr(0, semicolon));
   if (semicolon != std::string_view::npos) parts.comment = trimmed(line.substr(semicolon + 1));
-  // N5, N-1 and N 5 alike; what follows is a command. A name has letters behind its N.
+  // A line number may be N5, N-1 or N 5, with a command behind it. A name has letters behind its N.
   const std::size_t number =
       parts.code.empty() || upper(parts.code[0]) != 'N' ? 0 : parts.code.find_first_not_of(" \t+-.0123456789", 1);
   if (number > 1 && parts.code.find_first_of("0123456789") < number) {
@@ -62,7 +62,7 @@ GcodeCommand commandOf(std::string_view code) {
     if (number <= 9999) number = 10 * number + (code[digits] - '0');
     ++digits;
   }
-  // G1_NAME is a name.
+  // G1_NAME is a name, not G1.
   if (digits < code.size() && code[digits] == '_') return command;
   command.letter = letter;
   if (number <= 9999) command.code = number;
@@ -105,7 +105,7 @@ GcodeWords wordsOf(std::string_view text) {
     words.named |= bit;
     spaced = false;
     ++at;
-    // Firmwares read a number that stands apart from its letter.
+    // Firmwares also read a number that is separated from its letter by blanks.
     std::size_t number = at;
     while (number < text.size() && isBlank(text[number])) ++number;
     if (number > at && number < text.size() && (isDigit(text[number]) || text[number] == '-' || text[number] == '.')) {
@@ -121,7 +121,7 @@ GcodeWords wordsOf(std::string_view text) {
         read > 0 && end + 1 < text.size() && text[end] == 'E' && (text[end + 1] == '-' || text[end + 1] == '+');
     if (exponent) end = std::min(text.find_first_of(" \t", end), text.size());
     if (read == 0) {
-      words.fault = GcodeWords::NoNumber;  // what cannot be read outweighs what is odd
+      words.fault = GcodeWords::NoNumber;  // replaces a fault that is only odd, since firmwares cannot read the line
       words.faultText = text;
     } else if (exponent || at + read < end) {
       odd(GcodeWords::NotPlain, text.substr(at - 1, end - at + 1));
@@ -137,7 +137,7 @@ GcodeWords wordsOf(std::string_view text) {
 }
 
 bool readPlainMove(std::string_view line, GcodeWords& words) {
-  // A quotient of two numbers that doubles hold exactly is rounded as the decimal number itself would be.
+  // Both numbers of the quotient below are exact as doubles, so that it is rounded like the decimal number itself.
   static constexpr std::array<double, 16> kTens = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                    1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
   constexpr std::size_t kMostWhole = 9;

@@ -1,5 +1,5 @@
 // G-code as a stream of lines, commands and words. Every byte keeps its place, so that a file can be put together again
-// from its lines. Knows no firmware: what commands do is in machine.hpp and commands.hpp.
+// from its lines. Reading is the same for all firmwares; machine.hpp and commands.cpp know the effects of commands.
 #pragma once
 
 #include <array>
@@ -16,23 +16,23 @@
 
 namespace sillon {
 
-/// One line and its place. The views live until the parser goes on.
+/// One line and its place. The views are valid until the parser goes on.
 struct GcodeLine {
-  std::string_view text;    ///< without its end
+  std::string_view text;    ///< line without its end
   std::string_view end;     ///< "\n", "\r\n" or "\r"; empty at the end of a file
-  std::size_t offset = 0;   ///< of its first byte
-  std::int64_t number = 0;  ///< from 1
+  std::size_t offset = 0;   ///< offset of its first byte in the file
+  std::int64_t number = 0;  ///< number of the line, from 1
 };
 
 /// Cuts bytes into lines. LF, CR LF and CR end a line, as they do for firmwares; a line without an end is cut after 1
 /// MiB, so that no file takes more memory than that.
 class GcodeParser {
  public:
-  /// Calls `take(const GcodeLine&)` for each line that ends within `bytes`; the rest waits for more.
+  /// Calls `take(const GcodeLine&)` for each line that ends within `bytes`, and keeps the rest for the next call.
   template <class Take>
   void feed(std::string_view bytes, Take&& take) {
     while (!bytes.empty()) {
-      // Whether LF follows a CR at the end of what is here is not known yet.
+      // A CR at the end of `bytes` may belong to a CR LF, which only the next bytes show.
       const bool split = !kept_.empty() && kept_.back() == '\r';
       const std::size_t end = split ? 0 : lineEnd(bytes);
       if (end == bytes.size() || (!split && bytes[end] == '\r' && end + 1 == bytes.size())) {
@@ -66,7 +66,7 @@ class GcodeParser {
     }
   }
 
-  /// The last line, if it has no end.
+  /// Takes the last line, if the file does not end with an end of line.
   template <class Take>
   void finish(Take&& take) {
     if (kept_.empty()) return;
@@ -80,7 +80,8 @@ class GcodeParser {
  private:
   static constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 
-  // find_first_of calls a function for each character: a tenth of a check. Of most lines one search finds the end.
+  // Finds the end of a line, mostly with one search for LF. find_first_of would take a tenth of a check's time, since
+  // it calls a function for each character.
   static std::size_t lineEnd(std::string_view bytes) {
     const std::string_view near = bytes.substr(0, 128);
     std::size_t end = near.find('\n');
@@ -90,6 +91,7 @@ class GcodeParser {
     return end;
   }
 
+  // Passes a line on with its place and number.
   template <class Take>
   void give(std::string_view text, std::string_view end, Take&& take) {
     take(GcodeLine{text, end, offset_, ++number_});
@@ -101,7 +103,7 @@ class GcodeParser {
   std::int64_t number_ = 0;
 };
 
-/// All lines of a text that is in memory.
+/// Calls `take(const GcodeLine&)` for all lines of a text that is in memory.
 template <class Take>
 void forEachLine(std::string_view text, Take&& take) {
   GcodeParser parser;
@@ -109,7 +111,7 @@ void forEachLine(std::string_view text, Take&& take) {
   parser.finish(take);
 }
 
-/// The same of a large text: tells the run the share of its stage that is done. \return false: it was asked to stop.
+/// Does the same for a large text, and reports to `run` which share is done. \return false: the run was asked to stop.
 template <class Take>
 bool forEachLine(std::string_view text, const RunContext& run, Take&& take) {
   constexpr std::size_t kPiece = std::size_t{1} << 20;
@@ -123,70 +125,73 @@ bool forEachLine(std::string_view text, const RunContext& run, Take&& take) {
   return true;
 }
 
-/// What a firmware runs of a line, without comment, a host's line number and checksum; and the comment.
+/// Parts of a line: the code that a firmware runs, without a host's line number and checksum, and the comment.
 struct GcodeParts {
   std::string_view code;     ///< trimmed
-  std::string_view comment;  ///< behind ';', trimmed
-  bool numbered = false;     ///< N... before it
+  std::string_view comment;  ///< text behind ';', trimmed
+  bool numbered = false;     ///< a line number stands before the code
 };
+/// Cuts a line into its parts.
 GcodeParts partsOf(std::string_view line);
 
-/// The head of a command. G0 to M9999 and T are letters with a number; everything else is a name.
+/// A command without its words. G, M and T with a number are read as letter and number; everything else is a name.
 struct GcodeCommand {
-  char letter = 0;        ///< upper case; 0: a name
-  int code = -1;          ///< -1: no whole number from 0 to 9999 behind the letter
-  int sub = 0;            ///< behind a point: 1 of G29.1
-  std::string_view name;  ///< as written: "G29.1", "PRINT_START"
-  std::string_view rest;  ///< as written
+  char letter = 0;        ///< G, M or T; 0: the command is a name
+  int code = -1;          ///< number behind the letter; -1: none from 0 to 9999
+  int sub = 0;            ///< number behind a point, such as 1 in G29.1
+  std::string_view name;  ///< head as written: "G29.1", "PRINT_START"
+  std::string_view rest;  ///< text behind the head, as written
 
   [[nodiscard]] bool is(char wanted, int number) const { return letter == wanted && code == number && sub == 0; }
 };
+/// Reads the head of a line's code.
 GcodeCommand commandOf(std::string_view code);
 
-/// Letters with numbers, and what is odd about them.
+/// Letters with numbers, and what is wrong or odd about them.
 struct GcodeWords {
   enum Fault { None, NotAWord, NoNumber, NotPlain, Twice };
 
   std::array<double, 26> values{};
-  std::uint32_t given = 0;     ///< letters with a number
-  std::uint32_t named = 0;     ///< letters with or without
-  Fault fault = None;          ///< the first
-  std::string_view faultText;  ///< where it stands
+  std::uint32_t given = 0;     ///< letters with a number, A as bit 0
+  std::uint32_t named = 0;     ///< letters with or without a number
+  Fault fault = None;          ///< first fault; one that makes the words unreadable replaces another
+  std::string_view faultText;  ///< text with the fault
   bool lower = false;          ///< lower case letters
   bool crowded = false;        ///< words without spaces between them
-  bool unusual = false;        ///< a number that firmwares read and the grammar of ours does not have: +1, .5
+  bool unusual = false;        ///< a number that firmwares read, but our own grammar excludes: +1, .5
 
   [[nodiscard]] bool has(char letter) const { return (given >> (letter - 'A') & 1) != 0; }
   [[nodiscard]] double at(char letter, double otherwise = 0) const {
     return has(letter) ? values[letter - 'A'] : otherwise;
   }
-  /// All of it can be read: a firmware would do with it what is read here.
+  /// Tells whether all words could be read as a firmware reads them.
   [[nodiscard]] bool readable() const { return fault != NotAWord && fault != NoNumber; }
 };
+/// Reads the words behind a command's head.
 GcodeWords wordsOf(std::string_view rest);
 
-/// A move as our own files have it, which is most of any file: G0 or G1 and words with one space before each, a letter
-/// and a plain number of at most 15 digits, at most 95 characters in all. What commandOf and wordsOf would find: with
-/// it a check takes half the instructions. \return whether it is one; if not, `words` holds nothing of use.
+/// Reads a plain move, as most lines of any file are: G0 or G1, then words with one space before each, a letter and a
+/// plain number of at most 15 digits, at most 95 characters in all. The words are those of commandOf and wordsOf, but a
+/// check takes half the instructions. \return false: it is no plain move, and `words` holds nothing of use.
 bool readPlainMove(std::string_view line, GcodeWords& words);
 
-/// The number that a text begins with, as firmwares read it: no exponent. \return characters read, 0 for none.
+/// Reads the number that a text begins with, as firmwares do: without an exponent. \return characters read; 0: none.
 std::size_t readNumber(std::string_view text, double& value);
 
-// Commands of each dialect: their purpose, and those that nobody should meet in a print.
+// Commands of each dialect: their effects, and those that do not belong in a print.
 
-inline constexpr double kMostLowered = 0.5;  ///< [mm] that offsets may lower a nozzle: more than any first layer
-inline constexpr double kMostOffset = 10;    ///< [mm], to any other side
+inline constexpr double kMostLowered = 0.5;  ///< [mm], most that offsets may lower a nozzle: more than any first layer
+inline constexpr double kMostOffset = 10;    ///< [mm], most that offsets may shift to any other side
 
-/// Names what a line of code does besides its moves, by the table of commands and by its values: heaters' targets,
-/// offsets, limits, waits. Whether a finding is an error never depends on the flavour. \param hottestNozzle, hottestBed
-/// [degrees Celsius] \param strict  also tells of macros and unknown commands.
+/// Judges a line of code, except for its moves, by the table of commands and by its values: targets of heaters,
+/// offsets, limits, waits. The flavour never decides whether a finding is an error. \param hottestNozzle, hottestBed
+/// limits [degrees Celsius]. \param strict  also finds macros and unknown commands.
 std::vector<GcodeFinding> judgeCommand(std::string_view code, GcodeFlavor flavor, double hottestNozzle,
                                        double hottestBed, bool strict);
 
-/// The code of the finding about a line that firmwares read in different ways, or null: what is not printable ASCII,
-/// which Python takes for digits and Marlin leaves out; a backslash, which Marlin drops; a comment that begins within
-/// quotes. Behind commands that take text, only the last may run another command.
+/// Code of the finding about a line that firmwares read in different ways, or null. Such lines have characters that are
+/// not printable ASCII, which Python takes for digits and Marlin leaves out; a backslash, which Marlin drops; or a
+/// comment that begins within quotes. Behind commands that take text, only the last of these may run another command.
 const char* spellingFault(std::string_view line);
 
 /// Tells whether a command levels or measures the bed, and so touches it here and there.
@@ -195,17 +200,18 @@ bool probesBed(const GcodeCommand& command);
 /// Tells whether a command is a G28 that homes Z, alone or with others.
 bool homesZ(const GcodeCommand& command);
 
-// The grammar of the lines that are written here: what every firmware, host and viewer reads alike
+// The grammar of the lines that are written here, which every firmware, host and viewer reads alike
 // (docs/reference/gcode.md).
 
-/// ["-"] ("0" | nonzero { digit }) ["." digit { digit }], but no "-0", "-0.000".
+/// Tells whether a text is ["-"] ("0" | nonzero { digit }) ["." digit { digit }], but no "-0", "-0.000".
 bool isPlainNumber(std::string_view text);
 
-/// ("G"|"M"|"T") number { " " LETTER [number] }, no letter twice; or NAME { " " NAME "=" (number | NAME) }.
+/// Tells whether a text is ("G"|"M"|"T") number { " " LETTER [number] }, no letter twice; or NAME { " " NAME "="
+/// (number | NAME) }.
 bool isPlainCommand(std::string_view text);
 
-/// The code of the finding about a line without its end, or null: it must be printable ASCII; empty, a comment, or a
-/// command of less than 96 characters that a comment may follow.
+/// Code of the finding about a line of ours, given without its end, or null. It must be printable ASCII, and empty, a
+/// comment, or a command of less than 96 characters that a comment may follow.
 const char* lineFault(std::string_view line);
 
 }  // namespace sillon

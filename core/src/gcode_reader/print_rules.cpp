@@ -14,6 +14,7 @@
 namespace sillon {
 namespace {
 
+// The sentence of a finding, and the rule it belongs to.
 struct Row {
   const char* rule;
   Sentence sentence;
@@ -43,51 +44,52 @@ constexpr Row kRows[] = {
     {"cooling", {"first-fan", "the fan blows at {percent} % on the first layer"}},
 };
 
+// The sentences without their rules, which printFindingSentences() returns as one span.
 constexpr auto kSentences = [] {
   std::array<Sentence, std::size(kRows)> sentences{};
   for (std::size_t k = 0; k < sentences.size(); ++k) sentences[k] = kRows[k].sentence;
   return sentences;
 }();
 
-constexpr double kSame = 1e-6;
-constexpr double kSameHeat = 3;            // [degrees Celsius]
-constexpr double kFarHeat = 12;            // [degrees Celsius] from all that another program's file tells
-constexpr double kFarBed = 25;             // [degrees Celsius]; first layers have a hotter bed
-constexpr double kMostFlowChange = 0.3;    // of the flow: no print bears that
-constexpr double kSmallFlowChange = 0.1;   // of the flow
-constexpr double kHighSpeed = 1.3;         // of the speed
-constexpr double kLongAdvance = 1.5;       // [s], more than tubes of 1 m have
-constexpr double kOldAdvance = 10;         // M900's K had another unit once
-constexpr double kHighAcceleration = 2e4;  // [mm/s²], of the fastest machines that are sold
-constexpr double kHighCorner = 25;         // [mm/s] of jerk
-constexpr double kHighestCorner = 40;      // [mm/s]
-constexpr double kWait = 0.3;              // [s]
-constexpr double kLongWait = 5;            // [s] with the nozzle drawn back
-constexpr double kTouch = 0.05;            // [mm] above what is laid: still in it
-constexpr double kMostDragged = 6;         // [mm]; a wipe is shorter
-constexpr double kSurplus = 0.05;          // [mm of filament] that our own files may push more than they drew back
-constexpr double kForeignSurplus = 0.5;    // [mm of filament]; some give back more on purpose
-constexpr double kHeightShare = 0.3;       // of a layer, between a bead and the height that its mark tells
-constexpr double kFileOffset = 0.5;        // [mm] of all heights of a file
-constexpr double kSameSize = 0.5;          // [mm] between layers of one outline
-constexpr double kShift = 1;               // [mm]
-constexpr double kLeastShifted = 5;        // [mm], size of a layer that tells
-constexpr double kBlowing = 50;            // [%] of the fan
-constexpr std::size_t kMostChanges = 1000;
-constexpr std::size_t kMostLayers = 100'000;
-constexpr double kOddFlow = 0.1;            // of the plastic of other layers
-constexpr double kLeastPlastic = 10;        // [mm³] of a layer that tells
-constexpr double kLeastGap = 0.5;           // [mm]; what is shorter gets too little plastic to be told
-constexpr double kLeastWay = 2;             // [mm] there and back
-constexpr double kFarPush = 4;              // of the speed that a file tells of its machine, for filament alone
-constexpr std::int64_t kRarely = 20;        // times as many ways tell a speed as gaps do not
-constexpr double kForeignFlowSlack = 1.15;  // of the flow that a file tells: E is rounded, and gap fill is thick
-constexpr double kFarFlow = 2;              // of these limits: nothing that our files are made with asks for that
-constexpr double kProfileFlowSlack = 1.5;   // of a profile's flow, which is that of plain filament
+constexpr double kSame = 1e-6;   // difference that counts as none
+constexpr double kSameHeat = 3;  // [degrees Celsius], change that counts as none
+constexpr double kFarHeat = 12;  // [degrees Celsius], greatest distance from the targets of another program's file
+constexpr double kFarBed = 25;   // [degrees Celsius], greatest change of the bed; first layers have a hotter one
+constexpr double kMostFlowChange = 0.3;     // change of flow, as a share, that is an error: no print bears it
+constexpr double kSmallFlowChange = 0.1;    // change of flow, as a share, that passes in other programs' files
+constexpr double kHighSpeed = 1.3;          // factor of speed that passes in other programs' files
+constexpr double kLongAdvance = 1.5;        // [s], pressure advance that tubes of 1 m do not reach
+constexpr double kOldAdvance = 10;          // M900's K in its old unit is at least this
+constexpr double kHighAcceleration = 2e4;   // [mm/s²], acceleration of the fastest machines that are sold
+constexpr double kHighCorner = 25;          // [mm/s], jerk that passes in other programs' files
+constexpr double kHighestCorner = 40;       // [mm/s], jerk above which it is an error there, too
+constexpr double kWait = 0.3;               // [s], longest pause that is not judged
+constexpr double kLongWait = 5;             // [s], longest pause that is not judged outside a path
+constexpr double kTouch = 0.05;             // [mm] above what is laid, at which the nozzle still touches it
+constexpr double kMostDragged = 6;          // [mm], longest drag that passes: a wipe is shorter
+constexpr double kSurplus = 0.05;           // [mm of filament], most that our own files push beyond what they drew back
+constexpr double kForeignSurplus = 0.5;     // [mm of filament], the same for other programs; some do it on purpose
+constexpr double kHeightShare = 0.3;        // share of a layer's height that a bead may lie off its mark
+constexpr double kFileOffset = 0.5;         // [mm], greatest shift of all heights of a file
+constexpr double kSameSize = 0.5;           // [mm], difference in size that layers of one outline may have
+constexpr double kShift = 1;                // [mm], longest shift between layers that passes
+constexpr double kLeastShifted = 5;         // [mm], least size of a layer whose shift is judged
+constexpr double kBlowing = 50;             // [%], least fan that counts on the first layer
+constexpr std::size_t kMostChanges = 1000;  // changes that are kept, which bounds the memory
+constexpr std::size_t kMostLayers = 100'000;  // layers whose flow is kept, which bounds the memory
+constexpr double kOddFlow = 0.1;              // share that a layer's plastic may differ from the others'
+constexpr double kLeastPlastic = 10;          // [mm³], least plastic of a layer that is judged
+constexpr double kLeastGap = 0.5;  // [mm], longest gap that passes: shorter beads may have too little plastic for an E
+constexpr double kLeastWay = 2;    // [mm], longest way there and back over the print that passes
+constexpr double kFarPush = 4;     // times the speed that a file states for filament alone
+constexpr std::int64_t kRarely = 20;  // least ways with a speed per gap; with fewer, the slicer just states no speeds
+constexpr double kForeignFlowSlack = 1.15;  // times the flow that a file states: E is rounded, and gap fill is thick
+constexpr double kFarFlow = 2;              // times these limits: an error in our own files, as no setting asks for it
+constexpr double kProfileFlowSlack = 1.5;   // times a profile's flow, which is that of plain filament
 
 std::string whole(double value) { return decimal(value, 0); }
 
-// "215" or "215,215": each once.
+// Adds each number of a list such as "215,215" once.
 void addNumbers(std::string_view text, std::vector<double>& numbers) {
   while (!text.empty() && numbers.size() < 64) {
     double value = 0;
@@ -98,11 +100,13 @@ void addNumbers(std::string_view text, std::vector<double>& numbers) {
   }
 }
 
+// Tells whether a command waits for a heater.
 bool waitsForHeat(const GcodeCommand& command, const std::string& name) {
   return command.is('M', 109) || command.is('M', 190) || command.is('M', 191) || command.is('M', 116) ||
          name == "TEMPERATURE_WAIT";
 }
 
+// Tells whether a command pauses the print for somebody.
 bool pauses(const GcodeCommand& command, const GcodeWords& words, const std::string& name) {
   if (name == "PAUSE") return true;
   if (command.letter != 'M' || command.sub != 0) return false;
@@ -115,7 +119,7 @@ bool pauses(const GcodeCommand& command, const GcodeWords& words, const std::str
     case 601:
       return true;
     case 400:
-      return words.has('U');  // Bambu's
+      return words.has('U');  // pauses Bambu's printers
     default:
       return false;
   }
@@ -144,6 +148,7 @@ std::vector<std::string> PrintRules::unchecked() const {
   return all;
 }
 
+// Adds a finding about the current line, or about `line` if that is above 0.
 void PrintRules::tell(std::string_view code, bool error, FindingValues values, std::int64_t line) {
   const Sentence& sentence = sentenceOf(kSentences, code);
   GcodeFinding finding;
@@ -157,6 +162,7 @@ void PrintRules::tell(std::string_view code, bool error, FindingValues values, s
   check_.lines = here;
 }
 
+// Tells whether the nozzle touches what is printed.
 bool PrintRules::standsOnPrint() const {
   if (!(laid_.top() > 0)) return false;
   MachineMove here;
@@ -165,6 +171,7 @@ bool PrintRules::standsOnPrint() const {
   return laid_.depthOf(here) > 0;
 }
 
+// Notes the value of a setting. A change in the layers waits for the next bead, and is none if it was taken back.
 void PrintRules::note(Setting setting, double value) {
   if (value == now_[setting]) return;
   now_[setting] = value;
@@ -173,6 +180,7 @@ void PrintRules::note(Setting setting, double value) {
   pending_.push_back({setting, check_.lines, value});
 }
 
+// Notes the settings that a command changes, and judges waits and the end block.
 void PrintRules::onCommand(std::string_view code) {
   const GcodeCommand command = commandOf(code);
   if (command.letter == 'G' && command.code >= 0 && command.code <= 3) return;
@@ -189,10 +197,11 @@ void PrintRules::onCommand(std::string_view code) {
   noteMotion(command, words, name);
   noteFan(command, words, name);
   judgeWait(command, words, name);
-  homed_ = homed_ || (custom_ && layers_ > 0 && homesZ(command));  // then only the printer knows where the nozzle is
+  homed_ = homed_ || (custom_ && layers_ > 0 && homesZ(command));  // from then on only the printer knows Z
   judgeEnd();
 }
 
+// Notes flow, speed, pressure advance, acceleration and jerk.
 void PrintRules::noteMotion(const GcodeCommand& command, const GcodeWords& words, const std::string& name) {
   if (command.is('M', 221)) note(Flow, words.at('S', now_[Flow]));
   if (command.is('M', 220)) note(Speed, words.at('S', now_[Speed]));
@@ -214,8 +223,9 @@ void PrintRules::noteMotion(const GcodeCommand& command, const GcodeWords& words
   });
 }
 
+// Notes the fan that cools the print [%].
 void PrintRules::noteFan(const GcodeCommand& command, const GcodeWords& words, const std::string& name) {
-  const bool part = !words.has('P') || words.at('P') <= 1;  // others cool the chamber or the board
+  const bool part = !words.has('P') || words.at('P') <= 1;  // other fans cool the chamber or the board
   if (command.is('M', 107) && part) fan_ = 0;
   if (command.is('M', 106) && part) {
     const double told = words.at('S', 255);
@@ -227,6 +237,7 @@ void PrintRules::noteFan(const GcodeCommand& command, const GcodeWords& words, c
   });
 }
 
+// Judges pauses and waits during which the nozzle touches the print.
 void PrintRules::judgeWait(const GcodeCommand& command, const GcodeWords& words, const std::string& name) {
   if (block() || !moved_) return;
   const bool pause = pauses(command, words, name);
@@ -240,12 +251,13 @@ void PrintRules::judgeWait(const GcodeCommand& command, const GcodeWords& words,
   }
 }
 
-// Our own end blocks begin above the plate; those of others may leave the lift to a macro.
+// Judges the nozzle's height in the end blocks of our own files; other programs may leave the lift to a macro.
 void PrintRules::judgeEnd() {
   if (!ours_ || !custom_ || layers_ == 0 || homed_) return;
   if (standsOnPrint()) tell("rests-on-print", true);
 }
 
+// Reads temperatures, speed limits and filaments from a setting that the file states.
 void PrintRules::readSettings(std::string_view text) {
   const std::size_t equal = text.find(" = ");
   if (equal == std::string_view::npos) return;
@@ -263,6 +275,7 @@ void PrintRules::readSettings(std::string_view text) {
   }
 }
 
+// Reads roles, heights, widths and settings.
 void PrintRules::onComment(std::string_view text) {
   if (text.starts_with("TYPE:") || text.starts_with("FEATURE: ")) {
     const std::string role = upperCase(trimmed(text.substr(text.find(':') + 1)));
@@ -291,6 +304,7 @@ void PrintRules::onComment(std::string_view text) {
   readSettings(text);
 }
 
+// Finds filament that is pushed on the spot beyond what was drawn back.
 void PrintRules::onFilament(double e, double retractedBefore) {
   quiet_ = quiet_ && e > 0 && retractedBefore <= 0;
   if (e < 0) {
@@ -305,6 +319,7 @@ void PrintRules::onFilament(double e, double retractedBefore) {
   }
 }
 
+// Finds drags over the print, and judges height, speed, flow and cooling of each bead.
 void PrintRules::onMove(const MachineMove& move) {
   toldF_ = toldF_ || move.toldF;
   if (!(move.length > 0)) {
@@ -317,7 +332,8 @@ void PrintRules::onMove(const MachineMove& move) {
   }
   if (!ours_) noteGap(move);
   if (!(move.e > 0)) {
-    // Slicers of others go over layers as they please until the last one is done, and so do we without a lift.
+    // Other slicers travel over layers as they like until the last one is done. So do our own files without a lift,
+    // which is only a warning until then.
     const bool judged = ours_ || (custom_ && layers_ > 0);
     if (!judged || !(laid_.top() > 0)) return;
     dragged_ += laid_.touched(move, kTouch);
@@ -335,7 +351,7 @@ void PrintRules::onMove(const MachineMove& move) {
       tell("advance", false, {{"seconds", decimal(now_[Advance], 3)}, {"told", decimal(now_[Advance], 3)}});
     }
   }
-  for (const Change& change : pending_) {  // what was taken back before anything was laid is none
+  for (const Change& change : pending_) {  // a change that was taken back before any bead is none
     if (change.value == now_[change.setting] && changes_.size() < kMostChanges) changes_.push_back(change);
   }
   pending_.clear();
@@ -363,7 +379,8 @@ void PrintRules::onMove(const MachineMove& move) {
   judgeSpeed(move);
 }
 
-// A bead that was left out, and a way over the print that no slicer made.
+// Finds beads that are missing in another program's file, and ways there and back over the print, which no slicer
+// makes.
 void PrintRules::noteGap(const MachineMove& move) {
   if (!(move.e > 0)) {
     quiet_ = quiet_ && move.e == 0 && move.z == move.zFrom;
@@ -385,7 +402,8 @@ void PrintRules::noteGap(const MachineMove& move) {
   quiet_ = true;
 }
 
-// A bead has the section of a rectangle with round ends.
+// Adds a bead's plastic to its layer, and the plastic that its marks ask for: a bead's section is a rectangle with
+// round ends.
 void PrintRules::noteFlow(const MachineMove& move) {
   if (!plain_ || !(width_ > 0) || !(pathHeight_ > 0)) return;
   const double section = pathHeight_ * (width_ - pathHeight_) + std::numbers::pi / 4 * pathHeight_ * pathHeight_;
@@ -396,16 +414,16 @@ void PrintRules::noteFlow(const MachineMove& move) {
   flow.told += section * move.length;
 }
 
-// The mark's height, as far as the file tells one; else steps from layer to layer.
+// Judges a bead's height by the mark of its layer, if there is one, else by the step from the layer before.
 void PrintRules::judgeHeight(const MachineMove& move) {
   if (move.z != move.zFrom) {
     climbs_ = true;
     offLine_ = 0;
   }
-  if (climbs_) return;  // a spiral, which has level pieces only where heights are rounded
+  if (climbs_) return;  // the layer is a spiral, level only where heights are rounded
   tellOff();
   if (told_ >= 0) {
-    if (ours_ || !(height_ > 0)) return;  // our own files are judged with the other rules
+    if (ours_ || !(height_ > 0)) return;  // Rules judges our own files
     if (toldFirst_ < 0) toldFirst_ = told_;
     const double rise = told_ - toldBefore_;
     const bool twice = std::abs(rise) < kSame && told_ > toldFirst_ + kSame;
@@ -434,7 +452,8 @@ void PrintRules::judgeHeight(const MachineMove& move) {
   lastZ_ = move.z;
 }
 
-// Limits of a machine that only the file tells: its own for a filament, else those of the profile of that name.
+// Judges a bead's speed and flow by limits that only the file states: its own for a filament, else those of the profile
+// of its machine.
 void PrintRules::judgeSpeed(const MachineMove& move) {
   if (settings_.printer) return;
   const double speed = machine_.speed * now_[Speed] / 100;
@@ -451,6 +470,7 @@ void PrintRules::judgeSpeed(const MachineMove& move) {
   }
 }
 
+// Reports the last bead that lies off its layer, unless judgeHeight has found since that the layer climbs.
 void PrintRules::tellOff() {
   if (offLine_ == 0) return;
   const std::int64_t here = std::exchange(check_.lines, std::exchange(offLine_, 0));
@@ -458,6 +478,7 @@ void PrintRules::tellOff() {
   check_.lines = here;
 }
 
+// Ends the layer before: reports a shift against the one below, and resets what belongs to a layer.
 void PrintRules::onLayer() {
   tellOff();
   if (told_ >= 0) toldBefore_ = told_;
@@ -482,6 +503,7 @@ void PrintRules::onLayer() {
   box_ = {};
 }
 
+// Judges a change of the nozzle's target by the nearest temperature that the file states.
 void PrintRules::judgeHeat(const Change& change) {
   double nearest = atFirst_[Nozzle];
   for (const double told : temperatures_) {
@@ -492,6 +514,7 @@ void PrintRules::judgeHeat(const Change& change) {
   tell("heat-changed", ours_, {{"degrees", whole(change.value)}, {"told", whole(atFirst_[Nozzle])}}, change.line);
 }
 
+// Judges a change in mid-print; in other programs' files only large ones count.
 void PrintRules::judge(const Change& change) {
   const double value = change.value;
   const double first = atFirst_[change.setting];
@@ -533,6 +556,7 @@ void PrintRules::judge(const Change& change) {
   }
 }
 
+// Finds PLA that is never cooled, and a fan that blows on most of the first layer.
 void PrintRules::judgeFan() {
   if (pla_ && uncooledMm_ > 0 && cooledMm_ == 0) tell("no-fan", false);
   if (startHeight_ <= 0 && layers_ > 1 && firstCooledMm_ > 0.5 * firstMm_) {
@@ -540,7 +564,8 @@ void PrintRules::judgeFan() {
   }
 }
 
-// Slicers tell each way's speed, unless it is that of the beads.
+// Reports ways without a speed, which once were beads. Slicers state the speed of each way, unless it is the beads'
+// own.
 void PrintRules::judgeGaps() {
   if (gaps_ == 0 || kRarely * gaps_ > ways_) return;
   check_.findings.push_back(makeFinding("gap", false));
@@ -548,6 +573,7 @@ void PrintRules::judgeGaps() {
   check_.findings.back().count = gaps_;
 }
 
+// Finds layers whose share of the plastic that their marks ask for is off the median of all layers.
 void PrintRules::judgeFlow() {
   std::vector<double> shares;
   for (const LayerFlow& flow : flows_) {
@@ -563,6 +589,7 @@ void PrintRules::judgeFlow() {
   }
 }
 
+// Judges what only the whole file shows: gaps, flow, speeds, changes and the fan.
 void PrintRules::onFinish() {
   onLayer();
   judgeGaps();

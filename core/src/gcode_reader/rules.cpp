@@ -15,27 +15,27 @@
 namespace sillon {
 namespace {
 
-constexpr double kRounding = 0.0015;           // [mm], coordinates have 3 decimals
-constexpr double kLongTravel = 2;              // [mm], shorter ones draw no thread
-constexpr double kCoast = 1.01;                // [mm], travel at a path's end that still belongs to it
+constexpr double kRounding = 0.0015;           // [mm]; coordinates have 3 decimals
+constexpr double kLongTravel = 2;              // [mm]; shorter travels draw no thread
+constexpr double kCoast = 1.01;                // [mm], longest travel at a path's end that still belongs to it
 constexpr double kLongestPrime = 50;           // [mm of filament], Klipper's max_extrude_only_distance
-constexpr std::size_t kLongestOverlap = 4096;  // [moves]
-constexpr double kLeastCovered = 0.9;          // of the base
-constexpr std::size_t kMostBeads = 4000000;    // whose coverage is judged, in 100 MB
-constexpr double kTotalSlack = 0.006;          // [mm], two decimals
-constexpr double kForeignTotalSlack = 0.02;    // of other programs, who count their start block or do not
-constexpr double kBelowBed = 0.5;              // [mm], makers' blocks wipe so deep
-constexpr double kBelowBesideBed = 2;          // [mm], beside the sheet
-constexpr double kMostShift = 0.5;             // [mm] of X and Y
-constexpr double kMostRaised = 2;              // [mm] of Z
-constexpr double kFirstLift = 20;              // [mm]
-constexpr double kScratch = 0.1;               // [mm] that a nozzle may be lower than what it passes over
-constexpr double kOffLayer = 0.1;              // of a layer, between a bead and its layer's height
-constexpr double kMostGap = 2;                 // [mm] between a bead and what is highest before it: the thickest layer
-constexpr double kMostPushed = 5;              // [mm of filament] without a move
-constexpr double kFarSheet = 255;              // [mm], Y of the steel behind the sheets of Bambu's machines
+constexpr std::size_t kLongestOverlap = 4096;  // [moves] at a path's beginning that are kept
+constexpr double kLeastCovered = 0.9;          // least share of the base that an oriented layer covers
+constexpr std::size_t kMostBeads = 4000000;    // beads whose coverage is judged, in 160 MB
+constexpr double kTotalSlack = 0.006;          // [mm]; totals have two decimals
+constexpr double kForeignTotalSlack = 0.02;    // share of the total; other programs may count their start block
+constexpr double kBelowBed = 0.5;              // [mm]; makers' blocks wipe so deep
+constexpr double kBelowBesideBed = 2;          // [mm], the same beside the sheet
+constexpr double kMostShift = 0.5;             // [mm], greatest shift of X and Y by G92
+constexpr double kMostRaised = 2;              // [mm], greatest shift of Z upwards by G92
+constexpr double kFirstLift = 20;              // [mm], highest lift of a block before it homes
+constexpr double kScratch = 0.1;               // [mm], greatest depth of a nozzle in what it passes over
+constexpr double kOffLayer = 0.1;              // share of a layer's height that a bead may lie off it
+constexpr double kMostGap = 2;     // [mm], greatest step from the highest bead to the next: the thickest layer
+constexpr double kMostPushed = 5;  // [mm of filament], most that may be pushed without a move
+constexpr double kFarSheet = 255;  // [mm], Y of the steel behind the sheets of Bambu's machines
 
-// How far a place lies beyond the bed [mm]; below 0 inside; nothing where the bed is not known.
+// Distance of a place beyond the bed's edge [mm], below 0 inside; nothing if the bed is not known.
 std::optional<double> beyondBed(const FileSettings& settings, Vec2 p) {
   if (settings.printer) return Bed(*settings.printer).overhang(p, 0);
   if (settings.bed.empty()) return std::nullopt;
@@ -43,7 +43,7 @@ std::optional<double> beyondBed(const FileSettings& settings, Vec2 p) {
   return std::max({bed.min.x - p.x, p.x - bed.max.x, bed.min.y - p.y, p.y - bed.max.y});
 }
 
-// Where nothing stands and no sheet lies.
+// Tells whether a place is beside the bed, where nothing stands and no sheet lies.
 bool beside(const FileSettings& settings, Vec2 p) {
   const auto beyond = beyondBed(settings, p);
   return beyond ? *beyond > 0.5 : p.y > kFarSheet;
@@ -75,8 +75,9 @@ void Rules::found(std::string_view code, bool error, FindingValues values) {
   found(makeFinding(code, error, std::move(values)));
 }
 
+// Adds a finding about the current line, or counts it with the same one before.
 void Rules::found(GcodeFinding finding) {
-  // One entry per code; of different commands, or beads and moves, one each.
+  // Findings with the same code share an entry, but different commands have one each, and so have errors and warnings.
   const auto same = [&](const GcodeFinding& other) {
     if (other.code != finding.code || other.error != finding.error) return false;
     if (finding.values.empty() || other.values.empty()) return true;
@@ -93,6 +94,7 @@ void Rules::found(GcodeFinding finding) {
   check_.findings.push_back(std::move(finding));
 }
 
+// Judges the line's spelling, and hands on its command or comment. Plain moves take a shorter way.
 void Rules::line(const GcodeLine& line) {
   check_.lines = line.number;
   if (GcodeWords words; line.end == "\n" && readPlainMove(line.text, words)) {
@@ -122,8 +124,9 @@ void Rules::line(const GcodeLine& line) {
   onCommand(parts.code);
 }
 
+// Reads marks of layers, roles, heights and totals.
 void Rules::comment(std::string_view text) {
-  // Ours for Bambu's printers have two marks for each layer: the kind that comes first counts.
+  // Our own files for Bambu's printers have two marks for each layer, of which the kind that comes first counts.
   const LayerMark mark = layerMark(text);
   if (layerMark_ == LayerMark::None) layerMark_ = mark;
   if (mark != LayerMark::None && mark == layerMark_) {
@@ -134,7 +137,7 @@ void Rules::comment(std::string_view text) {
     changesTool_ = false;
     ++layers_;
   }
-  // Cura marks no end block; what it writes between its layers is its own business, too.
+  // Cura marks no end block, so that all from a TIME_ELAPSED to the next LAYER counts as a block.
   if (text.starts_with("TIME_ELAPSED:")) custom_ = true;
   if (text.starts_with("LAYER:")) custom_ = false;
   if (const auto value = numberAfter(text, "Z:"); value && ours_) layerTop_ = *value;
@@ -152,7 +155,7 @@ void Rules::comment(std::string_view text) {
   if (const std::size_t at = text.find(", flow = "); ours_ && layers_ == 0 && at != std::string_view::npos) {
     flow_ = std::clamp(numberAfter(text.substr(at + 2), "flow =").value_or(1), 0.01, 2.0);
   }
-  // Of several filaments it tells several, and what changes cost is told in as many ways as there are slicers.
+  // Several filaments have several totals, and each slicer has its own way to state what changes cost.
   const bool single = text.find(',') == std::string_view::npos;
   if (const auto value = numberAfter(text, "filament used [mm] ="); value && single) fileTotal_ = *value;
   if (const auto value = numberAfter(text, "total layers count =")) {
@@ -161,6 +164,7 @@ void Rules::comment(std::string_view text) {
   onComment(text);
 }
 
+// Takes a start macro for homing and heating, with the temperatures in its parameters.
 void Rules::startMacro(std::string_view parameters) {
   machine_.homedAxes = kAllAxes;
   check_.homes = check_.homesPlane = true;
@@ -170,6 +174,7 @@ void Rules::startMacro(std::string_view parameters) {
   noteHeat();
 }
 
+// Judges a command by the table, adds up its offsets, and runs it.
 void Rules::command(std::string_view text) {
   if (text.size() > 95 && !klipper()) found("long-command", false);
   const GcodeCommand command = commandOf(text);
@@ -207,8 +212,9 @@ FindingValues offsetFault(const Offsets::Axes& sum) {
   return {};
 }
 
+// Runs a command and judges its move, homing and heat.
 void Rules::run(const GcodeCommand& command, const GcodeWords& words) {
-  // Deltas home at their top.
+  // Deltas home at their top, away from the print.
   if (laid_.top() > 0 && (probesBed(command) || (homesZ(command) && !settings_.roundBed))) {
     found("homes-on-print", !block(), {{"command", shownText(command.name)}});
   }
@@ -231,11 +237,12 @@ void Rules::run(const GcodeCommand& command, const GcodeWords& words) {
     check_.homes = machine_.homed();
     check_.homesPlane = machine_.homed(kPlane);
   }
-  if (command.letter == 'G' && command.code <= 3) return;  // most lines
+  if (command.letter == 'G' && command.code <= 3) return;  // most lines end here
   heaters_.run(command, words, machine_.tool, klipper());
   noteHeat();
 }
 
+// Notes the current tool's and the bed's temperatures.
 void Rules::noteHeat() {
   const Heater& nozzle = heaters_.nozzle(machine_.tool);
   check_.nozzleTarget = nozzle.target;
@@ -250,7 +257,7 @@ const char* wordFault(const GcodeWords& words) {
   return kCodes[words.fault];
 }
 
-// What is no plain number is read as far as a firmware would.
+// Reads a command's words, as far as a firmware would, and adds what is wrong with them.
 GcodeWords Rules::words(const GcodeCommand& command) {
   const GcodeWords words = wordsOf(command.rest);
   if (const char* fault = wordFault(words)) {
@@ -265,6 +272,7 @@ GcodeWords Rules::words(const GcodeCommand& command) {
   return words;
 }
 
+// Judges commands that change the unit, the origin, or what E means.
 void Rules::modes(const GcodeCommand& command, const GcodeWords& words) {
   if (command.is('G', 20) && !block()) found("inches", true);
   if (command.is('G', 92) && (words.has('X') || words.has('Y') || words.has('Z'))) {
@@ -272,7 +280,7 @@ void Rules::modes(const GcodeCommand& command, const GcodeWords& words) {
     for (const auto& [letter, axis] : {std::pair{'X', kAxisX}, {'Y', kAxisY}, {'Z', kAxisZ}}) {
       if (words.has(letter) && machine_.told(axis)) shifted_ |= axis;
     }
-    // Most printers home Z at the bed: what is told there is no place but a shift. Deltas home at their top.
+    // Most printers home Z at the bed, so that a G92 of Z behind it is a shift. Deltas home at their top.
     const bool homesLow = settings_.printer && !settings_.printer->roundBed;
     if (words.has('Z') && homesLow && machine_.homed(kAxisZ)) shifted_ |= kAxisZ;
     shiftLine_ = check_.lines;
@@ -280,7 +288,8 @@ void Rules::modes(const GcodeCommand& command, const GcodeWords& words) {
   if (volumetricBy(command, words).value_or(false) && !settings_.volumetric) found("volumetric", true);
 }
 
-// Where layers begin: a start block may move origins while it looks for the bed, and must put them back.
+// Judges the origins at the first layer: a start block may move them while it looks for the bed, but must put them
+// back.
 void Rules::judgeOrigin() {
   double most = 0;
   const auto judge = [&](unsigned axis, double origin, double low, double high) {
@@ -297,23 +306,25 @@ void Rules::judgeOrigin() {
   check_.findings.push_back(std::move(finding));
 }
 
+// Finds places in the excluded part of the bed or beyond its edge.
 void Rules::checkPlace(Vec2 p, const char* offBed) {
   if (settings_.printer && moved_ && inPath_ && Bed(*settings_.printer).inZone(p, -kRounding)) found("excluded", true);
   const double over = beyondBed(settings_, p).value_or(-1);
   if (over <= kRounding) return;
-  // Bambu's machines reach so far beside the bed, to wipe and to cut, and to press a camera's shutter between layers.
-  constexpr double kBambusWiper = 60;  // [mm]
+  // Bambu's machines reach this far beside the bed to wipe, to cut, and to press a camera's shutter between layers.
+  constexpr double kBambusWiper = 60;  // [mm] beyond the bed's edge
   const bool bambu = settings_.flavor == GcodeFlavor::Bambu && (block() || !inPath_);
   if ((block() || bambu) && over <= (bambu ? kBambusWiper : kBeyondBed)) return;
   found(offBed, true, {{"place", shownPlace(p)}, {"mm", decimal(over, 3)}});
 }
 
-// Whether the nozzle goes through what has been printed.
+// Finds moves of the nozzle through what has been printed.
 void Rules::checkHeight(const MachineMove& move) {
   const double depth = laid_.depthOf(move);
   if (depth > kScratch) found("in-print", true, {{"mm", decimal(depth, 3)}});
 }
 
+// Finds beads in the air, and beads of our own files that lie off their layer.
 void Rules::checkBeadHeight(double z) {
   const double top = std::max(laid_.top(), startHeight_);
   if (z > top + kMostGap) found("in-air", true, {{"z", decimal(z, 3)}, {"top", decimal(top, 3)}});
@@ -322,6 +333,7 @@ void Rules::checkBeadHeight(double z) {
   }
 }
 
+// Finds more moves per second than the printer takes, as a mean of the last kWindow moves of a path.
 void Rules::checkRate(double seconds) {
   window_[windowed_ % kWindow] = seconds;
   if (++windowed_ < kWindow) return;
@@ -330,12 +342,13 @@ void Rules::checkRate(double seconds) {
   if (!(sum > 0)) return;
   const double rate = static_cast<double>(kWindow) / sum;
   check_.mostMoves = std::max(check_.mostMoves, rate);
-  // Lengths are read back from 3 decimals here and there.
+  // Lengths come from coordinates with 3 decimals, hence a little slack.
   if (settings_.printer && rate > settings_.printer->maxSegmentsPerSecond * 1.001) {
     found("rate", false, {{"rate", decimal(rate, 0)}});
   }
 }
 
+// Judges a move, and hands it on as a bead or a travel.
 void Rules::move(const MachineMove& move) {
   ++check_.moves;
   onMove(move);
@@ -359,26 +372,26 @@ void Rules::move(const MachineMove& move) {
   }
   const bool wipes = block() && beside(settings_, move.from) && beside(settings_, move.to);
   const bool zTold = machine_.told(kAxisZ);
-  if (zTold && (move.xy || move.z < move.zFrom) && !wipes) {  // from where is not told in a block by itself
+  if (zTold && (move.xy || move.z < move.zFrom) && !wipes) {  // a block by itself does not tell where a move begins
     const double low = lastZTold_ ? std::min(move.zFrom, move.z) : move.z;
     check_.lowest = std::min(check_.lowest, low);
     if (low < startHeight_ && (move.xy || startHeight_ > 0)) found("below-print", !block(), {{"mm", decimal(low, 3)}});
   }
   lastZTold_ = zTold;
-  // Many blocks lift a little before they home, or between the axes: in the plane, and then in the middle of the bed.
+  // Many blocks lift a little before they home, or between homing X and Y and homing Z in the middle of the bed.
   const bool lift = move.length == 0 && move.z > move.zFrom && (!machine_.absolute || machine_.homed(kPlane));
   const bool lowers = move.z != move.zFrom && !lift;
-  // From where it was switched on: makers' blocks lift so before they home.
+  // Makers' blocks lift before they home, from the height at which the printer was switched on.
   const bool first = block() && move.length == 0 && move.zFrom == 0 && move.z > 0 && move.z <= kFirstLift;
   const unsigned moved = (move.arc || move.to.x != move.from.x ? kAxisX : 0) |
                          (move.arc || move.to.y != move.from.y ? kAxisY : 0) | (lowers ? heightAxis() : 0);
-  // Behind the print some blocks switch the motors off too early.
+  // After the print some blocks switch the motors off too early, which is only a warning.
   if (!machine_.homed(moved)) found("unhomed", !first && (layers_ == 0 || !block()));
   if (laid_.top() > 0) checkHeight(move);
   if (move.length > 0) {
     pushed_ = 0;
     if (machine_.speed <= 0) {
-      found("no-speed", !block());  // firmware has a speed to begin with
+      found("no-speed", !block());  // firmwares have a speed to begin with
       machine_.speed = 1;
     }
     clock_ += move.length / machine_.speed;
@@ -389,6 +402,7 @@ void Rules::move(const MachineMove& move) {
   }
 }
 
+// Judges a bead, and adds it to what is printed.
 void Rules::bead(const MachineMove& move, double e) {
   const Vec2 from = move.from;
   const Vec2 to = move.to;
@@ -409,9 +423,9 @@ void Rules::bead(const MachineMove& move, double e) {
     overlap_ = -1;
     windowed_ = 0;
   } else if (coasted_ > 0) {
-    if (ours_ && !block()) found("gap", pathOriented_);  // other slicers go short ways without retraction
+    if (ours_ && !block()) found("gap", pathOriented_);  // other slicers travel short ways without retraction
   }
-  if (block()) machine_.retracted = 0;  // what it purges fills the nozzle
+  if (block()) machine_.retracted = 0;  // purging fills the nozzle
   coasted_ = 0;
   pathEnd_ = to;
   followOverlap(to);
@@ -429,7 +443,7 @@ void Rules::bead(const MachineMove& move, double e) {
   check_.filamentMm += e;
   if (!block()) counted_ += e;
   check_.pathMm += move.length;
-  // One step of the last decimal of E is no fault of the path.
+  // The section that is certain: E may be rounded up by a step of its last decimal.
   const double sure = (e - 1e-5) * area_ / move.length;
   if (!block()) {
     checkBeadHeight(move.z);
@@ -440,14 +454,14 @@ void Rules::bead(const MachineMove& move, double e) {
     check_.fastest = std::max(check_.fastest, speed);
     check_.mostFlow = std::max(check_.mostFlow, sure * speed);
   }
-  // How high homing and levelling leave the nozzle is the printer's own affair: a block may purge there.
+  // Only the printer knows how high homing and levelling leave the nozzle, and a block may purge there.
   const bool untold = block() && !machine_.told(kAxisZ) && move.z == 0;
   // Some purge at the height of homing, which is a sheet of paper above the bed.
   if (move.z <= 0 && !untold) found("bead-in-bed", !block() || move.z < 0, {{"mm", decimal(move.z, 3)}});
-  // Makers' blocks purge thick lines. Klipper stops there, too, unless the printer's configuration allows more.
+  // Makers' blocks purge thick lines, but Klipper stops at them unless the printer's configuration allows more.
   const double thickest = 4 * settings_.nozzle * settings_.nozzle;
   if (settings_.nozzle > 0 && sure > thickest && (klipper() || !block())) {
-    const bool heap = e - thickest * move.length / area_ > kMostPushed;  // it does not matter that the nozzle moves
+    const bool heap = e - thickest * move.length / area_ > kMostPushed;  // a heap, although the nozzle moves
     found("too-thick", !block() && (ours_ || klipper() || heap), {{"area", decimal(section, 3)}});
   }
   if (settings_.printer && !block() && sure * speed > settings_.printer->maxFlow * 1.0001) {
@@ -460,6 +474,7 @@ void Rules::bead(const MachineMove& move, double e) {
   if (!block()) checkRate(move.length / speed);
 }
 
+// Finds extrusion with a nozzle that is too cold.
 void Rules::checkHot() {
   constexpr double kSoft = 130;  // [degrees Celsius], at which Bambu's blocks push what has been flushed
   const double coldest = block() && settings_.flavor == GcodeFlavor::Bambu ? kSoft : kColdest;
@@ -468,6 +483,7 @@ void Rules::checkHot() {
   }
 }
 
+// Keeps a bead for the layers' coverage. Its width follows from its section, the layer height and the flow.
 void Rules::lay(Vec2 from, Vec2 to, double section, double seconds) {
   if (layerHeight_ <= 0 || beads_.size() >= kMostBeads) return;
   const double flow = settings_.filamentFlow * (base_ ? baseFlow_ : flow_);
@@ -477,11 +493,13 @@ void Rules::lay(Vec2 from, Vec2 to, double section, double seconds) {
                     static_cast<float>(clock_ - seconds), static_cast<float>(seconds)});
 }
 
+// Adds the length that the layer's oriented beads were slowed over.
 void Rules::endLayer() {
   check_.slowedMm += layerSlowedMm_;
   layerFastest_ = layerSlowedMm_ = layerAtFastestMm_ = 0;
 }
 
+// Measures the coverage of oriented layers and their beads' waits for neighbours.
 void Rules::judgeLayers() {
   const auto whole = [&](std::string_view code, FindingValues values) {
     check_.findings.push_back(makeFinding(code, false, std::move(values)));
@@ -497,29 +515,31 @@ void Rules::judgeLayers() {
   }
 }
 
+// Judges a travel; a short one without retraction may belong to the path, as coasting does.
 void Rules::travel(double length) {
   check_.travelMm += length;
   checkPlace(machine_.at, "move-off-bed");
   const bool tight = machine_.retracted > 0 || machine_.firmwareRetracted;
   if (inPath_ && !tight && coasted_ + length <= kCoast) {
     coasted_ += length;
-    if (pathEnd_ != pathStart_) pathEnd_ = machine_.at;  // else this is a wipe without retraction
+    if (pathEnd_ != pathStart_) pathEnd_ = machine_.at;  // behind a closed path it is a wipe without retraction
     return;
   }
   endPath();
   if (moved_ && !tight && !block() && length > kLongTravel) {
-    const bool retracts = !settings_.printer || settings_.printer->retractLength >= 1e-5;  // else none is written
+    const bool retracts = !settings_.printer || settings_.printer->retractLength >= 1e-5;  // less is not written
     if (retracts) found("travel-unretracted", ours_, {{"mm", decimal(length, 1)}});
   }
 }
 
+// Judges filament that is pushed or drawn back without a bead.
 void Rules::filament(double e, double retractedBefore) {
   onFilament(e, retractedBefore);
   if (e < 0) {
     endPath();
     ++check_.retractions;
     retractsBetween_ = retractsBetween_ || !block();
-    const bool unloads = tower_ || changesTool_ || (custom_ && layers_ > 0);  // a printer with several filaments
+    const bool unloads = tower_ || changesTool_ || (custom_ && layers_ > 0);  // several filaments: one is unloaded
     if (machine_.retracted > 25 && !unloads) found("far-retracted", true);
     return;
   }
@@ -530,13 +550,13 @@ void Rules::filament(double e, double retractedBefore) {
   }
   // Other programs, and makers' blocks, give back a little less on purpose (retract_restart_extra below 0).
   if ((!ours_ || block()) && machine_.retracted <= 0.5 * retractedBefore) machine_.retracted = 0;
-  // Bambu's blocks push filament that is soft, no more, before they home.
+  // Bambu's blocks push filament that is no more than soft before they home.
   const bool soft = block() && settings_.flavor == GcodeFlavor::Bambu;
   if (!check_.heatsNozzle && !soft) found("cold-start", true);
   checkHot();
 }
 
-// A path that has come back may run on over its beginning, as a scarf joint does.
+// Follows a path that has come back to its start and runs on over its first moves, as a scarf joint does.
 void Rules::followOverlap(Vec2 to) {
   const auto same = [](Vec2 a, Vec2 b) { return length(a - b) <= kRounding; };
   const auto next = static_cast<std::size_t>(std::max<std::ptrdiff_t>(overlap_, 0));
@@ -548,6 +568,7 @@ void Rules::followOverlap(Vec2 to) {
   if (pathHead_.size() < kLongestOverlap) pathHead_.push_back(to);
 }
 
+// Ends a path, and counts it as closed or open.
 void Rules::endPath() {
   if (!inPath_) return;
   inPath_ = false;
@@ -559,6 +580,7 @@ void Rules::endPath() {
   coasted_ = 0;
 }
 
+// Judges the end of the file: heaters that stay hot, and the totals that the file states.
 void Rules::judgeTotals() {
   const auto whole = [&](std::string_view code, bool error, FindingValues values = {}) {
     check_.findings.push_back(makeFinding(code, error, std::move(values)));
@@ -593,11 +615,11 @@ GcodeCheck Rules::finish() {
   judgeLayers();
   judgeTotals();
   onFinish();
-  // A file that never retracts was asked to: it oozes, and nothing is broken.
+  // A file that never retracts was asked not to: it oozes, but nothing is broken.
   for (GcodeFinding& finding : check_.findings) {
     if (finding.code == "travel-unretracted" && !retractsBetween_) finding.error = false;
   }
-  // Those of lines came in their order, those of the file as a whole behind them.
+  // Errors come before warnings, and findings about the whole file, which have no line, before those about lines.
   std::vector<GcodeFinding> sorted;
   for (const bool error : {true, false}) {
     for (const bool ofFile : {true, false}) {

@@ -1,4 +1,4 @@
-// The rules that a file is held to, line by line: what a printer would do, and what would go wrong.
+// Rules for a file, line by line: each line is run as a printer would run it, and judged.
 #pragma once
 
 #include <array>
@@ -17,41 +17,42 @@
 
 namespace sillon {
 
-// Makes findings: the one place where their codes, rules and sentences stand.
+// Makes findings from codes, whose rules and sentences are in findings.cpp.
 
 using FindingValues = std::vector<std::pair<std::string, std::string>>;
 
-/// \param code  one of the list in findings.cpp. \param values  for the sentence's {names}.
-/// line and count are left to the caller.
+/// Makes a finding; its line and count are left to the caller.
+/// \param code  one of the list in findings.cpp. \param values  values of the sentence's {names}.
 GcodeFinding makeFinding(std::string_view code, bool error, FindingValues values = {});
 
-/// Text of a file, as a sentence may show it: at most 60 characters, printable ASCII, quoted.
+/// Text of a file as a sentence shows it: at most 60 characters, printable ASCII, quoted.
 std::string shownText(std::string_view text);
 
-/// The code of the finding about a command's words, or null.
+/// Code of the finding about a command's words, or null.
 const char* wordFault(const GcodeWords& words);
 
-/// The values of the finding about offsets that were added up: empty if they are well.
+/// Values of the finding about offsets that were added up; empty if they are within their limits.
 FindingValues offsetFault(const Offsets::Axes& sum);
 
-inline constexpr double kBeyondBed = 10;  ///< [mm], how far makers' blocks go over the bed's edge to wipe and purge
+inline constexpr double kBeyondBed = 10;  ///< [mm], reach of makers' blocks beyond the bed's edge, to wipe and purge
 
-/// Whether a move goes deeper than any nozzle may: 0.5 mm below the bed; 2 mm where it is beside the bed, as makers'
-/// blocks wipe there.
+/// Tells whether a move goes deeper than any nozzle may: 0.5 mm below the bed, or 2 mm beside it, where makers' blocks
+/// wipe.
 bool tooDeep(const MachineMove& move, const FileSettings& settings);
 
+/// Runs and judges a file.
 class Rules {
  public:
-  /// \param ours  the file says that Sillon wrote it, and is held to more: closed cycles, plain lines, totals.
+  /// \param ours  the file says that Sillon wrote it, which adds rules: closed cycles, plain lines, totals.
   Rules(FileSettings settings, bool ours);
 
   void line(const GcodeLine& line);
-  /// The verdict; after the last line.
+  /// Ends the file and returns the verdict. To be called after the last line.
   GcodeCheck finish();
 
  protected:
-  // For rules about whole prints, print_rules.hpp. Called behind each command, before each move that the machine has
-  // made, and so on.
+  // Hooks for the rules about whole prints (print_rules.hpp), called after each command, for each move before the rules
+  // here judge it, and so on.
   virtual void onCommand(std::string_view) {}
   virtual void onComment(std::string_view) {}
   virtual void onMove(const MachineMove&) {}
@@ -64,7 +65,7 @@ class Rules {
   void comment(std::string_view text);
   void command(std::string_view text);
   void startMacro(std::string_view text);
-  void run(const GcodeCommand& command, const GcodeWords& words);  ///< a command with a letter
+  void run(const GcodeCommand& command, const GcodeWords& words);  ///< any but a start or end macro
   GcodeWords words(const GcodeCommand& command);
   void modes(const GcodeCommand& command, const GcodeWords& words);
   void noteHeat();
@@ -86,7 +87,7 @@ class Rules {
   void endLayer();
 
   [[nodiscard]] bool block() const { return layers_ == 0 || custom_ || changesTool_; }
-  // Above another print Z may be known from that one: to home it could drive into it.
+  // A print on top of another may know Z from that one, since homing could drive the nozzle into it.
   [[nodiscard]] unsigned heightAxis() const { return startHeight_ > 0 ? 0 : kAxisZ; }
   [[nodiscard]] bool klipper() const { return settings_.flavor == GcodeFlavor::Klipper; }
 
@@ -98,21 +99,21 @@ class Rules {
   MachineState machine_;
   Heaters heaters_;
   Offsets offsets_;
-  LaidHeights laid_;        // by the layers
-  double area_ = 0;         // of the filament [mm²]
-  double startHeight_ = 0;  // of a print on the bed, in files of ours
+  LaidHeights laid_;        // heights that the layers have reached
+  double area_ = 0;         // cross-section of the filament [mm²]
+  double startHeight_ = 0;  // height of the print below, in files of ours [mm]
   bool endMacro_ = false;
-  bool retractsBetween_ = false;  // somewhere in the layers
+  bool retractsBetween_ = false;  // the layers have a retraction
   bool moved_ = false;            // a bead was laid
-  bool lastZTold_ = false;        // before the last move
-  unsigned shifted_ = 0;          // axes that G92 moved from a place that was known
-  std::int64_t shiftLine_ = 0;    // of the last G92 that moved any
+  bool lastZTold_ = false;        // Z was known before the last move
+  unsigned shifted_ = 0;          // axes whose known places G92 has shifted
+  std::int64_t shiftLine_ = 0;    // line of the last G92 of X, Y or Z
 
   int layers_ = 0;
   LayerMark layerMark_ = LayerMark::None;
   bool custom_ = false;
-  bool tower_ = false;        // of what is purged between filaments
-  bool changesTool_ = false;  // in a file of another program
+  bool tower_ = false;        // the role is what is purged between filaments
+  bool changesTool_ = false;  // inside a tool change, in another program's file
   bool oriented_ = false;
   bool base_ = false;
 
@@ -120,25 +121,25 @@ class Rules {
   bool pathOriented_ = false;
   Vec2 pathStart_;
   Vec2 pathEnd_;
-  std::vector<Vec2> pathHead_;   // ends of its first moves
-  std::ptrdiff_t overlap_ = -1;  // moves since it came back to its start, all over its first ones; -1: it has not
+  std::vector<Vec2> pathHead_;   // ends of the path's first moves
+  std::ptrdiff_t overlap_ = -1;  // moves that repeat the first ones since the path came back to its start; -1: none
   double coasted_ = 0;
-  std::array<double, kWindow> window_{};  // [s] of the last moves of a path
+  std::array<double, kWindow> window_{};  // durations of the path's last moves [s]
   std::size_t windowed_ = 0;
   std::vector<LaidBead> beads_;
-  double clock_ = 0;         // [s] of all moves in the plane, at their speeds
-  double layerFastest_ = 0;  // of its oriented beads
+  double clock_ = 0;         // duration of all moves in the plane, at their speeds [s]
+  double layerFastest_ = 0;  // greatest speed of the layer's oriented beads [mm/s]
   double layerSlowedMm_ = 0;
   double layerAtFastestMm_ = 0;
   double layerHeight_ = 0;
-  double layerTop_ = -1;    // as a file of ours tells it; below 0: not told
-  double pushed_ = 0;       // [mm of filament] since the last move
+  double layerTop_ = -1;    // top of the layer, stated by files of ours [mm]; below 0: unknown
+  double pushed_ = 0;       // filament pushed since the last move [mm]
   bool lastMoves_ = false;  // the last command is a move
-  double flow_ = 1;         // of oriented layers
-  double baseFlow_ = 1;     // not told by files: as it mostly is
+  double flow_ = 1;         // flow of oriented layers
+  double baseFlow_ = 1;     // flow of base layers, which files do not state: the usual one
   double fileTotal_ = -1;
   int fileLayers_ = -1;
-  double counted_ = 0;  // [mm of filament] outside start and end blocks
+  double counted_ = 0;  // filament outside start and end blocks [mm]
 };
 
 }  // namespace sillon

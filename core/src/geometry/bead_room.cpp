@@ -3,10 +3,10 @@
 namespace sillon {
 namespace {
 
-constexpr double kSlack = 1e-4;     ///< by which discs may stand out [tau]
-constexpr int kPushes = 6;          ///< two do for smooth borders
-constexpr double kAstray = 0.1;     ///< further than straight there: another place [tau]
-constexpr double kOpposite = -0.9;  ///< cosine between the normals of two walls
+constexpr double kSlack = 1e-4;     ///< distance by which discs may stand out [tau]
+constexpr int kPushes = 6;          ///< steps of the search; two suffice at smooth borders
+constexpr double kAstray = 0.1;     ///< allowed detour; a disc further away is in another place [tau]
+constexpr double kOpposite = -0.9;  ///< largest cosine between the normals of two opposite walls
 
 }  // namespace
 
@@ -29,7 +29,7 @@ bool hasBeadRoom(const BorderIndex& border, Vec2 p, double spacing) {
   const double radius = 0.5 * spacing;
   Vec2 centre = p;
   double furthest = 0;
-  // Off the nearest border by what is missing; borders of short edges push again, from somewhere else.
+  // Moves off the nearest border by the missing distance; near short edges, the new place may need another step.
   for (int push = 0; push < kPushes; ++push) {
     const NearestBorder nearest = border.nearest(centre);
     const double missing = radius + static_cast<double>(nearest.distance);

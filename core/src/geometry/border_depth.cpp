@@ -3,7 +3,7 @@
 namespace sillon {
 namespace {
 
-constexpr float kRounding = 0.999f;  ///< of a depth, to be sure of the rest: far more than rounding takes
+constexpr float kRounding = 0.999f;  ///< makes a depth a safe lower bound; far more than rounding errors
 
 }  // namespace
 

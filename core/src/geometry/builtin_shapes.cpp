@@ -1,4 +1,4 @@
-// Shapes that need no file. Each fills its page, except that corners are taken off.
+// Shapes that need no file. Each fills its page, apart from its cut corners.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace sillon {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kDiscTolerance = 0.001;  // between a circle and its polygon [mm]
+constexpr double kDiscTolerance = 0.001;  // largest distance between a circle and its polygon [mm]
 
 Shape oneRing(Ring ring, Vec2 page) {
   Shape shape;
@@ -28,12 +28,12 @@ Shape oneRing(Ring ring, Vec2 page) {
   return shape;
 }
 
-// The sagitta of a chord over the angle s is below radius s²/8.
+// Returns the number of chords for an arc: the sagitta of a chord over the angle s is below radius s²/8.
 int piecesOf(double radius, double angle) {
   return static_cast<int>(std::ceil(angle * std::sqrt(radius / (8 * kDiscTolerance))));
 }
 
-// Quarter of a circle from center + u to center + v, both ends included and exact.
+// Adds a quarter of a circle from center + u to center + v, both ends included and exact.
 void addQuarter(Ring& ring, Vec2 center, Vec2 u, Vec2 v) {
   const int pieces = std::max(2, piecesOf(length(u), kPi / 2));
   ring.push_back(snapped(center + u));
@@ -44,7 +44,7 @@ void addQuarter(Ring& ring, Vec2 center, Vec2 u, Vec2 v) {
   ring.push_back(snapped(center + v));
 }
 
-// Counter-clockwise, from the right end of the lower side.
+// Makes a rounded rectangle, counter-clockwise from the right end of the lower side.
 Ring roundedRing(Vec2 size, double radius) {
   const double r = radius;
   Ring ring;
@@ -56,7 +56,7 @@ Ring roundedRing(Vec2 size, double radius) {
   return ring;
 }
 
-// Arc of an ellipse with level axes, both ends included. Angles are those of the circle that it is stretched from.
+// Adds an arc of an axis-parallel ellipse, both ends included. Angles are those of the circle before it is stretched.
 void addArc(Ring& ring, Vec2 centre, Vec2 radii, double from, double to) {
   const int pieces = std::max(2, piecesOf(std::max(radii.x, radii.y), std::abs(to - from)));
   for (int i = 0; i <= pieces; ++i) {
@@ -65,7 +65,7 @@ void addArc(Ring& ring, Vec2 centre, Vec2 radii, double from, double to) {
   }
 }
 
-// Adds what is left of a corner between two straight sides that end at `before` and `after`.
+// Adds a cut corner between two straight sides that end at `before` and `after`.
 void addCorner(Ring& ring, Vec2 before, Vec2 at, Vec2 after, Corners corners) {
   const double toBefore = length(before - at);
   const double toAfter = length(after - at);
@@ -93,6 +93,7 @@ void addCorner(Ring& ring, Vec2 before, Vec2 at, Vec2 after, Corners corners) {
   ring.push_back(snapped(end));
 }
 
+// Makes a polygon with all of its corners cut.
 Ring polygon(std::span<const Vec2> points, Corners corners) {
   Ring ring;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -108,6 +109,7 @@ Shape polygonShape(std::span<const Vec2> points, Vec2 size, Corners corners) {
   return oneRing(polygon(points, corners), size);
 }
 
+// Checks the size and the corner radius of a shape.
 std::optional<Error> wrongSize(const char* name, Vec2 size, Corners corners) {
   const std::string of = std::string(" of the ") + name;
   if (!validSize(size.x)) return sizeError("The width" + of, size.x);
@@ -117,7 +119,7 @@ std::optional<Error> wrongSize(const char* name, Vec2 size, Corners corners) {
                "The corner radius is " + shownNumber(corners.radius) + " mm; it must be 0 or more"};
 }
 
-// The size with the height that a shape has of its own where none is given. \param share  of the width.
+// Fills in the height, if none is given, by the shape's own proportions. \param share  height / width.
 Vec2 withHeight(Vec2 size, double share) { return {size.x, size.y == 0 ? snapped(size.x * share) : size.y}; }
 
 Ring hole(Vec2 centre, double diameter) {
@@ -146,7 +148,7 @@ Result<Shape> makeRoundedRectangle(Vec2 size, double radius, bool chamfered) {
   const double held = std::min(radius, std::min(size.x, size.y) / 2);
   const std::array<Vec2, 4> box{Vec2{0, 0}, {size.x, 0}, size, {0, size.y}};
   Ring ring = chamfered ? polygon(box, {held, true}) : roundedRing(size, held);
-  if (ring.size() < 3) return makeRectangle(size);  // a few nm: the corners are below the grid of points
+  if (ring.size() < 3) return makeRectangle(size);  // a size of a few nm: the corners are below the grid of points
   return oneRing(std::move(ring), size);
 }
 
@@ -182,8 +184,8 @@ Result<Shape> makeStar(int points, Vec2 size, Corners corners) {
     return Error{ErrorCode::InvalidArgument,
                  "The star has " + std::to_string(points) + " points; it must have 3 to 24"};
   }
-  // Straight lines from tip to next but one tip draw the stars of five and of six points; with fewer or more, stars
-  // are as deep as these.
+  // Straight lines from each tip to the next but one give the inner radius for five and for six points; stars with
+  // fewer or more points take the nearer of these two.
   const double inner = points <= 5 ? (3 - std::sqrt(5.0)) / 2 : std::numbers::inv_sqrt3;
   std::vector<Vec2> star;
   Bounds box;
@@ -200,16 +202,16 @@ Result<Shape> makeStar(int points, Vec2 size, Corners corners) {
   return polygonShape(star, size, corners);
 }
 
-// A square that stands on a corner, and half a disc on each of its upper sides.
+// Makes a heart from a square that stands on a corner and half a disc on each of its upper sides.
 Result<Shape> makeHeart(Vec2 size) {
-  constexpr double kHalf = std::numbers::sqrt2 / 2;  // of the square's diagonal; its side is 1
+  constexpr double kHalf = std::numbers::sqrt2 / 2;  // half the square's diagonal; its side is 1
   constexpr Vec2 kBox{kHalf + 1, 1.5 * kHalf + 0.5};
   size = withHeight(size, kBox.y / kBox.x);
   if (auto error = wrongSize("heart", size, {})) return *error;
   const Vec2 scale{size.x / kBox.x, size.y / kBox.y};
   const auto centre = [&](double side) { return Vec2{size.x / 2 + side * kHalf / 2 * scale.x, 1.5 * kHalf * scale.y}; };
   Ring ring{snapped(Vec2{size.x / 2, 0})};
-  // In eighths of a circle: the arcs' ends, and where they reach the page's edges.
+  // Angles in eighths of a circle: the ends of the arcs, and the places where they touch the page's edges.
   for (const auto& [side, stops] : {std::pair{1.0, std::array{-1, 0, 2, 3}}, {-1.0, std::array{1, 2, 4, 5}}}) {
     for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
       addArc(ring, centre(side), 0.5 * scale, kPi / 4 * stops[k], kPi / 4 * stops[k + 1]);
@@ -219,7 +221,7 @@ Result<Shape> makeHeart(Vec2 size) {
   return oneRing(std::move(ring), size);
 }
 
-// Straight sides over two arcs, each about the other side's lower end, which meet in a tip.
+// Makes a shield: straight sides above two arcs that meet in a tip, each centred at the other side's lower end.
 Result<Shape> makeShield(Vec2 size, Corners corners) {
   constexpr double kArcs = std::numbers::sqrt3 / 2;  // height of the arcs; the width is 1
   constexpr double kSides = 1.0 / 3;
@@ -237,10 +239,10 @@ Result<Shape> makeShield(Vec2 size, Corners corners) {
   return oneRing(std::move(ring), size);
 }
 
-// Round at the end with the hole: on the left, or on top where the tag is taller than wide.
+// Makes a tag, round at the end with the hole: on the left, or on top if the tag is taller than wide.
 Result<Shape> makeTag(Vec2 size, double inner, Corners corners) {
-  constexpr double kUsualHole = 5;  // [mm], for a key ring
-  constexpr double kWall = 3;       // [mm], between the hole and the end
+  constexpr double kUsualHole = 5;  // fits a key ring [mm]
+  constexpr double kWall = 3;       // between the hole and the end [mm]
   size = withHeight(size, 0.4);
   if (auto error = wrongSize("tag", size, corners)) return *error;
   const bool upright = size.y > size.x;

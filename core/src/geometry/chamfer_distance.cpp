@@ -5,8 +5,8 @@
 
 namespace sillon {
 
-// One sweep down and one up, over rows with a margin of one cell: a row takes what comes from the row before it, many
-// cells at once, then what comes along it. Five times faster than a test of each neighbour's place.
+// Sweeps down and up once over rows with a margin of one cell. A row first takes values from the row before it, many
+// cells at once, then along itself. Five times faster than testing whether each neighbour exists.
 std::vector<float> chamferDistance(const std::vector<char>& wall, int columns, int rows) {
   constexpr float kDiagonal = 1.4142136F;
   constexpr float kFar = 1e9F;

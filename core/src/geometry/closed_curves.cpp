@@ -7,14 +7,14 @@
 namespace sillon {
 namespace {
 
-// As resampled(), but points marked in `keep`, and the segments between them, stay as they are.
+// Resamples like resampled(), but keeps the points marked in `keep` and the segments between them.
 ClosedCurves resampledBetween(const ClosedCurves& curves, const std::vector<char>& keep, double step) {
   ClosedCurves out;
   for (int c = 0; c < curves.count(); ++c) {
     out.begin.push_back(static_cast<int>(out.points.size()));
     const int first = curves.begin[c];
     const int n = curves.size(c);
-    double since = step;  // arc length since the last point put out
+    double since = step;  // arc length since the last point in `out`
     for (int k = 0; k < n; ++k) {
       const std::size_t i = static_cast<std::size_t>(first + k);
       const std::size_t j = static_cast<std::size_t>(first + (k + 1) % n);
@@ -28,7 +28,7 @@ ClosedCurves resampledBetween(const ClosedCurves& curves, const std::vector<char
         since += size;
         continue;
       }
-      // Between free points only: equal steps along the segment.
+      // Between free points only, take equal steps along the segment.
       double at = step - since;
       for (; at < size - 0.1 * step; at += step) {
         out.points.push_back(curves.points[i] + along * static_cast<float>(at / size));
@@ -47,7 +47,8 @@ ClosedCurves resampledBetween(const ClosedCurves& curves, const std::vector<char
 }  // namespace
 
 ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext& run) {
-  // Arc length at every point and at the end of its curve, summed in blocks of fixed size: equal for any thread count.
+  // Arc length at each point and at the end of its curve, summed in blocks of fixed size, so that the result is the
+  // same for any number of threads.
   constexpr int kBlock = 4096;
   ClosedCurves out;
   std::vector<double> along;
@@ -94,14 +95,15 @@ ClosedCurves resampledSimply(const ClosedCurves& curves, float step, const RunCo
   auto crossings = findCrossings(out, run);
   if (crossings.empty()) return out;
 
-  std::vector<char> keep(curves.points.size(), 0);  // original points that stay
+  std::vector<char> keep(curves.points.size(), 0);  // marks original points that stay
   constexpr int kAttempts = 6;
   for (int attempt = 0; attempt < kAttempts && !crossings.empty(); ++attempt) {
     const std::vector<std::int32_t> curveOf = curveOfPoints(out);
     const double reach = static_cast<double>(step) * (2 << attempt);
     for (const auto& [a, b] : crossings) {
       for (const int segment : {a, b}) {
-        // The nearest original points along the curve; a search over the whole curve is fine, as crossings are rare.
+        // Keeps the original points near the crossing. Searching the whole curve is affordable, because crossings are
+        // rare.
         const std::size_t c = static_cast<std::size_t>(curveOf[segment]);
         const Vec2f p = out.points[segment];
         for (int k = curves.begin[c]; k < curves.begin[c + 1]; ++k) {

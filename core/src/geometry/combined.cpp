@@ -1,4 +1,4 @@
-// Rings round the area that several paths make.
+// Combines several paths to rings around their common area.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace sillon {
 namespace {
 
-/// Joins segments end to end. Where several go on from a point any will do: winding is the same.
+/// Joins segments end to end. If several begin at a point, any of them will do: the winding is the same.
 class Chains {
  public:
   explicit Chains(const std::vector<BorderSegment>& segments) : segments_(segments), used_(segments.size(), 0) {
@@ -19,6 +19,7 @@ class Chains {
     skip_.resize(byStart_.size(), 0);
   }
 
+  /// Joins all segments to rings and rounds their points to 1 nm.
   std::vector<Ring> rings() {
     std::vector<Ring> rings;
     for (std::size_t first = 0; first < segments_.size(); ++first) {
@@ -37,13 +38,14 @@ class Chains {
 
  private:
   using Cell = std::pair<std::int64_t, std::int64_t>;
-  static constexpr double kGap = 1e-5;  // between ends that belong together [mm]
+  static constexpr double kGap = 1e-5;  // largest distance between ends that belong together [mm]
 
   static Cell cellOf(Vec2 p) {
     return {static_cast<std::int64_t>(std::floor(p.x / kGap)), static_cast<std::int64_t>(std::floor(p.y / kGap))};
   }
 
-  /// The first entry from `at` on whose segment is unused; what is passed over is passed at once next time.
+  /// Returns the first entry from `at` on whose segment is unused. Used entries are recorded in skip_, so that the next
+  /// search jumps over them at once.
   std::size_t unusedFrom(std::size_t at) {
     std::size_t end = at;
     while (end < byStart_.size() && used_[byStart_[end].second] != 0) end = std::max(end + 1, skip_[end]);
@@ -55,7 +57,7 @@ class Chains {
     return end;
   }
 
-  /// The nearest unused segment that begins at p; their number if there is none.
+  /// Returns the nearest unused segment that begins at p, or the number of segments if there is none.
   std::size_t following(Vec2 p) {
     const Cell cell = cellOf(p);
     std::size_t best = segments_.size();

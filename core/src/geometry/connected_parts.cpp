@@ -29,8 +29,8 @@ class UnionFind {
   std::vector<std::int32_t> parent_;
 };
 
-// Largest distance on the way between two neighbouring cells. Only where the gradients oppose each other can a ridge
-// lie between them; there the way is sampled.
+// Returns the largest distance on the way between two neighbouring cells. A ridge can lie between them only if their
+// gradients oppose each other; only then is the way sampled.
 float highest(const SignedDistanceField& sdf, const BorderIndex& border, std::size_t i, std::size_t j, Vec2 from,
               Vec2 to) {
   constexpr int kSamples = 16;
@@ -47,10 +47,10 @@ float highest(const SignedDistanceField& sdf, const BorderIndex& border, std::si
 Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, double spacing, double bridge) {
   const Grid& grid = sdf.grid;
   const float limit = static_cast<float>(0.5 * bridge);
-  const float safe = limit - static_cast<float>(grid.cell);  // a neighbour of such a cell is reached in any case
+  const float safe = limit - static_cast<float>(grid.cell);  // below this depth, each neighbour is reached in any case
   Parts parts{grid, std::vector<std::int32_t>(grid.size(), -1), 0};
 
-  // Runs of connected cells per row, joined to the runs of the row below.
+  // Finds runs of connected cells in each row and joins them to the runs of the row below.
   struct Run {
     int begin;
     int end;
@@ -82,7 +82,7 @@ Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, doub
     }
   }
 
-  // Number the parts that can hold a bead first, both in order of their lowest cell.
+  // Numbers the parts that can hold a bead first; both groups are in the order of their lowest cells.
   std::vector<char> deep(runs.size(), 0);
   const float depth = static_cast<float>(-0.5 * spacing);
   for (std::size_t i = 0; i < grid.size(); ++i) {

@@ -10,7 +10,7 @@
 namespace sillon {
 namespace {
 
-constexpr std::size_t kMostCovers = 16;  ///< the largest: bounds the work
+constexpr std::size_t kMostCovers = 16;  ///< number of largest convex paths that are tested as covers; bounds the work
 
 Bounds boxOf(const FilledPath& path) {
   Bounds box;
@@ -20,7 +20,7 @@ Bounds boxOf(const FilledPath& path) {
   return box;
 }
 
-// How often a ring turns back in one coordinate; twice, if it goes round once.
+// Counts how often a ring reverses in one coordinate; twice if it goes round once.
 template <class Coordinate>
 int reversals(const Ring& ring, const Coordinate& coordinate) {
   int count = 0;
@@ -36,7 +36,7 @@ int reversals(const Ring& ring, const Coordinate& coordinate) {
   return count + (first != 0 && (first > 0) != (last > 0) ? 1 : 0);
 }
 
-// 1: convex and counter-clockwise, -1: clockwise, 0: neither.
+// Returns 1 for a convex path that runs counter-clockwise, -1 for a clockwise one, and 0 for any other.
 int turnOf(const FilledPath& path) {
   if (path.rings.size() != 1 || path.rings[0].size() < 3) return 0;
   const Ring& ring = path.rings[0];
@@ -54,7 +54,7 @@ int turnOf(const FilledPath& path) {
   return !once ? 0 : left ? 1 : -1;
 }
 
-// The edge counts as inside.
+// Tells whether a convex ring contains a box; its edge counts as inside.
 bool holds(const Ring& convex, int turn, const Bounds& box) {
   const std::array<Vec2, 4> corners{box.min, Vec2{box.max.x, box.min.y}, box.max, Vec2{box.min.x, box.max.y}};
   for (std::size_t k = 0; k < convex.size(); ++k) {

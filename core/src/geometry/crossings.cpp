@@ -12,14 +12,14 @@
 namespace sillon {
 namespace {
 
-// [µm]; pages are at most 100 m wide.
+// A point in µm; pages are at most 100 m wide, so that 32 bits suffice.
 struct PointUm32 {
   std::int32_t x;
   std::int32_t y;
   friend bool operator==(const PointUm32&, const PointUm32&) = default;
 };
 
-// As llround, but compilers make vectors of it: the product is exact in double.
+// Rounds like llround, but compilers can vectorise it; the product is exact in double.
 std::int32_t toMicrometres(float v) {
   const double scaled = static_cast<double>(v) * 1000;
   return static_cast<std::int32_t>(scaled + std::copysign(0.5, scaled));
@@ -39,6 +39,7 @@ bool between(std::int32_t a, std::int32_t b, std::int32_t v) { return v >= std::
 
 bool onSegment(PointUm32 a, PointUm32 b, PointUm32 p) { return between(a.x, b.x, p.x) && between(a.y, b.y, p.y); }
 
+// Tells whether the segments ab and cd share a point; exact.
 bool sharePoint(PointUm32 a, PointUm32 b, PointUm32 c, PointUm32 d) {
   const int abc = side(a, b, c);
   const int abd = side(a, b, d);
@@ -50,9 +51,10 @@ bool sharePoint(PointUm32 a, PointUm32 b, PointUm32 c, PointUm32 d) {
          (cdb == 0 && onSegment(c, d, b));
 }
 
-/// The rounded points of all curves, each curve's first one again at its end: segment k is at[k] to at[k + 1].
+/// Rounded points of all curves. Each curve repeats its first point at its end, so that segment k is at[k] to at[k +
+/// 1].
 struct Corners {
-  std::vector<int> begin;  ///< of each curve, and the end
+  std::vector<int> begin;  ///< offsets of the curves in `at`, and the end
   std::vector<PointUm32> at;
 
   Corners(const ClosedCurves& curves, const RunContext& run) {
@@ -78,10 +80,10 @@ struct Corners {
   [[nodiscard]] int curveOf(int k) const {
     return static_cast<int>(std::upper_bound(begin.begin(), begin.end(), k) - begin.begin()) - 1;
   }
-  /// The curve's point at which a segment begins.
+  /// Returns the curve's point at which a segment begins.
   [[nodiscard]] int pointOf(int segment) const { return segment - curveOf(segment); }
 
-  /// Whether `second` is the next segment after `first` along their curve that does not vanish.
+  /// Tells whether `second` follows `first` along their curve, with only vanishing segments between them.
   [[nodiscard]] bool consecutive(int first, int second) const {
     const auto c = static_cast<std::size_t>(curveOf(second));
     int before = second;
@@ -92,7 +94,7 @@ struct Corners {
   }
 };
 
-// Ascending, without those that vanish.
+// Returns the segments to be tested in ascending order, without vanishing ones.
 std::vector<int> segmentsOf(const ClosedCurves& curves, const Corners& corners, const std::vector<char>& among) {
   std::vector<int> segments;
   if (among.empty()) segments.reserve(curves.points.size());
@@ -108,11 +110,11 @@ std::vector<int> segmentsOf(const ClosedCurves& curves, const Corners& corners, 
   return segments;
 }
 
-// Square cells over all segments, so that only those in a common cell need be compared.
+// Raster of square cells over all segments, so that only segments in a common cell need be compared.
 struct CellRaster {
   PointUm32 low{};
-  double cell = 1;     ///< side: about two mean segments, and not many more cells than segments
-  double perCell = 1;  ///< divisions took a third of sorting
+  double cell = 1;     ///< side of a cell [µm]: about two mean segments, but with not many more cells than segments
+  double perCell = 1;  ///< 1 / cell, because divisions took a third of the time for sorting
   int nx = 0;
   int ny = 0;
 
@@ -141,8 +143,8 @@ struct CellRaster {
 
   [[nodiscard]] int indexOf(int x, int y) const { return y * nx + x; }
 
-  /// Calls visit(index) for the cells that a segment passes, row by row: exact within a row by the slope, widened by a
-  /// cell's rounding.
+  /// Calls visit(index) for the cells that a segment passes, row by row. Within a row the range follows from the slope,
+  /// widened for rounding.
   template <class Visit>
   void forCells(PointUm32 a, PointUm32 b, const Visit& visit) const {
     if (a.y > b.y) std::swap(a, b);
@@ -158,7 +160,7 @@ struct CellRaster {
     const double right = std::max(a.x, b.x);
     const double slope = static_cast<double>(b.x - a.x) / static_cast<double>(b.y - a.y);
     for (int y = y0; y <= y1; ++y) {
-      const double u = a.x + (static_cast<double>(low.y) + y * cell - a.y) * slope;  // at the row's lower end
+      const double u = a.x + (static_cast<double>(low.y) + y * cell - a.y) * slope;  // x at the row's lower end
       const double v = u + cell * slope;
       const int x0 = std::max(0, cellOf(std::max(left, std::min(u, v) - 1), low.x));
       const int x1 = std::min(nx - 1, cellOf(std::min(right, std::max(u, v) + 1), low.x));
@@ -167,13 +169,14 @@ struct CellRaster {
   }
 };
 
-// Cell k holds the segments entries[begin[k]] .. entries[begin[k + 1] - 1].
+// Segments by cell: cell k holds entries[begin[k]] .. entries[begin[k + 1] - 1].
 struct CellEntries {
   std::vector<int> begin;
   std::vector<int> entries;
 };
 
-// Counting sort by shares of the segments; within a cell they stay in order, whatever the number of shares.
+// Sorts segments into cells by counting, in parallel shares; within a cell they stay in order, whatever the number of
+// shares.
 CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segments, const CellRaster& raster,
                           const RunContext& run) {
   const std::size_t cells = static_cast<std::size_t>(raster.nx) * static_cast<std::size_t>(raster.ny);
@@ -186,7 +189,7 @@ CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segmen
   };
   struct Share {
     std::vector<Pair> pairs;
-    std::vector<int> next;  ///< of each cell: first their number, then where the next one goes
+    std::vector<int> next;  ///< for each cell the number of its segments, later the position of the next one
   };
   std::vector<Share> all(static_cast<std::size_t>(shares));
   parallelFor(run, count, grain, [&](int from, int to) {

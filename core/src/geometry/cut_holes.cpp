@@ -10,7 +10,7 @@
 namespace sillon {
 namespace {
 
-/// Tells whether a hole takes anything from the inside of an outline.
+/// Tells whether a hole removes anything from the inside of an outline.
 bool meets(const RoundHole& hole, const Outline& outline) {
   const Vec2 c = hole.centre;
   int winding = 0;

@@ -1,4 +1,4 @@
-// The inside of a shape, row by row.
+// Computes the inside of a shape row by row.
 #include <algorithm>
 #include <cmath>
 

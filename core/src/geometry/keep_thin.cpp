@@ -14,20 +14,20 @@
 namespace sillon {
 namespace {
 
-constexpr double kThinnest = 0.5;   // width from which a place is kept [tau]
-constexpr double kOpposite = -0.5;  // cosine between the walls' normals: walls are parallel within 60 degrees
-// A tenth more than half a spacing, so that there and back the bead need not be narrower than it may be; where discs a
-// sample apart meet they are as wide [tau].
+constexpr double kThinnest = 0.5;   // width from which on a place is kept [tau]
+constexpr double kOpposite = -0.5;  // largest cosine between the walls' normals: parallel within 60 degrees
+// Radius of the discs [tau]: a tenth more than half a spacing, so that a bead that runs there and back need not be
+// narrower than allowed. Discs one sample apart meet at that width.
 constexpr double kRadius = 0.5535;
-constexpr double kInside = 32767.5;  // level of a mask's outline, of 65535
+constexpr double kInside = 32767.5;  // grey level of a mask's outline, half of 65535
 
 struct Middle {
   Vec2 at;
-  double radius = 0;  ///< of the largest disc there [mm]
+  double radius = 0;  ///< radius of the largest disc there [mm]
 };
 
-/// The middle of the walls at the border point nearest to a sample: the largest disc that touches the border there
-/// (its atom of the medial axis). Nothing where that is too thin, wide enough for a bead, or a corner.
+/// Returns the largest disc that touches the border at the point nearest to a sample (an atom of the medial axis).
+/// Nothing if the place is too thin, wide enough for a bead, or a corner.
 std::optional<Middle> middleAt(const BorderIndex& border, Vec2 sample, double depth, double spacing) {
   const TouchingDiscs discs(border, sample, spacing);
   const double bead = 0.5 * spacing;
@@ -38,7 +38,7 @@ std::optional<Middle> middleAt(const BorderIndex& border, Vec2 sample, double de
   return Middle{discs.centre(radius), radius};
 }
 
-/// A mask whose outline encloses the discs: grey falls from inside to outside over four samples with the distance from
+/// A mask whose outline encloses discs. Its grey falls from inside to outside over four samples with the distance from
 /// the nearest centre.
 class DiscMask {
  public:
@@ -49,6 +49,7 @@ class DiscMask {
     mask_.samples.assign(grid.size(), 0);
   }
 
+  /// Adds a disc.
   void add(Vec2 centre) {
     const double reach = radius_ + 2 * grid_.cell;
     const auto first = [&](double at, double low) { return static_cast<int>((at - reach - low) / grid_.cell); };
@@ -57,7 +58,7 @@ class DiscMask {
          y <= std::min(grid_.ny - 1, last(centre.y, grid_.origin.y)); ++y) {
       for (int x = std::max(0, first(centre.x, grid_.origin.x));
            x <= std::min(grid_.nx - 1, last(centre.x, grid_.origin.x)); ++x) {
-        const double depth = (radius_ - length(grid_.centre(x, y) - centre)) / (2 * grid_.cell);  // -1..1 counts
+        const double depth = (radius_ - length(grid_.centre(x, y) - centre)) / (2 * grid_.cell);  // only -1..1 matters
         const double level = std::round(kInside * (1 + std::clamp(depth, -1.0, 1.0)));
         std::uint16_t& sample = mask_.samples[index(x, y)];
         sample = std::max(sample, static_cast<std::uint16_t>(level));
@@ -81,7 +82,7 @@ class DiscMask {
 }  // namespace
 
 Result<Shape> keepThinPlaces(Shape shape, double spacing, const RunContext& run) {
-  if (!(spacing >= 0.05 && spacing <= 20)) {  // NaN too
+  if (!(spacing >= 0.05 && spacing <= 20)) {  // false for NaN
     return Error{ErrorCode::InvalidArgument, outOfRange("spacing", spacing, " mm", "0.05 to 20 mm")};
   }
   const Result<Outline> outline = resolveOutline(shape);
@@ -98,7 +99,7 @@ Result<Shape> keepThinPlaces(Shape shape, double spacing, const RunContext& run)
   for (const std::vector<std::size_t>& place : cells.places) {
     ThinPlace widest;
     for (const std::size_t sample : place) {
-      // Any middle has a sample nearer than the diagonal of half a cell.
+      // Each middle has a sample nearer than half a cell's diagonal.
       const double depth = -static_cast<double>(cells.distance[sample]);
       if (depth < 0.5 * kThinnest * spacing - 0.75 * cells.grid.cell) continue;
       const std::optional<Middle> middle = middleAt(border.value(), cells.at(sample), depth, spacing);

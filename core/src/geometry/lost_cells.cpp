@@ -9,20 +9,21 @@
 namespace sillon {
 namespace {
 
-// The first sample from `from` on that is marked, or `end`.
+// Returns the first marked sample from `from` on, or `end`.
 std::size_t nextMarked(const std::vector<char>& marks, std::size_t from, std::size_t end) {
   const void* found = from < end ? std::memchr(&marks[from], 1, end - from) : nullptr;
   return found != nullptr ? static_cast<std::size_t>(static_cast<const char*>(found) - marks.data()) : end;
 }
 
-// How many samples after one of this distance do not lie between `deep` and `shallow` either; -1 if it does itself.
-// Most lie deeper or outside, and tell how far the next that does not is at least.
+// Returns how many samples after one with this distance certainly do not lie between `deep` and `shallow`, or -1 if the
+// sample itself does. Most samples lie deeper or outside, so that many are skipped at once.
 int samplesBeyond(float distance, float deep, float shallow, float perMm) {
   const float beyond = distance > shallow ? distance - shallow : deep - distance;
   return beyond < 0 ? -1 : std::max(0, static_cast<int>(beyond * perMm - 1.01f));
 }
 
-// Samples miss the middles of places hardly wider than a bead: those beside one count as deep as it.
+// Sets samples beside the middles of places hardly wider than a bead to the depth of a bead, because a lattice misses
+// these middles.
 void deepenMiddles(const BorderIndex& border, const Grid& grid, double spacing, const RunContext& run,
                    std::vector<float>& distance) {
   const auto deep = static_cast<float>(-0.5 * spacing);
@@ -38,7 +39,7 @@ void deepenMiddles(const BorderIndex& border, const Grid& grid, double spacing, 
           x += beyond;
           continue;
         }
-        // Along most of a border the next sample inwards is deep.
+        // Along most of a border, the next sample inwards is deep.
         if (std::min({distance[i - 1], distance[i + 1], distance[i - nx], distance[i + nx]}) <= deep) continue;
         if (hasBeadRoom(border, grid.centre(x, y), spacing)) found[y].push_back(i);
       }
@@ -69,12 +70,13 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
   const std::vector<float>& sd = out.distance;
   std::vector<char> lost(grid.size(), 0);
   constexpr int kReach = kSamples / 2 + 1;
-  constexpr double kLimit = (kSamples / 2 + 0.75) * (kSamples / 2 + 0.75);  // a deep sample stands for its cell
+  // Squared reach of a disc [samples²]; a deep sample stands for its whole cell.
+  constexpr double kLimit = (kSamples / 2 + 0.75) * (kSamples / 2 + 0.75);
   const auto perMm = static_cast<float>(1 / cell);
   parallelFor(run, grid.ny, 16, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       const std::size_t row = grid.index(0, y);
-      int deepX = 0;  // where the last sample had a deep one: mostly so has the next
+      int deepX = 0;  // offset of the deep sample found last; mostly it fits the next sample, too
       int deepY = 0;
       for (int x = 0; x < grid.nx; ++x) {
         const std::size_t i = row + static_cast<std::size_t>(x);
@@ -107,7 +109,7 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
     for (std::size_t k = 0; k < place.size(); ++k) {
       const std::size_t i = place[k];
       const std::size_t nx = static_cast<std::size_t>(grid.nx);
-      for (const std::size_t j : {i - 1, i + 1, i - nx, i + nx}) {  // the frame is never lost, so no index runs out
+      for (const std::size_t j : {i - 1, i + 1, i - nx, i + nx}) {  // the frame is never lost: no index leaves the grid
         if (!lost[j]) continue;
         lost[j] = 0;
         place.push_back(j);

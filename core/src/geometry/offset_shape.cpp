@@ -14,13 +14,14 @@
 namespace sillon {
 namespace {
 
-constexpr double kFinest = 0.02;   // side of the samples' cells [mm]
-constexpr double kCoarsest = 0.1;  // [mm], but for the largest shapes
+constexpr double kFinest = 0.02;   // smallest side of the samples' cells [mm]
+constexpr double kCoarsest = 0.1;  // largest side, except for the largest shapes [mm]
 constexpr double kMostSamples = 4e6;
-constexpr double kTolerance = 0.0005;  // of points left out [mm]
-constexpr double kLongest = 1e5;       // straight piece [mm]: any
-constexpr int kMargin = 3;             // [cells] around the new outline
+constexpr double kTolerance = 0.0005;  // largest distance of omitted points from the outline [mm]
+constexpr double kLongest = 1e5;       // limit on straight pieces, practically none [mm]
+constexpr int kMargin = 3;             // margin around the new outline [cells]
 
+/// Returns the samples that cover the new outline, a margin included.
 Grid samplesAround(const Bounds& box, double offset) {
   const double grow = std::max(0.0, offset);
   const Vec2 size = box.size() + Vec2{2 * grow, 2 * grow};
@@ -33,7 +34,7 @@ Grid samplesAround(const Bounds& box, double offset) {
   return grid;
 }
 
-/// A mask whose outline lies at the distance `offset`: grey falls over four samples with the distance.
+/// Makes a mask whose outline lies at the distance `offset`; its grey falls over four samples with the distance.
 Image levelMask(const Grid& grid, const std::vector<float>& distance, double offset) {
   constexpr double kHalf = 32767.5;
   Image mask;
@@ -44,14 +45,15 @@ Image levelMask(const Grid& grid, const std::vector<float>& distance, double off
   for (int y = 0; y < grid.ny; ++y) {
     for (int x = 0; x < grid.nx; ++x) {
       const double depth = (offset - static_cast<double>(distance[grid.index(x, y)])) / (2 * grid.cell);
-      mask.samples[grid.index(x, grid.ny - 1 - y)] =  // row 0 on top
+      mask.samples[grid.index(x, grid.ny - 1 - y)] =  // a mask has row 0 on top
           static_cast<std::uint16_t>(std::round(kHalf * (1 + std::clamp(depth, -1.0, 1.0))));
     }
   }
   return mask;
 }
 
-/// \param distance  of samples, of which none may lie in the deepest place.
+/// Makes the error for an offset that leaves nothing. \param distance  distances of samples, whose lowest tells the
+/// shape's depth.
 Error nothingLeft(double offset, const std::vector<float>& distance) {
   const double deepest = -static_cast<double>(*std::min_element(distance.begin(), distance.end()));
   return refused(ErrorCode::EmptyShape, reason::kOffsetTooDeep,
@@ -61,14 +63,15 @@ Error nothingLeft(double offset, const std::vector<float>& distance) {
 }  // namespace
 
 Result<Shape> offsetShape(Shape shape, double offset, const RunContext& run) {
-  if (!(offset >= -20 && offset <= 50)) {  // NaN too
+  if (!(offset >= -20 && offset <= 50)) {  // false for NaN
     return Error{ErrorCode::InvalidArgument, outOfRange("offset", offset, " mm", "-20 to 50 mm")};
   }
   if (offset == 0) return shape;
   const Result<Outline> outline = resolveOutline(shape);
   if (!outline) return outline.error();
   const Grid grid = samplesAround(outline.value().bounds, offset);
-  // Larger blocks than the samples': with fewer of them, less time for a detailed border.
+  // The index has blocks twice as large as the samples' grid would give: fewer blocks take less time with a detailed
+  // border.
   const Grid coarse{grid.origin, 2 * grid.cell, grid.nx / 2 + 1, grid.ny / 2 + 1};
   const Result<BorderIndex> border = buildBorderIndex(outline.value(), coarse, run);
   if (!border) return border.error();

@@ -11,9 +11,9 @@
 namespace sillon {
 namespace {
 
-constexpr double kPerGrid = 1000;  ///< points of the grid that files hold [1/mm]
+constexpr double kPerGrid = 1000;  ///< points of the grid of coordinates in files [1/mm]
 
-// In steps of the grid: sums and products of these are exact.
+// Converts edges to steps of the grid, whose sums and products are exact.
 std::vector<PathEdge> gridEdges(const std::vector<PathEdge>& edges) {
   std::vector<PathEdge> out;
   for (const PathEdge& edge : edges) {
@@ -62,7 +62,7 @@ Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule*
 
 namespace {
 
-/// A point beyond kMaxCoordinate, or that is no number.
+/// Returns a point beyond kMaxCoordinate, or one that is no number; null if there is none.
 const Vec2* farPoint(const Shape& shape) {
   for (const FilledPath& path : shape.paths) {
     for (const Ring& ring : path.rings) {
@@ -74,6 +74,7 @@ const Vec2* farPoint(const Shape& shape) {
   return nullptr;
 }
 
+/// Checks a shape's points and resolves its outline.
 Result<Outline> outlineOf(const Shape& shape, Points points) {
   if (const Vec2* far = farPoint(shape)) {
     return Error{ErrorCode::InvalidArgument, "the shape has a point at " + shownNumber(far->x) + ", " +

@@ -1,4 +1,4 @@
-// The steps of resolveOutline: from paths in any order to edges with the inside on their left.
+// Steps of resolveOutline(): from paths in any order to edges with the inside on their left.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace sillon {
 
-// The inside along a line: edges of paths that cross it, and their winding numbers.
+// Inside along a line: edges of paths that cross it, and their winding numbers.
 
 /// One side of a ring.
 struct PathEdge {
@@ -20,11 +20,12 @@ struct PathEdge {
   int path;
 };
 
-/// Collects the edges of all rings, without those of no length. \param without  where not empty, 1 for paths that are
-/// left out.
+/// Collects the edges of all rings, except those of length 0.
+/// \param without  if not empty, 1 for each path that is left out.
 std::vector<PathEdge> edgesOf(const std::vector<FilledPath>& paths, const std::vector<char>& without = {});
 
-/// Half-open in y, so that a vertex on the line counts once. +1 upwards, -1 downwards, 0 none.
+/// Returns the direction in which an edge crosses a row: +1 upwards, -1 downwards, 0 not at all. Half-open in y, so
+/// that a vertex on the row counts once.
 inline int crossesRow(const PathEdge& edge, double y) {
   const bool below = edge.a.y <= y;
   return below == (edge.b.y <= y) ? 0 : (below ? 1 : -1);
@@ -38,10 +39,10 @@ inline bool isFilled(FillRule rule, int winding) {
   return rule == FillRule::NonZero ? winding != 0 : (winding & 1) != 0;
 }
 
-/// Winding numbers of all paths along one line, and how many paths are filled there.
+/// Winding numbers of all paths along one line, and the number of paths that are filled there.
 class WindingState {
  public:
-  /// \param rule  null: inside is where any path is filled.
+  /// \param rule  null: a point is inside if any path is filled there.
   explicit WindingState(const std::vector<FilledPath>& paths, const InsideRule* rule = nullptr)
       : paths_(paths), rule_(rule), winding_(paths.size(), 0), filled_(rule ? paths.size() : 0, 0) {}
 
@@ -74,37 +75,42 @@ class WindingState {
   int inside_ = 0;
 };
 
-enum class Points { AsGiven, OnGrid };  ///< mm as they are, or whole steps of the grid
+enum class Points { AsGiven, OnGrid };  ///< AsGiven keeps mm as they are; OnGrid takes whole steps of the grid
 
-/// The pieces with inside on exactly one side, on their left. No pieces if nothing is inside.
-/// \param rule  null: inside is where any path is filled. \return TooLarge as resolveOutline.
+/// Returns the pieces with the inside on exactly one side, turned so that it is on their left; none if nothing is
+/// inside.
+/// \param rule  null: a point is inside if any path is filled there.
+/// \return TooLarge under the conditions of resolveOutline().
 Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule* rule, Points points);
 
-/// For each path 1 if it lies within one of the largest convex paths, so that all of them together are the same without
-/// it; of equal paths one stays. \return as many as there are paths.
+/// Marks paths that lie within one of the largest convex paths, so that the union is the same without them; of equal
+/// paths one stays unmarked.
+/// \return 1 or 0 for each path.
 std::vector<char> coveredPaths(const std::vector<FilledPath>& paths);
 
-inline constexpr double kTouch = 1e-7;  ///< points nearer than this coincide [mm]
+inline constexpr double kTouch = 1e-7;  ///< points nearer to each other than this coincide [mm]
 
-/// The nearest point of the grid, of a point in its steps.
+/// Rounds a point, given in steps of the grid, to the grid.
 inline Vec2 onGrid(Vec2 p) { return {std::round(p.x) + 0.0, std::round(p.y) + 0.0}; }
 
-/// The edges in pieces that meet at their ends only. Every ring stays closed.
-/// \param box     that holds them
-/// \param points  on the grid, edges and pieces are in whole steps of it
-/// \return none if there are more than 4 million pieces, or that would take too long.
+/// Splits edges into pieces that meet at their ends only. Every ring stays closed.
+/// \param box     box that holds the edges
+/// \param points  OnGrid: edges and pieces are in whole steps of the grid
+/// \return nothing if there are more than 4 million pieces, or if it would take too long.
 std::optional<std::vector<PathEdge>> splitEdges(const std::vector<PathEdge>& edges, const Bounds& box, Points points);
 
-/// Tells for both sides of a piece, seen from a to b, whether the inside lies there.
+/// Tells for both sides of a piece, seen from a to b, whether they are inside.
 struct Sides {
   bool left = false;
   bool right = false;
 };
 
-/// \param pieces  of the edges of paths, meeting at their ends only; box holds them
-/// \param rule    null: inside is where any path is filled
-/// \return of each piece; of those with the same ends, the first one's are told and the others have no inside on
-///         either. None if that would take too long.
+/// Computes the sides of all pieces.
+/// \param pieces  pieces of the paths' edges, which meet at their ends only
+/// \param box     box that holds the pieces
+/// \param rule    null: a point is inside if any path is filled there
+/// \return one entry per piece; of pieces with the same ends, the first carries the result and the others have no
+/// inside on either side. Nothing if it would take too long.
 std::optional<std::vector<Sides>> sidesOf(const std::vector<PathEdge>& pieces, const Bounds& box,
                                           const std::vector<FilledPath>& paths, const InsideRule* rule);
 

@@ -14,18 +14,18 @@ namespace sillon {
 namespace {
 
 constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
-constexpr std::uint64_t kMaxMet = 4'000'000'000;  ///< pieces that rays meet; some ten seconds
+constexpr std::uint64_t kMaxMet = 4'000'000'000;  ///< limit on pieces that rays meet; takes some ten seconds
 
-/// Whether a piece runs upwards, or level to the right.
+/// Tells whether a piece runs upwards, or level to the right.
 bool runsUp(const PathEdge& piece) { return piece.a.y != piece.b.y ? piece.a.y < piece.b.y : piece.a.x < piece.b.x; }
 
-// Pieces with the same ends.
+// Groups of pieces with the same ends.
 struct Groups {
-  std::vector<std::size_t> first;                ///< of each piece, the first one of its group
-  std::vector<std::vector<std::size_t>> others;  ///< of each group's first piece
+  std::vector<std::size_t> first;                ///< first[k]: first piece with the ends of piece k
+  std::vector<std::vector<std::size_t>> others;  ///< others[k]: further pieces of the group whose first piece is k
 };
 
-// Of each piece, the first one with the same ends; and of each of those, the others, in the order of the pieces.
+// Groups pieces with the same ends; within a group they keep their order.
 Groups groupedByEnds(const std::vector<PathEdge>& pieces) {
   using Key = std::array<double, 4>;
   const auto keyOf = [&](std::size_t k) {
@@ -46,22 +46,22 @@ Groups groupedByEnds(const std::vector<PathEdge>& pieces) {
   return groups;
 }
 
-// Tells what lies beside steep pieces by casting a ray to the left from the middle of each, row of buckets by row. The
-// piece itself and those on the same ends are crossed by count, not by place: whatever else is near lies exactly on one
-// side or the other.
+// Finds the sides of steep pieces by casting a ray to the left from the middle of each, one row of buckets after the
+// other. The ray crosses the piece itself, and those with the same ends, by their number instead of their place; any
+// other piece nearby lies exactly on one side.
 class SideRays {
  public:
-  /// \param groups     as groupedByEnds gives them: of each, the first piece is asked for
-  /// \param diagonals  whether those count as steep
+  /// \param groups     result of groupedByEnds(); a ray is cast for the first piece of each group
+  /// \param diagonals  true if diagonal pieces count as steep
   SideRays(const std::vector<PathEdge>& pieces, const Bounds& box, const Groups& groups, bool diagonals)
       : pieces_(pieces), groups_(groups), diagonals_(diagonals), bottom_(box.min.y) {
     double climb = 0;
     for (const PathEdge& piece : pieces) climb += std::abs(piece.b.y - piece.a.y);
-    // As many rows as make sorting what crosses all of a row as much work as the rays that meet what ends in it; not so
-    // many that each piece lies in more than some 16.
+    // The number of rows balances two costs: sorting the pieces that cross a whole row, and testing rays against pieces
+    // that end in it. It is limited so that a piece lies in at most some 16 rows on average.
     const double height = std::max(box.size().y, 1e-9);
     const double count = static_cast<double>(pieces.size());
-    const double stacked = std::max(climb / height, 1e-3);  // pieces that a row meets, on average
+    const double stacked = std::max(climb / height, 1e-3);  // average number of pieces that a row meets
     const double rows = std::clamp(count * std::min(std::sqrt(0.2 / stacked), 16 / stacked), 1.0, 65536.0);
     row_ = height / rows;
     buckets_.resize(static_cast<std::size_t>(rows) + 1);
@@ -75,14 +75,14 @@ class SideRays {
     }
   }
 
-  /// Whether a ray is cast from a piece.
+  /// Tells whether a ray is cast from a piece.
   [[nodiscard]] bool isAsked(std::size_t piece) const {
     const Vec2 along = pieces_[piece].b - pieces_[piece].a;
     const double lean = std::abs(along.y) - std::abs(along.x);
     return groups_.first[piece] == piece && (lean > 0 || (diagonals_ && lean == 0));
   }
 
-  /// How many pieces all rays meet one by one, at most, and what it takes to sort the others.
+  /// Estimates the work: an upper bound of pieces that rays meet one by one, plus the cost of sorting the others.
   [[nodiscard]] std::uint64_t cost() const {
     std::uint64_t met = 0;
     for (const std::vector<int>& bucket : buckets_) met += 8 * bucket.size();
@@ -92,12 +92,12 @@ class SideRays {
     return met;
   }
 
-  /// \param sides  of all pieces; those of the asked ones are set, seen upwards
+  /// Casts all rays. \param sides  sides of all pieces; those with a ray are set, seen upwards
   void answer(const std::vector<FilledPath>& paths, const InsideRule* rule, std::vector<Sides>& sides) const {
     WindingState winding(paths, rule);
     PieceRow row;
-    std::vector<std::size_t> rank(pieces_.size(), kNowhere);  // of the pieces across the row
-    std::vector<std::pair<int, int>> extra;                   // pieces, and how often a ray crosses them
+    std::vector<std::size_t> rank(pieces_.size(), kNowhere);  // rank of a piece in row.across
+    std::vector<std::pair<int, int>> extra;                   // pieces, and how often a ray crosses each
     for (std::size_t bucket = 0; bucket < buckets_.size(); ++bucket) {
       fill(row, bucket);
       for (std::size_t k = 0; k < row.across.size(); ++k) rank[row.across[k].piece] = k;
@@ -105,7 +105,7 @@ class SideRays {
       std::size_t crossed = 0;
       for (const Ray& ray : row.rays) {
         while (crossed < ray.before) cross(row.across[crossed++].piece, 1, winding);
-        // Those on the same ends are no obstacle: they are crossed by count.
+        // Pieces with the same ends are no obstacle: they are crossed by their number.
         extra.clear();
         const auto own = [&](std::size_t k) {
           if (rank[k] != kNowhere && rank[k] < ray.before) extra.emplace_back(static_cast<int>(k), -1);
@@ -129,32 +129,34 @@ class SideRays {
   }
 
  private:
-  // A piece as rays see it. Pieces that lie in a bucket are scattered in memory, and a ray meets hundreds: read from
-  // there, all rays of a map's strokes took three times as long.
+  // A piece as rays see it. The pieces of a bucket are scattered in memory, and a ray meets hundreds of them; without
+  // this copy, all rays of a map's strokes took three times as long.
   struct Span {
-    /// The range of y. A ray at `high` passes over it, as in crossesRow.
+    /// Range of y. A ray at `high` passes over the piece, as in crossesRow().
     double low;
     double high;
-    /// The range of x.
+    /// Range of x.
     double left;
     double right;
     int piece;
-    double at = 0;  ///< x in the row's middle
+    double at = 0;  ///< x at the middle of the row
   };
 
   struct Ray {
     std::size_t piece;
-    Vec2 p;                  ///< its middle
-    std::size_t before = 0;  ///< pieces across the row that lie left of it
+    Vec2 p;                  ///< middle of the piece
+    std::size_t before = 0;  ///< number of pieces across the row that lie left of it
   };
 
-  // Pieces meet at their ends alone: those across all rays of a row have one order, and a ray need not meet each.
+  // Pieces of a row. They meet at their ends only, so that those across all rays of the row have one order, and a ray
+  // finds its place among them by bisection.
   struct PieceRow {
-    std::vector<Ray> rays;     ///< by what is before them
-    std::vector<Span> across;  ///< from left to right
-    std::vector<Span> ending;  ///< within the row
+    std::vector<Ray> rays;     ///< sorted by `before`
+    std::vector<Span> across;  ///< pieces across all rays, from left to right
+    std::vector<Span> ending;  ///< pieces that end within the row
   };
 
+  /// Collects the rays of a row, and sorts the pieces across all of them from left to right.
   void fill(PieceRow& row, std::size_t bucket) const {
     row.rays.clear();
     row.across.clear();
@@ -215,7 +217,7 @@ class SideRays {
   double bottom_;
   double row_ = 1;
   std::vector<std::vector<int>> buckets_;
-  std::vector<std::uint32_t> ends_;  // of pieces, by bucket
+  std::vector<std::uint32_t> ends_;  // number of pieces' ends in each bucket
 };
 
 Vec2 mirrored(Vec2 p) { return {p.y, p.x}; }
@@ -239,11 +241,11 @@ Bounds mirroredBox(const Bounds& box) {
 std::optional<std::vector<Sides>> sidesOf(const std::vector<PathEdge>& pieces, const Bounds& box,
                                           const std::vector<FilledPath>& paths, const InsideRule* rule) {
   const Groups groups = groupedByEnds(pieces);
-  // Rays run across a piece: along it, the last digit of a coordinate would decide.
+  // Rays cross a piece as steeply as possible; along it, the last digit of a coordinate would decide.
   const std::vector<PathEdge> turned = mirroredPieces(pieces);
   const SideRays acrossSteep(pieces, box, groups, true);
   const SideRays acrossFlat(turned, mirroredBox(box), groups, false);
-  const std::uint64_t rules = rule ? 5 * pieces.size() * paths.size() : 0;  // a rule looks at all paths
+  const std::uint64_t rules = rule ? 5 * pieces.size() * paths.size() : 0;  // a rule tests all paths
   if (acrossSteep.cost() + acrossFlat.cost() + rules > kMaxMet) return std::nullopt;
   std::vector<Sides> sides(pieces.size());
   acrossSteep.answer(paths, rule, sides);

@@ -1,4 +1,4 @@
-// Points of closed curves sorted into square buckets, for all questions about neighbouring beads.
+// Points of closed curves, sorted into square buckets for queries about neighbouring beads.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 
 namespace sillon {
 
-/// Buckets are kept row by row, so that the buckets [x0, x1] of one row are one contiguous run of points.
+/// Sorted points. Buckets are stored row by row, so that the buckets [x0, x1] of a row are one contiguous run of
+/// points.
 class PointGrid {
  public:
   PointGrid(const std::vector<Vec2f>& points, float bucket, const RunContext& run) : inverse_(1 / bucket) {
@@ -29,11 +30,11 @@ class PointGrid {
     ny_ = static_cast<int>((high.y - low.y) * inverse_) + 1;
     const std::size_t buckets = static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_);
     const int count = static_cast<int>(points.size());
-    x.assign(points.size() + 4, 1e9f);  // four far points at the end let vector loads run over
+    x.assign(points.size() + 4, 1e9f);  // four far points at the end allow vector loads beyond the last point
     y.assign(points.size() + 4, 1e9f);
     id.assign(points.size() + 4, -1);
 
-    // Counting sort by shares of the points; within a bucket points stay in order, whatever the number of shares.
+    // Sorts by counting, in parallel shares; within a bucket points stay in order, whatever the number of shares.
     const int shares = std::clamp(std::min(run.threads(), count / (1 << 14)), 1, 8);
     const int grain = (count + shares - 1) / shares;
     std::vector<std::int32_t> bucketOf(points.size());
@@ -72,7 +73,7 @@ class PointGrid {
 
   [[nodiscard]] int count() const { return static_cast<int>(id.size()) - 4; }
 
-  /// Calls visit(begin, end) with the runs of sorted points that hold all points within `reach` of p, lowest row first.
+  /// Calls visit(begin, end) for runs of sorted points that include all points within `reach` of p, lowest row first.
   template <class Visit>
   void around(Vec2f p, float reach, const Visit& visit) const {
     const int x0 = column(p.x - reach);
@@ -104,8 +105,8 @@ class PointGrid {
   std::vector<std::int32_t> begin_;
 };
 
-/// Which points are the same stretch of path as one of them: of its curve, and fewer than `reach` points away round it.
-/// They are one run of indices, or two where it passes the curve's first point.
+/// Set of points on the same stretch of path as a given point: those of its curve fewer than `reach` points away along
+/// it. They form one run of indices, or two if the stretch passes the curve's first point.
 class OwnChain {
  public:
   OwnChain(int point, int first, int size, int reach) {
@@ -132,7 +133,7 @@ class OwnChain {
     end2_ = splatInt(to2);
   }
 
-  /// \return all bits set where `id` is one of them.
+  /// Tests four indices at once. \return all bits set in each lane whose `id` belongs to the stretch.
   [[nodiscard]] I4 holds(I4 id) const { return ((id > before_) & (id < end_)) | ((id > before2_) & (id < end2_)); }
 
  private:

@@ -1,4 +1,4 @@
-// Outlines of pictures (marching squares) and scaling.
+// Traces outlines of pictures by marching squares, and scales shapes.
 #include "sillon/geometry/shape.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t kMaxMaskPoints = 4'000'000;
 
-// What the mask's level set is made of: brightness or opacity of pixels over 50 %, negative outside.
+// Field whose zero level is the mask's outline: brightness or opacity of pixels minus 50 %, negative outside.
 class MaskField {
  public:
   explicit MaskField(const Image& image) : image_(image) {
@@ -33,7 +33,7 @@ class MaskField {
     if (x < 0 || y < 0 || x >= image_.width || y >= image_.height) return -kHalf;
     if (useAlpha_) return image_.at(x, y, image_.channels - 1) - kHalf;
     if (image_.channels < 3) return image_.at(x, y, 0) - kHalf;
-    // Rec. 709 luma in integers, so that white is 65535 exactly.
+    // Rec. 709 luma with integer weights, so that white is exactly 65535.
     const int luma = 2126 * image_.at(x, y, 0) + 7152 * image_.at(x, y, 1) + 722 * image_.at(x, y, 2);
     return luma / 10000.0 - kHalf;
   }
@@ -47,8 +47,8 @@ class MaskField {
 
 enum class Side { Top, Right, Bottom, Left };
 
-// Where a contour that enters a cell through `entry` leaves it. The cell's corners are the samples (x, y) .. (x+1,
-// y+1).
+// Returns the side through which a contour leaves a cell that it enters through `entry`. The cell's corners are the
+// samples (x, y) .. (x+1, y+1).
 Side exitOf(const MaskField& field, int x, int y, Side entry) {
   const double topLeft = field.at(x, y);
   const double topRight = field.at(x + 1, y);
@@ -57,7 +57,7 @@ Side exitOf(const MaskField& field, int x, int y, Side entry) {
   const std::array<bool, 4> crossed{(topLeft >= 0) != (topRight >= 0), (topRight >= 0) != (bottomRight >= 0),
                                     (bottomLeft >= 0) != (bottomRight >= 0), (topLeft >= 0) != (bottomLeft >= 0)};
   if (crossed[0] && crossed[1] && crossed[2] && crossed[3]) {
-    // Saddle: the mean decides whether the two inner corners join; the contour goes round a corner of the other kind.
+    // A saddle: the mean decides whether the two inner corners join; the contour goes round a corner of the other kind.
     const bool joined = topLeft + topRight + bottomLeft + bottomRight >= 0;
     const bool aroundTopLeft = (topLeft >= 0) != joined;
     constexpr std::array<Side, 4> kTopLeft{Side::Left, Side::Bottom, Side::Right, Side::Top};
@@ -67,11 +67,11 @@ Side exitOf(const MaskField& field, int x, int y, Side entry) {
   for (const Side side : {Side::Top, Side::Right, Side::Bottom, Side::Left}) {
     if (side != entry && crossed[static_cast<std::size_t>(side)]) return side;
   }
-  return entry;  // never: crossings come in pairs
+  return entry;  // unreachable, because crossings come in pairs
 }
 
-// Follows the level set of a mask. Every ring crosses horizontal edges (between samples side by side), so marking
-// those suffices to find each ring once.
+// Follows the zero level of a mask. Every ring crosses horizontal edges (between samples side by side), so that marking
+// these suffices to find each ring once.
 class MaskTracer {
  public:
   MaskTracer(const Image& image, double scale)
@@ -81,7 +81,7 @@ class MaskTracer {
         scale_(scale),
         visited_(static_cast<std::size_t>(width_ + 1) * static_cast<std::size_t>(height_)) {}
 
-  // False if there are too many points.
+  // Traces all rings. Returns false if they have too many points.
   bool trace(std::vector<Ring>& rings) {
     std::int64_t points = 0;
     for (int y = 0; y < height_; ++y) {
@@ -105,12 +105,12 @@ class MaskTracer {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_ + 1) + static_cast<std::size_t>(x + 1);
   }
 
-  // From sample units (y down, pixel centres at integers) to mm.
+  // Converts sample units (y down, pixel centres at integers) to mm.
   [[nodiscard]] Vec2 world(double x, double y) const {
     return snapped(Vec2{(x + 0.5) * scale_, (height_ - y - 0.5) * scale_});
   }
 
-  // The point where the level crosses a side of a cell.
+  // Returns the point where the level crosses a side of a cell.
   [[nodiscard]] Vec2 crossing(int x, int y, Side side) const {
     if (side == Side::Bottom) ++y;
     if (side == Side::Right) ++x;
@@ -121,10 +121,10 @@ class MaskTracer {
     return horizontal ? world(x + t, y) : world(x, y + t);
   }
 
-  // The inside stays on the same hand all the way. Gives up after `limit` points.
+  // Follows a ring, with the inside always on the same hand. Gives up after `limit` points.
   Ring follow(int startX, int startY, bool leftInside, std::int64_t limit) {
     Ring ring;
-    // Through the start edge downwards if the inside lies on its left sample, upwards otherwise.
+    // Passes the start edge downwards if its left sample is inside, upwards otherwise.
     int x = startX;
     int y = leftInside ? startY : startY - 1;
     Side entry = leftInside ? Side::Top : Side::Bottom;
@@ -137,7 +137,7 @@ class MaskTracer {
       add(ring, crossing(x, y, entry));
       if (static_cast<std::int64_t>(ring.size()) > limit) return ring;
       const Side exit = exitOf(field_, x, y, entry);
-      // The picture's corner: what is cut off there is no part of the drawing.
+      // In a corner cell of the picture, add the corner itself: otherwise the outline would cut it off.
       if ((x < 0 || x == width_ - 1) && (y < 0 || y == height_ - 1)) {
         const bool across = entry == Side::Top || entry == Side::Bottom;
         add(ring, {crossing(x, y, across ? entry : exit).x, crossing(x, y, across ? exit : entry).y});
@@ -169,7 +169,7 @@ class MaskTracer {
 
   static bool straight(Vec2 a, Vec2 b, Vec2 c) { return (a.x == b.x && b.x == c.x) || (a.y == b.y && b.y == c.y); }
 
-  // Straight borders along rows and columns are most of many masks: keep their ends only.
+  // Adds a point. Of straight borders along rows and columns, which are most of many masks, only the ends are kept.
   static void add(Ring& ring, Vec2 p) {
     if (!ring.empty() && ring.back() == p) return;
     if (ring.size() >= 2 && straight(ring[ring.size() - 2], ring.back(), p)) ring.pop_back();
@@ -180,7 +180,7 @@ class MaskTracer {
   int width_;
   int height_;
   double scale_;
-  std::vector<bool> visited_;  // horizontal edges of the rows 0 .. height-1; beyond them nothing is inside
+  std::vector<bool> visited_;  // horizontal edges of rows 0 .. height-1; nothing is inside beyond them
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Points and sizes of shapes that Sillon makes.
+// Points and sizes of shapes that Sillon makes itself.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,10 @@
 
 namespace sillon {
 
-inline constexpr double kMaxSize = 10'000;  ///< of a page side [mm]
+inline constexpr double kMaxSize = 10'000;  ///< largest side of a page [mm]
 
-// Every platform reads the same bytes: what libm's last digit may change is far below 1 nm. The + 0 turns -0 into 0.
+// Rounds to 1 nm, so that every platform gets the same bytes: differences in the last digit of libm are far below 1 nm.
+// Adding 0 turns -0 into 0.
 inline double snapped(double mm) { return std::round(mm * 1e6) / 1e6 + 0.0; }
 inline Vec2 snapped(Vec2 p) { return {snapped(p.x), snapped(p.y)}; }
 
@@ -30,7 +31,7 @@ inline void dropRepeatedPoints(Ring& ring) {
   while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
 }
 
-/// A circle, counter-clockwise, within 0.001 mm.
+/// Makes a circle, counter-clockwise, accurate within 0.001 mm.
 Ring circleRing(Vec2 centre, double diameter);
 
 }  // namespace sillon

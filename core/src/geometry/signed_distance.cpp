@@ -12,15 +12,15 @@
 namespace sillon {
 namespace {
 
-constexpr int kBlockCells = 4;  ///< side of a leaf block in cells
+constexpr int kBlockCells = 4;  ///< side of a leaf block [cells]
 constexpr std::int64_t kMaxRowCrossings = 100'000'000;
 constexpr double kMaxCandidates = 400e6;
 constexpr double kBytesPerCandidate = 12;  ///< in its block, which has room to grow, and in the index
 
-constexpr int kTile = 4;  ///< samples of a side that bandDistance takes together
+constexpr int kTile = 4;  ///< side of the tile that bandDistance() measures together [samples]
 
-// From the nearest point of the segment to p. Ends are taken as they are, so that two segments sharing one give
-// bit-equal distances.
+// Returns the offset from the nearest point of a segment to p. Ends are used as given, so that two segments that share
+// one yield bit-equal distances.
 Vec2 offsetFrom(const BorderSegment& s, Vec2 p) {
   const Vec2 along = s.b - s.a;
   const double size2 = dot(along, along);
@@ -33,7 +33,7 @@ double squaredDistance(const BorderSegment& s, Vec2 p) {
   return dot(offset, offset);
 }
 
-// Of the offset the component across the segment, squared: breaks ties at shared ends.
+// Returns the squared component of the offset across the segment; breaks ties at shared ends.
 double squaredAcross(const BorderSegment& s, Vec2 p) {
   const Vec2 along = s.b - s.a;
   const double across = cross(along, offsetFrom(s, p));
@@ -47,8 +47,9 @@ struct Block {
   std::vector<int> candidates;
 };
 
-// The segments of `list` that can be nearest to some point of the square with this centre and half diagonal.
-// \param squared  scratch.
+// Returns the segments of `list` that can be nearest to some point of the square with this centre and half diagonal.
+// \param[out] lowest  lower bound of the distance over the square.
+// \param squared  scratch memory.
 std::vector<int> nearestCandidates(const std::vector<BorderSegment>& segments, const std::vector<int>& list,
                                    Vec2 centre, double halfDiagonal, double& lowest, std::vector<double>& squared) {
   squared.resize(list.size());
@@ -71,7 +72,7 @@ class Subdivision {
  public:
   Subdivision(const std::vector<BorderSegment>& segments, const Grid& blocks) : segments_(segments), blocks_(blocks) {}
 
-  // Calls visit(block, lowest distance) for every block of side `leaf` under `block`, until it returns false.
+  // Calls visit(block, lowest distance) for every block of side `leaf` under `block`, until visit returns false.
   template <class Visit>
   bool descend(const Block& block, int leaf, const Visit& visit) const {
     std::vector<double> scratch;
@@ -79,7 +80,7 @@ class Subdivision {
   }
 
  private:
-  struct Square {  // in blocks
+  struct Square {  // in leaf blocks
     int x;
     int y;
     int side;
@@ -109,19 +110,19 @@ class Subdivision {
   const Grid& blocks_;
 };
 
-// Distances of the samples of one tile. Of a block's candidates only those are looked at that can be nearest to one of
-// them: with a detailed border this takes half the instructions of a look at all of them for each sample.
+// Distances of the samples of one tile. It measures only those candidates of a block that can be nearest to one of the
+// samples: with a detailed border this takes half the instructions of measuring all candidates for each sample.
 class TileDistances {
  public:
   static constexpr std::size_t kSamples = kTile * kTile;
 
-  std::array<double, kSamples> x{};  ///< of the samples, row by row, kTile to a row
+  std::array<double, kSamples> x{};  ///< places of the samples, row by row, kTile to a row
   std::array<double, kSamples> y{};
   std::array<double, kSamples> squared{};
 
   explicit TileDistances(const std::vector<BorderSegment>& segments) : segments_(segments) {}
 
-  /// Sets `squared`, exact, or where all distances are above `band` one lower bound above it.
+  /// Sets `squared`: exact, or one lower bound if all distances are above `band`.
   /// \param candidates  at least one.
   void measure(std::span<const int> candidates, double band) {
     const Vec2 centre{0.5 * (x.front() + x.back()), 0.5 * (y.front() + y.back())};
@@ -145,7 +146,7 @@ class TileDistances {
   }
 
  private:
-  // As squaredDistance, without branches, so that compilers make vectors of it.
+  // Computes squaredDistance() for all samples without branches, so that compilers can vectorise it.
   void add(const BorderSegment& s) {
     const Vec2 along = s.b - s.a;
     const double size2 = dot(along, along);
@@ -166,10 +167,10 @@ class TileDistances {
   }
 
   const std::vector<BorderSegment>& segments_;
-  std::vector<double> toCentre_;  ///< of each candidate, squared
+  std::vector<double> toCentre_;  ///< squared distance of each candidate to the centre
 };
 
-// Runs of at most `most` columns or rows of samples in the same column or row of blocks.
+// Splits columns or rows of samples into runs of at most `most` that lie in the same column or row of blocks.
 std::vector<int> runsOf(const std::vector<std::size_t>& blocks, int most) {
   std::vector<int> bounds;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
@@ -180,7 +181,7 @@ std::vector<int> runsOf(const std::vector<std::size_t>& blocks, int most) {
   return bounds;
 }
 
-// Work of insideIntervals, known before it is done.
+// Checks the work of insideIntervals() before it is done.
 Result<int> checkRows(const Shape& shape, const Grid& lattice) {
   double crossings = 0;
   for (const FilledPath& path : shape.paths) {
@@ -197,7 +198,7 @@ Result<int> checkRows(const Shape& shape, const Grid& lattice) {
   return 0;
 }
 
-// Calls visit(first, end) with the samples of one row that lie inside, in runs, each sample once.
+// Calls visit(first, end) for the runs of samples of a row that lie inside, each sample once.
 template <class Visit>
 void forInside(const std::vector<Interval>& intervals, const Grid& lattice, const Visit& visit) {
   int done = 0;
@@ -219,7 +220,7 @@ Grid makeGrid(const Bounds& box, double spacing) {
   grid.cell = 0.5 * spacing;
   grid.origin = {box.min.x - 1.5 * spacing, box.min.y - 1.5 * spacing};
   const Vec2 size = box.size();
-  // A hair less, so that an exact multiple does not gain a cell by rounding.
+  // Subtracts a little, so that an exact multiple does not gain a cell by rounding.
   grid.nx = static_cast<int>(std::ceil((size.x + 3 * spacing) / grid.cell - 1e-6));
   grid.ny = static_cast<int>(std::ceil((size.y + 3 * spacing) / grid.cell - 1e-6));
   return grid;
@@ -248,7 +249,7 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
   std::atomic<std::size_t> kept{0};
   const auto hasRoom = [&](const Block& block) { return (kept += block.candidates.size()) <= most; };
 
-  // A few large blocks on this thread, then each on any thread.
+  // Splits into a few large blocks on this thread, then divides each of them on any thread.
   const Subdivision subdivision(index.segments_, blocks);
   std::vector<Block> tasks;
   if (subdivision.descend(root, std::max(1, root.side / 16), [&](Block block, double) {
@@ -331,7 +332,8 @@ NearestBorder BorderIndex::nearest(Vec2 p) const {
   for (int k = begin_[block]; k < begin_[block + 1]; ++k) {
     const BorderSegment& s = segments_[candidates_[k]];
     const double squared = squaredDistance(s, p);
-    // Two segments that share the nearest corner are equally far; the one the point lies more across tells the side.
+    // Two segments that share the nearest corner are equally far; the one that the point lies more across tells the
+    // side.
     if (squared < least || (squared == least && squaredAcross(s, p) > squaredAcross(*best, p))) {
       least = squared;
       best = &s;
@@ -365,7 +367,7 @@ Result<SignedDistanceField> signedDistanceField(const Shape& shape, const Border
         const bool in = inside[x] != 0;
         const std::size_t i = grid.index(x, y);
         field.distance[i] = in ? -std::abs(nearest.distance) : std::abs(nearest.distance);
-        // On the border itself the normal is the segment's; elsewhere it follows the sign of the distance.
+        // On the border itself the normal is that of the segment; elsewhere it follows the sign of the distance.
         const bool flip = in != (nearest.distance < 0) && std::abs(nearest.distance) > 1e-6f;
         field.normal[i] = flip ? -nearest.normal : nearest.normal;
       }
@@ -380,7 +382,7 @@ Result<std::vector<float>> bandDistance(const Shape& shape, const BorderIndex& i
   if (const Result<int> rows = checkRows(shape, lattice); !rows) return rows.error();
   std::vector<float> distance(lattice.size());
   const auto intervals = insideIntervals(shape, lattice.centre(0, 0).y, lattice.cell, lattice.ny);
-  std::vector<std::size_t> column;  // of the block that holds a sample
+  std::vector<std::size_t> column;  // column of the block that holds a sample
   std::vector<std::size_t> row;
   for (int x = 0; x < lattice.nx; ++x)
     column.push_back(index.blockOf({lattice.centre(x, 0).x, index.blocks_.origin.y}));

@@ -1,4 +1,4 @@
-// Distances to the outline.
+// Signed distances to the outline.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace sillon {
 
-// The regular cells that sample the plate (Sec. 5): side tau/2, with a margin so that contours close.
+// Regular cells that sample the plate (Sec. 5), with sides of tau/2 and a margin so that contours close.
 
 struct Grid {
   Vec2 origin;      ///< lower left corner of cell (0, 0) [mm]
@@ -24,7 +24,7 @@ struct Grid {
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x);
   }
-  /// Index of the cell that a point lies in; of a point outside, of the nearest one.
+  /// Returns the index of the cell that contains a point, or of the nearest one.
   [[nodiscard]] std::size_t cellAt(Vec2 p) const {
     const auto place = [this](double at, int count) {
       return static_cast<int>(std::clamp(at / cell, 0.0, static_cast<double>(count - 1)));
@@ -34,10 +34,12 @@ struct Grid {
   [[nodiscard]] Vec2 centre(int x, int y) const { return {origin.x + (x + 0.5) * cell, origin.y + (y + 0.5) * cell}; }
 };
 
-/// Cells of tau/2 over the box and a margin of 1.5 tau around it; without jitter the neighbour weights are constants.
+/// Makes a grid of tau/2 cells over the box and a margin of 1.5 tau. Without jitter, the neighbour weights are
+/// constant.
 Grid makeGrid(const Bounds& box, double spacing);
 
-/// The lattice of the contour: the grid's corners, edge middles and centres, (2 nx + 1) x (2 ny + 1) nodes at tau/4.
+/// Makes the lattice of the contour: the grid's corners, edge middles and centres, (2 nx + 1) x (2 ny + 1) nodes tau/4
+/// apart.
 Grid nodeLattice(const Grid& grid);
 
 // Exact signed distance to the border (Sec. 4), on the cells of a grid and at single points.
@@ -47,21 +49,21 @@ struct NearestBorder {
   Vec2f normal;        ///< unit gradient of the distance, outward
 };
 
-/// For each block of 4 x 4 cells the border segments that can be nearest to any point in it: a quadtree keeps those
-/// within the best distance plus a block's diagonal. Exact, and linear in the cells for drawings made of few segments a
-/// block.
+/// Index of the border. For each block of 4 x 4 cells it keeps the segments that can be nearest to any point of the
+/// block: a quadtree discards those beyond the best distance plus a block's diagonal. Exact, and linear in the number
+/// of cells for drawings with few segments per block.
 class BorderIndex {
  public:
-  /// Exact nearest border point. Points outside the grid are answered from its nearest block (approximate).
+  /// Returns the nearest border point, exactly. For points outside the grid its nearest block answers (approximately).
   [[nodiscard]] NearestBorder nearest(Vec2 p) const;
-  /// Lower bound of the unsigned distance [mm] over the block that holds p: a cheap way to skip the interior.
+  /// Returns a lower bound of the unsigned distance over the block that holds p [mm], a cheap way to skip the interior.
   [[nodiscard]] float blockDistance(Vec2 p) const;
 
-  /// Lower bound of the depth inside the shape [mm] over the block that holds p; 0 where the block is not wholly
+  /// Returns a lower bound of the depth inside the shape over the block that holds p [mm]; 0 if the block is not wholly
   /// inside.
   [[nodiscard]] float blockDepth(Vec2 p) const;
 
-  /// Tells whether p lies outside the shape; cheap away from the border.
+  /// Tells whether p lies outside the shape. Cheap away from the border.
   [[nodiscard]] bool outside(Vec2 p) const;
 
   friend Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, const RunContext& run);
@@ -73,36 +75,38 @@ class BorderIndex {
 
   Grid blocks_;
   std::vector<BorderSegment> segments_;
-  std::vector<int> begin_;  ///< blocks + 1 offsets into candidates_
+  std::vector<int> begin_;  ///< offsets into candidates_, one per block and the end
   std::vector<int> candidates_;
   std::vector<float> lowest_;
-  std::vector<char> outside_;  ///< side of the whole block, where the border does not pass it
+  std::vector<char> outside_;  ///< 1 if the block lies outside; valid if the border does not pass the block
 };
 
-/// \return TooLarge when the outline is too detailed for the grid, OutOfMemory when it is for RunContext::memory(),
-///   EmptyShape when it has no segment, or Cancelled.
+/// Builds the index of an outline.
+/// \return TooLarge if the outline is too detailed for the grid, OutOfMemory if it is for RunContext::memory(),
+/// EmptyShape if it has no segment, or Cancelled.
 Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, const RunContext& run);
 
-/// Signed distance [mm] and its unit gradient at the cell centres, row-major.
+/// Signed distance [mm] and its unit gradient at the cell centres, row by row.
 struct SignedDistanceField {
   Grid grid;
   std::vector<float> distance;
   std::vector<Vec2f> normal;
 };
 
-/// Exact at every centre. The sign comes from the fill rule by scanline: the nearest normal fails at reflex corners.
+/// Computes the field, exact at every centre. The sign comes from the fill rule by scanlines, because the sign by the
+/// nearest normal fails at reflex corners.
 Result<SignedDistanceField> signedDistanceField(const Shape& shape, const BorderIndex& index, const Grid& grid,
                                                 const RunContext& run);
 
-/// Distances on any lattice, exact where |distance| <= band and at least `band` in size (right sign) elsewhere.
+/// Computes distances on any lattice: exact where |distance| <= band, elsewhere at least `band` with the right sign.
 Result<std::vector<float>> bandDistance(const Shape& shape, const BorderIndex& index, const Grid& lattice, float band,
                                         const RunContext& run);
 
-// Distances in a raster, for rules of thumb.
+// Approximate distances in a raster.
 
-/// Distance of each cell to the nearest wall, in cells; within 8 %. Walls are 0; 1e9 where there is no wall. The
-/// chamfer distance of Borgefors (1986) with steps of 1 and sqrt(2). \param wall  columns x rows, row by row; not 0: a
-/// wall
+/// Returns the distance of each cell to the nearest wall [cells], within 8 %: 0 at walls, 1e9 if there is no wall.
+/// Chamfer distance of Borgefors (1986) with steps of 1 and sqrt(2).
+/// \param wall  columns x rows, row by row; not 0 at a wall
 std::vector<float> chamferDistance(const std::vector<char>& wall, int columns, int rows);
 
 }  // namespace sillon

@@ -10,11 +10,12 @@
 namespace sillon {
 namespace {
 
-/// An edge that passes a point within this goes through it [mm]: what should lie on one line comes on a grid of 1 nm.
+/// Distance within which an edge is taken to pass through a point [mm]: points meant to lie on one line come on a grid
+/// of 1 nm.
 constexpr double kNear = 2e-6;
-constexpr int kMaxRounds = 5;                     ///< two do for nearly all drawings
-constexpr int kMaxGridRounds = 50;                ///< on a grid; five do for nearly all drawings
-constexpr std::size_t kMaxPieces = 4'000'000;     ///< beyond any drawing that a spacing of 0.05 mm could show
+constexpr int kMaxRounds = 5;                     ///< rounds of splitting; two suffice for nearly all drawings
+constexpr int kMaxGridRounds = 50;                ///< rounds on a grid; five suffice for nearly all drawings
+constexpr std::size_t kMaxPieces = 4'000'000;     ///< more than any drawing has that a spacing of 0.05 mm could show
 constexpr std::uint64_t kMaxPairs = 800'000'000;  ///< tests of two edges; some ten seconds: strokes of a world map
 
 struct Split {
@@ -23,8 +24,9 @@ struct Split {
   Vec2 at;
 };
 
-// Where an end of another edge lies on this one. On the grid: where this one passes through the end's pixel, so that
-// what crosses stays crossed and splitting comes to an end (iterated snap rounding; Halperin and Packer 2002).
+// Adds a split where an end of another edge lies on this edge. On the grid, the test is whether the edge passes through
+// the pixel of that end, so that crossings stay crossings and the splitting terminates (iterated snap rounding;
+// Halperin and Packer 2002).
 void splitAtEnd(const PathEdge& edge, int index, Vec2 end, Points points, std::vector<Split>& splits) {
   const Vec2 along = edge.b - edge.a;
   const double size = length(along);
@@ -35,6 +37,7 @@ void splitAtEnd(const PathEdge& edge, int index, Vec2 end, Points points, std::v
     splits.push_back({index, t, end});
 }
 
+// Adds the splits of two edges: at each other's ends if these touch, otherwise at their crossing.
 void splitPair(const std::vector<PathEdge>& edges, int i, int j, Points points, std::vector<Split>& splits) {
   const PathEdge& e = edges[i];
   const PathEdge& f = edges[j];
@@ -55,7 +58,7 @@ void splitPair(const std::vector<PathEdge>& edges, int i, int j, Points points, 
   if (t <= 0 || t >= 1) return;
   const double s = fa / (fa - fb);
   const Vec2 at = e.a + u * t;
-  // Pieces of one line: their last digits seem to cross, anywhere and each somewhere else.
+  // Collinear pieces only seem to cross, by their last digits, and at a different place on each.
   if (length(f.a + v * s - at) > kNear) return;
   splits.push_back({i, t, at});
   splits.push_back({j, s, at});
@@ -71,14 +74,14 @@ Bounds boxOf(const PathEdge& edge) {
 // Edges of one round of splitting.
 struct Edges {
   std::vector<PathEdge> all;
-  std::vector<char> fresh;  ///< 0: as in the round before, where it was split at no other such edge
+  std::vector<char> fresh;  ///< 0: unchanged since the last round, and tested against all such edges
 };
 
-// A square raster over the edges, for neighbours.
+// A square raster over the edges, to find neighbours.
 struct Cells {
   Vec2 low;
   double size;
-  double reach;  ///< [same unit] edges this near to a cell count as in it
+  double reach;  ///< margin within which an edge counts as in a cell [unit of the edges]
 
   /// Calls visit(key) for each cell that an edge passes.
   template <class Visit>
@@ -88,7 +91,7 @@ struct Cells {
     for (std::int64_t row = firstRow; row <= lastRow; ++row) {
       double left = std::min(edge.a.x, edge.b.x);
       double right = std::max(edge.a.x, edge.b.x);
-      // Only the columns that the edge passes within this row; a level one passes all of its own.
+      // Visits only the columns that the edge passes within this row; a level edge passes all of its own.
       if (firstRow != lastRow && edge.a.y != edge.b.y) {
         const double y0 = low.y + static_cast<double>(row) * size - reach;
         const double y1 = y0 + size + 2 * reach;
@@ -110,7 +113,8 @@ struct Cells {
   }
 };
 
-// All places where edges meet away from their own ends. False: too much work, with what was done before.
+// Finds all places where edges meet away from their own ends. Returns false if it takes too much work, together with
+// earlier rounds.
 bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vector<Split>& splits, std::uint64_t& work) {
   const double reach = points == Points::OnGrid ? 1 : kNear;
   double total = 0;
@@ -123,8 +127,8 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
     int edge;
   };
   std::vector<Entry> entries;
-  // Cells in which nothing is fresh are left out: after the first rounds, nearly all of them.
-  // By digests of keys: some 64 for each edge, as most drawings are combined of thousands of small ones.
+  // Cells without a fresh edge are skipped: after the first rounds these are nearly all. Cells are marked by digests of
+  // their keys, some 64 digests per edge, because most drawings are combined of thousands of small ones.
   const int bits = std::min(static_cast<int>(std::bit_width(edges.all.size())) + 6, 20);
   std::vector<char> busy(std::size_t{1} << bits);
   const auto digestOf = [&](std::uint64_t key) {
@@ -142,7 +146,7 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
   }
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.edge < b.edge; });
-  std::vector<Bounds> boxes;  // of the edges in a cell: few of them come near each other
+  std::vector<Bounds> boxes;  // boxes of the edges in a cell; few edges come near each other
   for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
     while (end < entries.size() && entries[end].key == entries[begin].key) ++end;
     const std::uint64_t count = end - begin;
@@ -169,17 +173,18 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
   return true;
 }
 
-// Gives crossings that coincide the same digits, and those of points where they lie on one: pieces that cover each
-// other must have the same ends.
+// Unifies coincident crossings, and crossings that lie on a point of an edge: pieces that cover each other must have
+// equal ends.
 //
-// Points are further apart than cells, so that each has one of its own. In a std::unordered_map a map's strokes took an
-// eighth longer to read.
+// A hash table with one point per cell, since known points lie further apart than cells. With std::unordered_map, a
+// map's strokes took an eighth longer to read.
 class KnownPoints {
  public:
   explicit KnownPoints(const std::vector<PathEdge>& edges) {
     for (const PathEdge& edge : edges) add(edge.a);
   }
 
+  // Moves each split to the known point nearest to it, if that is within kTouch, and adds the others as known points.
   void unify(std::vector<Split>& splits) {
     for (Split& split : splits) {
       const Cell cell = cellOf(split.at);
@@ -211,7 +216,7 @@ class KnownPoints {
     return {static_cast<std::int64_t>(std::floor(p.x / kCell)), static_cast<std::int64_t>(std::floor(p.y / kCell))};
   }
 
-  /// Where the point of a cell is told, or would be.
+  /// Returns the slot of the point in a cell, or the free slot where it would be stored.
   [[nodiscard]] std::size_t slotOf(Cell cell) const {
     const auto mixed = (static_cast<std::uint64_t>(cell.x) * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(cell.y)) *
                        0xC2B2AE3D27D4EB4FU;
@@ -223,6 +228,7 @@ class KnownPoints {
     }
   }
 
+  // Stores a point unless its cell has one already.
   void add(Vec2 p) {
     if (2 * points_.size() >= slots_.size()) {
       slots_.assign(2 * slots_.size(), -1);
@@ -235,10 +241,10 @@ class KnownPoints {
   }
 
   std::vector<Vec2> points_;
-  std::vector<int> slots_ = std::vector<int>(64, -1);  ///< indices of points, at most half of them taken; -1: none
+  std::vector<int> slots_ = std::vector<int>(64, -1);  ///< indices of points, -1 if free; at most half are taken
 };
 
-/// The edges in pieces that meet at their ends only. Every ring stays closed.
+/// Splits edges into pieces that meet at their ends only. Every ring stays closed.
 Edges piecesOf(const std::vector<PathEdge>& edges, const std::vector<Split>& splits) {
   Edges pieces;
   pieces.all.reserve(edges.size() + splits.size());
@@ -266,8 +272,8 @@ std::optional<std::vector<PathEdge>> splitEdges(const std::vector<PathEdge>& edg
   Edges pieces{edges, std::vector<char>(edges.size(), 1)};
   std::optional<KnownPoints> known;
   if (!grid) known.emplace(edges);
-  // What goes through a point within kNear, or through the grid's nearest to a crossing, is bent by that much and may
-  // cross what it did not before.
+  // An edge that is moved to a point within kNear, or to the grid point nearest to a crossing, bends by that much and
+  // may cross edges that it did not cross before; so splitting is repeated.
   std::uint64_t work = 0;
   for (int round = 0; round < (grid ? kMaxGridRounds : kMaxRounds); ++round) {
     std::vector<Split> splits;

@@ -1,4 +1,4 @@
-// Lines without the points that they do not need.
+// Removes points that a line does not need.
 #pragma once
 
 #include <cmath>
@@ -15,10 +15,11 @@ inline double distanceToLine(Vec2 p, Vec2 a, Vec2 b) {
   return size > 0 ? std::abs(cross(d, p - a)) / size : length(p - a);
 }
 
-/// Leaves out what lies on the straight line between its neighbours. The first and the last point stay.
-/// \param tolerance  from that line [mm]. \param longest  straight piece that comes of it [mm].
+/// Leaves out points near the straight line between their neighbours. The first and the last point stay.
+/// \param tolerance  largest distance from that line [mm].
+/// \param longest  longest straight piece that results [mm].
 inline std::vector<Vec2> straightened(const std::vector<Vec2>& line, double tolerance, double longest) {
-  constexpr std::size_t kWindow = 40;  // points left out in one go
+  constexpr std::size_t kWindow = 40;  // largest number of points left out in one go
   std::vector<Vec2> out;
   std::size_t from = 0;
   while (from < line.size()) {

@@ -12,12 +12,12 @@ namespace {
 using Point = Vec2T<std::int64_t>;
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr std::uint64_t kMostWork = 1'000'000'000;  // points looked at, a few seconds; reached by hostile shapes only
+constexpr std::uint64_t kMostWork = 1'000'000'000;  // limit on tested points, a few seconds, for hostile shapes
 
-// > 0 where a, b, c turn left; exact.
+// Positive if a, b, c turn left; exact.
 std::int64_t turn(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-// A point on a ring; holes are joined to what is around them by a bridge, whose two points are there twice.
+// A node of a ring. A hole is joined to the ring around it by a bridge, whose two points then have two nodes each.
 struct Node {
   std::uint32_t point;
   std::uint32_t before;
@@ -28,7 +28,7 @@ class Ears {
  public:
   explicit Ears(const std::vector<Point>& points) : points_(points) {}
 
-  // \return a node of it.
+  // Adds a ring. \return one of its nodes.
   std::uint32_t addRing(const std::vector<std::uint32_t>& ring) {
     const auto first = static_cast<std::uint32_t>(nodes_.size());
     const auto count = static_cast<std::uint32_t>(ring.size());
@@ -38,11 +38,11 @@ class Ears {
     return first;
   }
 
-  /// Joins the ring added last, a hole, to what lies to the left of its leftmost point; drops it if there is nothing.
-  /// \param hole  its first node.
+  /// Joins a hole, the ring added last, to the ring left of its leftmost point; drops it if there is none.
+  /// \param hole  first node of the hole.
   bool bridge(std::uint32_t hole);
 
-  /// Cuts all rings; those that were joined count as one. \return false if that would take too long.
+  /// Cuts all rings into triangles; joined rings count as one. \return false if that would take too long.
   bool cut(const std::vector<std::uint32_t>& starts, std::vector<Triangle>& triangles);
 
  private:
@@ -53,12 +53,12 @@ class Ears {
 
   const std::vector<Point>& points_;
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> dents_;  // nodes that are no convex corner, by x
+  std::vector<std::uint32_t> dents_;  // nodes that are no convex corner, sorted by x
   std::vector<char> gone_;
   std::uint64_t work_ = 0;
 };
 
-// Whether a line from the node to the target begins inside.
+// Tells whether a line from the node to the target begins inside.
 bool Ears::opensTo(std::uint32_t node, Point target) const {
   const Point here = at(node);
   const Point before = at(nodes_[node].before);
@@ -76,9 +76,9 @@ bool Ears::bridge(std::uint32_t hole) {
   const Point tip = at(from);
   const Point left{tip.x - 1, tip.y};
   for (std::uint32_t k = nodes_[hole].after; k != hole && !opensTo(from, left); k = nodes_[k].after) {
-    if (at(k) == tip && opensTo(k, left)) from = k;  // holes that touch are one ring
+    if (at(k) == tip && opensTo(k, left)) from = k;  // holes that touch at the tip are one ring
   }
-  // The nearest edge to the left that has the inside on its right hand side as seen from there: one that runs down.
+  // Finds the nearest edge to the left that has the inside on the tip's side: one that runs down.
   double nearest = -std::numeric_limits<double>::infinity();
   std::uint32_t best = from;
   std::vector<char> own(nodes_.size(), 0);
@@ -92,7 +92,7 @@ bool Ears::bridge(std::uint32_t hole) {
                      static_cast<double>(tip.y - a.y) * static_cast<double>(b.x - a.x) / static_cast<double>(b.y - a.y);
     if (x > static_cast<double>(tip.x) || x <= nearest) continue;
     const std::uint32_t corner = a.y == tip.y ? k : b.y == tip.y ? nodes_[k].after : kNone;
-    // Of several nodes at one place only one has the tip in front of it.
+    // If several nodes lie at one place, only one of them faces the tip.
     if (corner != kNone && !opensTo(corner, tip)) continue;
     nearest = x;
     best = corner != kNone ? corner : a.x < b.x ? k : nodes_[k].after;
@@ -102,8 +102,8 @@ bool Ears::bridge(std::uint32_t hole) {
     nodes_.resize(hole);
     return false;
   }
-  // A corner within the triangle of the tip, the point that was hit and that edge's end would be crossed; the one
-  // nearest to the horizontal is seen.
+  // A corner inside the triangle of the tip, the point that was hit and that edge's end would be crossed by the bridge;
+  // of such corners, the one at the flattest angle is visible.
   const Point end = at(best);
   const double run = static_cast<double>(tip.x) - nearest;
   double flattest = std::numeric_limits<double>::infinity();
@@ -114,7 +114,7 @@ bool Ears::bridge(std::uint32_t hole) {
     const std::int64_t ofLine = turn(tip, end, p);
     if (!side || (end.y > tip.y ? ofLine < 0 : ofLine > 0)) continue;
     const double rise = static_cast<double>(std::abs(p.y - tip.y));
-    // Left of the edge that was hit nothing is seen.
+    // Left of the edge that was hit, nothing is visible.
     const double hit =
         nearest + (static_cast<double>(end.x) - nearest) * rise / static_cast<double>(std::abs(end.y - tip.y));
     if (static_cast<double>(p.x) < hit - 1e-3 * (1 + run)) continue;
@@ -124,12 +124,12 @@ bool Ears::bridge(std::uint32_t hole) {
     best = k;
   }
   if (end.y != tip.y && !opensTo(best, tip)) {
-    // Another node at the same place, of a bridge or of a ring that touches, may be the one that faces the tip.
+    // Another node at the same place, of a bridge or of a touching ring, may be the one that faces the tip.
     for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
       if (!own[k] && at(k) == at(best) && opensTo(k, tip)) best = k;
     }
   }
-  // best, from ... round the hole ... from', best'.
+  // The order becomes best, from ... round the hole ... from', best'.
   const auto twinFrom = static_cast<std::uint32_t>(nodes_.size());
   const std::uint32_t twinBest = twinFrom + 1;
   nodes_.push_back({nodes_[from].point, nodes_[from].before, twinBest});
@@ -141,11 +141,11 @@ bool Ears::bridge(std::uint32_t hole) {
   return true;
 }
 
-// Whether a node that is no convex corner keeps the triangle from being cut off.
+// Tells whether a node that is no convex corner prevents the triangle from being cut off.
 bool Ears::blocks(std::uint32_t node, Point a, Point b, Point c) const {
   const Point p = at(node);
   if (p != a && p != b && p != c) return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
-  // On one of the corners: only if the path goes on within the triangle.
+  // A node at one of the corners blocks only if its path continues within the triangle.
   for (const std::uint32_t next : {nodes_[node].before, nodes_[node].after}) {
     const Point q = at(next);
     if (turn(a, b, q) > 0 && turn(b, c, q) > 0 && turn(c, a, q) > 0) return true;
@@ -154,6 +154,7 @@ bool Ears::blocks(std::uint32_t node, Point a, Point b, Point c) const {
   return false;
 }
 
+// Tells whether a node is a convex corner whose triangle contains no other node.
 bool Ears::isEar(std::uint32_t node) {
   const std::uint32_t before = nodes_[node].before;
   const std::uint32_t after = nodes_[node].after;
@@ -176,7 +177,7 @@ bool Ears::isEar(std::uint32_t node) {
 
 bool Ears::cut(const std::vector<std::uint32_t>& starts, std::vector<Triangle>& triangles) {
   gone_.assign(nodes_.size(), 0);
-  // A convex corner stays one while its neighbours are cut off, so that none is missing here later.
+  // A convex corner stays convex while its neighbours are cut off, so that the list of dents stays complete.
   for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
     if (turn(at(nodes_[k].before), at(k), at(nodes_[k].after)) <= 0) dents_.push_back(k);
   }
@@ -188,7 +189,7 @@ bool Ears::cut(const std::vector<std::uint32_t>& starts, std::vector<Triangle>& 
     std::size_t refused = 0;
     while (left >= 3) {
       if (work_ > kMostWork) return false;
-      // Where the rings are no good there may be no ear at all; then anything is cut off, and the surface still closes.
+      // Invalid rings may have no ear at all; then any corner is cut off, and the surface still closes.
       if (left > 3 && refused < left && !isEar(node)) {
         node = nodes_[node].after;
         ++refused;
@@ -197,14 +198,14 @@ bool Ears::cut(const std::vector<std::uint32_t>& starts, std::vector<Triangle>& 
       const std::uint32_t before = nodes_[node].before;
       const std::uint32_t after = nodes_[node].after;
       const Triangle t{nodes_[before].point, nodes_[node].point, nodes_[after].point};
-      // There and back along a bridge is no triangle.
+      // Going there and back along a bridge makes no triangle.
       if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
       nodes_[before].after = after;
       nodes_[after].before = before;
       gone_[node] = 1;
       --left;
       refused = 0;
-      node = nodes_[after].after;  // the one after next: fewer slivers
+      node = nodes_[after].after;  // skipping one node makes fewer slivers
     }
   }
   return true;
@@ -216,7 +217,7 @@ Triangulation triangulate(const std::vector<Point>& points, const std::vector<st
   Triangulation result;
   Ears ears(points);
   struct Hole {
-    Point tip;  ///< its leftmost point
+    Point tip;  ///< leftmost point
     std::size_t ring;
   };
   std::vector<Hole> holes;
@@ -237,7 +238,7 @@ Triangulation triangulate(const std::vector<Point>& points, const std::vector<st
       holes.push_back({tip, r});
     }
   }
-  // From the left, so that what a hole is joined to is joined already.
+  // Holes are joined from left to right, so that the ring that a hole is joined to is already joined itself.
   sortBy(holes, [](const Hole& hole) { return hole.tip.y; });
   sortBy(holes, [](const Hole& hole) { return hole.tip.x; });
   for (const Hole& hole : holes) {

@@ -11,21 +11,23 @@
 namespace sillon {
 namespace {
 
-/// Grey of a texel. Rec. 709 weights in 1/65536, summing to one so that equal channels give exactly that grey.
+/// Returns the grey of a texel, by Rec. 709 weights in 1/65536. They sum to one, so that equal channels keep their
+/// value.
 std::uint16_t greyAt(const Image& image, int x, int y) {
   if (image.channels < 3) return image.at(x, y, 0);
   const std::uint64_t sum = 13933ull * image.at(x, y, 0) + 46871ull * image.at(x, y, 1) + 4732ull * image.at(x, y, 2);
   return static_cast<std::uint16_t>((sum + 32768) >> 16);
 }
 
-/// Grey 0..65535 as 0..180 degrees: a turn by 90 degrees, modulo 180.
+/// Converts grey 0..65535 for 0..180 degrees to a stored angle: a turn by 90 degrees, modulo 180.
 std::uint16_t fromRotation(std::uint16_t grey) {
   return static_cast<std::uint16_t>(grey < 32768 ? grey + 32768 : grey - 32767);
 }
 
-/// The last digits of atan2 differ between platforms; rounding to 16 bit hides them.
+/// Converts a tangent (red, green) to a stored angle. The last digits of atan2 differ between platforms; rounding to 16
+/// bits hides them.
 std::uint16_t fromTangent(std::uint16_t red, std::uint16_t green) {
-  constexpr int kNeutral = 257;  // 8-bit pictures can say 127 or 128, not one half
+  constexpr int kNeutral = 257;  // 8-bit pictures can store 127 or 128, but not one half
   const int x = 2 * red - 65535;
   const int y = 2 * green - 65535;
   if (std::abs(x) <= kNeutral && std::abs(y) <= kNeutral) return storedAngle(0);

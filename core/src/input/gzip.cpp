@@ -17,7 +17,7 @@ constexpr std::size_t kTrailer = 8;  // checksum and size
 
 Error damaged(const char* what) { return damagedFile(".gz", what); }
 
-// One past the header; 0 if it does not end.
+// Returns the offset of the first byte after the header, or 0 if the header is cut off.
 std::size_t endOfHeader(std::string_view file) {
   if (file.size() < kHeader + kTrailer || file[2] != '\x08') return 0;
   const auto flags = static_cast<std::uint8_t>(file[3]);
@@ -36,8 +36,8 @@ std::size_t endOfHeader(std::string_view file) {
   return at + kTrailer <= file.size() ? at : 0;
 }
 
-// Tells whether the data are those of an empty text, as gzip, zlib and this program write it: inflating needs a size,
-// and a file that is cut off among zeros has none.
+// Tells whether the data are those of an empty text, as gzip, zlib and this program write it. Such data must be
+// recognised here: inflating needs a size, and a file that is cut off among zeros has none.
 bool isEmpty(std::string_view data) {
   return data == std::string_view("\3\0", 2) || data == std::string_view("\1\0\0\xff\xff", 5) || data == deflated({});
 }
@@ -63,7 +63,7 @@ Result<std::string> unzipped(std::string_view file, std::size_t most) {
                                           std::to_string(most >> 20)};
   }
   if (size > data.size() * kBestDeflate) return damaged("is damaged: its size does not fit");
-  // stb_image's inflate looks 4 bytes beyond the end; the trailer follows there.
+  // The data include 4 bytes of the trailer, because stb_image's inflate reads that far beyond the end.
   std::optional<std::string> text;
   if (size > 0) {
     text = inflated(file.substr(begin, data.size() + 4), size);

@@ -1,4 +1,4 @@
-// Files packed by gzip, and what all packed files share: numbers and limits.
+// Files packed by gzip, and helpers for all packed files: numbers and limits.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace sillon {
 
 // Numbers in files, lowest byte first.
 
-/// Appends a number's `bytes` lowest bytes; more than 8 bytes end in zeros.
+/// Appends the `bytes` lowest bytes of a number, lowest first; beyond 8 bytes it appends zeros.
 inline void append(std::string& out, std::uint64_t value, int bytes) {
   for (int k = 0; k < bytes; ++k) {
     out += static_cast<char>(value & 0xFF);
@@ -22,7 +22,7 @@ inline void append(std::string& out, std::uint64_t value, int bytes) {
   }
 }
 
-/// The number of `count` bytes from `at`, which the caller knows to be there.
+/// Reads the number of `count` bytes from `at`; the caller makes sure that they are there.
 inline std::uint64_t number(std::string_view bytes, std::size_t at, int count) {
   std::uint64_t value = 0;
   for (int k = count - 1; k >= 0; --k) {
@@ -35,23 +35,27 @@ inline std::uint64_t number(std::string_view bytes, std::size_t at, int count) {
 
 inline bool isGzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
-/// Unpacks a gzip file. \param most  bytes that may come out.
-/// \return InvalidFile for one that is damaged or made of several; TooLarge for more.
+/// Unpacks a gzip file.
+/// \param most  largest number of bytes that may come out.
+/// \return InvalidFile for a file that is damaged or has several members; TooLarge for more bytes.
 Result<std::string> unzipped(std::string_view file, std::size_t most);
 
-/// The text behind the header of `file`, with its name and date.
-/// \return as unzipped, of the header; TooLarge above 1 GiB.
+/// Packs the text behind the header of `file`, which keeps its name and date.
+/// \return the errors of unzipped() for the header; TooLarge above 1 GiB.
 Result<std::string> zippedLike(std::string_view file, std::string_view text);
 
-/// The text behind a header without name and date. \return TooLarge above 1 GiB.
+/// Packs the text behind a header without name and date. \return TooLarge above 1 GiB.
 Result<std::string> zipped(std::string_view text);
 
 // Limits on packed files of any kind.
 
-/// Nothing that is deflated becomes smaller than this share.
+/// Largest factor by which deflate can shrink data.
 inline constexpr std::size_t kBestDeflate = 1032;
 
-/// \param size  of the G-code [bytes] \param kind  ".gz", ".bgcode", ... \return TooLarge, or nothing
+/// Refuses to pack G-code that is too long.
+/// \param size  size of the G-code [bytes]
+/// \param kind  ".gz", ".bgcode", ...
+/// \return TooLarge, or nothing
 inline std::optional<Error> tooLargeToPack(std::size_t size, const char* kind) {
   constexpr std::size_t kMostMiB = 1024;
   if (size <= kMostMiB << 20) return std::nullopt;
@@ -61,7 +65,9 @@ inline std::optional<Error> tooLargeToPack(std::size_t size, const char* kind) {
   return Error{ErrorCode::TooLarge, std::move(message)};
 }
 
-/// \param kind  as above. \param what  "is cut off", ...
+/// Makes the error for a packed file that cannot be read.
+/// \param kind  ".gz", ".bgcode", ...
+/// \param what  "is cut off", ...
 inline Error damagedFile(const char* kind, const char* what) {
   std::string message = "the ";
   message.append(kind).append(" ").append(what);

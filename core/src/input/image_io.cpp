@@ -1,5 +1,5 @@
-// stb_image decodes; the checks around it are ours, because it fills what is missing from cut-off files with zeros,
-// ignores checksums, and believes any size a file claims.
+// Reads pictures. stb_image decodes them; the checks around it are written here, because stb_image fills the missing
+// part of a cut-off file with zeros, ignores checksums, and believes any size that a file claims.
 #include "sillon/input/image_io.hpp"
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 
 namespace {
 
-// No allocation of the decoder may exceed what the announced size of the picture explains (zlib bombs).
+// Limit on an allocation of the decoder [bytes], set from the size that the picture announces; stops zlib bombs.
 thread_local std::size_t allocationLimit = 0;
 
-// Zeroed: the decoder uses Huffman tables that a damaged JPEG never defined.
+// Memory is zeroed, because the decoder uses Huffman tables that a damaged JPEG never defined.
 void* limitedAllocate(std::size_t size) { return size <= allocationLimit ? std::calloc(1, size) : nullptr; }
 void* limitedReallocate(void* old, std::size_t size) {
   return size <= allocationLimit ? std::realloc(old, size) : nullptr;
@@ -44,7 +44,7 @@ void* limitedReallocate(void* old, std::size_t size) {
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
 #if defined(__clang__)
-// Damaged JPEG coefficients overflow ints inside stb_image; they only make wrong pixels.
+// Damaged JPEG coefficients overflow ints inside stb_image; the only effect is wrong pixels.
 #pragma clang attribute push(__attribute__((no_sanitize("undefined"))), apply_to = function)
 #endif
 #include <stb_image.h>
@@ -64,11 +64,12 @@ enum class Format { Png, Jpeg, Bmp, Tga, Unknown };
 
 constexpr const char* kFormatNames[] = {"PNG", "JPEG", "BMP", "TGA"};
 
-// Most pixels one byte can stand for: deflate packs 1032:1 and a pixel may have 1 bit; a JPEG block of 64 pixels takes
-// at least one bit of a chroma-subsampled scan; a BMP is not packed; a TGA run of 128 pixels takes 2 bytes.
+// Largest number of pixels that one byte can stand for: deflate packs 1032:1 and a pixel may have 1 bit; a JPEG block
+// of 64 pixels takes at least one bit of a chroma-subsampled scan; a BMP is not packed; a TGA run of 128 pixels takes 2
+// bytes.
 constexpr std::int64_t kPixelsPerByte[] = {1032 * 8, 64 * 8 * 16, 8, 128};
 
-// Real progressive JPEGs have about 10 scans; each costs a pass over the whole picture.
+// Limit on the scans of a JPEG. Real progressive JPEGs have about 10; each costs a pass over the whole picture.
 constexpr int kMaxJpegScans = 100;
 
 std::uint32_t le16(Bytes b, std::size_t at) { return b[at] | static_cast<std::uint32_t>(b[at + 1]) << 8; }
@@ -91,7 +92,7 @@ struct TgaHeader {
   std::size_t dataAt = 0;
 };
 
-// TGA has no magic number: only a header in which everything fits together counts.
+// Reads the header of a TGA. The format has no magic number, so a header counts only if all its fields fit together.
 bool readTgaHeader(Bytes b, TgaHeader& header) {
   if (b.size() < 18) return false;
   const std::uint32_t hasPalette = b[1], type = b[2], paletteBits = b[7], bits = b[16], descriptor = b[17];
@@ -102,11 +103,11 @@ bool readTgaHeader(Bytes b, TgaHeader& header) {
     if (paletteFirst != 0 || paletteLength == 0 || bits != 8) return false;
     if (paletteBits != 15 && paletteBits != 16 && paletteBits != 24 && paletteBits != 32) return false;
   } else if (paletteFirst != 0 || paletteLength != 0 || (paletteBits != 0 && paletteBits != 24)) {
-    return false;  // 24: some writers fill in a depth for a palette that does not exist
+    return false;  // some writers fill in a depth of 24 for a palette that does not exist
   }
   if (base == 2 && bits != 15 && bits != 16 && bits != 24 && bits != 32) return false;
   if (base == 3 && bits != 8 && bits != 16) return false;
-  // Alpha bits that the pixel can hold; no interleaving, no right-to-left rows.
+  // The descriptor may only name alpha bits that the pixel can hold, and neither interleaving nor right-to-left rows.
   if ((descriptor & 0xd0u) != 0 || (descriptor & 15u) > 8 || (bits == 24 && (descriptor & 15u) != 0)) return false;
   header.type = type;
   header.pixelBytes = (bits + 7) / 8;
@@ -115,6 +116,7 @@ bool readTgaHeader(Bytes b, TgaHeader& header) {
   return header.pixels > 0;
 }
 
+/// Tells whether a TGA is cut off; empty if it is complete.
 std::string tgaDefect(Bytes bytes) {
   TgaHeader header;
   readTgaHeader(bytes, header);
@@ -137,7 +139,9 @@ struct Facts {
   int orientation = 1;  // EXIF, 1..8
 };
 
-/// \param tiff  as EXIF holds its tags. \return 1..8, 1 if nothing valid is found.
+/// Reads the orientation from EXIF tags.
+/// \param tiff  the tags, in the TIFF layout that EXIF uses.
+/// \return 1..8; 1 if nothing valid is found.
 int exifOrientation(Bytes tiff) {
   if (tiff.size() < 8) return 1;
   const bool little = tiff[0] == 'I';
@@ -159,6 +163,7 @@ int exifOrientation(Bytes tiff) {
 
 std::string_view textOf(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
+/// Checks the chunks of a PNG and their checksums, and finds its orientation.
 Facts inspectPng(Bytes bytes) {
   Facts facts;
   std::size_t at = 8;
@@ -181,7 +186,7 @@ Facts inspectPng(Bytes bytes) {
 
 // ---- JPEG ----
 
-/// A table with more than 256 codes would be written past its end by the decoder.
+/// Checks the Huffman tables of a segment: the decoder would write a table with more than 256 codes past its end.
 bool huffmanTablesValid(Bytes segment) {
   while (segment.size() >= 17) {
     std::size_t codes = 0;
@@ -192,11 +197,12 @@ bool huffmanTablesValid(Bytes segment) {
   return segment.empty();
 }
 
+/// Checks the segments of a JPEG, and finds its orientation.
 Facts inspectJpeg(Bytes bytes) {
   Facts facts;
   int scans = 0;
   std::size_t at = 2;
-  const auto isMarker = [&](std::size_t k) {  // not a stuffed zero, a fill byte or a restart inside a scan
+  const auto isMarker = [&](std::size_t k) {  // excludes stuffed zeros, fill bytes and restarts inside a scan
     return bytes[k] == 0xff && bytes[k + 1] != 0 && bytes[k + 1] != 0xff &&
            (bytes[k + 1] < 0xd0 || bytes[k + 1] > 0xd7);
   };
@@ -226,8 +232,8 @@ Facts inspectJpeg(Bytes bytes) {
   return facts;
 }
 
-/// Stored pixels as 16-bit samples, turned and mirrored so that EXIF orientation `orientation` becomes 1.
-/// \param image  its size and channels, as they are stored.
+/// Converts stored pixels to 16-bit samples, turned and mirrored so that EXIF orientation `orientation` becomes 1.
+/// \param image  size and channels of the picture as it is stored.
 Image uprighted(const void* stored, bool deep, int orientation, Image image) {
   const int width = image.width, height = image.height, channels = image.channels;
   const bool swapped = orientation >= 5;
@@ -257,6 +263,7 @@ Image uprighted(const void* stored, bool deep, int orientation, Image image) {
 
 // ---- BMP ----
 
+/// Checks the header and the length of a BMP; empty if both are good.
 std::string bmpDefect(Bytes bytes) {
   if (bytes.size() < 26) return "it is cut off";
   const std::uint64_t offset = le32(bytes, 10);
@@ -276,6 +283,7 @@ std::string bmpDefect(Bytes bytes) {
 
 // ---- all ----
 
+/// Recognises the format of a picture by its first bytes.
 Format formatOf(Bytes bytes) {
   TgaHeader tga;
   if (startsWith(bytes, "\x89PNG\r\n\x1a\n")) return Format::Png;
@@ -287,7 +295,7 @@ Format formatOf(Bytes bytes) {
   return readTgaHeader(bytes, tga) ? Format::Tga : Format::Unknown;
 }
 
-/// First bytes as "47 49 46 38", so that people can tell what they opened.
+/// Formats the first bytes as "47 49 46 38", so that people can tell which kind of file they opened.
 std::string firstBytes(Bytes bytes) {
   constexpr std::string_view kHex = "0123456789abcdef";
   std::string text;
@@ -299,7 +307,7 @@ std::string firstBytes(Bytes bytes) {
   return text;
 }
 
-// What people take for a picture or a drawing, by where its files can be told.
+// Kinds of files that people mistake for a picture or a drawing, each with the mark that identifies it.
 struct Foreign {
   std::size_t at;
   std::string_view mark;
@@ -321,7 +329,7 @@ constexpr Foreign kForeign[] = {
     {0, "\xfe\xff", "text in UTF-16"},
 };
 
-// Empty where it is none of these.
+// Returns the kind of a file that is neither picture nor drawing, or an empty string if it is none of these.
 std::string foreignKind(Bytes bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   for (const Foreign& foreign : kForeign) {
@@ -344,11 +352,12 @@ Error tooLarge(const std::string& name, const std::string& size) {
 
 using Decoded = std::unique_ptr<void, void (*)(void*)>;
 
+/// Decodes a picture after checking its size against limits and against the length of the file.
 Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format, int orientation) {
   const auto* data = bytes.data();
   const int size = static_cast<int>(bytes.size());
 
-  // The decoder would say no more than "unknown" of a PNG that is too large for it.
+  // For a PNG that is too large, the decoder itself would only report "unknown".
   if (format == Format::Png && size >= 24 && std::max(be32(bytes, 16), be32(bytes, 20)) > kMaxImageSide) {
     return tooLarge(name, std::to_string(be32(bytes, 16)) + " x " + std::to_string(be32(bytes, 20)));
   }
@@ -357,7 +366,7 @@ Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format,
   if (stbi_info_from_memory(data, size, &image.width, &image.height, &image.channels) == 0) {
     return unreadable(name, format, "its header is damaged or of an unknown kind");
   }
-  image.height = std::abs(image.height);  // negative: a BMP whose first row is the top one
+  image.height = std::abs(image.height);  // a BMP whose first row is the top one has a negative height
   const std::int64_t pixels = static_cast<std::int64_t>(image.width) * image.height;
   if (image.width > kMaxImageSide || image.height > kMaxImageSide ||
       pixels * std::max(image.channels, 3) > kMaxReadSamples) {
@@ -365,8 +374,9 @@ Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format,
   }
   if (pixels / kPixelsPerByte[static_cast<int>(format)] > size) return unreadable(name, format, "it is cut off");
 
-  // Largest honest request: 4 channels of 16 bit, doubled once by the unpacker when rows of an interlaced PNG need more
-  // bytes than first guessed; a JPEG stores 16-bit coefficients of blocks padded to 32 pixels.
+  // The largest request that an intact picture makes: 4 channels of 16 bits, doubled once by the unpacker when rows of
+  // an interlaced PNG need more bytes than first guessed; a JPEG stores 16-bit coefficients of blocks padded to 32
+  // pixels.
   allocationLimit =
       static_cast<std::size_t>(image.width + 64) * static_cast<std::size_t>(image.height + 64) * 16 + (1u << 20);
   const bool deep = stbi_is_16_bit_from_memory(data, size) != 0;
@@ -377,7 +387,7 @@ Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format,
   if (!decoded) return unreadable(name, format, stbi_failure_reason());
 
   image = uprighted(decoded.get(), deep, orientation, std::move(image));
-  // The fourth byte of such pixels means nothing.
+  // The fourth byte of a TGA pixel has no meaning if the header names no alpha bits.
   if (format == Format::Tga && image.channels == 4 && (bytes[17] & 15u) == 0) {
     for (std::size_t k = 3; k < image.samples.size(); k += 4) image.samples[k] = 65535;
   }
@@ -390,26 +400,27 @@ std::string big(std::uint32_t v) {
   return bytes;
 }
 
-/// Of a PNG. \param named  its name and contents.
+/// Assembles a chunk of a PNG: length, name, contents and checksum. \param named  the chunk's name and contents.
 std::string chunk(const std::string& named) {
   return big(static_cast<std::uint32_t>(named.size() - 4)) + named + big(crc32(named));
 }
 
-/// As zlib has it, with its header and checksum.
+/// Packs data in the zlib format (RFC 1950), with its header and Adler-32 checksum.
 std::string zlibPacked(std::string_view data) {
   std::uint32_t sum = 1;
   std::uint32_t sums = 0;
   for (std::size_t k = 0; k < data.size(); ++k) {
     sum += static_cast<std::uint8_t>(data[k]);
     sums += sum;
-    if (k % 5552 != 5551 && k + 1 != data.size()) continue;  // so many fit into 32 bits
+    if (k % 5552 != 5551 && k + 1 != data.size()) continue;  // sums of up to 5552 bytes fit into 32 bits
     sum %= 65521;
     sums %= 65521;
   }
   return "\x78\x01" + deflated(data) + big(sums << 16 | sum);
 }
 
-/// Of the neighbours to the left, above and between the one that is nearest to left + above - between.
+/// Returns the PNG predictor of Paeth: whichever of the neighbours left, above and between them is nearest to left +
+/// above - between.
 int paeth(int left, int above, int between) {
   const int byLeft = std::abs(above - between);
   const int byAbove = std::abs(left - between);
@@ -418,11 +429,11 @@ int paeth(int left, int above, int between) {
   return byLeft <= byAbove && byLeft <= byBoth ? left : other;
 }
 
-/// The rows of a PNG, each behind the number of its filter.
+/// Filters the rows of a PNG; each begins with the number of its filter.
 std::string rowsOf(int width, int height, std::span<const std::uint8_t> rgb, bool plain) {
   constexpr std::size_t kPixel = 3;
   const std::size_t size = static_cast<std::size_t>(width) * kPixel;
-  // Each behind one pixel of nothing, so that the loop has no branches and compilers make vectors of it.
+  // Each row begins with one empty pixel, so that the loop has no branches and compilers can vectorise it.
   std::vector<std::uint8_t> above(size + kPixel);
   std::vector<std::uint8_t> row = above;
   std::string rows((size + 1) * static_cast<std::size_t>(height), plain ? '\0' : '\4');
@@ -505,7 +516,7 @@ std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::
 
 bool beginsLikePicture(std::span<const std::uint8_t> bytes) {
   const Format format = formatOf(bytes);
-  if (format != Format::Unknown && format != Format::Tga) return true;  // which has no mark
+  if (format != Format::Unknown && format != Format::Tga) return true;  // a TGA has no mark at its beginning
   return foreignKind(bytes).find("picture") != std::string::npos;
 }
 

@@ -1,4 +1,4 @@
-// Raw deflate data, as zips hold it.
+// Raw deflate data, the form in which zip files store it.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,8 @@
 
 namespace sillon {
 
-/// \param size  of what comes out, which the caller bounds.
+/// Unpacks raw deflate data.
+/// \param size  size of the unpacked data [bytes]; the caller bounds it.
 /// \return nothing if the data is damaged or of another size.
 std::optional<std::string> inflated(std::string_view data, std::size_t size);
 

@@ -12,13 +12,14 @@
 namespace sillon {
 namespace {
 
-// Where pointers have 32 bits no more than 4 GB can be had, and a plate is to leave room for its answers.
+// Largest number of cells of a plate. With 32-bit pointers a process has 4 GB at most, and the plate must leave room
+// for its results.
 constexpr double kMaxCells = sizeof(void*) == 4 ? 20e6 : 100e6;
-constexpr double kFrame = 3;  // [tau] in each direction, around the outline
+constexpr double kFrame = 3;  // margin around the outline, in each direction [tau]
 
-// The spacing at which there are just so many cells [mm]; infinite where the frame alone has more.
+// Returns the spacing at which the plate has `cells` cells [mm]; infinite if the margin alone has more.
 double spacingFor(Vec2 size, double cells) {
-  // cells = 4 (w u + frame) (h u + frame), u = 1 / spacing
+  // Solves cells = 4 (w u + frame) (h u + frame) for u = 1 / spacing.
   const double a = size.x * size.y;
   const double b = kFrame * (size.x + size.y);
   const double c = kFrame * kFrame - cells / 4;

@@ -9,14 +9,17 @@
 
 namespace sillon {
 
-inline constexpr double kBytesPerCell = 120;  ///< that a plate takes while it is made, at most
+inline constexpr double kBytesPerCell = 120;  ///< upper bound of a plate's memory while it is made [bytes]
 
-/// Cells of half a spacing that a plate takes. \param size  of its outline's box [mm]. \param spacing  tau [mm].
+/// Estimates the cells of a plate; a cell is half a spacing wide.
+/// \param size  size of its outline's box [mm].
+/// \param spacing  tau [mm].
 double cellsOf(Vec2 size, double spacing);
 
-/// Why a plate cannot be made, with the spacing and the size from which on it can; nothing if it can. TooLarge, or
-/// OutOfMemory where `freeBytes` decides.
-/// \param freeBytes  of memory that it may take.
+/// Explains why a plate cannot be made, and names the spacing and the size from which on it can. The error is TooLarge,
+/// or OutOfMemory where `freeBytes` decides.
+/// \param freeBytes  memory that the plate may take.
+/// \return nothing if the plate can be made.
 std::optional<Error> plateTooLarge(Vec2 size, double spacing,
                                    double freeBytes = std::numeric_limits<double>::infinity());
 

@@ -1,4 +1,4 @@
-// Directions as maps hold them: 16 bits over half a turn.
+// Storage of directions in maps: 16 bits over half a turn.
 #pragma once
 
 #include <cmath>
@@ -7,13 +7,13 @@
 
 namespace sillon {
 
-/// \param halfTurns  any angle; it is turned into -1/2..1/2 first.
+/// Encodes a direction. \param halfTurns  any angle; it is reduced to -1/2..1/2 first.
 inline std::uint16_t storedAngle(double halfTurns) {
   const double turned = halfTurns - std::floor(halfTurns + 0.5);
   return static_cast<std::uint16_t>(std::lround((turned + 0.5) * 65535));
 }
 
-/// [rad]
+/// Decodes a direction. \return the angle [rad].
 inline double angleOf(std::uint16_t stored) { return (stored / 65535.0 - 0.5) * std::numbers::pi; }
 
 }  // namespace sillon

@@ -14,17 +14,17 @@
 namespace sillon {
 namespace {
 
-// Times of the parts of a job, in times of one toolpath (wave, one thread, in a browser).
-constexpr double kTrials = 0.7;  // three plates of a hundred beads, which choose a lamp
+// Durations of the parts of a job relative to that of one toolpath (wave, one thread, in a browser).
+constexpr double kTrials = 0.7;  // three plates of a hundred beads each, which choose a lamp
 constexpr double kMeasures = 0.15;
 
-/// The progress of a job whose parts are known by their weights.
+/// Progress of a job whose parts have known weights.
 class Parts {
  public:
-  /// \param ahead  weight of all parts that are known now.
+  /// \param ahead  total weight of all parts that are known so far.
   Parts(const RunContext& run, double ahead) : run_(run), whole_(run, 0, 1), ahead_(ahead) {}
 
-  /// A part that was not known before.
+  /// Adds a part that was not known before.
   void add(double weight) { ahead_ += weight; }
   /// Begins the next part.
   void begin(double weight) {
@@ -43,6 +43,7 @@ class Parts {
   double ahead_;
 };
 
+/// Makes a plate, step by step.
 class Maker {
  public:
   Maker(Plate& plate, const ReadInput& read, const PlateOptions& options, const RunContext& run)
@@ -57,7 +58,8 @@ class Maker {
 
  private:
   [[nodiscard]] const ToolpathParams& params() const { return plate_.project.toolpath; }
-  /// Corrections of pictures turn the directions, also those of the path below.
+  /// Tells whether the visible path is made. Corrections of pictures need it even for the path below, because they turn
+  /// its directions as well.
   [[nodiscard]] bool makesSeen() const { return options_.path != PlatePath::Below || pathsFor(plate_.project) > 1; }
   [[nodiscard]] bool measures() const { return options_.measure && options_.path != PlatePath::Below; }
   [[nodiscard]] double weight() const {
@@ -164,7 +166,7 @@ std::vector<InputNote> Plate::notes() const {
 }
 
 std::vector<Warning> Plate::warnings() const {
-  std::vector<PictureMeasures> measured;  // of the lowest layer
+  std::vector<PictureMeasures> measured;  // measures of the pictures of the lowest layer
   for (std::size_t k = 0; k < std::min(shown.size(), pictures().shown.size()); ++k) {
     measured.push_back(shown[k].measures);
   }

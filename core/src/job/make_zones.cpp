@@ -10,19 +10,21 @@
 namespace sillon {
 namespace {
 
+/// Names the body in an error.
 Error ofBody(const Error& error) {
   Error told = error;
   told.message = "the body: " + error.message;
   return told;
 }
 
-/// A body, and its top as the surface that layers lie on.
+/// A body, and its top as the surface on which layers lie.
 struct Topped {
   Mesh body;
   PlateInput ground;
-  Vec2 corner;  ///< of the surface's page on the bed
+  Vec2 corner;  ///< corner of the surface's page on the bed [mm]
 };
 
+/// Reads the body, or makes a prism of the shape; its surface is the face that is given, its silhouette or its shape.
 Result<Topped> bodyOf(const Project& project, const ZonesRequest& request, const ReadInput& read,
                       const RunContext& run) {
   Topped out;

@@ -9,7 +9,7 @@ namespace sillon {
 
 namespace {
 
-/// The settings of a layer that are mm, besides its place and size.
+/// Settings of a layer that are lengths in mm, besides its place and size.
 std::vector<double*> lengthsOf(Layer& layer) {
   std::vector<double*> lengths{&layer.soft};
   if (auto* letters = layer.as<LayerLetters>()) lengths.insert(lengths.end(), {&letters->textSize, &letters->circle});
@@ -34,7 +34,7 @@ bool placeOnBed(Project& project, const Shape& shape, Placing placing) {
   }
   if (placing != Placing::Fit || fit.percent < 1) return false;
   const double percent = fit.percent / 100.0;
-  // An offset stays as it is: the shape within it becomes smaller by more.
+  // An outline offset stays as it is, so the shape within it shrinks by more.
   const double offset = 2 * project.outlineOffset;
   const Vec2 box = bounds(shape).size();
   const double side = std::min(box.x, box.y);

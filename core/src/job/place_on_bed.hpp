@@ -1,4 +1,4 @@
-// Plates that do not fit the bed where they lie.
+// Placement of plates that do not fit the bed where they lie.
 #pragma once
 
 #include "sillon/geometry/shape.hpp"
@@ -7,9 +7,9 @@
 
 namespace sillon {
 
-/// Turns a plate that does not fit the bed in its middle, if that helps; else, if it may, makes it as much smaller as
-/// it must be. What still does not fit stays as it is. \return whether the size has changed, so that the input must be
-/// read anew.
+/// Turns a plate that does not fit in the middle of the bed, if that helps; otherwise shrinks it as far as needed, if
+/// `placing` allows it. A plate that still does not fit stays as it is. \return true if the size has changed, so that
+/// the input must be read again.
 bool placeOnBed(Project& project, const Shape& shape, Placing placing);
 
 }  // namespace sillon

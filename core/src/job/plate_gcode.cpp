@@ -12,7 +12,7 @@ namespace sillon {
 std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& options, const GcodeSink& sink,
                                      const RunContext& run) {
   const Project& project = plate.project;
-  // A plate without pictures has the same thumbnails everywhere, whatever its spool.
+  // A plate without pictures gets the same thumbnails whatever its spool.
   LookParams look;
   if (!plate.pictures().shown.empty()) {
     look = lookOf(project, plate.pictures(), 0);
@@ -37,7 +37,8 @@ std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& opti
 
 std::optional<Error> checkPlateGcode(Plate& plate, std::string_view gcode, const RunContext& run) {
   const Project& project = plate.project;
-  // By no more than the file tells, as `check` has it: whoever gets the file must come to the same verdict.
+  // The file is checked by its own content only, as `check` does, so that everybody who gets the file comes to the same
+  // verdict.
   GcodeCheck check = checkPrint(gcode).check;
   const auto fault = std::find_if(check.findings.begin(), check.findings.end(),
                                   [](const GcodeFinding& finding) { return finding.error; });

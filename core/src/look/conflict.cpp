@@ -10,13 +10,14 @@
 namespace sillon {
 namespace {
 
-constexpr int kSteps = 1024;  // directions of the table; angles between them are interpolated
-// The greys of black and white [codes].
+constexpr int kSteps = 1024;  // directions in the table; angles between them are interpolated
+// Greys in which the image shows black and white [codes].
 constexpr float kPalest = 0.78f;
 constexpr float kBrightest = 0.97f;
 constexpr std::array<float, 3> kDark{0.88f, 0.36f, 0.0f};  // orange and blue, which all eyes tell apart
 constexpr std::array<float, 3> kBright{0.0f, 0.34f, 0.8f};
 
+// Brings tones to a raster of this size; `made` holds the result where it is not the same already.
 const Tones& onRaster(const Tones& tones, int width, int height, Tones& made) {
   if (tones.width == width && tones.height == height) return tones;
   made = resampled(tones, width, height);
@@ -25,15 +26,19 @@ const Tones& onRaster(const Tones& tones, int width, int height, Tones& made) {
 
 }  // namespace
 
+// Subtracts, for each picture and cell, the tone that the direction shows under the picture's lamp from the tone asked
+// for. The darkest direction counts as 0, and white at `level` as 1.
 PictureConflict conflictOf(const DirectionMap& directions, std::span<const ShownPicture> shown,
                            const Roughness& roughness, double level) {
   PictureConflict conflict{directions.width, directions.height, {}};
+  // Maps may come from outside: a map whose values do not match its size gives no conflict.
   if (!mapDefect("direction", directions.width, directions.height, directions.angle.size()).empty()) return {};
   for (const ShownPicture& picture : shown) {
     const Tones& tones = picture.tones;
     if (!mapDefect("tone", tones.width, tones.height, tones.value.size()).empty()) return {};
   }
   for (const ShownPicture& picture : shown) {
+    // Codes by direction under this lamp, and the range that counts as 0 to 1.
     std::vector<float> code = lightTable(lobeOf(picture.lamp, roughness), kSteps);
     for (float& v : code) v = codeOfLight(v);
     const float low = *std::min_element(code.begin(), code.end());
@@ -43,7 +48,7 @@ PictureConflict conflictOf(const DirectionMap& directions, std::span<const Shown
     std::vector<float> missing;
     missing.reserve(directions.angle.size());
     for (std::size_t k = 0; k < directions.angle.size(); ++k) {
-      // From -90 degrees; the table starts at 0.
+      // Angles of maps begin at -90 degrees; the table begins at 0.
       const float step = (static_cast<float>(directions.angle[k]) / 65535.0f + 0.5f) * kSteps;
       const auto before = static_cast<std::size_t>(step);
       const float share = step - static_cast<float>(before);
@@ -55,6 +60,7 @@ PictureConflict conflictOf(const DirectionMap& directions, std::span<const Shown
   return conflict;
 }
 
+// Draws the picture in pale greys and the missing tone over it in orange (too dark) or blue (too bright).
 RgbImage conflictImage(const PictureConflict& conflict, std::size_t picture, const Tones& tones, int side) {
   const int scale = std::max(1, side / std::max({1, conflict.width, conflict.height}));
   RgbImage image{conflict.width * scale, conflict.height * scale, {}};
@@ -65,6 +71,7 @@ RgbImage conflictImage(const PictureConflict& conflict, std::size_t picture, con
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const std::size_t cell = static_cast<std::size_t>(y / scale) * columns + static_cast<std::size_t>(x / scale);
+      // Ink over the grey, the more of it the more is missing.
       const float grey = kPalest + (kBrightest - kPalest) * greys.value[cell];
       const float off = conflict.missing[picture][cell];
       const float full = std::abs(off);

@@ -19,22 +19,23 @@ namespace sillon {
 namespace {
 
 constexpr int kCodes = 256;   // steps of the tones asked for
-constexpr int kCoarsest = 8;  // cells on the longer side
+constexpr int kCoarsest = 8;  // cells on the longer side of the coarsest level
+// Sweeps over the cells of each level; on the finest, more than one changes nothing that can be seen.
 constexpr int kCoarseSweeps = 4;
-constexpr int kFineSweeps = 1;      // more change nothing that can be seen
+constexpr int kFineSweeps = 1;
 constexpr float kIsotropy = 0.25f;  // weight of the gradient against the divergence
 
-/// Energy of a cell by its neighbours: a0 + a1 cos 2a + b1 sin 2a + a2 cos 4a + b2 sin 4a of its own direction a, but
-/// for a0.
+/// Energy of a cell against its neighbours, as a trigonometric polynomial of its own direction a: a0 + a1 cos 2a + b1
+/// sin 2a + a2 cos 4a + b2 sin 4a, without the constant a0. So the energies of all labels are four products each.
 struct Harmonics {
   float a1 = 0;
   float b1 = 0;
   float a2 = 0;
   float b2 = 0;
 
-  /// Neighbours opposite each other, at 0, 45, 90 or 135 degrees. With n the bead's normal and d towards them, their
-  /// weight (n.d)² - 1/4 + isotropy makes the sum over all four pairs the squared divergence and a little of the
-  /// gradient. \param sum  of their z. \param count  of them, fewer at borders.
+  /// Adds two neighbours opposite each other, at 0, 45, 90 or 135 degrees. With n the bead's normal and d towards them,
+  /// their weight (n.d)² - 1/4 + isotropy makes the sum over all four pairs the squared divergence and a little of the
+  /// gradient. \param sum  sum of their z. \param count  number of them, fewer at borders.
   void addPair(int at45, Vec2f sum, float count, float distanceWeight) {
     const float a = (0.25f + kIsotropy) * distanceWeight;
     const float b = (at45 < 2 ? 0.5f : -0.5f) * distanceWeight;  // (n.d)² = (1 - cos or sin 2a)/2, or plus
@@ -52,6 +53,7 @@ struct Harmonics {
   }
 };
 
+/// Collects the smoothness term of a cell from its eight neighbours, as four pairs.
 Harmonics neighboursOf(const ToneCells& cells, int x, int y) {
   const std::size_t here = cells.at(x, y);
   const std::size_t row = static_cast<std::size_t>(cells.width);
@@ -65,6 +67,7 @@ Harmonics neighboursOf(const ToneCells& cells, int x, int y) {
     bool exists;
     std::size_t at;
   };
+  // Neighbours beyond the raster's edge do not exist and add nothing.
   const auto addPair = [&](Neighbour one, Neighbour other, int at45, float weight) {
     const Vec2f sum = (one.exists ? z[one.at] : Vec2f{}) + (other.exists ? z[other.at] : Vec2f{});
     h.addPair(at45, sum, static_cast<float>(static_cast<int>(one.exists) + static_cast<int>(other.exists)), weight);
@@ -76,7 +79,8 @@ Harmonics neighboursOf(const ToneCells& cells, int x, int y) {
   return h;
 }
 
-/// Energies of a cell's labels. \return the label of the least, the first of equal ones.
+/// Computes the energies of a cell's labels: smoothness plus the squared errors of all pictures. \return the label of
+/// the least, the first of equal ones.
 int energiesOf(const ToneCells& cells, const LampTables& t, int x, int y, float toneWeight, float* energy) {
   const Harmonics h = neighboursOf(cells, x, y);
   const std::size_t here = cells.at(x, y);
@@ -86,7 +90,9 @@ int energiesOf(const ToneCells& cells, const LampTables& t, int x, int y, float 
     const auto asked = static_cast<int>(cells.asked[p][here] * (kCodes - 1) + 0.5f);
     error[p] = &t.error[p][static_cast<std::size_t>(std::clamp(asked, 0, kCodes - 1)) * kLabels];
   }
+  // Cells outside of the shape have no tone, and only follow their neighbours.
   if (!cells.weight.empty()) toneWeight *= cells.weight[here];
+  // Look up the row of errors for the code that each picture asks for, and spread the coefficients over the lanes.
   const F4 a1 = splat(h.a1);
   const F4 b1 = splat(h.b1);
   const F4 a2 = splat(h.a2);
@@ -95,6 +101,7 @@ int energiesOf(const ToneCells& cells, const LampTables& t, int x, int y, float 
   F4 least = splat(std::numeric_limits<float>::infinity());
   I4 labels{0, 1, 2, 3};
   I4 best = labels;
+  // Four labels at a time; each lane keeps its own best.
   for (int k = 0; k < kLabels; k += 4) {
     F4 sum = a1 * load4(t.cos2 + k) + b1 * load4(t.sin2 + k) + a2 * load4(t.cos4 + k) + b2 * load4(t.sin4 + k);
     for (std::size_t p = 0; p < pictures; ++p) sum = sum + weight * load4(error[p] + k);
@@ -104,6 +111,7 @@ int energiesOf(const ToneCells& cells, const LampTables& t, int x, int y, float 
     best = (less & labels) | (~less & best);
     labels = labels + splatInt(4);
   }
+  // Best of the four lanes; the lower label of two as good.
   int found = best[0];
   for (int lane = 1; lane < 4; ++lane) {
     const int k = best[lane];
@@ -112,7 +120,8 @@ int energiesOf(const ToneCells& cells, const LampTables& t, int x, int y, float 
   return found;
 }
 
-/// Cells of one colour have no neighbours of it: the order within it does not matter.
+/// Sweeps once: each cell in turn takes its best label. Cells of one colour have no neighbours of the same colour, so
+/// that the order within it does not matter.
 void sweep(ToneCells& cells, const LampTables& t, float toneWeight, const RunContext& run) {
   for (int colour = 0; colour < 4; ++colour) {
     const int x0 = colour & 1;
@@ -129,9 +138,10 @@ void sweep(ToneCells& cells, const LampTables& t, float toneWeight, const RunCon
   }
 }
 
+/// Makes the next coarser level: means of four cells, weighted by the share of each that is shape.
 ToneCells coarser(const ToneCells& fine) {
   ToneCells coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}, {}, {}};
-  // Calls take(the four cells of each coarse one).
+  // Calls take(four) with the indices of the four fine cells of each coarse one.
   const auto forEachFour = [&](auto&& take) {
     for (int y = 0; y < coarse.height; ++y) {
       const int below = std::min(2 * y + 1, fine.height - 1);
@@ -172,6 +182,7 @@ ToneCells coarser(const ToneCells& fine) {
 LampTables tablesOf(const std::vector<Lamp>& lamps, const Roughness& roughness, LampSide side) {
   LampTables t;
   for (const Lamp& lamp : lamps) {
+    // The code that each label shows under this lamp, and its squared error against every code that may be asked for.
     std::vector<float> code = lightTable(lobeOf(lamp, roughness), kLabels);
     for (float& v : code) v = codeOfLight(v);
     std::vector<float> error;
@@ -185,12 +196,14 @@ LampTables tablesOf(const std::vector<Lamp>& lamps, const Roughness& roughness, 
     t.code.push_back(std::move(code));
     t.error.push_back(std::move(error));
   }
+  // To use one side of the lamp only, the labels on the other side get an error that no tone can make up for.
   if (side != LampSide::Both) {
-    constexpr float kNever = 100;  // more than any tone is off
+    constexpr float kNever = 100;  // larger than any error of a tone
+    // Labels count in half turns from 0 degrees; both sides include the labels next to the lamp's line.
     const double azimuth = lamps[0].azimuth / 180 * kLabels;
     for (int k = 0; k < kLabels; ++k) {
       const double turned = k - azimuth;
-      const double from = turned - kLabels * std::floor(turned / kLabels);  // labels left of the lamp
+      const double from = turned - kLabels * std::floor(turned / kLabels);  // labels to the left of the lamp
       const bool left = from <= kLabels / 2 + 0.5;
       const bool right = from >= kLabels / 2 - 0.5 || from < 0.5;
       if (side == LampSide::Left ? left : right) continue;
@@ -210,12 +223,13 @@ LampTables tablesOf(const std::vector<Lamp>& lamps, const Roughness& roughness, 
 void solve(ToneCells& finest, const LampTables& tables, double smoothness, const RunContext& run) {
   std::vector<ToneCells> levels{std::move(finest)};
   while (std::max(levels.back().width, levels.back().height) > kCoarsest) levels.push_back(coarser(levels.back()));
-  // One picture: the same weight on every level, so that coarse ones choose the side of the lobe for smoothness.
-  // Several: a coarse cell stands for many fine ones, else small parts of one picture are given up for the smoothness
-  // of another.
+  // With one picture, the weight is the same on every level, so that coarse levels choose the side of the lobe for
+  // smoothness. With several, a coarse cell counts for the many fine ones that it stands for; otherwise small parts of
+  // one picture would be given up for the smoothness of another.
   const float growth = tables.code.size() > 1 ? 2 : 1;
   auto toneWeight = static_cast<float>(1 / smoothness);
   for (std::size_t k = 1; k < levels.size(); ++k) toneWeight *= growth;
+  // From coarse to fine: begin with the parent's direction, then sweep.
   for (std::size_t l = levels.size(); l-- > 0; toneWeight /= growth) {
     ToneCells& cells = levels[l];
     cells.z.resize(static_cast<std::size_t>(cells.width) * static_cast<std::size_t>(cells.height));
@@ -230,7 +244,7 @@ void solve(ToneCells& finest, const LampTables& tables, double smoothness, const
   finest = std::move(levels[0]);
 }
 
-/// The best direction of each cell between the labels, by a parabola through the least energy and its neighbours.
+/// Finds the best direction of each cell between the labels, by a parabola through the least energy and its neighbours.
 DirectionMap refined(const ToneCells& cells, const LampTables& t, double smoothness, const RunContext& run) {
   DirectionMap map{cells.width, cells.height, {}};
   map.angle.resize(cells.z.size());
@@ -241,6 +255,7 @@ DirectionMap refined(const ToneCells& cells, const LampTables& t, double smoothn
         const int k = energiesOf(cells, t, x, y, static_cast<float>(1 / smoothness), energy);
         const float before = energy[(k + kLabels - 1) % kLabels];
         const float after = energy[(k + 1) % kLabels];
+        // The parabola's vertex, at most half a label away.
         const float bend = before - 2 * energy[k] + after;
         const float off = bend > 0 ? std::clamp((before - after) / (2 * bend), -0.5f, 0.5f) : 0;
         float turn = (static_cast<float>(k) + off) / kLabels + 0.5f;  // half turns from -90 degrees
@@ -252,7 +267,7 @@ DirectionMap refined(const ToneCells& cells, const LampTables& t, double smoothn
   return map;
 }
 
-/// Codes to ask for, per picture: its tones between the darkest direction and white at `level`.
+/// Codes that each picture asks for: its tones between the darkest direction and white at `level`.
 ToneCells cellsOf(const std::vector<Tones>& shown, const std::vector<char>& inside, const LampTables& tables,
                   double level) {
   ToneCells cells{shown[0].width, shown[0].height, {}, {}, {}};

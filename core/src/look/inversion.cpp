@@ -1,5 +1,5 @@
-// The pictures' tones are made ready here. direction_solver.hpp finds the directions, lamp_choice.hpp what was left
-// open.
+// Prepares the pictures' tones and runs the inversion. direction_solver.cpp finds the directions, lamp_choice.cpp the
+// lamps, white and side that were left open.
 #include "sillon/look/inversion.hpp"
 
 #include <algorithm>
@@ -16,10 +16,12 @@
 namespace sillon {
 namespace {
 
+// Bounds: cells on the longer side, and the least contrast of a spool under a lamp.
 constexpr int kMostCells = 4096;
 constexpr double kLeastContrast = 1.5;
 constexpr double kQuarrel = 3;  // weight of smoothness for several pictures: they ask for many more turns
 
+// Unsharp masking: adds `amount` times the difference to a blurred copy. \param sigma  half of the blur's [cells].
 void raiseDetails(std::vector<float>& values, int width, int height, double amount, double sigma) {
   if (!(amount > 0)) return;
   const std::vector<float> soft = blurred(values, width, height, static_cast<float>(2 * sigma));
@@ -28,6 +30,7 @@ void raiseDetails(std::vector<float>& values, int width, int height, double amou
   }
 }
 
+// Tells the first thing that is wrong with the arguments; empty if nothing is.
 std::string defectOf(std::span<const LitPicture> pictures, const Roughness& roughness, const PicturePage& page,
                      const InversionParams& params) {
   const auto within = [](double v, double low, double high) { return v >= low && v <= high; };
@@ -51,6 +54,7 @@ std::string defectOf(std::span<const LitPicture> pictures, const Roughness& roug
       return "a picture has a tone that is not a number";
     }
     if (std::string defect = invalidLamp(picture.lamp); !defect.empty()) return defect;
+    // A high lamp or a matt spool leaves too little contrast for any picture.
     if (contrastOf(lobeOf(picture.lamp, roughness)) < kLeastContrast) {
       return "the lamp makes no direction of this spool more than 1.5 times as bright as another; choose a lower or a "
              "smaller lamp, or a glossier spool";
@@ -67,11 +71,13 @@ Result<SolvedDirections> solveDirections(std::span<const LitPicture> pictures, c
   if (std::string defect = defectOf(pictures, roughness, page, params); !defect.empty()) {
     return Error{ErrorCode::InvalidArgument, std::move(defect)};
   }
+  // 1. Cells of tau/2, or larger on huge pages.
   const double cell = std::max(page.spacing / 2, std::max(page.size.x, page.size.y) / kMostCells);
   const auto cells = [&](double side) { return std::max(1, static_cast<int>(std::floor(side / cell + 0.5))); };
   const int width = cells(page.size.x);
   const int height = cells(page.size.y);
 
+  // 2. Tones: resampled, stretched between the percentiles of the shape, and with details raised.
   SolvedDirections solved;
   const std::vector<char> shape = page.inside ? page.inside(width, height) : std::vector<char>();
   std::vector<Tones> raised;
@@ -79,12 +85,14 @@ Result<SolvedDirections> solveDirections(std::span<const LitPicture> pictures, c
     solved.shown.push_back(levelled(resampled(picture.tones, width, height), shape));
     raised.push_back(solved.shown.back());
     raiseDetails(raised.back().value, width, height, params.localContrast, 0.05 * std::max(width, height));
-    // Several pictures quarrel over details already.
+    // Several pictures compete for details already, so that only a single one is sharpened.
     if (pictures.size() == 1) raiseDetails(raised.back().value, width, height, params.sharpness, page.spacing / cell);
   }
+  // 3. Lamps, white and side that were left open, on a coarse grid.
   const double smoothness = pictures.size() > 1 ? kQuarrel * params.smoothness : params.smoothness;
   LampChoice choice = chooseLamps(lampTrial(raised, page.inside, roughness, smoothness, run), pictures, params.level);
   const LampTables tables = tablesOf(choice.lamps, roughness, choice.side);
+  // 4. Directions on the whole grid, refined between the labels.
   ToneCells solvedCells = cellsOf(raised, shape, tables, choice.level);
   solve(solvedCells, tables, smoothness, run);
   solved.directions = refined(solvedCells, tables, smoothness, run);

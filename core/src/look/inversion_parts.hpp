@@ -1,4 +1,4 @@
-// Parts of the inversion: decay, solver, choice of a lamp.
+// Parts of the inversion: the exponential of highlights, the solver, the choice of lamps, and pictures on pages.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace sillon {
 
 // The exponential of highlights, the same on every platform.
 
-/// e^-x for x >= 0, relative error below 5e-5 up to 60; beyond 80 as at 80. A Taylor polynomial at x/256, squared eight
-/// times.
+/// e^-x for x >= 0, with a relative error below 5e-5 up to 60; from 80 on it stays constant. A Taylor polynomial at
+/// x/256 is squared eight times.
 inline float decay(float x) {
   const float y = std::min(x, 80.0f) * (1.0f / 256);
   float v = 1 - y * (1 - y * (1.0f / 2) * (1 - y * (1.0f / 3) * (1 - y * (1.0f / 4) * (1 - y * (1.0f / 5)))));
@@ -26,7 +26,7 @@ inline float decay(float x) {
   return v;
 }
 
-/// Decays of four values, one per SIMD lane, each the same to the last bit.
+/// Decays of four values, one per SIMD lane, each the same as decay(float) to the last bit.
 inline F4 decay(F4 x) {
   const F4 one = splat(1);
   const F4 y = min4(splat(80.0f), x) * splat(1.0f / 256);
@@ -38,17 +38,18 @@ inline F4 decay(F4 x) {
 
 // The directions that show pictures under given lamps: the solver behind inversion.hpp.
 
-/// Directions that are tried: steps of 2.8 degrees, refined at the end.
+/// Number of directions that are tried, in steps of 2.8 degrees; the result is refined at the end.
 inline constexpr int kLabels = 64;
 
-/// A single lamp shows each tone but the brightest and the darkest by two directions, one on either side of it. These
-/// are the sides that may be used. Both make fewer bends; where they meet beads must end.
+/// Sides of the lamp that may be used. A single lamp shows each tone but the brightest and the darkest by two
+/// directions, one on either side of it. With both sides there are fewer bends, but beads must end where the sides
+/// meet.
 enum class LampSide { Both, Left, Right };
 
 /// Tables that depend on the lamps alone.
 struct LampTables {
-  std::vector<std::vector<float>> code;   ///< per picture: the code of each label's light
-  std::vector<std::vector<float>> error;  ///< per picture: [code asked for][label], squared
+  std::vector<std::vector<float>> code;   ///< per picture: code of each label's light
+  std::vector<std::vector<float>> error;  ///< per picture: squared error by [code asked for][label]
   float cos2[kLabels];
   float sin2[kLabels];
   float cos4[kLabels];
@@ -70,26 +71,27 @@ struct ToneCells {
   [[nodiscard]] bool isOutside(std::size_t k) const { return !weight.empty() && weight[k] == 0; }
 };
 
-/// Cells that ask for the tones of each picture, between the darkest direction and white at `level`.
+/// Makes cells that ask for the tones of each picture, between the darkest direction and white at `level`.
 ToneCells cellsOf(const std::vector<Tones>& shown, const std::vector<char>& inside, const LampTables& tables,
                   double level);
 
-/// Finds `z` of all cells.
+/// Finds `z` of all cells by iterated conditional modes. \param smoothness  weight of the gradient against the tones.
 void solve(ToneCells& cells, const LampTables& tables, double smoothness, const RunContext& run);
 
-/// The best direction of each solved cell between the labels.
+/// Refines the direction of each solved cell between the labels.
 DirectionMap refined(const ToneCells& cells, const LampTables& tables, double smoothness, const RunContext& run);
 
 // Lamps, white and side that were left open, chosen by trying them on small pictures.
 
+/// Lamps, white and side, as given or as chosen.
 struct LampChoice {
   std::vector<Lamp> lamps;       ///< one per picture, as given or chosen
-  std::vector<double> azimuths;  ///< as SolvedDirections
-  double level = 1;              ///< as given or chosen
+  std::vector<double> azimuths;  ///< other azimuths worth a try, as SolvedDirections
+  double level = 1;              ///< light of white, as given or chosen
   LampSide side = LampSide::Both;
 };
 
-/// Pictures as small as is enough to try lamps and levels, and what they are tried with.
+/// Pictures just large enough to try lamps and levels on, and what they are tried with.
 struct LampTrial {
   std::vector<Tones> tones;
   std::vector<char> inside;
@@ -97,16 +99,17 @@ struct LampTrial {
   double smoothness;
   const RunContext& run;
 };
-/// \param tones  as they will be solved for, all of one size.
+/// Makes small pictures for trials. \param tones  tones as they will be solved for, all of one size.
 LampTrial lampTrial(const std::vector<Tones>& tones, const InsideCells& inside, const Roughness& roughness,
                     double smoothness, const RunContext& run);
 
-/// \param level  light of white; 0: to be chosen.
+/// Chooses lamps, white and side as far as they were left open. \param level  light of white; 0: to be chosen.
 LampChoice chooseLamps(const LampTrial& trial, std::span<const LitPicture> pictures, double level);
 
 // A picture as it is laid on a page of other proportions.
 
-/// \param leftOut  receives the share of the picture that lies beyond the page, 0..1.
+/// Cuts a picture to the page's proportions, as much on either side. \param leftOut  receives the share of the picture
+/// that lies beyond the page, 0..1.
 Tones pageTones(Tones tones, Vec2 page, PictureProportions proportions, double& leftOut);
 
 }  // namespace sillon

@@ -1,5 +1,5 @@
-// Beads are rasterised once, on 2 x 2 samples per pixel, in bands of rows; both panels are shaded from the same
-// samples, and what these leave free shows the background with the plate's shadow.
+// Draws previews. Beads are rasterised once, on 2 x 2 samples per pixel, in bands of rows; both panels are shaded from
+// the same samples, and samples without a bead show the background with the plate's shadow.
 #include "sillon/look/preview.hpp"
 
 #include <algorithm>
@@ -18,11 +18,11 @@
 namespace sillon {
 namespace {
 
-constexpr int kSamples = 2;    // per pixel and axis
+constexpr int kSamples = 2;    // samples per pixel and axis
 constexpr int kBandRows = 16;  // pixel rows that one task rasterises and shades
 
-/// How clearly single beads can be seen: 0 below 1.5 pixels of width, 1 above 3.5. In between their relief fades, which
-/// keeps fine plates free of moiré.
+/// Tells how clearly single beads can be seen: 0 below 1.5 pixels of width, 1 above 3.5. In between their relief fades,
+/// which keeps fine plates free of moiré.
 float reliefOf(const Bead& bead) {
   const float pixels = (bead.radiusA + bead.radiusB) / kSamples;
   return std::clamp((pixels - 1.5f) / 2, 0.0f, 1.0f);
@@ -30,8 +30,7 @@ float reliefOf(const Bead& bead) {
 
 // ---- panel 1: directions ----
 
-/// Brightness across a bead: full on its top, dark towards the furrow, with the same mean where beads are too fine to
-/// see.
+/// Brightness across a bead: full on its top, dark towards the furrow. Beads too fine to see get the mean.
 float furrow(float squaredOffset, float relief) {
   constexpr float kDepth = 0.66f;
   constexpr float kMean = 0.88f;
@@ -40,6 +39,7 @@ float furrow(float squaredOffset, float relief) {
   return kMean + (shade - kMean) * relief;
 }
 
+/// Colour of a place on a bead in the first panel, from the direction there.
 Colour directionShade(const Bead& bead, float squaredOffset, float t) {
   const Rgb colour = directionColourAt(bead.colourA + bead.colourDelta * t);
   return asColour(colour) * furrow(squaredOffset, reliefOf(bead));
@@ -48,32 +48,37 @@ Colour directionShade(const Bead& bead, float squaredOffset, float t) {
 // ---- panel 2: the look ----
 
 constexpr Colour kLampColour{1.00f, 0.97f, 0.92f};
-constexpr float kExposure = 0.88f;  // of the brightest direction
-constexpr float kMetal = 0.85f;     // how far highlights take the body's colour
+constexpr float kExposure = 0.88f;  // brightness of the brightest direction
+constexpr float kMetal = 0.85f;     // share of the body's colour in highlights
 constexpr int kProfileSamples = 8;
 
+/// All that the shading of the second panel needs besides the beads.
 struct Look {
   Lobe lobe;
-  Vec2f lampSide;        // the lamp's direction, its part along the plate
-  float lampHeight = 1;  // and across it
+  Vec2f lampSide;        // part of the lamp's direction along the plate
+  float lampHeight = 1;  // part of it upwards
   float perEye = 0;      // slope of the eye's direction per pixel from the page's middle; 0: straight above everywhere
-  Colour highlight;      // of the brightest direction, linear
-  Colour diffuse;        // as light as the highlight, in the body's own colour
+  Colour highlight;      // colour of the brightest direction, linear
+  Colour diffuse;        // the body's own colour, as light as the highlight
 };
 
+// Linear light of an sRGB byte.
 float linearOf(std::uint8_t byte) { return lightOfCode(static_cast<float>(byte) * (1.0f / 255)); }
 
+// Luminance by the weights of sRGB's primaries (Rec. 709).
 float luminance(Colour c) { return 0.2126f * c.red + 0.7152f * c.green + 0.0722f * c.blue; }
 
+/// Prepares colours and directions that are the same for all pixels.
 Look lookOf(const LookParams& params, int longerSide) {
   Look look;
   look.lobe = lobeOf(params.lamp, params.roughness);
-  // l = 2 (h.n) h - n with the half vector h along (tilt, 1).
+  // The lamp's direction from the half vector h along (tilt, 1): l = 2 (h.n) h - n.
   const float squared = dot(look.lobe.tilt, look.lobe.tilt);
   look.lampSide = look.lobe.tilt * (2 / (1 + squared));
   look.lampHeight = 2 / (1 + squared) - 1;
   if (params.eyeDistance > 0)
     look.perEye = 1 / (static_cast<float>(params.eyeDistance) * static_cast<float>(longerSide));
+  // Highlights take most of the body's colour, and all of the lamp's.
   const Colour body{linearOf(params.colour[0]), linearOf(params.colour[1]), linearOf(params.colour[2])};
   const Colour metal = Colour{1, 1, 1} * (1 - kMetal) + body * kMetal;
   const Colour lit = metal * kLampColour;
@@ -82,7 +87,7 @@ Look lookOf(const LookParams& params, int longerSide) {
   return look;
 }
 
-/// The lobe as an eye at `eye` (its direction's slopes) sees it.
+/// The lobe as an eye at `eye` (slopes of its direction) sees it.
 Lobe lobeFrom(const Look& look, Vec2f eye) {
   Lobe lobe = look.lobe;
   if (!(look.perEye > 0)) return lobe;
@@ -91,7 +96,8 @@ Lobe lobeFrom(const Look& look, Vec2f eye) {
   return lobe;
 }
 
-/// The sum of highlightAt for what of a bead's round top is too fine to be seen, kProfileSamples of it, four at once.
+/// Sums highlightAt over kProfileSamples samples of the part of a bead's round top that is too fine to be seen, four at
+/// a time.
 float fineHighlights(const Lobe& lobe, Vec2f along, float side, float relief) {
   static_assert(kProfileSamples == 8);
   const float ahead = dot(lobe.tilt, along);
@@ -110,11 +116,12 @@ float fineHighlights(const Lobe& lobe, Vec2f along, float side, float relief) {
   return sum;
 }
 
-/// Light that reaches the eye, linear. \param side  signed offset from the axis in radii, positive to its left.
+/// Light that reaches the eye from a place on a bead, linear. \param side  signed offset from the axis in radii,
+/// positive to its left.
 Colour lookShade(const Bead& bead, float t, float side, const Lobe& lobe, const Look& look) {
   const Vec2f along = unit(bead.tangentA + (bead.tangentB - bead.tangentA) * t);
   const float relief = reliefOf(bead);
-  // What of the round top is too fine to be seen counts as its mean.
+  // The part of the round top that is too fine to be seen counts with its mean.
   const int samples = relief < 1 ? kProfileSamples : 1;
   float highlight = samples > 1 ? fineHighlights(lobe, along, side, relief)
                                 : highlightAt(lobe, along, lobe.profile * (side * relief));
@@ -124,7 +131,7 @@ Colour lookShade(const Bead& bead, float t, float side, const Lobe& lobe, const 
   return (look.highlight * highlight + look.diffuse * lobe.diffuse) * open;
 }
 
-/// sRGB byte of linear light: as it is up to 0.8, with a soft shoulder above.
+/// sRGB byte of linear light: unchanged up to 0.8, with a soft shoulder above, so that highlights do not clip.
 std::uint8_t toneMapped(float linear) {
   constexpr float kShoulder = 0.8f;
   constexpr float kRoom = 1 - kShoulder;
@@ -135,7 +142,7 @@ std::uint8_t toneMapped(float linear) {
 
 // ---- both, row by row ----
 
-/// Everything the bands read.
+/// Everything that the bands read.
 struct Drawing {
   const Layout& layout;
   const std::vector<Bead>& beads;
@@ -143,7 +150,8 @@ struct Drawing {
   Look look;
 };
 
-/// The plate in both panels, rows of one band. \param covered  samples of each pixel of the page that show the plate.
+/// Draws one band of the plate in both panels. \param covered  receives, per pixel of the page, the number of samples
+/// that show the plate.
 void drawBand(const Drawing& drawing, std::size_t band, RgbImage& image, std::vector<std::uint8_t>& covered) {
   const Layout& layout = drawing.layout;
   const int pageWidth = layout.look.width;
@@ -152,6 +160,7 @@ void drawBand(const Drawing& drawing, std::size_t band, RgbImage& image, std::ve
   const int rows = std::min(kBandRows, pageHeight - top);
   const int width = pageWidth * kSamples;
   const bool directions = layout.directions.width > 0;
+  // 1. Rasterise the beads that touch the band: each sample keeps the nearest.
   Hits hits;
   hits.clear(width, rows * kSamples);
   for (std::size_t k = drawing.bands.begin[band]; k < drawing.bands.begin[band + 1]; ++k) {
@@ -159,7 +168,8 @@ void drawBand(const Drawing& drawing, std::size_t band, RgbImage& image, std::ve
     rasterise(drawing.beads[index], index, top * kSamples, rows * kSamples, width, hits);
   }
 
-  // A near eye makes highlights move across the plate as they do in the hand.
+  // 2. Shade each pixel as the mean of its samples. A near eye makes highlights move across the plate as they do in the
+  // hand.
   const float perEye = drawing.look.perEye;
   constexpr float kShare = 1.0f / (kSamples * kSamples);
   for (int y = top; y < top + rows; ++y) {
@@ -186,11 +196,13 @@ void drawBand(const Drawing& drawing, std::size_t band, RgbImage& image, std::ve
       }
       if (directions) {
         const float empty = static_cast<float>(kSamples * kSamples - count) * kShare;
+        // The first panel has no shadow: samples without a bead are background at once.
         put(image, layout.directions.x + x, layout.directions.y + y,
             rounded(direction * kShare + asColour(kBackground) * empty));
       }
       covered[static_cast<std::size_t>(y) * static_cast<std::size_t>(pageWidth) + static_cast<std::size_t>(x)] =
           static_cast<std::uint8_t>(count);
+      // The second panel stores the mean of the covered samples; drawBackground mixes in the rest.
       if (count == 0) continue;
       const Colour mean = look * (1 / static_cast<float>(count));
       put(image, layout.look.x + x, layout.look.y + y,
@@ -199,8 +211,8 @@ void drawBand(const Drawing& drawing, std::size_t band, RgbImage& image, std::ve
   }
 }
 
-/// Background around the pages and where the look leaves samples free: darker where the plate stands between it and the
-/// light. Mixed after tone mapping, so that edges stay smooth against the dark page.
+/// Draws the background around the pages and where the look leaves samples free: darker where the plate stands between
+/// it and the light. It is mixed in after tone mapping, so that edges stay smooth against the dark page.
 void drawBackground(const Drawing& drawing, const Shadow& shadow, const std::vector<std::uint8_t>& covered, int y,
                     RgbImage& image) {
   const Box& page = drawing.layout.look;
@@ -223,6 +235,7 @@ void drawBackground(const Drawing& drawing, const Shadow& shadow, const std::vec
   }
 }
 
+/// Tells why a look cannot be drawn; empty if it can.
 std::string lookDefect(const LookParams& look) {
   if (std::string defect = invalidLamp(look.lamp); !defect.empty()) return defect;
   if (std::string defect = invalidRoughness(look.roughness); !defect.empty()) return defect;
@@ -239,6 +252,7 @@ std::string defectOf(const Toolpath& toolpath, Vec2 page, const PreviewParams& p
   return toolpathDefect(toolpath, page);
 }
 
+/// Draws a checked toolpath: the plate band by band, then background and shadow, then the signs beside it.
 Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layout, const PreviewParams& params,
                         const RunContext& run) {
   RgbImage image{layout.width, layout.height, {}};
@@ -253,6 +267,7 @@ Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layou
   parallelFor(run, static_cast<int>(bands.begin.size()) - 1, 1, [&](int begin, int end) {
     for (int band = begin; band < end; ++band) drawBand(drawing, static_cast<std::size_t>(band), image, covered);
   });
+  // The shadow needs the whole plate, so that the background comes after all bands.
   const Shadow shadow = shadowOf(covered, kSamples * kSamples, layout.look);
   parallelFor(run, image.height, kBandRows, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) drawBackground(drawing, shadow, covered, y, image);

@@ -7,8 +7,9 @@
 namespace sillon {
 namespace {
 
-constexpr float kBeyond = 0.49f;  // of the way to a sample's middle; a hundredth less, for rounding
+constexpr float kBeyond = 0.49f;  // distance of a sample's middle from its edge, a hundredth less for rounding
 
+// A segment of the path.
 struct Piece {
   Vec2f along;  // unit
   float length;
@@ -25,6 +26,7 @@ Vec2f jointTangent(const Piece& own, const Piece& other, float width) {
 
 }  // namespace
 
+// Turns segments of the toolpath into beads in samples, rows down.
 std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, bool colours) {
   std::vector<Bead> beads;
   std::size_t total = 0;
@@ -39,6 +41,7 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, boo
       return Vec2f{static_cast<float>(at(k).x * scale), static_cast<float>((page.y - at(k).y) * scale)};
     };
     const auto radiusAt = [&](std::size_t k) { return static_cast<float>(cycle.widths[around(k)] * scale / 2); };
+    // Directions of all segments first, as joints need two of them.
     pieces.clear();
     for (std::size_t k = 0; k < count; ++k) {
       const Vec2f step = at(k + 1) - at(k);
@@ -53,6 +56,7 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, boo
       bead.tangentA = jointTangent(pieces[k], pieces[k > 0 ? k - 1 : count - 1], cycle.widths[k]);
       bead.tangentB = jointTangent(pieces[k], pieces[around(k + 1)], cycle.widths[around(k + 1)]);
       if (!colours) continue;
+      // Colours change the short way round the cycle from one end to the other.
       const double colourA = directionColourPlace(bead.tangentA.x, bead.tangentA.y);
       const double turned = (directionColourPlace(bead.tangentB.x, bead.tangentB.y) - colourA) / kDirectionColours;
       bead.colourA = static_cast<float>(colourA);
@@ -62,9 +66,11 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, boo
   return beads;
 }
 
+// A counting sort: the first pass counts the beads of each band, the second one writes their indices.
 Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows) {
   const int bands = (height + rows - 1) / rows;
   Bands sorted{rows, std::vector<std::size_t>(static_cast<std::size_t>(bands) + 1, 0), {}};
+  // Calls body(band) for each band that a bead may touch; one sample of reach is added for rounding.
   const auto forEachBand = [&](const Bead& bead, const auto& body) {
     const float reach = std::max(bead.radiusA, bead.radiusB) + 1;
     const float top = std::min(bead.a.y, bead.b.y) - reach;
@@ -84,6 +90,8 @@ Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows) {
   return sorted;
 }
 
+// Visits the samples within reach of a capsule, four in a row at a time; each keeps the bead with the smaller offset in
+// radii.
 void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, int width, Hits& hits) {
   const Vec2f d = bead.b - bead.a;
   const float squared = dot(d, d);
@@ -91,13 +99,13 @@ void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, in
   const float reach = std::max(bead.radiusA, bead.radiusB);
   const float top = std::min(bead.a.y, bead.b.y) - reach;
   const float bottom = std::max(bead.a.y, bead.b.y) + reach;
-  // Rows and columns whose middles are within reach: few on small pictures.
+  // Only rows and columns whose middles are within reach: few on small pictures.
   const int rowBegin = std::max(firstRow, static_cast<int>(std::max(top + kBeyond, 0.0f)));
   const int rowEnd = std::min(firstRow + rows, static_cast<int>(std::clamp(bottom + 1 - kBeyond, 0.0f, 1e6f)));
   const I4 own = splatInt(static_cast<std::int32_t>(index));
   for (int row = rowBegin; row < rowEnd; ++row) {
     const float y = static_cast<float>(row) + 0.5f;
-    // Only the part of the axis within reach of this row can colour it: keeps long slanted beads cheap.
+    // Only the part of the axis within reach of this row can colour it, which keeps long slanted beads cheap.
     float t0 = 0;
     float t1 = 1;
     if (std::abs(d.y) > reach) {
@@ -116,6 +124,7 @@ void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, in
     const F4 fromY = splat(y - bead.a.y);
     for (int column = begin; column < end; column += 4) {
       const F4 fromX = splat(static_cast<float>(column)) + F4{0.5f, 1.5f, 2.5f, 3.5f} - splat(bead.a.x);
+      // Distance from the axis against the radius there, both at the nearest place of the axis.
       const F4 along = (fromX * splat(d.x) + fromY * splat(d.y)) * splat(perSquared);
       const F4 t = min4(max4(along, splat(0)), splat(1));
       const F4 offX = fromX - splat(d.x) * t;
@@ -123,7 +132,7 @@ void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, in
       const F4 radius = splat(bead.radiusA) + splat(bead.radiusB - bead.radiusA) * t;
       const F4 offset2 = offX * offX + offY * offY;
       const F4 radius2 = radius * radius;
-      // Of four at once.
+      // Write the bead where it is nearer than the one held. No division is needed to compare.
       const std::size_t at = line + static_cast<std::size_t>(column);
       const F4 held = load4(&hits.squaredOffset[at]);
       const I4 nearer = (offset2 < held * radius2) & (I4{0, 1, 2, 3} < splatInt(end - column));

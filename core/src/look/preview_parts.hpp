@@ -17,6 +17,7 @@ namespace sillon {
 
 // Colours for bead directions: cyclic with a period of 180 degrees, because a bead has no sense of travel.
 
+/// An sRGB colour.
 struct Rgb {
   std::uint8_t red = 0;
   std::uint8_t green = 0;
@@ -33,7 +34,7 @@ inline const std::array<Rgb, kDirectionColours>& directionColours() {
   static const std::array<Rgb, kDirectionColours> colours = [] {
     constexpr double kLightness = 0.74;
     constexpr double kChroma = 0.122;
-    constexpr double kFirstHue = 0.13;  // [turns] of direction 0: amber; vertical beads are blue
+    constexpr double kFirstHue = 0.13;  // hue of direction 0 [turns]: amber; vertical beads are blue
     const auto toByte = [](double linear) {
       const double clamped = std::clamp(linear, 0.0, 1.0);
       const double encoded = clamped <= 0.0031308 ? 12.92 * clamped : 1.055 * std::pow(clamped, 1 / 2.4) - 0.055;
@@ -59,19 +60,20 @@ inline const std::array<Rgb, kDirectionColours>& directionColours() {
   return colours;
 }
 
-/// Place of a direction among the colours, in [0, kDirectionColours]; both ends are the same colour. The same for
-/// (x, y) and (-x, -y); 0 for the null vector.
+/// Place of a direction among the colours, in [0, kDirectionColours]; both ends are the same colour. A direction and
+/// its opposite have the same place; the null vector has 0.
 inline double directionColourPlace(double x, double y) {
   const double halfTurns = std::atan2(y, x) / std::numbers::pi;
   return (halfTurns < 0 ? halfTurns + 1 : halfTurns) * kDirectionColours;
 }
 
-/// Colour at a place of any size, nearest of the table.
+/// Colour at a place of any size: the nearest of the table.
 inline Rgb directionColourAt(double place) {
   const auto index = static_cast<int>(std::floor(place + 0.5));
   return directionColours()[index & (kDirectionColours - 1)];
 }
 
+/// A rectangle of pixels.
 struct Box {
   int x = 0;
   int y = 0;
@@ -83,6 +85,7 @@ inline bool holds(const Box& box, int x, int y) {
   return x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height;
 }
 
+/// Places of the panels and signs in the picture [pixels].
 struct Layout {
   int width = 0;
   int height = 0;
@@ -97,13 +100,13 @@ struct Layout {
   double lampRadius = 0;
 };
 
-/// Both panels, beside or above each other. \return width 0 if the picture would be beyond the limits.
+/// Lays out both panels, beside or above each other. \return width 0 if the picture would be beyond the limits.
 Layout layOut(Vec2 page, int panelWidth);
 
-/// The look alone in the middle of a picture of this size.
+/// Lays out the look alone in the middle of a picture of this size.
 Layout layOutLook(Vec2 page, int width, int height);
 
-/// One bead segment in samples, y down, with what shading needs at both ends.
+/// One bead segment in samples, y down, with all that shading needs at both ends.
 struct Bead {
   Vec2f a;
   Vec2f b;
@@ -112,7 +115,7 @@ struct Bead {
   // Unit directions, y up.
   Vec2f tangentA;
   Vec2f tangentB;
-  // The place among the direction colours, and how it changes towards b, the short way round.
+  // Place among the direction colours, and its change towards b, the short way round.
   float colourA = 0;
   float colourDelta = 0;
 };
@@ -122,26 +125,26 @@ inline Vec2f unit(Vec2f v) {
   return size > 0 ? v * (1 / size) : Vec2f{1, 0};
 }
 
-/// \param scale  samples per mm. \param colours  whether those of their directions are wanted too.
+/// Makes the beads of a toolpath. \param scale  samples per mm. \param colours  tells whether the colours of directions
+/// are wanted, too.
 std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, bool colours);
 
-/// Beads by the bands of rows they touch, in order of index, so that ties fall the same way everywhere.
+/// Beads by the bands of rows that they touch, in order of index, so that ties fall the same way everywhere.
 struct Bands {
   int rows = 0;                    // sample rows per band
-  std::vector<std::size_t> begin;  // per band, and one more
+  std::vector<std::size_t> begin;  // first bead per band, and one more
   std::vector<std::uint32_t> beads;
 };
 
-/// \param height  of all samples. \param rows  of a band.
+/// Sorts beads into bands. \param height  rows of all samples. \param rows  rows of a band.
 Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows);
 
-/// Each sample sees the bead whose axis is nearest in relation to its width.
+/// The bead that each sample sees: the one whose axis is nearest in relation to its width.
 struct Hits {
-  std::vector<float>
-      squaredOffset;  ///< (distance / radius)²; 1: nothing. Four at a time may be written, so it is padded
+  std::vector<float> squaredOffset;  ///< (distance / radius)²; 1: no bead. Padded, as four at a time may be written
   std::vector<std::uint32_t> bead;
 
-  /// Nothing at all.
+  /// Makes all samples see nothing.
   void clear(int width, int rows) {
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows) + 4;
     squaredOffset.assign(count, 1);
@@ -149,20 +152,21 @@ struct Hits {
   }
 };
 
-/// Share of the way from a to b nearest to p.
+/// Share of the way from a to b at which the axis is nearest to p.
 inline float shareAlong(const Bead& bead, Vec2f p) {
   const Vec2f d = bead.b - bead.a;
   const float squared = dot(d, d);
   return squared > 0 ? std::clamp(dot(p - bead.a, d) / squared, 0.0f, 1.0f) : 0.0f;
 }
 
-/// Rasterises one capsule with linearly varying width: what it hides is replaced. \param hits  width * rows samples
-/// from sample row `firstRow` on.
+/// Rasterises one capsule with linearly varying width: samples that see it keep it instead of the bead before.
+/// \param hits  width * rows samples from sample row `firstRow` on.
 void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, int width, Hits& hits);
 
 inline constexpr Rgb kBackground{38, 36, 34};  ///< warm grey, dark enough for both panels
 inline constexpr Rgb kInk{168, 162, 154};      ///< ticks of the legend
 
+/// A colour to calculate with; linear or 0..255, as the place says.
 struct Colour {
   float red = 0;
   float green = 0;
@@ -198,31 +202,32 @@ inline Rgb rounded(Colour c) {
   return {byte(c.red), byte(c.green), byte(c.blue)};
 }
 
-/// A coarse mask of the plate, blurred.
+/// The plate's shadow: a coarse mask of the plate, blurred.
 struct Shadow {
-  int cell = 1;    // [pixels]
+  int cell = 1;    // side of a cell [pixels]
   int border = 0;  // cells around the page
   int width = 0;
   int height = 0;
   std::vector<float> dark;  // 0..1
 };
 
-/// By three box blurs, which are nearly Gaussian.
-/// \param covered  for each pixel of the page how many of its samples the plate covers. \param samples  of a pixel.
+/// Makes the shadow by three box blurs, which are nearly Gaussian.
+/// \param covered  samples that the plate covers, for each pixel of the page. \param samples  samples of a pixel.
 Shadow shadowOf(const std::vector<std::uint8_t>& covered, int samples, const Box& page);
 
-/// \param x  pixels from the page's left edge. \param y  from its top. \return 0..1, bilinear.
+/// Darkness of the shadow at a place, bilinear. \param x  pixels from the page's left edge. \param y  pixels from its
+/// top. \return 0..1.
 float shadowAt(const Shadow& shadow, float x, float y);
 
-/// Half wheel: a direction has the colour at its angle. Ticks at 0, 45, 90, 135 and 180 degrees.
+/// Draws a half wheel on which each direction has its colour, with ticks at 0, 45, 90, 135 and 180 degrees.
 void drawLegend(RgbImage& image, const Layout& layout);
 
-/// A ring with a dot: where the lamp stands, seen from above.
+/// Draws a ring with a dot that shows where the lamp stands, seen from above.
 void drawLamp(RgbImage& image, const Layout& layout, const Lamp& lamp);
 
 // The "Quite OK" picture format (qoiformat.org), which Prusa's printers show.
 
-/// \param rgb  width * height * 3 bytes, row 0 on top; both sides > 0.
+/// Encodes a picture as QOI. \param rgb  width * height * 3 bytes, row 0 on top; both sides > 0.
 std::vector<std::uint8_t> encodeQoi(int width, int height, std::span<const std::uint8_t> rgb);
 
 }  // namespace sillon

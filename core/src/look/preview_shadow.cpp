@@ -6,13 +6,15 @@
 namespace sillon {
 namespace {
 
+// Mean over 2 * radius + 1 cells along both axes, as a running sum: the radius costs nothing.
 void boxBlur(std::vector<float>& values, int width, int height, int radius) {
-  std::vector<float> line;  // with nothing before and after it
+  std::vector<float> line;  // a copy of one line with zeros before and after it
   const auto blurLine = [&](float* first, std::ptrdiff_t step, int count) {
     line.assign(static_cast<std::size_t>(count + 2 * radius), 0);
     float* const middle = line.data() + radius;
     for (int k = 0; k < count; ++k) middle[k] = first[step * k];
     const float share = 1 / static_cast<float>(2 * radius + 1);
+    // Each step takes one value in and leaves one out.
     float sum = 0;
     for (int k = -radius; k < radius; ++k) sum += middle[k];
     for (int k = 0; k < count; ++k) {
@@ -28,16 +30,20 @@ void boxBlur(std::vector<float>& values, int width, int height, int radius) {
 
 }  // namespace
 
+// Counts the covered samples of each coarse cell, and blurs three times.
 Shadow shadowOf(const std::vector<std::uint8_t>& covered, int samples, const Box& page) {
   Shadow shadow;
+  // Coarse cells, 400 to 800 across a large page, are enough, as the shadow is soft.
   shadow.cell = std::max(1, page.width / 400);
   const int blur = std::max(1, page.width / shadow.cell / 70);
+  // Three blurs reach three radii beyond the page.
   shadow.border = 4 * blur;
   shadow.width = (page.width - 1) / shadow.cell + 1 + 2 * shadow.border;
   shadow.height = (page.height - 1) / shadow.cell + 1 + 2 * shadow.border;
   shadow.dark.assign(static_cast<std::size_t>(shadow.width) * static_cast<std::size_t>(shadow.height), 0);
   const float share = 1 / static_cast<float>(shadow.cell * shadow.cell * samples);
   const std::uint8_t* pixel = covered.data();
+  // Each pixel adds the share of its samples that the plate covers.
   for (int y = 0; y < page.height; ++y) {
     float* const row =
         &shadow
@@ -49,6 +55,7 @@ Shadow shadowOf(const std::vector<std::uint8_t>& covered, int samples, const Box
   return shadow;
 }
 
+// Bilinear between cell centres; nothing beyond the border.
 float shadowAt(const Shadow& shadow, float x, float y) {
   const float u = x / static_cast<float>(shadow.cell) + static_cast<float>(shadow.border) - 0.5f;
   const float v = y / static_cast<float>(shadow.cell) + static_cast<float>(shadow.border) - 0.5f;

@@ -30,6 +30,7 @@ void paintAround(RgbImage& image, double cx, double cy, double radius, const Col
 
 }  // namespace
 
+// The half wheel is a half ring of colours with ticks on its outside.
 void drawLegend(RgbImage& image, const Layout& layout) {
   const double radius = layout.legendRadius;
   const double outer = 0.86 * radius;
@@ -39,12 +40,15 @@ void drawLegend(RgbImage& image, const Layout& layout) {
   paintAround(image, layout.legendX, layout.legendY, radius + 1, [&](double dx, double dy) {
     const double distance = std::sqrt(dx * dx + dy * dy);
     if (dy >= 0 && distance >= inner && distance <= outer) return directionColourAt(directionColourPlace(dx, dy));
+    // Outside of both rings, and below the base, there is background.
     if (distance < tick || distance > radius || dy < -half) return kBackground;
+    // Distance from the nearer diagonal, for the ticks at 45 and 135 degrees.
     const double diagonal = std::abs(std::abs(dx) - dy) * std::sqrt(0.5);
     return std::abs(dy) <= half || std::abs(dx) <= half || diagonal <= half ? kInk : kBackground;
   });
 }
 
+// Seen from above, the lamp's elevation is its distance from the middle: a high lamp is near to it.
 void drawLamp(RgbImage& image, const Layout& layout, const Lamp& lamp) {
   const double radius = layout.lampRadius;
   const double half = std::max(0.5, radius * 0.02);

@@ -6,8 +6,9 @@
 namespace sillon {
 namespace {
 
-constexpr int kLongestRun = 62;
+constexpr int kLongestRun = 62;  // longest run of one code: the two longer ones would be other codes
 
+// The format counts in pixels with alpha, which is always opaque here.
 struct Pixel {
   std::uint8_t r = 0;
   std::uint8_t g = 0;
@@ -18,6 +19,7 @@ struct Pixel {
 
 }  // namespace
 
+// Header: magic, both sides as 32 bits with the highest byte first, channels and colour space.
 std::vector<std::uint8_t> encodeQoi(int width, int height, std::span<const std::uint8_t> rgb) {
   std::vector<std::uint8_t> out{'q', 'o', 'i', 'f'};
   const auto byte = [&](int value) { out.push_back(static_cast<std::uint8_t>(value)); };
@@ -27,12 +29,14 @@ std::vector<std::uint8_t> encodeQoi(int width, int height, std::span<const std::
   byte(3);  // channels
   byte(0);  // sRGB
 
+  // Colours seen lately, by hash. At first they are transparent, which no pixel here is.
   std::array<Pixel, 64> seen{};
   for (Pixel& colour : seen) colour.a = 0;
   Pixel before;
   int run = 0;
   for (std::size_t k = 0; k + 2 < rgb.size(); k += 3) {
     const Pixel now{rgb[k], rgb[k + 1], rgb[k + 2]};
+    // A run of the same pixel.
     if (now == before) {
       if (++run == kLongestRun) byte(0xC0 | (run - 1)), run = 0;
       continue;
@@ -46,6 +50,8 @@ std::vector<std::uint8_t> encodeQoi(int width, int height, std::span<const std::
     const int db = step(now.b, before.b);
     const auto small = [](int d) { return d >= -2 && d <= 1; };
     const auto near = [&](int d) { return d - dg >= -8 && d - dg <= 7; };
+    // Else the shortest code that fits: a colour seen before, a small difference, a difference relative to green, or
+    // all three channels.
     if (seen[hash] == now) {
       byte(hash);
     } else if (small(dr) && small(dg) && small(db)) {
@@ -62,6 +68,7 @@ std::vector<std::uint8_t> encodeQoi(int width, int height, std::span<const std::
     seen[hash] = now;
     before = now;
   }
+  // The last run, then the end mark: seven zeros and a one.
   if (run > 0) byte(0xC0 | (run - 1));
   for (int k = 0; k < 7; ++k) byte(0);
   byte(1);

@@ -7,17 +7,19 @@
 namespace sillon {
 namespace {
 
-/// Sources of the samples of one axis: weights of up to `count` of them from `first` on.
+/// Samples of one axis that make one sample of another raster: their weights, from `first` on.
 struct Span {
   int first = 0;
   std::vector<float> weights;
 };
 
+/// Weights from `from` samples to `to`: linear interpolation where there are more, box means where there are fewer.
 std::vector<Span> spansOf(int from, int to) {
   std::vector<Span> spans(static_cast<std::size_t>(to));
   const double step = static_cast<double>(from) / to;
   for (int k = 0; k < to; ++k) {
     Span& span = spans[k];
+    // Enlarging: between the two nearest centres, clamped at the ends.
     if (step <= 1) {
       const double place = std::clamp((k + 0.5) * step - 0.5, 0.0, from - 1.0);
       span.first = std::min(static_cast<int>(place), std::max(0, from - 2));
@@ -26,6 +28,7 @@ std::vector<Span> spansOf(int from, int to) {
       if (from > 1) span.weights.push_back(share);
       continue;
     }
+    // Reducing: the share of each source that the new sample covers.
     const double begin = k * step;
     const double end = std::min<double>(from, (k + 1) * step);
     span.first = static_cast<int>(begin);
@@ -37,7 +40,10 @@ std::vector<Span> spansOf(int from, int to) {
   return spans;
 }
 
+/// An exponential forwards and then backwards along one line, which makes it symmetric.
 void blurLine(float* first, std::size_t step, std::size_t count, float share, std::vector<float>& line) {
+  // Forwards into `line`, and back over it; each run begins at the value where it starts, so that edges stay as they
+  // are.
   line.resize(count);
   float v = first[0];
   for (std::size_t k = 0; k < count; ++k) line[k] = v += share * (first[step * k] - v);
@@ -46,7 +52,9 @@ void blurLine(float* first, std::size_t step, std::size_t count, float share, st
 
 }  // namespace
 
+// Two passes of symmetric exponentials along each axis are nearly Gaussian, and cost the same for every sigma.
 std::vector<float> blurred(std::vector<float> values, int width, int height, float sigma) {
+  // The share with which the four exponentials together have the variance of the Gaussian.
   const float share = 2 * (std::sqrt(1 + sigma * sigma) - 1) / (sigma * sigma);
   const auto columns = static_cast<std::size_t>(width);
   const auto rows = static_cast<std::size_t>(height);
@@ -58,6 +66,7 @@ std::vector<float> blurred(std::vector<float> values, int width, int height, flo
   return values;
 }
 
+// The two axes are separable: sums over rows first, then over columns.
 Tones means(const Tones& values, int width, int height) {
   if (values.width == width && values.height == height) return values;
   const std::vector<Span> columns = spansOf(values.width, width), rows = spansOf(values.height, height);

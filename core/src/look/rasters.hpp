@@ -1,4 +1,4 @@
-// Values on rasters, whatever they stand for.
+// Operations on rasters, whatever their values stand for.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace sillon {
 
-/// Does the same as `resampled`, with means of the values themselves instead of their light.
+/// Resamples like `resampled`, with means of the values themselves instead of their light.
 Tones means(const Tones& values, int width, int height);
 
-/// Nearly Gaussian of `sigma` cells: two exponentials there and back along each axis.
+/// Blurs nearly like a Gaussian of `sigma` cells: two exponentials there and back along each axis.
 /// \param sigma  >= 0.1
 std::vector<float> blurred(std::vector<float> values, int width, int height, float sigma);
 

@@ -1,4 +1,5 @@
-// Reads files of a person's own spools: docs/reference/spools.md. They come from anywhere.
+// Reads files of a person's own spools (docs/reference/spools.md). They may come from anywhere, so that everything is
+// checked.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,6 +16,7 @@
 namespace sillon {
 namespace {
 
+// Limits that bound the work of reading a file.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
 constexpr std::size_t kMostSpools = 1000;
 constexpr std::size_t kLongestKey = 40;
@@ -22,14 +24,17 @@ constexpr std::size_t kLongestKey = 40;
 constexpr double kLeastSlope = 0.1;
 constexpr double kMostSlope = 45;
 
+// All defects of the text are errors of the same kind.
 Error fault(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
 
-// The JSON, or what is wrong with it as text. Of repeated keys the library would drop all but the last one.
+// Parses the text, or tells in words what is wrong with it. Repeated keys are errors: the library would silently keep
+// only the last one.
 Result<Json> parsed(std::string_view text) {
   if (text.size() > kMaxBytes) {
     return Error{ErrorCode::TooLarge, "a file of spools has " + std::to_string(text.size()) +
                                           " bytes; it must have at most " + std::to_string(kMaxBytes)};
   }
+  // Keys of each object that is open, from the outermost one in.
   std::vector<std::set<std::string>> keys;
   std::string twice;
   const auto look = [&](int /*depth*/, Json::parse_event_t event, Json& value) {
@@ -47,7 +52,7 @@ Result<Json> parsed(std::string_view text) {
   return json;
 }
 
-/// The first key that is none of the words.
+/// Finds the first key that is none of the words.
 std::optional<std::string> unknownKey(const Json& object, std::initializer_list<const char*> words) {
   for (const auto& item : object.items()) {
     const bool known = std::any_of(words.begin(), words.end(), [&](const char* word) { return item.key() == word; });
@@ -56,6 +61,7 @@ std::optional<std::string> unknownKey(const Json& object, std::initializer_list<
   return std::nullopt;
 }
 
+/// Reads one side's pair of slopes. \param name  path of the object, for messages.
 std::optional<Error> readSlopes(const Json& sides, const char* side, const std::string& name, Roughness& out) {
   const std::string what = name + "." + side;
   const auto found = sides.find(side);
@@ -73,6 +79,7 @@ std::optional<Error> readSlopes(const Json& sides, const char* side, const std::
   return std::nullopt;
 }
 
+/// Reads the slopes of both sides for one nozzle size.
 std::optional<Error> readSides(const Json& spool, const char* nozzle, const std::string& name, SideRoughness& out) {
   const std::string what = name + "." + nozzle;
   const Json& sides = spool[nozzle];
@@ -84,8 +91,10 @@ std::optional<Error> readSides(const Json& spool, const char* nozzle, const std:
   return readSlopes(sides, "bedSide", what, out.bedSide);
 }
 
+/// Reads one spool. Its key must not be one that comes with the program, which it would replace silently.
 Result<Spool> readSpool(const std::string& key, const Json& json) {
   const std::string name = "spool " + inQuotes(key);
+  // Keys are words of the command line and of projects, so that they hold no spaces.
   const bool plain = !key.empty() && key.size() <= kLongestKey && std::all_of(key.begin(), key.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
   });
@@ -107,6 +116,7 @@ Result<Spool> readSpool(const std::string& key, const Json& json) {
   if (!rgb) return fault(name + ".colour must be red, green and blue, whole numbers from 0 to 255");
   if (!json.contains("fine")) return fault(name + " has no slopes; fine must have nozzleSide and bedSide");
   if (auto error = readSides(json, "fine", name, spool.fine)) return *error;
+  // Without figures for a wide nozzle those for a fine one serve.
   spool.wide = spool.fine;
   if (json.contains("wide")) {
     if (auto error = readSides(json, "wide", name, spool.wide)) return *error;
@@ -126,6 +136,7 @@ Result<std::vector<Spool>> readSpools(std::string_view text) {
   if (const auto key = unknownKey(root, {"version", "spools"})) {
     return fault("a file of spools has the key " + inQuotes(*key) + "; it may have version and spools");
   }
+  // Later versions may mean something else by the same keys.
   if (root.value("version", Json()) != 1) return fault("version of a file of spools must be 1");
   if (root["spools"].size() > kMostSpools) {
     return fault("a file has " + std::to_string(root["spools"].size()) + " spools; it may have at most " +

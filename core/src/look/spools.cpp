@@ -17,6 +17,7 @@ double mix(double a, double b, double share) { return a * (1 - share) + b * shar
 
 }  // namespace
 
+// Reads the table of core/data/spools.json, which is compiled in, on first use.
 const std::vector<Spool>& spools() {
   static const std::vector<Spool> all = [] {
     std::vector<Spool> read;
@@ -31,6 +32,7 @@ const std::vector<Spool>& spools() {
   return all;
 }
 
+// There are few spools: a linear search will do.
 const Spool* findSpool(std::string_view key) {
   for (const Spool& spool : spools()) {
     if (spool.key == key) return &spool;
@@ -38,8 +40,10 @@ const Spool* findSpool(std::string_view key) {
   return nullptr;
 }
 
+// SpoolName lists the spools in the table's order.
 const Spool& spoolOf(SpoolName name) { return spools()[static_cast<std::size_t>(name)]; }
 
+// Between the two nozzles that were measured, slopes are interpolated; beyond them the nearer one counts.
 Roughness roughnessOf(const Spool& spool, double nozzle, bool bedSide) {
   const double share = std::clamp((nozzle - kFineNozzle) / (kWideNozzle - kFineNozzle), 0.0, 1.0);
   const Roughness& fine = bedSide ? spool.fine.bedSide : spool.fine.nozzleSide;

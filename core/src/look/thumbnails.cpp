@@ -9,7 +9,7 @@
 namespace sillon {
 namespace {
 
-// A picture of the same proportions, each of its pixels the mean of those that lie there.
+// Makes a smaller picture of the same proportions; each pixel is the mean of those that lie in it.
 RgbImage reduced(const RgbImage& large, int width, int height) {
   RgbImage small{width, height, {}};
   for (int k = 0; k < width * height; ++k) {
@@ -31,17 +31,19 @@ RgbImage reduced(const RgbImage& large, int width, int height) {
 
 Result<std::vector<Thumbnail>> lookThumbnails(const Toolpath& toolpath, Vec2 page, std::string_view screenSizes,
                                               const LookParams& look, const RunContext& run) {
+  // Sizes and formats as the printer's profile lists them.
   const auto sizes = readThumbnailSizes(screenSizes);
   if (!sizes) return sizes.error();
   std::vector<Thumbnail> thumbnails;
   RgbImage drawn;
   for (const ThumbnailSize& size : sizes.value()) {
-    // The largest picture of the same proportions is drawn, the others are made from it: a plate of 50 m of beads takes
-    // 20 ms to draw at any size.
+    // Draw the largest picture of the same proportions and make the others from it, as drawing takes 20 ms for 50 m of
+    // beads at any size.
     ThumbnailSize largest = size;
     for (const ThumbnailSize& other : sizes.value()) {
       if (other.width * size.height == other.height * size.width && other.width >= 2 * largest.width) largest = other;
     }
+    // Thumbnails of the same proportions share one drawing.
     if (drawn.width != largest.width || drawn.height != largest.height) {
       Result<RgbImage> picture = renderLook(toolpath, page, largest.width, largest.height, look, run);
       if (!picture) return picture.error();
@@ -51,6 +53,7 @@ Result<std::vector<Thumbnail>> lookThumbnails(const Toolpath& toolpath, Vec2 pag
     const RgbImage picture = whole ? drawn : reduced(drawn, size.width, size.height);
     const std::vector<std::uint8_t>& rgb = picture.rgb;
     Thumbnail thumbnail{size.width, size.height, {}, size.format};
+    // QOI or PNG, as the printer's screen asks for.
     thumbnail.bytes = size.format == ThumbnailFormat::Qoi ? encodeQoi(size.width, size.height, rgb)
                                                           : encodePng(size.width, size.height, rgb, {}, true);
     if (thumbnail.bytes.empty()) return Error{ErrorCode::TooLarge, "a thumbnail needs more memory than there is"};

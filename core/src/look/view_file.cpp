@@ -1,5 +1,5 @@
-// Each segment is a capsule that marks samples of the texels it covers; a texel's direction is the mean, in doubled
-// angles, of the capsules that reach it.
+// Writes the small file that <sillon-view> shows. Each segment is a capsule that marks samples of the texels it covers;
+// a texel's direction is the mean, in doubled angles, of the capsules that reach it.
 #include "sillon/look/view_file.hpp"
 
 #include <algorithm>
@@ -15,15 +15,16 @@
 namespace sillon {
 namespace {
 
-constexpr double kFewestPerBead = 1.5;  // texels: coarser ones would mix beads that have nothing in common
-constexpr double kMostPerBead = 4;
-constexpr double kUsualTexels = 100e3;
-constexpr double kMostTexels = 1 << 18;
-constexpr std::size_t kMostBytes = 200 << 10;
-constexpr int kSamples = 4;     // per texel and axis: one bit each
-constexpr int kGapless = 12;    // samples from which a texel counts as covered
-constexpr int kWidthSteps = 8;  // per spacing: finer steps would only make the file larger
+constexpr double kFewestPerBead = 1.5;         // texels: coarser ones would mix beads that have nothing in common
+constexpr double kMostPerBead = 4;             // texels per bead, at most
+constexpr double kUsualTexels = 100e3;         // texels of a usual view, as far as the two limits above allow
+constexpr double kMostTexels = 1 << 18;        // texels of any view, at most
+constexpr std::size_t kMostBytes = 200 << 10;  // size of the file, at most
+constexpr int kSamples = 4;                    // samples per texel and axis: one bit each
+constexpr int kGapless = 12;                   // samples from which a texel counts as covered
+constexpr int kWidthSteps = 8;                 // steps of width per spacing: finer ones would only make the file larger
 
+// A texel while capsules are drawn.
 struct Texel {
   Vec2f z;                    // sum of unit directions of doubled angle, weighted by samples
   float width = 0;            // sum of widths, weighted by samples
@@ -31,6 +32,7 @@ struct Texel {
   std::uint16_t covered = 0;  // one bit per sample
 };
 
+// The texels of the page.
 struct Raster {
   int width = 0;
   int height = 0;
@@ -38,6 +40,7 @@ struct Raster {
   std::vector<Texel> texels;  // row 0 on top
 };
 
+/// Chooses the resolution: about kUsualTexels, 1.5 to 4 texels per bead, and never more than the limit.
 /// \param most  texels in all.
 Raster emptyRaster(Vec2 page, double spacing, double most) {
   Raster raster;
@@ -59,11 +62,11 @@ struct Capsule {
   Vec2f b;
   float radiusA = 0;
   float radiusB = 0;
-  Vec2f z;          // of its direction, y up
+  Vec2f z;          // doubled angle of the bead's direction, y up
   float width = 0;  // [mm]
 };
 
-/// Samples of the texel (x, y) within the capsule, as bits.
+/// Samples of the texel (x, y) that lie within the capsule, as bits.
 std::uint16_t samplesWithin(const Capsule& capsule, int x, int y) {
   const Vec2f d = capsule.b - capsule.a;
   const float squared = dot(d, d);
@@ -85,6 +88,7 @@ int countOf(std::uint16_t bits) {
   return count;
 }
 
+/// Adds a capsule to the texels that it covers, weighted by samples.
 void draw(const Capsule& capsule, Raster& raster) {
   const float reach = std::max(capsule.radiusA, capsule.radiusB);
   const auto first = [&](float p, float q) { return static_cast<int>(std::max(0.0f, std::min(p, q) - reach)); };
@@ -100,6 +104,7 @@ void draw(const Capsule& capsule, Raster& raster) {
       const auto count = static_cast<float>(countOf(bits));
       Texel& texel = raster.texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width) +
                                    static_cast<std::size_t>(x)];
+      // Doubled angles, so that beads in opposite senses add up.
       texel.z = texel.z + capsule.z * count;
       texel.width += capsule.width * count;
       texel.weight += count;
@@ -108,6 +113,7 @@ void draw(const Capsule& capsule, Raster& raster) {
   }
 }
 
+/// Draws all segments of a cycle.
 void drawCycle(const Cycle& cycle, Vec2 page, Raster& raster) {
   const auto scale = static_cast<float>(raster.texelsPerMm);
   const auto height = static_cast<float>(page.y);
@@ -129,7 +135,7 @@ void drawCycle(const Cycle& cycle, Vec2 page, Raster& raster) {
   }
 }
 
-/// Red: direction, 256 per half turn; green: share covered; blue: width, 128 per spacing.
+/// Encodes texels as colours. Red: direction, 256 per half turn; green: share covered; blue: width, 128 per spacing.
 std::vector<std::uint8_t> pixelsOf(const Raster& raster, double spacing) {
   std::vector<std::uint8_t> rgb(raster.texels.size() * 3);
   const auto byte = [](float v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5f, 0.0f, 255.0f)); };
@@ -137,7 +143,8 @@ std::vector<std::uint8_t> pixelsOf(const Raster& raster, double spacing) {
     const Texel& texel = raster.texels[k];
     std::uint8_t* pixel = &rgb[3 * k];
     if (texel.weight == 0) {
-      // As its neighbour: free of charge, and smooth where pages interpolate.
+      // An empty texel takes its neighbour's values: that costs nothing in the file, and is smooth where pages
+      // interpolate.
       if (k > 0) std::copy_n(pixel - 3, 3, pixel);
       pixel[1] = 0;
       continue;
@@ -145,15 +152,16 @@ std::vector<std::uint8_t> pixelsOf(const Raster& raster, double spacing) {
     const float turn = atan2Approx(texel.z.y, texel.z.x) / (2 * kPi) * 256;  // (-128, 128]
     pixel[0] = static_cast<std::uint8_t>(static_cast<int>(std::floor(turn + 0.5f)) & 255);
     const int covered = countOf(texel.covered);
-    // Gaps between beads are finer than what a page shows, and would be most of the file.
+    // Gaps between beads are finer than a page shows, and would be most of the file.
     pixel[1] = covered >= kGapless ? 255 : byte(static_cast<float>(covered) / (kSamples * kSamples) * 255);
     const float ratio = texel.width / texel.weight / static_cast<float>(spacing);
+    // Widths up to 1.9 spacings, in steps that compress well.
     pixel[2] = byte(std::floor(std::clamp(ratio, 0.0f, 1.9f) * kWidthSteps + 0.5f) * (128.0f / kWidthSteps));
   }
   return rgb;
 }
 
-/// Whole numbers only: µm, hundredths of a degree.
+/// Text that goes with the pixels, in whole numbers only: µm, hundredths of a degree.
 std::string noteOf(Vec2 page, double spacing, const ViewParams& params) {
   const auto whole = [](double v) { return std::to_string(std::llround(v)); };
   std::string note = "sillon-view 1 page " + whole(page.x * 1000) + " " + whole(page.y * 1000) + " spacing " +
@@ -177,6 +185,7 @@ Result<std::vector<std::uint8_t>> viewFile(const Toolpath& toolpath, Vec2 page, 
   }
   const std::string note = noteOf(page, toolpath.spacing, params);
   try {
+    // Try again with fewer texels until the file is small enough.
     for (double most = kMostTexels;; most *= 0.7) {
       Raster raster = emptyRaster(page, toolpath.spacing, most);
       for (const Cycle& cycle : toolpath.cycles) drawCycle(cycle, page, raster);

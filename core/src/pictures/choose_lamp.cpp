@@ -10,8 +10,8 @@
 namespace sillon {
 namespace {
 
-constexpr double kTrialBeads = 100;   // on the page's longer side
-constexpr double kFinestTrial = 0.1;  // [mm]
+constexpr double kTrialBeads = 100;   // beads along the page's longer side
+constexpr double kFinestTrial = 0.1;  // [mm], finest spacing of a trial
 constexpr double kCoarsestTrial = 2;
 
 }  // namespace

@@ -8,10 +8,10 @@
 namespace sillon {
 namespace {
 
-constexpr float kShare = 0.25f;  // more overshoots: beads end elsewhere the next time
-constexpr int kSteps = 360;      // in which the darkest direction is looked for
+constexpr float kShare = 0.25f;  // share that is added; more overshoots, as beads end elsewhere the next time
+constexpr int kSteps = 360;      // directions among which the darkest one is sought
 
-/// Gaussian of half a cell along one axis; borders count less.
+/// Blurs along one axis by a Gaussian of half a cell; beyond the border nothing is counted.
 void blurLines(std::vector<float>& values, std::size_t lines, std::size_t lineStep, int count, std::size_t step) {
   constexpr float kWeights[] = {1, 0.135f};
   constexpr int kRadius = 1;
@@ -31,7 +31,7 @@ void blurLines(std::vector<float>& values, std::size_t lines, std::size_t lineSt
   }
 }
 
-/// Place of a texel among cells: the left one and the share of the right one.
+/// Place of a texel between two cells, for linear interpolation: both indices and the share of the right one.
 struct Between {
   int left = 0;
   int right = 0;

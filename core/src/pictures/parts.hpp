@@ -16,31 +16,33 @@ namespace sillon {
 
 // Shapes and shown tones on rasters of the page.
 
-/// \param shape  outlives what is returned.
+/// Returns a function that rasters a shape; it yields no cells if all or none lie inside. \param shape  must outlive
+/// the function.
 InsideCells insideOf(const Shape& shape);
 
-/// The light under which pictures were solved for.
+/// The light for which pictures were solved.
 struct SolvedLight {
   Roughness roughness;
   double level = 1;  ///< SolvedDirections::level
 };
 
-/// Each picture as the directions alone show it, on another raster. Tones that pictures take from each other are
-/// missing from it: no correction brings them back.
+/// Resamples each picture as the directions alone show it to another raster. It lacks the tones that pictures take from
+/// each other, which no correction can restore.
 std::vector<Tones> shownTones(std::span<const ShownPicture> shown, const DirectionMap& directions,
                               const SolvedLight& light, int width, int height);
 
-// Tones that a plate leaves out of a picture, asked for on top of it.
+// Tones that a plate misses in a picture, requested in addition to it.
 
-/// Adds a share of what is missing to the tones that are asked for next. \param light  seen, in the cells of `asked`;
-/// negative: no plate. \param level  light of white. \param next  any size, stretched over the same page.
+/// Adds a share of the missing tones to the tones requested next. \param light  light seen in the cells of `asked`;
+/// negative: no plate. \param level  light of white. \param next  tones of any size, stretched over the same page.
 void addMissingTones(std::span<const float> light, const Tones& asked, const Lobe& lobe, double level, Tones& next);
 
-// The lamp of a single picture, where none is given.
+// The lamp of a single picture, if none is given.
 
-/// The azimuth, of three that force few beads to end, whose plate shows the picture best [degrees]: forced ends say
-/// little of what they spoil. Plates for this have the usual settings and as many beads on any page, so that whoever
-/// changes a setting keeps the lamp. \param lit  one picture. \return the errors of solveDirections and seePlate.
+/// Chooses the azimuth of a lamp [degrees]: among three that force few beads to end, the one whose trial plate shows
+/// the picture best, because the number of forced ends says little about the damage. Trial plates have the default
+/// settings and the same number of beads on any page, so that changing a setting keeps the lamp. \param lit  one
+/// picture. \return the errors of solveDirections and seePlate.
 Result<double> chosenAzimuth(std::vector<LitPicture> lit, const Roughness& roughness, const Shape& shape,
                              const InversionParams& inversion, const RunContext& run, const OnTrial& onTrial);
 

@@ -14,14 +14,14 @@ namespace sillon {
 
 namespace {
 
-/// Larger pictures are not kept: 16 MB of tones.
+/// Most tones that are kept, 16 MB; larger pictures are solved again.
 constexpr std::size_t kMostKeptTones = 4'000'000;
 
-/// PlatePictures::fieldR of these directions.
+/// Computes PlatePictures::fieldR for directions.
 std::vector<double> fieldR(const PlatePictures& pictures, const DirectionMap& directions) {
   std::vector<double> r;
   if (pictures.shown.size() < 2) return r;
-  // Cells of 2 tau, as plates are judged.
+  // The cells are 2 tau wide, like those in which plates are judged.
   const int width = std::max(1, directions.width / 4), height = std::max(1, directions.height / 4);
   const std::vector<Tones> seen =
       shownTones(pictures.shown, directions, {pictures.roughness, pictures.level}, width, height);
@@ -61,6 +61,7 @@ InversionParams inversionOf(const PictureParams& params) {
   return inversion;
 }
 
+/// Pictures with their lamps but without tones.
 std::vector<LitPicture> unlit(const std::vector<LampPicture>& pictures, double lampSize) {
   std::vector<LitPicture> lit;
   for (const LampPicture& asked : pictures) {
@@ -70,7 +71,7 @@ std::vector<LitPicture> unlit(const std::vector<LampPicture>& pictures, double l
       lamp.azimuth = asked.lamp->x;
       lamp.elevation = asked.lamp->y;
     } else if (!lit.empty()) {
-      lamp.elevation = lit[0].lamp.elevation;  // one lamp, carried around the plate
+      lamp.elevation = lit[0].lamp.elevation;  // one lamp, carried around the plate at one elevation
     }
     lit.push_back({{}, lamp, !asked.lamp});
   }
@@ -98,7 +99,7 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
     pictures.leftOut.push_back(0);
     picture.tones = pageTones(std::move(picture.tones), page, params.proportions, pictures.leftOut.back());
   }
-  std::optional<double> azimuth;  // of a lamp that is to be chosen
+  std::optional<double> azimuth;  // azimuth of a lamp that is to be chosen
   if (kept != nullptr && *kept) {
     const KeptPictures& before = **kept;
     if (before.lit == lit && before.pictures.roughness == pictures.roughness && before.shape == input.shape &&
@@ -113,7 +114,7 @@ Result<PlatePictures> solvePictures(const Project& project, const ReadInput& rea
       }
       if (lit.size() == 1) azimuth = before.pictures.shown[0].lamp.azimuth;
     }
-    kept->reset();  // its memory is of use now
+    kept->reset();  // frees its memory for solving
   }
   std::vector<LitPicture> placed = lit;
   if (lit.size() == 1 && lit[0].chooseAzimuth) {

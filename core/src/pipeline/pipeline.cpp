@@ -5,7 +5,7 @@
 namespace sillon {
 namespace {
 
-// Alg. 1. \param stages  receives what each stage has made; may be null.
+// Makes a plate: Alg. 1 of the paper. \param stages  receives the result of each stage; may be null.
 Result<ToolpathResult> makePlate(const PlateInput& input, const ToolpathParams& params, const RunContext& run,
                                  const PathOptions& options, Stages* stages = nullptr) {
   if (auto wrong = wrongInput(input, params)) return *wrong;

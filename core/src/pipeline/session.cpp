@@ -7,11 +7,11 @@
 namespace sillon {
 namespace {
 
-// A session keeps some 33 bytes a cell; see plate_size.cpp.
+// Largest plate that a session keeps [cells]; it needs some 33 bytes per cell (plate_size.cpp).
 constexpr double kMaxKeptCells = sizeof(void*) == 4 ? 3.2e6 : 40e6;
 
-// All parameters but those that only widths and simplification read. A parameter that is not listed here counts as one
-// of the path's, so that to forget a new one costs time and never shows a stale toolpath.
+// Resets the parameters that only widths and simplification read, which leaves those of the path. A parameter that is
+// not listed here counts as one of the path, so a forgotten new one costs time but never shows a stale toolpath.
 ToolpathParams ofPath(ToolpathParams p) {
   const ToolpathParams any;
   p.widthBalance = any.widthBalance;
@@ -22,7 +22,7 @@ ToolpathParams ofPath(ToolpathParams p) {
   return p;
 }
 
-// Fields of a shape, and what they were made of.
+// Fields of a shape, and the input that they were made of.
 struct KeptShape {
   Shape shape;
   double spacing;
@@ -34,12 +34,12 @@ struct KeptShape {
   }
 };
 
-// A path, and what it was made of besides the shape.
+// A path, and the input that it was made of besides the shape.
 struct KeptPath {
   DirectionMap directions;
   ModeMap modes;
   bool showsPictures;
-  ToolpathParams params;  ///< those of ofPath
+  ToolpathParams params;  ///< parameters of the path, from ofPath
   RelaxedPath path;
 
   [[nodiscard]] bool isOf(const PlateInput& input, const ToolpathParams& wanted) const {
@@ -52,9 +52,10 @@ struct KeptPath {
 
 struct Session::State {
   std::optional<KeptShape> shape;
-  std::optional<KeptPath> path;  ///< of this shape
+  std::optional<KeptPath> path;  ///< path on this shape
 
-  /// Makes what is missing or out of date. \return why it could not; what there is then is whole all the same.
+  /// Makes the fields and the path that are missing or out of date. \return the error that stopped it; the kept state
+  /// is valid even then.
   std::optional<Error> update(const PlateInput& input, bool countDislocations, const Making& making) {
     if (!shape || !shape->isOf(input, making.params)) {
       path.reset();
@@ -73,12 +74,12 @@ struct Session::State {
     return countDislocations ? count(input, making) : std::nullopt;
   }
 
-  /// Makes the waves of a kept path anew if its dislocations were not asked for so far.
+  /// Counts the dislocations of a kept path, if that has not been done, for which its waves are made again.
   std::optional<Error> count(const PlateInput& input, const Making& making) {
     std::optional<Dislocations>& known = path->path.seen.dislocations;
     if (known) return std::nullopt;
     const SignedDistanceField& sdf = shape->fields.sdf;
-    making.run.beginStage("phases", 0, 0.195);  // told as such, but not among the times of the path
+    making.run.beginStage("phases", 0, 0.195);  // reported as that stage, but not counted in the times of the path
     const Making unclocked{making.params, making.run};
     const Result<WaveFields> waves = waveStep(input, sdf, BeadLines::Asked, unclocked);
     if (!waves) return waves.error();

@@ -1,4 +1,4 @@
-// Everything that is made on the way from the shape to the toolpath, for pictures, tests and study.
+// Intermediate results between the shape and the toolpath, for pictures, tests and study.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace sillon {
 
-/// Results of the stages, in the order of Alg. 1. Each is what the next stage was given.
+/// Results of the stages, in the order of Alg. 1. Each is the input of the next stage.
 struct Stages {
   // From the shape (Sec. 4).
   Outline outline;
@@ -22,13 +22,13 @@ struct Stages {
   // From the directions (Sec. 5.1 to 5.3).
   CellConstraints cells;
   LineField lines;
-  std::vector<float> frequency;  ///< from spacingField, before directions are relaxed
+  std::vector<float> frequency;  ///< result of spacingField, before directions are relaxed
   SineField waves;
   // Curves (Sec. 5.4 and 5.5).
-  std::vector<float> nodeDistance;  ///< on nodeLattice(lines.grid)
-  std::vector<float> nodeValues;    ///< the sine field there (Eq. 13)
+  std::vector<float> nodeDistance;  ///< distances at the nodes of nodeLattice(lines.grid)
+  std::vector<float> nodeValues;    ///< sine field at these nodes (Eq. 13)
   ClosedCurves contour;
-  ClosedCurves cycles;  ///< the contour in equal steps, small cycles made round
+  ClosedCurves cycles;  ///< contour in equal steps, with small cycles made round
   Stitched stitched;
   // The path (Sec. 5.6).
   Relaxed relaxed;
@@ -36,8 +36,8 @@ struct Stages {
   ToolpathResult result;
 };
 
-/// generateToolpath, with all that was made on the way: it takes the memory of all stages at once, some 300 bytes a
-/// cell.
+/// Makes a toolpath as generateToolpath, and keeps all intermediate results. This takes the memory of all stages at
+/// once, some 300 bytes per cell.
 Result<Stages> generateStages(const PlateInput& input, const ToolpathParams& params, const RunContext& run);
 
 }  // namespace sillon

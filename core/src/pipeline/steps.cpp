@@ -19,11 +19,11 @@
 namespace sillon {
 namespace {
 
-/// Plates with pictures have at least this `stitchAlignment`: joints off the lines show. The price is a tenth more
-/// U-turns than with joints wherever they are shortest.
+/// Least `stitchAlignment` of plates with pictures, where joints off the lines would show. It costs a tenth more
+/// U-turns than joints at their shortest places.
 constexpr double kPictureStitchAlignment = 4;
 
-/// Rounds in which lines give way to the beads and waves are aligned anew, where `directionTolerance` allows it.
+/// Rounds in which lines give way to the beads and the waves are aligned again, if `directionTolerance` allows it.
 constexpr int kGivingRounds = 3;
 
 Error noBeadFits(const Shape& shape, double spacing) {
@@ -31,7 +31,7 @@ Error noBeadFits(const Shape& shape, double spacing) {
   return refused(ErrorCode::EmptyShape, why, {{"spacing", spacing}});
 }
 
-// Asks each cell for the line across the one it got. Those along the border stay: no bead can cross it.
+// Requests in each cell the line across the one it has. Lines along the border stay, because no bead can cross it.
 void askAcross(const LineField& lines, CellConstraints& cells) {
   for (std::size_t i = 0; i < cells.zone.size(); ++i) {
     if (lines.direction[i] == Vec2f{}) continue;
@@ -40,7 +40,7 @@ void askAcross(const LineField& lines, CellConstraints& cells) {
   }
 }
 
-// Sec. 5.4: the closed curves on which the sum of the waves is zero. The waves are freed once they are summed.
+// Traces the closed curves on which the sum of the waves is zero (Sec. 5.4). The waves are freed once they are summed.
 Result<ClosedCurves> contourStep(const Shape& shape, const ShapeFields& fields, SineField waves, const Making& making) {
   const ToolpathParams& params = making.params;
   const Grid nodes = nodeLattice(waves.grid);
@@ -62,7 +62,7 @@ Result<ClosedCurves> contourStep(const Shape& shape, const ShapeFields& fields, 
   return contour;
 }
 
-// Sec. 5.5: one cycle per part, along the lines where pictures are shown.
+// Stitches the curves into one cycle per part (Sec. 5.5), with joints along the lines if pictures are shown.
 Result<Stitched> stitchStep(ClosedCurves cycles, const ShapeFields& fields, const LineField& lines, bool showsPictures,
                             const Making& making) {
   ToolpathParams params = making.params;
@@ -117,7 +117,7 @@ Result<WaveFields> waveStep(const PlateInput& input, const SignedDistanceField& 
                             const Making& making) {
   const ToolpathParams& params = making.params;
   const RunContext& run = making.run;
-  // Sec. 5.1: a line per cell.
+  // Sec. 5.1: one line per cell.
   making.start("lines", 0.075);
   Result<CellConstraints> cells = cellConstraints(sdf, input.directions, input.modes, input.shape.page, params, run);
   if (!cells) return cells.error();
@@ -130,7 +130,7 @@ Result<WaveFields> waveStep(const PlateInput& input, const SignedDistanceField& 
   }
   making.record(&Stages::cells, cells.value());
   making.record(&Stages::lines, lines.value());
-  release(cells.value().mapLine);  // memory peaks in the alignment
+  release(cells.value().mapLine);  // frees memory before its peak, in the alignment
 
   // Sec. 5.2 and 5.3: waves along the lines, aligned with each other.
   making.start("phases", 0.195);
@@ -189,7 +189,7 @@ Result<RelaxedPath> pathStep(const PlateInput& input, const ShapeFields& shape, 
   seen.apart = std::move(stitched.value().apart);
   seen.stitchWork = stitched.value().work;
 
-  // Sec. 5.6: even gaps, beads of pictures along their lines.
+  // Sec. 5.6: even gaps; the beads of pictures stay along their lines.
   making.start("relaxation", 0.89);
   Result<Relaxed> relaxed = relaxSpacing(std::move(stitched.value().curves), shape.border, making.params, making.run,
                                          input.showsPictures ? &lines : nullptr);
@@ -201,7 +201,7 @@ Result<RelaxedPath> pathStep(const PlateInput& input, const ShapeFields& shape, 
 
 Result<ToolpathResult> widthStep(const RelaxedPath& path, const BorderIndex& border, const Making& making) {
   const ClosedCurves& curves = path.relaxed.curves;
-  // Eq. 16.
+  // Widths of the beads (Eq. 16).
   making.start("width", 0.965);
   const Result<BeadWidths> widths = beadWidths(curves, path.relaxed.gaps, border, making.params, making.run);
   if (!widths) return widths.error();

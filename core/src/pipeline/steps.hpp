@@ -11,12 +11,12 @@
 
 namespace sillon {
 
-/// Times stages and tells the run where in the job they lie.
+/// Times the stages, and reports the share of the job that each one covers.
 class StageClock {
  public:
   explicit StageClock(const RunContext& run) : run_(run) { run.beginJob(); }
 
-  /// \param end  share of the job done when this stage is; measured on plates of a million cells.
+  /// \param end  share of the job that is done at the end of this stage; measured on plates of a million cells.
   void start(const char* stage, double end) {
     stop();
     run_.beginStage(stage, done_, end);
@@ -29,7 +29,7 @@ class StageClock {
     times_.push_back({stage_, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count()});
     stage_ = nullptr;
   }
-  /// The times of all stages until now, in order.
+  /// Times of all stages so far, in order.
   std::vector<StageTime> takeTimes() {
     stop();
     return std::move(times_);
@@ -43,7 +43,7 @@ class StageClock {
   std::chrono::steady_clock::time_point begin_;
 };
 
-/// Copies what the stages make into `Stages`, if somebody asked for them (generateStages).
+/// Copies the results of the stages into `Stages`, if they are wanted (generateStages).
 class Recorder {
  public:
   explicit Recorder(Stages* stages = nullptr) : stages_(stages) {}
@@ -57,7 +57,7 @@ class Recorder {
   Stages* stages_;
 };
 
-/// Everything that a step is given besides the results of those before it.
+/// The input of every step besides the results of earlier steps.
 struct Making {
   const ToolpathParams& params;
   const RunContext& run;
@@ -72,7 +72,7 @@ struct Making {
   }
 };
 
-/// Fields that only the shape, the spacing and the bridge decide.
+/// Fields that depend on the shape, the spacing and the bridge only.
 struct ShapeFields {
   BorderIndex border;
   SignedDistanceField sdf;
@@ -81,7 +81,7 @@ struct ShapeFields {
 
 /// The waves whose zeros are the beads.
 struct WaveFields {
-  CellConstraints cells;  ///< without the map's lines: they are in `lines` now
+  CellConstraints cells;  ///< constraints without the map's lines, which are in `lines` now
   LineField lines;
   SineField waves;
 };
@@ -89,38 +89,41 @@ struct WaveFields {
 /// The path before its widths.
 struct RelaxedPath {
   Relaxed relaxed;
-  ToolpathResult seen;  ///< without a toolpath: what was seen on the way
+  ToolpathResult seen;  ///< result without a toolpath: the figures collected so far
 };
 
 /// The lines that the beads follow.
 enum class BeadLines {
-  Asked,   ///< those that the maps ask for
-  Across,  ///< at right angles to those, except along the border
+  Asked,   ///< lines that the maps ask for
+  Across,  ///< lines at right angles to those, except along the border
 };
 
+/// Options of a path.
 struct PathOptions {
   BeadLines lines = BeadLines::Asked;
   bool countDislocations = false;
 };
 
-/// \return TooLarge, EmptyShape or Cancelled.
+/// Makes outline, distances and parts of a shape (Sec. 4). \return TooLarge, EmptyShape or Cancelled.
 Result<ShapeFields> shapeStep(const Shape& shape, const Making& making);
 
-/// The first part of pathStep. \return Cancelled.
+/// Makes the lines and waves, the first part of pathStep. \return Cancelled.
 Result<WaveFields> waveStep(const PlateInput& input, const SignedDistanceField& sdf, BeadLines which,
                             const Making& making);
 
-/// \return EmptyShape, TooLarge or Cancelled.
+/// Makes the path of a plate before its widths. \return EmptyShape, TooLarge or Cancelled.
 Result<RelaxedPath> pathStep(const PlateInput& input, const ShapeFields& shape, const PathOptions& options,
                              const Making& making);
 
-/// \return Cancelled.
+/// Gives a path its widths and simplifies it. \return Cancelled.
 Result<ToolpathResult> widthStep(const RelaxedPath& path, const BorderIndex& border, const Making& making);
 
-/// The clock stands still meanwhile: this is not a stage. \return Cancelled.
+/// Counts the dislocations of the waves. The clock is stopped meanwhile, because this is not a stage.
+/// \return Cancelled.
 Result<Dislocations> dislocationStep(const WaveFields& waves, const SignedDistanceField& sdf, const Making& making);
 
-/// InvalidArgument if the parameters, the page or the maps are out of range. resolveOutline judges the shape's points.
+/// Checks parameters, page and maps. \return InvalidArgument if any is out of range. The shape's points are left to
+/// resolveOutline.
 std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& params);
 
 }  // namespace sillon

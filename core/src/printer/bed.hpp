@@ -1,4 +1,4 @@
-// The bed a job must stay upon: a rectangle or a disc, less a box that nothing may touch.
+// The bed on which a job must stay: a rectangle or a disc, without a box that nothing may touch.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 
 namespace sillon {
 
+/// Area of a bed. The excluded box is its zone.
 class Bed {
  public:
   explicit Bed(const Printer& printer)
@@ -19,19 +20,19 @@ class Bed {
   [[nodiscard]] double radius() const { return 0.5 * (max_.x - min_.x); }
   [[nodiscard]] bool hasZone() const { return zone_.max.x > zone_.min.x && zone_.max.y > zone_.min.y; }
 
-  /// How far a disc of radius `reach` around p sticks out [mm]; not above 0 upon the bed.
+  /// Distance by which a disc of radius `reach` around p sticks out over the bed [mm]; at most 0 on the bed.
   [[nodiscard]] double overhang(Vec2 p, double reach) const {
     if (round_) return length(p - centre()) + reach - radius();
     return std::max({min_.x - p.x, p.x - max_.x, min_.y - p.y, p.y - max_.y}) + reach;
   }
 
-  /// Whether the box around p, `reach` to every side, touches the excluded box.
+  /// Tells whether the box around p, `reach` to every side, touches the excluded box.
   [[nodiscard]] bool inZone(Vec2 p, double reach) const {
     return hasZone() && p.x + reach > zone_.min.x && p.x - reach < zone_.max.x && p.y + reach > zone_.min.y &&
            p.y - reach < zone_.max.y;
   }
 
-  /// Whether a straight bead from a to b, `reach` to either side, touches the excluded box.
+  /// Tells whether a straight bead from a to b, `reach` to either side, touches the excluded box.
   [[nodiscard]] bool crossesZone(Vec2 a, Vec2 b, double reach) const {
     if (!hasZone()) return false;
     double enter = 0;

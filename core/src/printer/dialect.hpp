@@ -1,4 +1,4 @@
-// What the firmwares call the same things. Facts and sources: docs/reference/gcode.md.
+// Commands that differ between firmwares. Facts and sources: docs/reference/gcode.md.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace sillon {
 
-/// The word of slicers and viewers for a dialect.
+/// Name of a dialect in slicers and viewers.
 inline const char* dialectName(GcodeFlavor flavor) {
   switch (flavor) {
     case GcodeFlavor::Klipper:
@@ -24,14 +24,14 @@ inline const char* dialectName(GcodeFlavor flavor) {
   return "marlin2";
 }
 
-/// Sets the acceleration of prints and travels [mm/s²]. Klipper and Bambu heed S only.
+/// Sets the acceleration of prints and travels [mm/s²]. Klipper and Bambu read S only.
 inline std::string accelerationCommand(GcodeFlavor flavor, double acceleration) {
   const std::string value = fixed(acceleration, 0);
   if (flavor == GcodeFlavor::Klipper || flavor == GcodeFlavor::Bambu) return "M204 S" + value + "\n";
   return "M204 P" + value + " T" + value + "\n";
 }
 
-/// Sets the speed of right-angled corners [mm/s]; a jerk is twice that, in mm/min for RepRapFirmware.
+/// Sets the speed of right-angled corners [mm/s]. Jerk is twice that; RepRapFirmware takes it in mm/min.
 inline std::string cornerSpeedCommand(GcodeFlavor flavor, double speed) {
   if (flavor == GcodeFlavor::Klipper) return "SET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=" + fixed(speed, 2) + "\n";
   const bool reprap = flavor == GcodeFlavor::RepRap;
@@ -56,7 +56,8 @@ inline std::string pressureAdvanceCommand(GcodeFlavor flavor, double seconds) {
   return "M900 K" + value + "\n";
 }
 
-/// Waits until the nozzle is as hot as that, or has cooled down to it. Klipper and Bambu wait for both with S.
+/// Waits until the nozzle has heated up or cooled down to a temperature [degrees Celsius]. Klipper and Bambu wait for
+/// both with S.
 inline std::string waitForNozzle(GcodeFlavor flavor, double degrees) {
   const bool both = flavor == GcodeFlavor::Klipper || flavor == GcodeFlavor::Bambu;
   return (both ? "M109 S" : "M109 R") + fixed(degrees, 0) + "\n";

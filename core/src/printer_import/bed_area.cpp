@@ -9,16 +9,18 @@
 namespace sillon {
 namespace {
 
-constexpr double kFarthest = 5000;  // [mm], of a corner
+constexpr double kFarthest = 5000;  // [mm], greatest coordinate of a corner
 
+// Corners of all boxes of a text, in which '#' may separate the boxes.
 std::vector<Vec2> cornersOf(std::string_view text) {
   std::string list(text);
   std::replace(list.begin(), list.end(), '#', ',');
   return readCorners(list);
 }
 
-// Four corners each; of another count the box around all. A line that goes back to where it began between two boxes, as
-// Qidi draws it, begins with that place twice. Empty: something is wrong with them.
+// Boxes of four corners each; for any other count, the box around all corners. Qidi draws several boxes with one line,
+// which begins with the same place twice and returns to it between two boxes. Empty: too few corners, or one too far
+// off.
 std::vector<Bounds> boxesOf(const std::vector<Vec2>& corners) {
   if (corners.size() < 3) return {};
   const bool returns = corners[0] == corners[1];
@@ -35,6 +37,7 @@ std::vector<Bounds> boxesOf(const std::vector<Vec2>& corners) {
 
 double areaOf(const Bounds& box) { return box.size().x * box.size().y; }
 
+// Tells whether a point lies inside an outline, by the even-odd rule.
 bool holds(const std::vector<Vec2>& outline, Vec2 p) {
   bool inside = false;
   for (std::size_t k = 0; k < outline.size(); ++k) {
@@ -44,10 +47,10 @@ bool holds(const std::vector<Vec2>& outline, Vec2 p) {
   return inside;
 }
 
-// What an outline along the edges of the bed leaves in the middle; empty: it is another one.
+// Box that an outline along the edges of the bed leaves free in the middle; empty: the outline does not run like that.
 Bounds insideOf(const std::vector<Vec2>& outline, const Bounds& bed) {
   Bounds left = bed;
-  for (const Vec2 corner : outline) {  // each belongs to the edge that is nearest to it
+  for (const Vec2 corner : outline) {  // each corner belongs to the nearest edge
     const double toLeft = corner.x - bed.min.x, toRight = bed.max.x - corner.x;
     const double toFront = corner.y - bed.min.y, toBack = bed.max.y - corner.y;
     const double least = std::min({toLeft, toRight, toFront, toBack});
@@ -73,7 +76,7 @@ Bounds insideOf(const std::vector<Vec2>& outline, const Bounds& bed) {
   return most && !holds(outline, 0.5 * (left.min + left.max)) ? left : Bounds{};
 }
 
-// \return whether the box is a strip along a whole edge, which the bed then lacks.
+// Takes a strip along a whole edge off the bed. \return false: the box is no such strip.
 bool takeStrip(const Bounds& box, Bounds& bed) {
   const bool wide = box.min.x <= bed.min.x && box.max.x >= bed.max.x;
   const bool tall = box.min.y <= bed.min.y && box.max.y >= bed.max.y;
@@ -92,7 +95,7 @@ bool takeStrip(const Bounds& box, Bounds& bed) {
   return true;
 }
 
-// One of several boxes, which lies at an edge, where the bed loses least. \return whether it does.
+// Takes one of several boxes off the bed, on the side where the bed loses least. \return false: it lies at no edge.
 bool cutOff(const Bounds& box, Bounds& bed) {
   const double losses[] = {box.max.x - bed.min.x, bed.max.x - box.min.x, box.max.y - bed.min.y, bed.max.y - box.min.y};
   const double* const least = std::min_element(std::begin(losses), std::end(losses));
@@ -119,7 +122,7 @@ bool cutOff(const Bounds& box, Bounds& bed) {
 }  // namespace
 
 bool reachByAll(std::string_view text, BedArea& area) {
-  constexpr double kLeast = 10;  // [mm]
+  constexpr double kLeast = 10;  // [mm], shortest side that the bed may keep
   Bounds bed = area.bed;
   const std::vector<Bounds> boxes = boxesOf(cornersOf(text));
   for (const Bounds& box : boxes) {

@@ -21,7 +21,7 @@
 namespace sillon {
 namespace {
 
-constexpr double kMostAdvance = 2;  // [s]; linear advance 1.0 counted in units of its own, from 10 on
+constexpr double kMostAdvance = 2;  // [s]; values of linear advance 1.0, in a unit of its own, begin at 10
 
 Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
 
@@ -33,7 +33,7 @@ bool isMove(std::string_view line) {
   return isCommand(line, "G0") || isCommand(line, "G1") || isCommand(line, "G2") || isCommand(line, "G3");
 }
 
-// What slicers and their scripts put between the last bead and the end block.
+// Tells whether a line is one of those that slicers and their scripts put between the last bead and the end block.
 bool isOfEnding(std::string_view line) {
   if (isOfOldPrint(line) || line.starts_with("TIMELAPSE_")) return true;
   const bool retracts = (isCommand(line, "G10") || isCommand(line, "G11")) && !hasWord(line, 'P');
@@ -41,7 +41,8 @@ bool isOfEnding(std::string_view line) {
          isCommand(line, "M204") || isCommand(line, "M205");
 }
 
-// The donor drew its filament back for the way to its first bead, and pushed it forward there; ours begins primed.
+// Drops the retraction at the end of a start block. The donor pushed the filament forward again at its first bead, but
+// our print begins primed.
 void dropRetraction(std::string& block) {
   while (!block.empty()) {
     const std::size_t line = block.rfind('\n', block.size() - 2) + 1;  // npos + 1 is 0
@@ -49,24 +50,25 @@ void dropRetraction(std::string& block) {
     const bool still = !hasWord(last, 'X') && !hasWord(last, 'Y') && !hasWord(last, 'Z');
     const bool pulls = isMove(last) && still && last.find(" E-") != std::string_view::npos;
     const bool firmware =
-        isCommand(last, "G10") && !hasWord(last, 'P') && !hasWord(last, 'L');  // else it sets up a tool
+        isCommand(last, "G10") && !hasWord(last, 'P') && !hasWord(last, 'L');  // with P or L it sets up a tool
     if (!pulls && !firmware) return;
     block.resize(line);
   }
 }
 
-/// Where the value of a word such as X12.5 begins; npos if the line has no such word.
+/// Position of the value in a word such as X12.5; npos if the line has no such word.
 std::size_t valueOf(std::string_view line, char letter) {
   const std::size_t word = line.find(std::string{' ', letter});
   return word == std::string_view::npos ? word : word + 2;
 }
 
+/// Number behind a letter; nothing if the line has none.
 std::optional<double> numberOf(std::string_view line, char letter) {
   const std::size_t begin = valueOf(line, letter);
   return begin == std::string_view::npos ? std::nullopt : firstNumber(firstWord(line.substr(begin)));
 }
 
-/// The line with other values after some letters, and all else as it was.
+/// The line with other values behind some letters; all else stays.
 std::string withValues(std::string line, std::initializer_list<std::pair<char, std::string_view>> values) {
   for (const auto& [letter, value] : values) {
     const std::size_t begin = valueOf(line, letter);
@@ -76,7 +78,8 @@ std::string withValues(std::string line, std::initializer_list<std::pair<char, s
   return line;
 }
 
-/// Other values for a macro's parameters. \param valueOf  of a key in upper case and its value: the new one.
+/// Gives a macro's parameters other values. \param valueOf  called with a key in upper case and its value; returns the
+/// new value.
 template <class ValueOf>
 void replaceParameters(std::string& line, ValueOf&& valueOf) {
   std::string out;
@@ -90,8 +93,8 @@ void replaceParameters(std::string& line, ValueOf&& valueOf) {
   line = out.append(line, done);
 }
 
-/// The plate's corners, as macros with adaptive meshes are given them: PRINT_MIN and PRINT_MAX; AREA_START and
-/// AREA_END; X0, Y0, X1 and Y1; SIZE with all four. \return whether the line has such parameters.
+/// Replaces the plate's corners, which macros with adaptive meshes take as PRINT_MIN and PRINT_MAX, as AREA_START and
+/// AREA_END, as X0, Y0, X1 and Y1, or as SIZE with all four. \return false: the line has no such parameters.
 bool replaceArea(std::string& line) {
   std::string keys = " ";
   forEachParameter(line, [&](const std::string& key, std::string_view value) {
@@ -115,12 +118,12 @@ bool replaceArea(std::string& line) {
   return true;
 }
 
-/// How a file counts its filament. Its firmware is not known yet, so that G90 and G91 mean nothing for it.
+/// Counts a file's filament. Its firmware is not known yet, so that G90 and G91 are taken not to change the mode of E.
 struct Filament {
-  bool absolute = false;  ///< where neither M82 nor M83 says so
-  double at = 0;          ///< [mm], as written
+  bool absolute = false;  ///< E is absolute: set by M82, cleared by M83
+  double at = 0;          ///< last E as written [mm]
 
-  /// \return what the line pushes [mm]; below 0: pulls.
+  /// Runs a line. \return filament that it pushes [mm]; below 0: pulls back.
   double take(std::string_view line) {
     if (isCommand(line, "M82")) absolute = true;
     if (isCommand(line, "M83")) absolute = false;
@@ -133,12 +136,12 @@ struct Filament {
   }
 };
 
-// RepRapFirmware tells by it what belongs to an "if".
+// Indentation of a line, by which RepRapFirmware knows the lines that belong to an "if".
 std::string_view indentationOf(std::string_view line) {
   return line.substr(0, std::min(line.find_first_not_of(" \t"), line.size()));
 }
 
-// A start macro's temperatures and filament become the next job's.
+// Replaces the temperatures and the filament of a start macro with placeholders, for those of the next job.
 void insertMacroTargets(std::string& line, double nozzle, double bed, std::string_view filament) {
   replaceParameters(line, [&](std::string_view key, std::string_view value) -> std::string_view {
     if (value == filament && !filament.empty()) return "{filament_type}";
@@ -157,7 +160,7 @@ void insertMacroTargets(std::string& line, double nozzle, double bed, std::strin
   });
 }
 
-/// What a line heats the chamber to [degrees Celsius]; 0: nothing.
+/// Temperature to which a line heats the chamber [degrees Celsius]; 0: it does not.
 double chamberOf(std::string_view line) {
   const bool heats = isCommand(line, "M141") || isCommand(line, "M191");
   double degrees = heats ? numberOf(line, 'S').value_or(0) : 0;
@@ -167,18 +170,20 @@ double chamberOf(std::string_view line) {
   return degrees;
 }
 
+// Runs a line of code. \return the move, if it is one.
 std::optional<MachineMove> run(MachineState& machine, std::string_view code) {
   const GcodeCommand command = commandOf(code);
   return runCommand(machine, command, readsWords(command) ? wordsOf(command.rest) : GcodeWords{});
 }
 
+/// Reads a printer from G-code that was made for it, the donor.
 class Donor {
  public:
   explicit Donor(ImportedPrinter& out) : out_(out) {}
 
   std::optional<Error> read(std::string_view text);
 
-  /// Whether the file marks no layers, as Slic3r's, but holds its start and end block as settings.
+  /// Tells whether the file marks no layers, as Slic3r's do not, but holds its start and end block as settings.
   [[nodiscard]] bool tellsBlocks() const { return tellsBlocks_; }
   [[nodiscard]] const SlicerSettings& settings() const { return settings_; }
 
@@ -200,23 +205,24 @@ class Donor {
 
   ImportedPrinter& out_;
   SlicerSettings settings_;
-  std::string cura_;                                 // its settings, escaped, over many comments
-  std::size_t firstLayer_ = std::string_view::npos;  // where its mark begins
-  std::size_t lastBead_ = 0;                         // where its line ends
-  bool numbered_ = false;                            // N1 G28*18
-  Filament end_;                                     // at the last bead
-  MachineState donor_;                               // from there on
-  MachineState ours_;                                // in our end block
+  std::string cura_;                                 // Cura's settings, escaped, joined from many comments
+  std::size_t firstLayer_ = std::string_view::npos;  // offset of the first layer's mark
+  std::size_t lastBead_ = 0;                         // offset behind the line of the last bead
+  bool numbered_ = false;                            // lines have numbers, such as N1 G28*18
+  Filament end_;                                     // filament at the last bead
+  MachineState donor_;                               // the donor's machine, from the last bead on
+  MachineState ours_;                                // the machine in our end block
   bool tellsBlocks_ = false;
-  std::string template_;  // of the start block, as the slicer was told it
-  int tool_ = 0;          // of its first bead
-  int chosen_ = 0;        // tool, at the end of the start block
-  Bounds beads_;
-  Bounds purged_;         // beads of the start block
-  double advance_ = 0;    // [s], of the start block
-  std::string flowLine_;  // that leaves another flow than 100 %, in the start block
+  std::string template_;  // template of the start block in the slicer
+  int tool_ = 0;          // tool of the first bead
+  int chosen_ = 0;        // tool at the end of the start block
+  Bounds beads_;          // box of the layers' beads
+  Bounds purged_;         // box of the start block's beads
+  double advance_ = 0;    // pressure advance that the start block sets [s]
+  std::string flowLine_;  // line of the start block that leaves another flow than 100 %
 };
 
+// Reads a setting from a comment.
 void Donor::comment(std::string_view line) {
   constexpr std::string_view kCura = ";SETTING_3 ";
   if (line.starts_with(kCura) && cura_.size() < kMaxSettingsBytes) cura_ += line.substr(kCura.size());
@@ -232,9 +238,9 @@ void Donor::comment(std::string_view line) {
   }
 }
 
-// Slicers keep among the settings what they made the block from. Where that says with this file's values what the file
-// does line by line, it takes those lines' place: what it works out of the plate, such as purge lines beside it and the
-// mesh below it, then follows the next plate.
+// Takes the start block over. Slicers keep its template among the settings. If the template, filled in with this file's
+// values, says the same as some lines of the block, it takes their place: what it computes from the plate, such as
+// purge lines beside it and the mesh below it, then follows the next plate.
 void Donor::startBlock(std::string_view block) {
   const std::string folded = withSettings(template_, settings_, templateValues(out_.printer, {}, {}));
   const bool asks = folded.size() <= kMaxBlockBytes && folded.find_first_of("{[") != std::string::npos;
@@ -249,15 +255,16 @@ void Donor::startBlock(std::string_view block) {
   }
   for (std::string_view rest = said.end > 0 ? folded : std::string_view(); !rest.empty();) {
     const std::string_view line = nextLine(rest);
-    // A comment may read as a layer's mark; one with a branch holds code, too.
+    // Comments are left out, since one may read as a layer's mark; but one with a branch holds code, too.
     const bool comment = trimmed(line).starts_with(';') && line.find("if") == std::string_view::npos;
     if (!comment && !isOfOldPrint(codeOf(line))) out_.printer.startGcode.append(line).append("\n");
   }
   lines(block.substr(said.end));
-  if (tool_ != chosen_) startLine("T" + std::to_string(tool_));  // behind the first mark
+  if (tool_ != chosen_) startLine("T" + std::to_string(tool_));  // the donor chooses it behind the first mark
 }
 
-// Areas of the old plate become those of the new one; all other words of such a line are the printer's and stay.
+// Takes over a line of the start block. Areas of the old plate become those of the new one; all other words of such a
+// line are the printer's and stay.
 void Donor::startLine(std::string_view whole) {
   const std::string plain = spelled(codeOf(whole));
   const std::string_view code = plain;
@@ -290,7 +297,8 @@ void Donor::startLine(std::string_view whole) {
   out_.printer.startGcode.append(indentation).append(line).append("\n");
 }
 
-// What a line sets for its own filament, and what it leaves set.
+// Notes the pressure advance that a line sets for the donor's filament, and the scales of flow and speed that it
+// leaves.
 void Donor::lookAt(std::string_view code) {
   for (const auto& [command, key] : {std::pair<std::string_view, std::string_view>{"M900", " K"},
                                      {"M572", " S"},
@@ -300,15 +308,15 @@ void Donor::lookAt(std::string_view code) {
     const auto value = firstNumber(firstWord(code.substr(at + key.size())));
     if (value && *value >= 0 && *value <= kMostAdvance) advance_ = *value;
   }
-  const auto share = numberOf(code, 'S');  // Bambu's "M221 S" keeps limits of the axes
+  const auto share = numberOf(code, 'S');  // Bambu's "M221 S" has no number: it keeps limits of the axes
   if (!share) return;
   const bool whole = *share == 100;
   if (isCommand(code, "M221")) flowLine_ = whole ? "" : std::string(code.substr(0, 60));
   if (isCommand(code, "M220") && !whole) note("Factor", {{"line", std::string(code.substr(0, 60))}});
 }
 
-// The slicer put the filament's own temperatures and type into the block. Those become the next job's; others, as for
-// probing or cleaning, are the printer's and stay.
+// Replaces the filament's own temperatures and type, which the slicer put into the start block, with placeholders for
+// those of the next job. Other temperatures, as for probing or cleaning, are the printer's and stay.
 void Donor::templateFilament(const GcodeCheck& check) {
   Printer& p = out_.printer;
   const bool bears = check.nozzleTarget >= kColdest && check.nozzleTarget <= p.maxNozzleTemperature;
@@ -355,27 +363,27 @@ void Donor::templateFilament(const GcodeCheck& check) {
   if (!kept.empty()) note("FixedTemperatures", {{"lines", kept.substr(0, 200)}});
 }
 
-// Behind the last bead. \param shown  else it is not of the block, but counts for what follows.
+// Takes over a line behind the last bead. \param shown  false: the line is not of the end block, and is only run.
 void Donor::endLine(std::string_view code, bool shown) {
   const bool counted = donor_.absoluteE;
   const auto move = run(donor_, code);
   if (!shown || isOfOldPrint(code)) return;
   std::string line(code);
   run(ours_, code);
-  // Ours has counted other filament, and begins with M83.
+  // Our print has counted other filament and its end block begins with M83, so that E must become relative.
   if (isMove(code) && hasWord(code, 'E')) {
     if (ours_.absoluteE) out_.printer.endGcode += "M83\n";
     ours_.absoluteE = false;
     if (counted && move) line = withValues(std::move(line), {{'E', decimal(move->e, 5)}});
   }
-  // A height of the old print may lie inside the new plate. Ours has lifted the nozzle before the block begins.
+  // A height of the old print may lie inside the new plate. Our print lifts the nozzle before the block begins.
   if (isMove(code) && donor_.absolute && hasWord(code, 'Z')) {
     const std::size_t z = line.find(" Z");
     line.erase(z, std::min(line.find(' ', z + 1), line.size()) - z);
     note("EndHeights");
     if (!hasWord(line, 'X') && !hasWord(line, 'Y') && !hasWord(line, 'E')) return;
   }
-  // A place to present the print that lies off the bed as it is known here, which an export would refuse.
+  // A place at which the print is presented may lie off the bed as it is known here, which an export would refuse.
   if (isMove(code) && donor_.absolute && out_.printer.flavor != GcodeFlavor::Bambu) {
     const Printer& p = out_.printer;
     for (const auto& [axis, low, high] : {std::tuple{'X', p.bedMin.x, p.bedMax.x}, {'Y', p.bedMin.y, p.bedMax.y}}) {
@@ -390,7 +398,7 @@ void Donor::endLine(std::string_view code, bool shown) {
   out_.printer.endGcode += line + "\n";
 }
 
-// Where its blocks end and begin, what it prints with which tool, and its settings.
+// Scans the file for the ends of its blocks, its beads, the tool of the first one, and its settings.
 void Donor::scan(std::string_view text) {
   Filament filament;
   Vec2 nozzle;
@@ -434,7 +442,7 @@ void Donor::scan(std::string_view text) {
   }
 }
 
-// The resolved ones; blocks in them are templates, the ones in the file are what was printed.
+// Takes the settings that the file states. The blocks among them are templates only; those in the file were printed.
 void Donor::takeOwnSettings() {
   chooseTool(settings_, static_cast<std::size_t>(tool_));
   for (const char* key : {"machine_start_gcode", "start_gcode"}) {
@@ -446,24 +454,24 @@ void Donor::takeOwnSettings() {
   for (std::string_view lines = opened; !lines.empty();) {
     std::string_view key;
     std::string_view value;
-    if (!splitSetting(trimmed(nextLine(lines)), key, value) || key == "name") continue;  // of a quality, not a printer
+    if (!splitSetting(trimmed(nextLine(lines)), key, value) || key == "name") continue;  // a quality's name
     settings_.emplace(std::string(key), std::string(value));
   }
   takeSettings(settings_, out_);
-  out_.printer.startGcode.clear();  // the profile's: those of the file take its place
+  out_.printer.startGcode.clear();  // the file's blocks take the place of the profile's
   out_.printer.endGcode.clear();
 }
 
-// Where nothing tells the bed, it reaches as far as the beads do. About the origin it is a delta's, whose beds are
-// round.
+// Estimates the bed if the file does not state it: it reaches as far as the beads do. A bed around the origin is a
+// delta's, whose beds are round.
 std::optional<Error> Donor::guessBed() {
   const bool told = settings_.contains("bed_shape") || settings_.contains("printable_area");
   if (told || !out_.profile.empty()) return std::nullopt;
-  constexpr double kPurged = 5;  // [mm] beside the bed
+  constexpr double kPurged = 5;  // [mm], purge beside the bed
   Printer& p = out_.printer;
   const auto [least, most] = beads_;
   if (std::min(least.x, least.y) >= -kPurged) {
-    // A purge line of its own lies on the bed, too.
+    // Purge lines of the start block lie on the bed, too.
     const Vec2 purged = purged_.empty() ? most : purged_.max;
     p.bedMax = {std::ceil(std::max({p.bedMax.x, most.x, purged.x})),
                 std::ceil(std::max({p.bedMax.y, most.y, purged.y}))};
@@ -485,8 +493,8 @@ std::optional<Error> Donor::guessBed() {
   return std::nullopt;
 }
 
-// Where nothing tells the filament, as in Cura's files, its beads are weighed. A machine that is known settles what
-// they leave open.
+// Estimates the filament's diameter from the beads if the file does not state it, as Cura's do not. If the beads leave
+// it open, the user is asked, unless the machine is known.
 std::optional<Error> Donor::weighFilament(std::string_view text) {
   Printer& p = out_.printer;
   const bool told = settings_.contains("filament_diameter") || settings_.contains("material_diameter");
@@ -507,10 +515,11 @@ std::optional<Error> Donor::weighFilament(std::string_view text) {
   return std::nullopt;
 }
 
+// Takes the end block over. \param rest  text behind the last bead.
 std::optional<Error> Donor::endBlock(std::string_view rest) {
   bool begun =
       rest.find(";TYPE:Custom") == std::string_view::npos && rest.find("; FEATURE: Custom") == std::string_view::npos;
-  bool wiping = begun;  // without a mark: moves that end the last bead come first
+  bool wiping = begun;  // without a mark, moves that end the last bead come first
   donor_ = ours_ = MachineState(out_.printer.flavor);
   donor_.absoluteE = end_.absolute;
   donor_.e = end_.at;
@@ -527,6 +536,7 @@ std::optional<Error> Donor::endBlock(std::string_view rest) {
   return std::nullopt;
 }
 
+// Reads the whole file into the printer; returns an error if the file is no donor.
 std::optional<Error> Donor::read(std::string_view text) {
   scan(text);
   if (numbered_ && lastBead_ == 0) {
@@ -544,7 +554,7 @@ std::optional<Error> Donor::read(std::string_view text) {
   if (lastBead_ <= firstLayer_) return invalidFile("the G-code extrudes nothing after its first layer mark");
 
   takeOwnSettings();
-  // Their machines cut, draw back and flush between two filaments, in code that stands behind the start block.
+  // Bambu's machines cut, draw back and flush between two filaments, in code that stands behind the start block.
   if (tool_ != chosen_ && out_.printer.flavor == GcodeFlavor::Bambu) {
     return invalidFile("its start block loads filament " + std::to_string(chosen_ + 1) +
                        ", but its first bead is of filament " + std::to_string(tool_ + 1) +
@@ -557,7 +567,7 @@ std::optional<Error> Donor::read(std::string_view text) {
   Printer& p = out_.printer;
   if (p.startGcode.size() > kMaxBlockBytes) return invalidFile("the start block is longer than 65536 bytes");
   recogniseKlipper(out_);
-  if (setsPressureAdvance(p.startGcode)) {  // for the donor's filament, and nothing need set it again
+  if (setsPressureAdvance(p.startGcode)) {  // the block sets it for the donor's filament, and nothing need set it again
     p.setPressureAdvance = false;
     if (advance_ > 0) p.pressureAdvance = advance_;
   }

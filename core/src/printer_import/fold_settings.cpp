@@ -12,15 +12,15 @@
 namespace sillon {
 namespace {
 
-constexpr int kMostNested = 4;  // blocks within blocks
-constexpr std::size_t kMostBytes = std::size_t{1} << 18;
-constexpr int kMostBlocks = 200;
+constexpr int kMostNested = 4;                            // depth of blocks within blocks, at most
+constexpr std::size_t kMostBytes = std::size_t{1} << 18;  // bytes that a block may grow to
+constexpr int kMostBlocks = 200;                          // blocks that are put into one, at most
 constexpr std::size_t npos = std::string_view::npos;
 
 bool isName(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; }
 
-// PrusaSlicer's defaults of settings that blocks ask for and a file may leave out. Ours heat no
-// chamber, which a printer's settings alone do not tell.
+// PrusaSlicer's defaults for settings that blocks ask for and a file may leave out. Chambers are not heated, since a
+// printer's settings alone do not tell their temperature.
 constexpr std::pair<std::string_view, std::string_view> kDefaults[] = {
     {"chamber_temperature", "0"},
     {"overall_chamber_temperature", "0"},
@@ -46,13 +46,14 @@ constexpr std::pair<std::string_view, std::string_view> kDefaults[] = {
     {"end_filament_gcode", ""},
 };
 
+// Replaces all occurrences of a text, until the result is too long.
 void replaceAll(std::string& text, std::string_view what, std::string_view by) {
   for (std::size_t at = text.find(what); at != npos && text.size() < kMostBytes; at = text.find(what, at + by.size())) {
     text.replace(at, what.size(), by);
   }
 }
 
-// As it stands in an expression; empty: it cannot.
+// Value of a setting as a literal of an expression; empty: it cannot be one.
 std::string literalOf(std::string_view name, const std::string& value) {
   double number = 0;
   if (value == "nil") return value;
@@ -64,23 +65,23 @@ std::string literalOf(std::string_view name, const std::string& value) {
   if (value.find_first_of("\"\\") != std::string::npos || value.ends_with('%')) return {};
   std::string text = "\"";
   text += value;
-  std::replace(text.begin(), text.end(), '\n', ' ');  // notes, in which words are looked for
+  std::replace(text.begin(), text.end(), '\n', ' ');  // notes, which expressions only search for words
   text += '"';
   return text;
 }
 
-// Orca's area and points of the mesh below a plate, as expressions of the plate: it lies a margin around it, within
-// what the probe reaches. Four points a side are the least for which bicubic interpolation is defined.
+// Replaces Orca's names for the mesh below a plate with expressions of the plate: the mesh covers the plate and a
+// margin around it, within the reach of the probe. Bicubic interpolation needs at least four points a side.
 std::string withMesh(std::string_view block, const SlicerSettings& settings) {
   const auto number = [&](const char* key, std::size_t index, double otherwise) {
     const auto found = settings.find(key);
     if (found == settings.end()) return otherwise;
     std::string text = found->second;
-    std::replace(text.begin(), text.end(), 'x', ',');  // a point
+    std::replace(text.begin(), text.end(), 'x', ',');  // points are written as 0x0
     return firstNumber(itemOf(text, index)).value_or(otherwise);
   };
   constexpr double kFar = 99999;  // no limit, as Orca writes it
-  constexpr double kMargin = 5;   // [mm]
+  constexpr double kMargin = 5;   // [mm], if the file states none
   std::string out(block);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const std::string index = axis == 0 ? "[0]" : "[1]";
@@ -101,10 +102,12 @@ std::string withMesh(std::string_view block, const SlicerSettings& settings) {
   return out;
 }
 
+// Puts settings, and the blocks among them, into a block.
 class Folding {
  public:
   Folding(const SlicerSettings& settings, const std::vector<TemplateValue>& job) : settings_(settings), job_(job) {}
 
+  // The block with values in the place of names. \param depth  number of blocks that it lies within.
   std::string folded(std::string_view block, int depth) {
     std::string out;
     while (!block.empty() && out.size() < kMostBytes) {
@@ -139,7 +142,8 @@ class Folding {
   }
 
  private:
-  // The value of the setting that the text begins with, its index included, which is taken off.
+  // Value of the setting that the text begins with; takes its name and index off the text. Nothing if the name is not
+  // known, or the job has a value for it.
   [[nodiscard]] std::optional<std::string> valueAt(std::string_view& text) const {
     std::size_t size = 0;
     while (size < text.size() && isName(text[size])) ++size;
@@ -155,7 +159,7 @@ class Folding {
     if (rest.starts_with('[')) {
       const std::size_t close = rest.find(']');
       const std::string_view inside = trimmed(rest.substr(1, close == npos ? npos : close - 1));
-      const auto first = templateValue(inside, 0, job_);  // initial_tool
+      const auto first = templateValue(inside, 0, job_);  // such as initial_tool
       double number = 0;
       if (close == npos || (readNumber(inside, number) != inside.size() && !(first && first->text == "0"))) {
         return std::nullopt;
@@ -167,13 +171,14 @@ class Folding {
     return name.ends_with("gcode") ? unescaped(value) : itemOf(value, index);
   }
 
+  // The expression with literals in the place of its settings.
   [[nodiscard]] std::string expression(std::string_view inside) const {
     std::string out;
     while (!inside.empty()) {
       const char c = inside[0];
       std::size_t size = 1;
       if (c == '"' || (c == '/' && out.find_last_not_of(' ') != npos && out[out.find_last_not_of(' ')] == '~')) {
-        size = std::min(inside.find(c, 1), inside.size() - 1) + 1;  // a text, a pattern
+        size = std::min(inside.find(c, 1), inside.size() - 1) + 1;  // skips a text or a pattern
       } else if (isName(c)) {
         while (size < inside.size() && isName(inside[size])) ++size;
         const std::string_view name = inside.substr(0, size);
@@ -194,7 +199,7 @@ class Folding {
 
   const SlicerSettings& settings_;
   const std::vector<TemplateValue>& job_;
-  int blocks_ = 0;  // that were put in
+  int blocks_ = 0;  // blocks that were put in
 };
 
 }  // namespace

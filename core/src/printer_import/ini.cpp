@@ -11,18 +11,20 @@
 namespace sillon {
 namespace {
 
-constexpr std::size_t kMostNames = 4000;  // bytes of the names that are offered
-constexpr int kMaxInherited = 1000;       // sections of a bundle in one printer
-constexpr int kDeepestInherited = 32;
+constexpr std::size_t kMostNames = 4000;  // bytes of names that an error lists, at most
+constexpr int kMaxInherited = 1000;       // sections that one printer may consist of
+constexpr int kDeepestInherited = 32;     // levels of sections that inherit from each other
 
 Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
 
+// Sections of a file of settings.
 struct Bundle {
   std::map<std::string, SlicerSettings, std::less<>>
       sections;                       // "printer:NAME", "filament:NAME", "presets"; "" if flat
-  std::vector<std::string> printers;  // that are none to inherit from
+  std::vector<std::string> printers;  // names of printers, without those in asterisks, which are only inherited from
 };
 
+// Reads sections, keys and values.
 Bundle readBundle(std::string_view text) {
   Bundle bundle;
   std::string section;
@@ -43,7 +45,8 @@ Bundle readBundle(std::string_view text) {
   return bundle;
 }
 
-/// A section with all it inherits, its own values last. \param budget  sections that may still be read.
+/// Reads a section after all that it inherits, so that its own values count. \param budget  sections that may still be
+/// read.
 void inherit(const Bundle& bundle, const std::string& kind, const std::string& name, int depth, int& budget,
              SlicerSettings& out, std::vector<ImportNote>& notes) {
   const auto found = bundle.sections.find(kind + name);

@@ -1,4 +1,4 @@
-// The notes of an import: their codes, and the English sentence of each.
+// Notes of an import: their codes, and the English sentence of each.
 #pragma once
 
 #include <initializer_list>
@@ -11,11 +11,11 @@
 
 namespace sillon {
 
-/// A note with its sentence. \param code  one of importNoteSentences(). \param values  what the sentence names, in its
-/// order.
+/// Makes a note with its sentence. \param code  one of importNoteSentences(). \param values  values that the sentence
+/// names, in its order.
 ImportNote importNote(std::string_view code, std::initializer_list<std::pair<const char*, std::string>> values = {});
 
-/// As importNote, but only where the list has none with the same sentence.
+/// Adds a note, unless the list has one with the same sentence.
 void addNote(std::vector<ImportNote>& notes, ImportNote note);
 
 }  // namespace sillon

@@ -10,7 +10,7 @@
 namespace sillon {
 namespace {
 
-// A definition of a machine that Cura reads: what it says otherwise than its parent.
+// Reads a Cura definition of a machine, which lists the settings that differ from its parent's.
 SlicerSettings settingsOfCura(const Json& root) {
   SlicerSettings settings;
   for (const auto& item : root["overrides"].items()) {
@@ -72,7 +72,7 @@ Result<ImportedPrinter> importJson(std::string_view text) {
     const Json* first = value.is_array() && !value.empty() ? &value[0] : &value;
     if (!first->is_string()) continue;
     std::string joined = first->get_ref<const std::string&>();
-    // Corners are lists; of anything else the first tool's value counts.
+    // Lists of corners are kept whole; from any other list the first tool's value counts.
     if (value.is_array() && item.key().ends_with("_area")) {
       for (std::size_t k = 1; k < value.size() && value[k].is_string(); ++k) {
         joined += "," + value[k].get_ref<const std::string&>();
@@ -84,8 +84,9 @@ Result<ImportedPrinter> importJson(std::string_view text) {
   const bool inherits = parent != settings.end() && !parent->second.empty();
   if (inherits) addNote(out.notRead, importNote("InheritedElsewhere", {{"name", shown(parent->second)}}));
   Result<ImportedPrinter> made = printerOfSettings(settings, std::move(out));
-  // Ours would take their place, which are of another machine.
+  // Cura states the shape of the bed apart from its size.
   if (made && cura) made.value().printer.roundBed = settings["machine_shape"] == "elliptic";
+  // Otherwise the defaults, which are another machine's, would take the place of the inherited bed or block.
   const bool lacks = !settings.contains("printable_area") || !settings.contains("machine_start_gcode");
   if (made && inherits && lacks && made.value().profile.empty()) {
     return Error{ErrorCode::InvalidFile,

@@ -10,11 +10,11 @@
 namespace sillon {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
+constexpr std::size_t kMaxBytes = std::size_t{256} << 20;  // largest file that is read
 
 Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
 
-// The first lines with a command or a setting tell the two apart.
+// Tells G-code from settings, by the first line that has a command or a setting.
 bool looksLikeGcode(std::string_view text) {
   for (int k = 0; k < 5000 && !text.empty(); ++k) {
     const std::string_view line = trimmed(nextLine(text));
@@ -27,10 +27,11 @@ bool looksLikeGcode(std::string_view text) {
   return false;
 }
 
-// A project that is not sliced, of PrusaSlicer, Orca or Bambu Studio, or a printer that Orca exported: where its
-// settings lie.
+// Entry with the settings in a project of PrusaSlicer.
 constexpr std::string_view kPrusaProject = "Metadata/Slic3r_PE.config";
 
+// Finds the settings in a project of PrusaSlicer, Orca or Bambu Studio that is not sliced, or in a printer that Orca
+// exported; nothing if the file holds G-code.
 std::optional<ZipEntry> packedSettings(std::string_view zip) {
   const Result<ZipDirectory> directory = readZip(zip);
   std::optional<ZipEntry> found;
@@ -52,7 +53,7 @@ Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view n
       const Result<std::string> settings = unpackEntry(bytes, *entry, kMaxSettingsBytes);
       if (!settings) return Error{settings.error().code, "the file " + settings.error().message};
       if (entry->name != kPrusaProject) return importJson(settings.value());
-      std::string lines;  // as comments at the end of its G-code
+      std::string lines;  // the settings without the ';' before each line
       for (std::string_view rest = settings.value(); !rest.empty();) {
         std::string_view line = nextLine(rest);
         line.remove_prefix(line.starts_with(';') ? 1 : 0);

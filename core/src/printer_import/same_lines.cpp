@@ -11,14 +11,14 @@
 namespace sillon {
 namespace {
 
-// A line of a block that says anything: its code, and where it lies.
+// A line of a block that has code, and its place in the block [bytes].
 struct BlockLine {
   std::string_view code;
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-// Empty where there are too many to compare.
+// Lines that have code and do not concern the old print alone; empty if there are too many to compare.
 std::vector<BlockLine> linesOf(std::string_view block) {
   constexpr std::size_t kMost = 2000;
   std::vector<BlockLine> lines;
@@ -32,9 +32,10 @@ std::vector<BlockLine> linesOf(std::string_view block) {
   return lines;
 }
 
-// The same command, with numbers that differ by no more than a plate's edge that is not known to the bead.
+// Tells whether two lines have the same command, with about the same numbers. They may differ by the distance of a
+// plate's edge from its outer beads.
 bool saysTheSame(std::string_view a, std::string_view b) {
-  constexpr double kEdge = 2;  // [mm], and what else has a number
+  constexpr double kEdge = 2;  // [mm], or in the unit of any other number
   const auto isTool = [](std::string_view code) {
     return code.size() > 1 && code[0] == 'T' && code[1] >= '0' && code[1] <= '9';
   };

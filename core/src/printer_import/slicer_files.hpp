@@ -19,38 +19,39 @@ namespace sillon {
 
 // Readers of each kind of file; importPrinter tells them apart.
 
-inline constexpr std::size_t kMaxSettingsBytes = std::size_t{16} << 20;
-inline constexpr std::size_t kMaxBlockBytes = 65'536;  ///< of a start or end block
+inline constexpr std::size_t kMaxSettingsBytes = std::size_t{16} << 20;  ///< greatest size of a file's settings [bytes]
+inline constexpr std::size_t kMaxBlockBytes = 65'536;  ///< greatest size of a start or end block [bytes]
 
-/// PrusaSlicer's and SuperSlicer's settings, flat or a bundle. \param name  printer of a bundle, as importPrinter.
+/// Reads settings of PrusaSlicer or SuperSlicer, flat or a bundle. \param name  printer of a bundle, as for
+/// importPrinter.
 Result<ImportedPrinter> importIni(std::string_view text, std::string_view name);
 
-/// A JSON file: a preset of Orca or Bambu Studio, or a project of our own.
+/// Reads a JSON file: a preset of Orca or Bambu Studio, a definition of Cura, or a project of our own.
 Result<ImportedPrinter> importJson(std::string_view text);
 
-/// G-code that a slicer made for the printer.
+/// Reads G-code that a slicer made for the printer.
 Result<ImportedPrinter> importDonor(std::string_view text);
 
-/// Tells whether a line, trimmed, is where slicers begin a layer.
+/// Tells whether a line, trimmed, is a mark by which slicers begin a layer.
 bool isLayerMark(std::string_view line);
 
-// G-code as slicers spell it: capitals, one blank before each word, no zeros before a command's number.
+// Spelling of G-code by slicers: capitals, one blank before each word, no zeros before a command's number.
 
-/// \param line  trimmed. \return the same command in that spelling, with its comment; what is no G, M or T command, or
-/// holds text, is left as it is.
+/// Spells a command as slicers do. \param line  trimmed. \return the same command with its comment; a line that is no
+/// G, M or T command, or holds text, is returned unchanged.
 std::string spelled(std::string_view line);
 
-/// Tells whether a line is spelled so already, as nearly all lines are.
+/// Tells whether a line is spelled like that already, as nearly all lines are.
 bool isSpelled(std::string_view line);
 
-// A slicer's settings to a printer: which key is which field, in the words of PrusaSlicer, Orca and Cura.
+// Conversion of a slicer's settings to a printer, by the keys of PrusaSlicer, Orca and Cura.
 
 using SlicerSettings = std::map<std::string, std::string, std::less<>>;  ///< resolved values by the slicer's names
 
-/// Lays what is known of the settings over out.printer, and lists what was read and what could not be.
+/// Writes the known settings into out.printer, and lists what was read and what could not be.
 void takeSettings(const SlicerSettings& settings, ImportedPrinter& out);
 
-/// The note that a bed was assumed, with its size.
+/// Makes the note that a bed was assumed, with its size.
 ImportNote bedUnknown(const Printer& printer);
 
 /// Keeps one tool's value of lists with a value for each filament, such as "PLA;PETG".
@@ -59,77 +60,82 @@ void chooseTool(SlicerSettings& settings, std::size_t tool);
 /// Notes placeholders of the blocks that an export would refuse.
 void judgeBlocks(ImportedPrinter& out);
 
-/// takeSettings and judgeBlocks on a file of settings alone. \return InvalidFile where nothing in it is known.
+/// Makes the printer of a file of settings alone, by takeSettings and judgeBlocks, with the heating that its start
+/// block lacks. \return InvalidFile if no setting is known.
 Result<ImportedPrinter> printerOfSettings(const SlicerSettings& settings, ImportedPrinter out);
 
-/// Klipper, where the start block has commands that are words with an underline, which no other firmware knows: slicers
-/// say "marlin" of it, too.
+/// Sets the flavour to Klipper if the start block has commands that are words with an underscore, which no other
+/// firmware knows. Slicers call Klipper "marlin", too.
 void recogniseKlipper(ImportedPrinter& out);
 
-// The settings that a block asks for, put into it: an export knows the job, but not the slicer's file.
+// Settings that a block asks for are put into it, since an export knows the job, but not the slicer's file.
 
-/// Puts settings in the place of their names in {...} and [...], and blocks such as [start_filament_gcode] where they
-/// are called. Names that the job has a value for stay, and so do those that are in neither.
-/// \param job  as templateValues gives them.
+/// Replaces the names of settings in {...} and [...] with their values, and names of blocks, such as
+/// [start_filament_gcode], with the blocks. Names that the job has a value for stay, and so do unknown ones.
+/// \param job  values of the job, from templateValues.
 std::string withSettings(std::string_view block, const SlicerSettings& settings, const std::vector<TemplateValue>& job);
 
 // Words and numbers as slicers write their settings.
 
-/// In quotes, printable ASCII, at most 60 characters of it.
+/// Text as a sentence shows it: in quotes, printable ASCII, at most 60 characters of it.
 std::string shown(std::string_view text);
 
-/// The first number of "0.4", "0.4,0.4", "500;1250", "7.04172e-15": settings of several tools begin with the first
-/// one's. Nothing for a percentage.
+/// Reads the first number of "0.4", "0.4,0.4", "500;1250", "7.04172e-15": settings of several tools begin with the
+/// first one's. Nothing for a percentage.
 std::optional<double> firstNumber(std::string_view text);
 
-/// "0x0,220x0,220x220,0x220"; empty if it is not that.
+/// Reads corners such as "0x0,220x0,220x220,0x220" [mm]; empty if the text is something else.
 std::vector<Vec2> readCorners(std::string_view text);
 
-/// PrusaSlicer's and Cura's escapes in one-line texts.
+/// Resolves the quotes and escapes that PrusaSlicer and Cura use in one-line texts.
 std::string unescaped(std::string_view text);
 
 /// Counts the values of "1250,960" or "PLA;PETG".
 std::size_t itemsOf(std::string_view list);
 
-/// The k-th of them without its escapes, or the first where there are fewer.
+/// Value number `index` of such a list without its escapes, or the first if there are fewer.
 std::string itemOf(std::string_view list, std::size_t index);
 
-/// "key = value", split at the first equal sign only: values hold them too.
+/// Splits "key = value" at the first equal sign only, since values hold them, too. \return false: the line has no key.
 bool splitSetting(std::string_view line, std::string_view& key, std::string_view& value);
 
-// The area of a bed that a plate may use, as Orca's settings tell it.
+// Area of a bed that a plate may use, by Orca's settings.
 
+/// Usable area of a bed.
 struct BedArea {
-  Bounds bed;       ///< [mm]
+  Bounds bed;       ///< box of the bed [mm]
   Bounds excluded;  ///< a box within it; empty: none
 };
 
-/// Keeps what all of several nozzles reach. \param text  extruder_printable_area: corners of a box for each.
-/// \return whether it could be read.
+/// Reduces the bed to what all of several nozzles reach. \param text  extruder_printable_area: corners of a box for
+/// each. \return false: it could not be read.
 bool reachByAll(std::string_view text, BedArea& area);
 
-/// Strips along whole edges, and an outline that runs along the edges, make the bed smaller; the box around all else is
-/// excluded. \param text  bed_exclude_area: corners, four for each of several boxes. \return whether it could be read.
+/// Excludes parts of the bed. Strips along whole edges, and an outline that runs along the edges, make the bed smaller;
+/// the box around all else is excluded. \param text  bed_exclude_area: corners, four for each of several boxes.
+/// \return false: it could not be read.
 bool exclude(std::string_view text, BedArea& area);
 
-// Compares lines of a printed block with what a template says of them.
+// Comparison of the lines of a printed block with its template.
 
+/// Tells whether a line is this command, with words or without.
 bool isCommand(std::string_view line, std::string_view word);
 
+/// Text up to the first blank.
 std::string_view firstWord(std::string_view text);
 
-/// Belongs to the print it was made for, and says nothing about ours.
+/// Tells whether a line concerns only the print that it was made for: its progress, its objects, its layers.
 bool isOfOldPrint(std::string_view line);
 
-/// A range of a text [bytes]; end is 0: none.
+/// A range of a text [bytes]; none if end is 0.
 struct Stretch {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// Finds where the lines of a block say the same, one by one and with no command between, as a template's: the same
-/// commands with about the same numbers. The slicer knows the plate's edge, a donor tells its beads. \param told  the
-/// template with the donor's own values.
+/// Finds the lines of a block that say the same as a template's, one by one and with no command between: the same
+/// commands with about the same numbers, since the slicer knows the plate's edge, but a donor shows its beads alone.
+/// \param done  the block. \param told  the template with the donor's own values.
 Stretch whereSaid(std::string_view done, std::string_view told);
 
 }  // namespace sillon

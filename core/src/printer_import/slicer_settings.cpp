@@ -20,11 +20,12 @@
 namespace sillon {
 namespace {
 
-using Keys = std::initializer_list<std::string_view>;  // of one setting, the first that is there counts
+using Keys = std::initializer_list<std::string_view>;  // keys of one setting; the first that is there counts
 
-constexpr double kFastBoard = 1000;     // [moves/s]
-constexpr double kAcceleration = 1500;  // [mm/s²], of beads; U-turns show what lies above
+constexpr double kFastBoard = 1000;     // [moves/s], rate of a computer or a board of 32 bits
+constexpr double kAcceleration = 1500;  // [mm/s²], greatest for beads: U-turns show what is above it
 
+// Reads a slicer's settings into a printer.
 class SettingsReader {
  public:
   SettingsReader(const SlicerSettings& settings, ImportedPrinter& out)
@@ -36,12 +37,12 @@ class SettingsReader {
     bed();
     numbers();
     filamentFlow();
-    flavor();  // after the name
+    flavor();  // needs the name
     cornerSpeed();
     block({"start_gcode", "machine_start_gcode"}, p_.startGcode);
     block({"end_gcode", "machine_end_gcode"}, p_.endGcode);
     recogniseKlipper(out_);
-    applyAdvance(out_.profile, p_);  // after the filament and the nozzle
+    applyAdvance(out_.profile, p_);  // needs the filament and the nozzle
   }
 
  private:
@@ -65,9 +66,10 @@ class SettingsReader {
   const SlicerSettings& settings_;
   ImportedPrinter& out_;
   Printer& p_;
-  std::string key_;  // the one that was found last
+  std::string key_;  // key that was found last
 };
 
+// Text of a setting by the first of its keys that has a value; null: none.
 const std::string* SettingsReader::find(Keys keys) {
   for (const std::string_view key : keys) {
     const auto found = settings_.find(key);
@@ -78,6 +80,7 @@ const std::string* SettingsReader::find(Keys keys) {
   return nullptr;
 }
 
+// Reads a number, and notes one that is not within its limits.
 void SettingsReader::number(Keys keys, double low, double high, double& out) {
   const std::string* text = find(keys);
   if (text == nullptr) return;
@@ -93,15 +96,16 @@ void SettingsReader::number(Keys keys, double low, double high, double& out) {
   took();
 }
 
-/// 0 where it is not told, or 0 itself: slicers' way to say that there is no limit. \param high  the most that is
-/// taken.
+/// Reads a number that slicers set to 0 for no limit. \param high  greatest value that is taken. \return 0: no limit,
+/// or no value.
 double SettingsReader::positive(Keys keys, double high) {
   double value = 0;
   number(keys, 0, high, value);
   return value;
 }
 
-// What the maker publishes and files do not tell, as the board's rate, comes from the profile of the same machine.
+// Begins with the profile of the same machine, for what its maker publishes and files do not state, as the board's
+// rate.
 void SettingsReader::profile() {
   for (const std::string_view key : {"printer_model", "inherits", "printer_settings_id", "name"}) {
     const auto found = settings_.find(key);
@@ -113,6 +117,7 @@ void SettingsReader::profile() {
   }
 }
 
+// Reads the printer's name, the type of filament, and the sizes of thumbnails.
 void SettingsReader::names() {
   if (const std::string* text = find({"printer_model", "printer_settings_id", "name"})) {
     p_.name = text->substr(0, 100);
@@ -134,6 +139,7 @@ void SettingsReader::names() {
   }
 }
 
+// Reads the shape of the bed, and the parts of it that cannot be used.
 void SettingsReader::bed() {
   if (const std::string* text = find({"bed_shape", "printable_area"})) {
     const std::vector<Vec2> corners = readCorners(*text);
@@ -163,7 +169,7 @@ void SettingsReader::bed() {
   BedArea area{{p_.bedMin, p_.bedMax}, {}};
   if (const std::string* text = find({"extruder_printable_area"}); text != nullptr && reachByAll(*text, area)) took();
   if (const std::string* text = find({"bed_exclude_area"});
-      text != nullptr && *text != "0x0") {  // Orca's way to say none
+      text != nullptr && *text != "0x0") {  // Orca writes 0x0 for none
     exclude(*text, area) ? took() : failed("ExcludedArea", *text);
   }
   p_.bedMin = area.bed.min;
@@ -174,9 +180,10 @@ void SettingsReader::bed() {
   }
 }
 
+// Reads sizes, filament, temperatures, retraction and limits.
 void SettingsReader::numbers() {
   number({"max_print_height", "printable_height", "machine_height"}, 1, 5000, p_.maxZ);
-  number({"z_offset", "adhesion_z_offset"}, -2, 2, p_.zOffset);  // the second one is of Cura's Z offset plugin
+  number({"z_offset", "adhesion_z_offset"}, -2, 2, p_.zOffset);  // the second key is from Cura's Z offset plugin
   number({"nozzle_diameter", "machine_nozzle_size"}, 0.05, 2, p_.nozzle);
   number({"filament_diameter", "material_diameter"}, 0.5, 5, p_.filamentDiameter);
   number({"filament_density", "material_density"}, 0.1, 25, p_.filamentDensity);
@@ -194,7 +201,7 @@ void SettingsReader::numbers() {
   const double flow = positive({"filament_max_volumetric_speed"}, 1000);
   if (flow > 0.1) p_.maxFlow = flow;
   const double lift = positive({"retract_lift", "z_hop"}, 20);
-  if (lift > 0) p_.lift = lift;  // without any, travels would cross the finished top
+  if (lift > 0) p_.lift = lift;  // without a lift, travels would cross the finished top
   const double acceleration = positive({"machine_max_acceleration_extruding"}, 100'000);
   if (acceleration >= 1) {
     p_.machineAcceleration = acceleration;
@@ -206,10 +213,10 @@ void SettingsReader::numbers() {
   if (jerk > 0) p_.cornerSpeed = std::clamp(jerk / 2, 0.1, 100.0);
 }
 
-// What the owner measured for the filament; OrcaSlicer has another share for the whole print.
+// Reads the flow that the owner measured for the filament, times OrcaSlicer's factor for the whole print.
 void SettingsReader::filamentFlow() {
-  constexpr double kLeast = 0.1, kMost = 2;  // of the setting
-  double percent = 100;                      // Cura's
+  constexpr double kLeast = 0.1, kMost = 2;  // limits of the setting
+  double percent = 100;                      // Cura's factor
   double print = 1;
   number({"extrusion_multiplier", "filament_flow_ratio"}, kLeast, kMost, p_.filamentFlow);
   number({"material_flow"}, 100 * kLeast, 100 * kMost, percent);
@@ -219,8 +226,8 @@ void SettingsReader::filamentFlow() {
   addNote(out_.notRead, importNote("FlowTaken", {{"value", decimal(p_.filamentFlow, 3)}}));
 }
 
-// Slicers write these firmwares' jerk into each file, so that it is known what the printer has; Klipper has another
-// measure and RepRapFirmware its own file.
+// Takes the file's jerk as the printer's, since slicers write it into each file. Klipper has another measure, and
+// RepRapFirmware its own file.
 void SettingsReader::cornerSpeed() {
   if (find({"machine_max_jerk_x"}) == nullptr) return;
   if (p_.flavor == GcodeFlavor::Klipper || p_.flavor == GcodeFlavor::RepRap) return;
@@ -228,18 +235,20 @@ void SettingsReader::cornerSpeed() {
   p_.cornerSpeed = std::min(p_.cornerSpeed, Printer{}.cornerSpeed);
 }
 
+// Reads the firmware, and knows Prusa's and Bambu's machines by their names.
 void SettingsReader::flavor() {
   if (const std::string* text = find({"gcode_flavor", "machine_gcode_flavor"})) {
     std::string word = *text;
     for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    if (word.find("marlin") != std::string::npos) {               // Cura: RepRap (Marlin/Sprinter)
-      if (out_.profile.empty()) p_.flavor = GcodeFlavor::Marlin;  // what slicers say for want of a better word
+    if (word.find("marlin") != std::string::npos) {               // Cura writes RepRap (Marlin/Sprinter)
+      if (out_.profile.empty()) p_.flavor = GcodeFlavor::Marlin;  // slicers also write it for lack of a better word
     } else if (word == "klipper") {
       p_.flavor = GcodeFlavor::Klipper;
     } else if (word.starts_with("reprap")) {
       p_.flavor = GcodeFlavor::RepRap;
     } else {
-      // The Ultimaker 2 and its kin, whose files tell no filament: 2.85 mm. Under no such header they count E in mm.
+      // UltiGCode is for the Ultimaker 2 and its kin, with filament of 2.85 mm that files do not state. In files
+      // without that header, as ours, they count E in mm.
       if (word == "ultigcode" && p_.filamentDiameter == Printer().filamentDiameter) p_.filamentDiameter = kWideFilament;
       return failed("Flavor", *text);
     }
@@ -251,10 +260,11 @@ void SettingsReader::flavor() {
     p_.flavor = GcodeFlavor::PrusaBuddy;
   }
   if (p_.name.starts_with("Bambu Lab")) p_.flavor = GcodeFlavor::Bambu;
-  // Klipper runs on a computer, the others on boards of 32 bits.
+  // Klipper runs on a computer, and the others except Marlin on boards of 32 bits.
   if (out_.profile.empty() && p_.flavor != GcodeFlavor::Marlin) p_.maxSegmentsPerSecond = kFastBoard;
 }
 
+// Reads a block, and fills in the settings that it asks for.
 void SettingsReader::block(Keys keys, std::string& out) {
   const std::string* text = find(keys);
   if (text == nullptr) return;
@@ -263,7 +273,7 @@ void SettingsReader::block(Keys keys, std::string& out) {
   for (std::string_view rest = *text; !rest.empty();) {
     const std::string_view line = nextLine(rest);
     const std::string_view plain = trimmed(line);
-    // The first layer's mark, and the name of its slicer: the file is not that slicer's.
+    // Marks of layers and the slicer's name are left out: the new file is not that slicer's.
     const bool foreign = isLayerMark(plain) || (plain.starts_with(';') && plain.find("enerated by") != plain.npos);
     if (!foreign) lines.append(line).append("\n");
   }
@@ -287,7 +297,7 @@ void takeSettings(const SlicerSettings& settings, ImportedPrinter& out) { Settin
 
 namespace {
 
-// For blocks that work something out of it.
+// A plate in the middle of the bed, for blocks that compute something from the plate.
 Bounds somePlate(const Printer& printer) {
   const Vec2 middle = 0.5 * (printer.bedMin + printer.bedMax);
   const Vec2 quarter = 0.25 * (printer.bedMax - printer.bedMin);
@@ -319,12 +329,12 @@ void judgeBlocks(ImportedPrinter& out) {
 
 namespace {
 
-// Slicers heat by themselves what a start block does not, and so do blocks that come from their settings.
+// Adds the heating that a start block lacks, as its slicer does by itself.
 void addHeating(Printer& printer) {
   std::string& block = printer.startGcode;
   if (block.empty()) return;
   const auto expanded = expandTemplate(block, templateValues(printer, {}, somePlate(printer)), "");
-  if (!expanded) return;  // judgeBlocks says why
+  if (!expanded) return;  // judgeBlocks notes the reason
   const GcodeCheck check = checkGcode(expanded.value(), printer);
   if (!check.heatsNozzle) {
     if (!block.ends_with('\n')) block += '\n';

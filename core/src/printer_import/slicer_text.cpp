@@ -55,7 +55,7 @@ std::string unescaped(std::string_view text) {
 
 namespace {
 
-// Texts may hold commas.
+// Separator of a list: a semicolon between texts, which may hold commas, else a comma.
 char separatorOf(std::string_view list) { return list.find_first_of(";\"") != std::string_view::npos ? ';' : ','; }
 
 }  // namespace

@@ -10,7 +10,8 @@ bool isSmall(char c) { return c >= 'a' && c <= 'z'; }
 bool isLetter(char c) { return isSmall(c) || (c >= 'A' && c <= 'Z'); }
 char capital(char c) { return isSmall(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 
-// Moves and heaters. Other commands may take texts, lists and numbers with signs of their own (M117, M620 S1A).
+// Tells whether a line is a command with plain words: G, T, and M of modes, heaters and fans. Other commands may take
+// texts, lists and numbers with signs of their own (M117, M620 S1A).
 bool isCode(std::string_view line) {
   if (line.size() < 2 || !isDigit(line[1])) return false;
   const char letter = capital(line[0]);
@@ -25,7 +26,7 @@ bool isCode(std::string_view line) {
 
 std::string_view codePart(std::string_view line) { return line.substr(0, line.find(';')); }
 
-// Words, and nothing else: letters with numbers or alone.
+// Tells whether a text is nothing but words: letters with numbers or alone.
 bool isWords(std::string_view rest) {
   return std::all_of(rest.begin(), rest.end(), [before = ' '](char c) mutable {
     const bool word = !isLetter(c) || !isLetter(before);

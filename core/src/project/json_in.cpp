@@ -1,4 +1,4 @@
-// Reads project files. They are hostile: sizes, nesting and repeated keys are settled before anything is built.
+// Reads project files. They count as hostile, so sizes, nesting and repeated keys are checked before anything is built.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -21,7 +21,7 @@ constexpr const char* kStudio = "studio";
 constexpr std::array kSections{Section::Shape,    Section::Layers, Section::Pictures,
                                Section::Toolpath, Section::Print,  Section::Printer};
 
-/// Looks a JSON text over without building it: syntax, nesting, repeated keys.
+/// Checks a JSON text without building it: syntax, nesting, repeated keys.
 class Inspector : public nlohmann::json_sax<Json> {
  public:
   explicit Inspector(std::string_view text) : text_(text) {}
@@ -47,7 +47,7 @@ class Inspector : public nlohmann::json_sax<Json> {
     const std::size_t end = std::min(position, text_.size());
     const std::string_view before = text_.substr(0, end);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    const std::size_t column = end - (before.rfind('\n') + 1);  // npos + 1 is 0
+    const std::size_t column = end - (before.rfind('\n') + 1);  // npos + 1 is 0, in the first line
     problem = "the text is not JSON at line " + std::to_string(line) + ", column " + std::to_string(column) +
               "; a project or scene is one JSON object";
     return false;
@@ -68,10 +68,10 @@ class Inspector : public nlohmann::json_sax<Json> {
   }
 
   std::string_view text_;
-  std::vector<std::set<std::string>> keys_;  // of the objects that are open; empty ones for lists
+  std::vector<std::set<std::string>> keys_;  // keys of each open object; an empty set for a list
 };
 
-/// The version, or what tells a scene; \return what is wrong. Empty: nothing.
+/// Checks that an object is a project of the known version, or a scene. \return the fault; empty: none.
 std::string wrongKind(const Json& root) {
   const auto version = root.find("sillon");
   if (version != root.end()) {
@@ -89,7 +89,7 @@ std::string wrongKind(const Json& root) {
          "\"svg_path\"";
 }
 
-/// \return what is wrong: an unknown key, a wrong type. Empty: nothing.
+/// Reads a project. \return the fault, such as an unknown key or a wrong type; empty: none.
 std::string readRoot(const Json& root, Project& project) {
   std::vector<std::string> known{"sillon"};
   for (const Section section : kSections) known.emplace_back(sectionName(section));

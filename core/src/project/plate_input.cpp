@@ -25,10 +25,10 @@
 namespace sillon {
 namespace {
 
-constexpr int kPaintedSide = 1024;  // of a drawing in its colours [pixels]
+constexpr int kPaintedSide = 1024;  // longer side of a drawing in its colours [pixels]
 
-// By its content, of which no picture is packed by gzip; what is no XML and no picture either may be meant for one by
-// its name.
+// Tells whether a file is an SVG: by its content if it is XML or packed by gzip, as no picture is; otherwise by its
+// name, if it is text.
 bool looksLikeSvg(std::string_view bytes, std::string_view name) {
   if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
@@ -37,6 +37,7 @@ bool looksLikeSvg(std::string_view bytes, std::string_view name) {
   return text && (name.ends_with(".svg") || name.ends_with(".SVG"));
 }
 
+// Decodes a picture, or checks one that is decoded already.
 Result<Image> picture(InputFile file, const std::string& name) {
   if (auto* decoded = std::get_if<Image>(&file)) {
     if (const std::string defect = imageDefect(*decoded); !defect.empty()) {
@@ -48,13 +49,13 @@ Result<Image> picture(InputFile file, const std::string& name) {
   return decodeImage(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()), name);
 }
 
-/// Why a drawing could not be read: it may be empty since no font has its letters.
+/// Error of a drawing that could not be read. If it is empty because no font has its letters, the error says so.
 Error withoutLetters(const Error& error, const std::vector<LackedLetter>& lacked) {
   const auto lost = std::find_if(lacked.begin(), lacked.end(), [](const auto& one) { return one.font.empty(); });
   return error.code == ErrorCode::EmptyShape && lost != lacked.end() ? missingLetter("", *lost) : error;
 }
 
-/// Reads an SVG, and draws its text.
+/// Reads an SVG and draws its text; letters that fonts lack are listed in its facts.
 Result<SvgPainting> paintingFrom(const ReadInput& read, std::string_view text, SvgOptions svg) {
   svg.letters.choose = fontOfDrawing;
   std::vector<LackedLetter> lacked;
@@ -73,9 +74,10 @@ Result<SvgPainting> paintingFrom(const ReadInput& read, std::string_view text, S
 
 struct DrawingOptions {
   SvgOptions svg;
-  double maskWidth = kDefaultWidth;  // [mm]
+  double maskWidth = kDefaultWidth;  // width of a mask picture [mm]
 };
 
+/// Reads a drawing, or the shape of a mask picture.
 Result<Shape> drawingFrom(const ReadInput& read, const std::string& name, const std::string& what,
                           const DrawingOptions& options) {
   Result<InputFile> file = read(name, what);
@@ -100,7 +102,7 @@ Result<Shape> shapeFromFile(const Project& project, const ReadInput& read) {
   return drawingFrom(read, project.shapeFile, "shape", options);
 }
 
-// The stages know no files; whoever has many needs to know which one is meant.
+// Names the file in an error. The stages know no files, but a user with many must learn which one is meant.
 Error named(const char* what, const std::string& file, const Error& error) {
   const bool known = file.empty() || error.message.find(file) != std::string::npos;
   Error out = error;
@@ -108,7 +110,7 @@ Error named(const char* what, const std::string& file, const Error& error) {
   return out;
 }
 
-/// Letters as wide as the size, or as fit into it. They are drawn once for their proportions, and again at their size.
+/// Draws letters as wide as the size, or as large as fits into it: once for their proportions, then at their size.
 Result<Shape> textOf(const Project& project, const ReadInput& read, Vec2 size) {
   Lettering lettering{project.shapeText, project.shapeFont};
   lettering.weight = project.shapeWeight;
@@ -118,14 +120,14 @@ Result<Shape> textOf(const Project& project, const ReadInput& read, Vec2 size) {
   lettering.capHeight *= size.y == 0 ? size.x / drawn.x : std::min(size.x / drawn.x, size.y / drawn.y);
   Result<Shape> shape = textShape(lettering, read);
   if (!shape || size.y == 0) return shape;
-  // The page is as large as asked; letters of other proportions stand in its middle.
+  // The page has the size asked for; letters of other proportions stand in its middle.
   const Vec2 free = (size - shape.value().page) * 0.5;
   movePoints(shape.value(), [free](Vec2 point) { return point + free; });
   shape.value().page = size;
   return shape;
 }
 
-/// \param lines  picture of the directions, if there is one: it lends its proportions where no height is given.
+/// \param lines  picture of the directions, if there is one; the shape takes its proportions if no height is given.
 Result<Shape> builtinShape(const Project& project, const ReadInput& read, const std::optional<Image>& lines) {
   Vec2 size = project.builtinSize;
   if (size.x == 0) size.x = kDefaultWidth;
@@ -223,7 +225,7 @@ Result<PaintedFile> readPainted(const ReadInput& read, const std::string& name, 
 
 namespace {
 
-// A hundredth of it is seen through.
+// Tells whether a picture has an alpha channel and at least a hundredth of it is transparent.
 bool isCutOut(const Image& image) {
   if (image.channels % 2 != 0) return false;
   std::size_t clear = 0;
@@ -238,7 +240,7 @@ struct LowestField {
   ModeMap modes;
 };
 
-/// \param lines  receives the picture of the lowest layer, if it has one.
+/// \param lines  receives the direction picture of the lowest layer, if it has one.
 Result<LowestField> fieldOf(const Project& project, const ReadInput& read, std::optional<Image>& lines) {
   const Layer* const ground = groundOf(project.layers);
   if (ground == nullptr) return LowestField{uniformDirection(0).value(), uniformMode(DirectionMode::Constrained)};
@@ -255,13 +257,14 @@ Result<LowestField> fieldOf(const Project& project, const ReadInput& read, std::
   return LowestField{std::move(directions).value(), std::move(modes).value()};
 }
 
-/// Takes as much memory as the plate.
+/// Keeps thin places of a shape. This takes as much memory as the plate, so its size is checked first.
 Result<Shape> withThinPlaces(Shape shape, double spacing, const RunContext& run) {
   if (auto error = plateTooLarge(bounds(shape).size(), spacing, run.memory())) return *error;
   return keepThinPlaces(std::move(shape), spacing, run);
 }
 
-/// Does to any shape what the project asks for. Holes come last, so that nothing else changes them.
+/// Applies the offset, thin places and holes of a project to a shape. Holes come last, so that nothing else changes
+/// them.
 Result<Shape> finished(Result<Shape> shape, const Project& project, const RunContext& run) {
   if (shape && project.outlineOffset != 0) shape = offsetShape(std::move(shape).value(), project.outlineOffset, run);
   if (shape && project.keepThin) shape = withThinPlaces(std::move(shape).value(), project.toolpath.spacing, run);
@@ -282,7 +285,7 @@ Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read,
   std::optional<Image> lines;
   Result<LowestField> field = fieldOf(project, read, lines);
   if (!field) return field.error();
-  // Pictures are solved for later; here the first lends its proportions.
+  // Pictures are solved later; here only the proportions of the first one matter.
   const Layer* const ground = groundOf(project.layers);
   const PictureLayer* const lit = ground == nullptr ? nullptr : ground->as<PictureLayer>();
   const bool open = project.builtin == BuiltinShape::None || project.builtinSize.y == 0;

@@ -19,16 +19,16 @@ constexpr const char* kIterations = "alignment_iter_per_level";
 constexpr const char* kSeed = "seed";
 constexpr const char* kRepulse = "repulse_curves";
 constexpr const char* kHeight = "layer_height_rt_nozzle_width";
-constexpr const char* kCache = "force_sdf_computation";  // a switch of its reader's cache
-constexpr const char* kShells = "shell_count";           // in one of them, where it asks for nothing
+constexpr const char* kCache = "force_sdf_computation";  // cache switch of the paper's program; ignored
+constexpr const char* kShells = "shell_count";           // in one published scene, where it is 0
 
-/// Reads keys one by one; stops at the first that is wrong and remembers it.
+/// Reads keys one by one and stops at the first fault, which it keeps.
 class SceneReader {
  public:
   explicit SceneReader(const Json& root) : root_(root) {}
   std::string problem;
 
-  /// \return whether the key is there and right.
+  /// Reads one key. \return true if it is there and valid.
   template <class Value, class Read>
   bool take(const char* key, Value& out, const Read& read) {
     if (!problem.empty()) return false;
@@ -95,7 +95,8 @@ std::string readSceneKeys(const Json& root, Project& project) {
     project.toolpath.perimeterMode = count == 0 ? PerimeterMode::None : PerimeterMode::Count;
     project.toolpath.perimeters = count;
   }
-  // 8 sweeps in place smooth as well as the 32 published ones, which read the old field throughout.
+  // 8 sweeps in place (Gauss-Seidel) smooth as well as the 32 published ones, which read the old field throughout
+  // (Jacobi).
   int iterations = 0;
   if (reader.integer(kIterations, iterations, 1, 4000)) project.toolpath.sweepsPerLevel = std::max(1, iterations / 4);
   reader.seed(kSeed, project.toolpath.seed);

@@ -11,15 +11,15 @@
 namespace sillon {
 namespace {
 
-// Everything that the pieces of all beads are compared with.
+// The requested directions and modes, with which pieces of beads are compared.
 struct Asked {
   const BorderIndex& border;
   Vec2 page;
   const DirectionMap& directions;
-  const std::vector<Vec2f>& lines;  ///< as beadLines
+  const std::vector<Vec2f>& lines;  ///< line of each angle of a map, from beadLines()
   const ModeMap& modes;
   double spacing;
-  double shallow;  ///< [mm] from the border: the perimeters, in which no bead is constrained
+  double shallow;  ///< [mm] from the border, depth of the perimeters, in which no bead is constrained
 
   [[nodiscard]] Vec2f lineAt(TexelIndex at) const {
     return lines[directions.angle[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(directions.width) +
@@ -34,13 +34,14 @@ struct Asked {
   }
 };
 
-// Some segments of one cycle, the last one left out: what threads share out.
+// Segments begin to end - 1 of one cycle: the unit of work that threads share.
 struct Stretch {
   const Cycle* cycle;
   std::size_t begin;
   std::size_t end;
 };
 
+// Cuts the cycles into stretches of at most kSegments segments.
 std::vector<Stretch> stretchesOf(const Toolpath& toolpath) {
   constexpr std::size_t kSegments = 4096;
   std::vector<Stretch> stretches;
@@ -51,12 +52,13 @@ std::vector<Stretch> stretchesOf(const Toolpath& toolpath) {
   return stretches;
 }
 
+// Sums the alignment over the pieces of a stretch.
 Alignment sumsOf(const Stretch& stretch, const Asked& asked) {
   Alignment sums;
   const std::vector<Vec2f>& points = stretch.cycle->points;
   TexelIndex last{-1, -1};
-  Vec2f z;          // of the last texel
-  double away = 0;  // from the border, at least, at the start of a segment
+  Vec2f z;          // doubled-angle line of the last texel
+  double away = 0;  // lower bound of the distance from the border at the start of a segment [mm]
   for (std::size_t k = stretch.begin; k < stretch.end; ++k) {
     const Vec2 a = wide(points[k]);
     const Vec2 b = wide(points[k + 1 < points.size() ? k + 1 : 0]);
@@ -65,7 +67,7 @@ Alignment sumsOf(const Stretch& stretch, const Asked& asked) {
     const Vec2 t = (b - a) * (1 / size);
     const int pieces = static_cast<int>(std::ceil(size / (asked.spacing / 8)));
     const double share = size / pieces;
-    const auto cos2Of = [&] {  // of the angle between the lines, from their doubled angles
+    const auto cos2Of = [&] {  // cos² of the angle between the lines
       return 0.5 * (1 + (t.x * t.x - t.y * t.y) * static_cast<double>(z.x) + 2 * t.x * t.y * static_cast<double>(z.y));
     };
     double cos2 = cos2Of();

@@ -18,20 +18,20 @@ namespace sillon {
 namespace {
 
 constexpr int kPixelsPerSpacing = 20;
-constexpr int kTileWidth = 128;     ///< pixels, of two words
-constexpr int kTileHeight = 256;    ///< pixels; what one tile needs stays in the second-level cache
-constexpr double kApart = 3;        ///< [tau] along a cycle: further apart are two passes
-constexpr int kNear = 2;            ///< stretches before one that belong to its pass: 2 to 3 of them are kApart
-constexpr double kAreaShare = 0.8;  ///< of the time that measuring takes
-constexpr float kRounding = 1e-3f;  ///< of a toolpath's numbers [mm]
+constexpr int kTileWidth = 128;     ///< pixels: two words
+constexpr int kTileHeight = 256;    ///< pixels; the data of one tile stays in the second-level cache
+constexpr double kApart = 3;        ///< [tau] along a cycle; places further apart belong to two passes
+constexpr int kNear = 2;            ///< stretches before one that belong to its pass; 2 to 3 of them make kApart
+constexpr double kAreaShare = 0.8;  ///< share of the time of measuring
+constexpr float kRounding = 1e-3f;  ///< rounding of a toolpath's numbers [mm]
 
-// Pixels of one row of a tile, one bit each.
+// RowBits are the pixels of one row of a tile, one bit each.
 using RowBits = U2;
 
 bool any(RowBits row) { return (row[0] | row[1]) != 0; }
 int countOf(RowBits row) { return any(row) ? std::popcount(row[0]) + std::popcount(row[1]) : 0; }
 
-// The first n pixels, for n from 0 to all of them.
+// Masks of the first n pixels, for n from 0 to all of them.
 alignas(RowBits) constexpr std::array<std::array<std::uint64_t, 2>, kTileWidth + 1> kFirst = [] {
   std::array<std::array<std::uint64_t, 2>, kTileWidth + 1> first{};
   for (std::size_t n = 1; n < first.size(); ++n) {
@@ -49,7 +49,7 @@ RowBits firstPixels(int n) {
 
 RowBits rowOf(int begin, int end) { return firstPixels(end) & ~firstPixels(begin); }
 
-// A bead from a to b, with the arc length at a along its cycle. It is the union of discs centred on its segment.
+// A bead from a to b, as the union of discs centred on its segment; `along` is the arc length of a on its cycle [mm].
 struct Bead {
   Vec2f a;
   Vec2f b;
@@ -60,26 +60,27 @@ struct Bead {
   std::int32_t cycle;
 };
 
-// A cycle is cut into stretches of equal length, about kApart / (kNear + 1/2).
+// Stretches of a cycle, of equal length: about kApart / (kNear + 1/2).
 struct Stretches {
   int count = 1;
   float perMm = 0;
 };
 
-// The raster and what lies on it: made once, read by all tiles.
+// The raster and the beads and shape on it; made once, read by all tiles.
 struct BeadRaster {
   Grid raster;
-  double perMm = 0;  ///< pixels
+  double perMm = 0;  ///< pixels per mm
   int tilesAcross = 0;
   int tiles = 0;
-  float pieceLength = 0;               ///< of beads, as they are laid [mm]
-  std::vector<Stretches> stretchesOf;  ///< of each cycle
+  float pieceLength = 0;               ///< longest piece of a bead that is laid at once [mm]
+  std::vector<Stretches> stretchesOf;  ///< stretches of each cycle
   std::vector<Bead> beads;
   std::vector<std::size_t> begin;             ///< tile t has beadOf[begin[t]] .. beadOf[begin[t + 1] - 1]
-  std::vector<std::int32_t> beadOf;           ///< ascending within a tile
-  std::vector<std::vector<Interval>> inside;  ///< of each row
+  std::vector<std::int32_t> beadOf;           ///< indices of beads, ascending within a tile
+  std::vector<std::vector<Interval>> inside;  ///< intervals of each row inside the shape
 };
 
+// Adds the beads of all cycles and cuts each cycle into stretches.
 void addBeads(const Toolpath& toolpath, BeadRaster& laid) {
   const double stretch = kApart * toolpath.spacing / (kNear + 0.5);
   laid.pieceLength = static_cast<float>(stretch);
@@ -98,9 +99,11 @@ void addBeads(const Toolpath& toolpath, BeadRaster& laid) {
   }
 }
 
+// Makes the raster around a box.
 Grid rasterOf(const Bounds& box, double spacing) {
   const double pixel = spacing / kPixelsPerSpacing;
-  // Not a whole number of pixels: drawings like round numbers, and a border through pixel centres would be a tie.
+  // The margin is not a whole number of pixels, because drawings like round numbers, and a border through pixel centres
+  // would leave a tie.
   const double margin = 2 * spacing + 0.382 * pixel;
   return {{box.min.x - margin, box.min.y - margin},
           pixel,
@@ -108,7 +111,7 @@ Grid rasterOf(const Bounds& box, double spacing) {
           static_cast<int>((box.size().y + 2 * margin) / pixel) + 1};
 }
 
-// The tiles that the box around a bead touches, all inclusive.
+// Range of the tiles that the box around a bead touches, both ends included.
 struct Reach {
   int x0;
   int x1;
@@ -116,6 +119,7 @@ struct Reach {
   int y1;
 };
 
+// Finds the tiles that a bead may touch.
 Reach reachOf(const Bead& bead, const BeadRaster& laid) {
   const Grid& raster = laid.raster;
   const auto tileOf = [&](double v, double origin, int count, int size) {
@@ -129,7 +133,7 @@ Reach reachOf(const Bead& bead, const BeadRaster& laid) {
       tileOf(y0 - r, raster.origin.y, raster.ny, kTileHeight), tileOf(y1 + r, raster.origin.y, raster.ny, kTileHeight)};
 }
 
-// Counting sort: within a tile the beads stay in order, as TilePasses needs them.
+// Sorts beads into tiles by a counting sort, which keeps them in order within a tile, as TilePasses needs.
 void sortIntoTiles(BeadRaster& laid) {
   const auto forTiles = [&](const Bead& bead, const auto& visit) {
     const Reach r = reachOf(bead, laid);
@@ -148,6 +152,7 @@ void sortIntoTiles(BeadRaster& laid) {
   }
 }
 
+// Makes the raster, with beads and shape.
 BeadRaster beadRasterOf(const Toolpath& toolpath, const Shape& shape, const Bounds& box) {
   BeadRaster laid;
   laid.raster = rasterOf(box, toolpath.spacing);
@@ -161,8 +166,9 @@ BeadRaster beadRasterOf(const Toolpath& toolpath, const Shape& shape, const Boun
   return laid;
 }
 
-// What of a tile is passed over, and what more than once. Positions at most kApart from the last one belong to the same
-// pass, the end of a cycle to its beginning; this is told by whole stretches, each in a mask of its own.
+// The pixels of a tile that are passed over, and those passed over more than once. Positions at most kApart apart along
+// a cycle belong to the same pass, also across its seam. Passes are told apart by whole stretches, each with a mask of
+// its own.
 class TilePasses {
  public:
   void lay(const Capsule& piece, std::int32_t cycle, int stretch, const Stretches& stretches) {
@@ -191,7 +197,7 @@ class TilePasses {
     mask.end = std::max(mask.end, end);
   }
 
-  // Counts what lies on the first `rows` rows and `columns` pixels of them, and begins anew.
+  // Counts the pixels on the first `rows` rows and `columns` columns, and clears the tile.
   template <class InsideRow, class SpilledOf>
   BeadArea take(int rows, int columns, const InsideRow& insideRow, const SpilledOf& spilledOf) {
     close();
@@ -216,9 +222,9 @@ class TilePasses {
  private:
   struct Mask {
     int stretch = 0;
-    int begin = kTileHeight;  ///< rows that may hold something
+    int begin = kTileHeight;  ///< range of rows that may hold pixels
     int end = 0;
-    bool covers = false;  ///< whether covered_ holds it
+    bool covers = false;  ///< covered_ contains this mask
     std::array<RowBits, kTileHeight> rows{};
 
     void clear() {
@@ -229,9 +235,9 @@ class TilePasses {
     }
   };
 
-  // What is near a stretch does not count as covered for it, so each is added only when it is near no longer: where
-  // nothing else lies nothing has to be compared. To join all that is near for each stretch took a
-  // twelfth more instructions.
+  // A mask is added to covered_ only when it is no longer near the current stretch, because near stretches do not count
+  // as covered for it. Where nothing else lies, nothing need be compared. Joining all near masks for each stretch took
+  // a twelfth more instructions.
   void cover(Mask& mask) {
     mask.covers = true;
     for (int y = mask.begin; y < mask.end; ++y) {
@@ -251,7 +257,7 @@ class TilePasses {
     return apart <= kNear || stretches_ - apart <= kNear;
   }
 
-  // The first ones of a cycle are kept to its end, which meets them.
+  // Begins the mask of a stretch. The first masks of a cycle are kept until its end, which meets them.
   void open(int stretch, int stretches) {
     stretches_ = stretches;
     current_ = used_ < kNear ? used_ : kNear + (used_ - kNear) % (kNear + 1);
@@ -264,6 +270,7 @@ class TilePasses {
     open_ = true;
   }
 
+  // Ends the current stretch and counts its overlap with covered pixels.
   void close() {
     if (!open_) return;
     open_ = false;
@@ -275,6 +282,7 @@ class TilePasses {
     if (any(met)) countTwice(mask);
   }
 
+  // Marks the pixels of a mask that are covered by stretches that are not near it.
   void countTwice(const Mask& mask) {
     for (int y = mask.begin; y < mask.end; ++y) {
       const auto row = static_cast<std::size_t>(y);
@@ -291,15 +299,16 @@ class TilePasses {
   std::array<RowBits, kTileHeight> covered_{};
   std::array<RowBits, kTileHeight> again_{};
   std::int32_t cycle_ = -1;
-  std::array<Mask, 2 * kNear + 1> masks_;  ///< of stretches of this cycle
-  std::size_t used_ = 0;                   ///< by how many stretches so far
+  std::array<Mask, 2 * kNear + 1> masks_;  ///< masks of stretches of this cycle
+  std::size_t used_ = 0;                   ///< number of stretches of this cycle so far
   std::size_t current_ = 0;
-  int stretches_ = 0;  ///< of this cycle
+  int stretches_ = 0;  ///< stretches of this whole cycle
   bool open_ = false;
 };
 
+// Pixels of a tile on the raster.
 struct Tile {
-  /// The range in pixels, without the last row and column.
+  /// Half-open range in pixels: without column `right` and row `top`.
   int left;
   int right;
   int bottom;
@@ -312,7 +321,7 @@ Tile tileAt(const BeadRaster& laid, int tile) {
   return {left, std::min(left + kTileWidth, laid.raster.nx), bottom, std::min(bottom + kTileHeight, laid.raster.ny)};
 }
 
-// Shares of the way from a to b within `reach` of a tile; none if the second is the lesser one.
+// Clips the way from a to b to `reach` around a tile. \return its shares; none if the second is the lesser one.
 std::pair<float, float> withinTile(Vec2f a, Vec2f b, float reach) {
   float t0 = 0;
   float t1 = 1;
@@ -328,7 +337,7 @@ std::pair<float, float> withinTile(Vec2f a, Vec2f b, float reach) {
   return {t0, t1};
 }
 
-// Long beads go over several stretches and tiles: they are laid in pieces.
+// Lays a bead on a tile in pieces, because a long bead crosses several stretches and tiles.
 void lay(const BeadRaster& laid, const Bead& bead, const Tile& tile, TilePasses& passes) {
   const Vec2 origin = laid.raster.centre(tile.left, tile.bottom);
   const auto onTile = [&](Vec2f p) {
@@ -374,8 +383,8 @@ RowBits insideRow(const BeadRaster& laid, const Tile& tile, int y) {
   return inside;
 }
 
-// How many of these pixels outside the shape lie off its border. Beads touch a straight border over its whole length:
-// where a row of pixels happens to lie on it too, rounding would decide for all of them.
+// Counts the pixels outside the shape that lie off its border. Beads touch a straight border over its whole length, and
+// if a row of pixels lies on it as well, rounding would decide for all of them.
 int offBorder(const BeadRaster& laid, const BorderIndex& border, const Tile& tile, int y, RowBits outside) {
   int count = 0;
   for (int word = 0; word < 2; ++word) {
@@ -407,7 +416,7 @@ BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const BorderInde
           [&](int y, RowBits outside) { return offBorder(laid, border, tile, y, outside); });
     }
   };
-  const int step = (laid.tiles - 1) / 24 + 1;  // between reports of progress
+  const int step = (laid.tiles - 1) / 24 + 1;  // tiles between reports of progress
   for (int done = 0; done < laid.tiles && !run.cancelled(); done += step) {
     const int count = std::min(step, laid.tiles - done);
     parallelFor(run, count, std::max(1, count / (4 * run.threads())),

@@ -1,4 +1,4 @@
-// The measures of a toolpath, each by itself: docs/reference/metrics.md.
+// Parts of the measures of a toolpath: docs/reference/metrics.md.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace sillon {
 
-/// Sums over pieces of beads, weighed by their length.
+/// Sums over pieces of beads, weighted by their length.
 struct AlignmentSums {
   double length = 0;
   double along = 0;  ///< length times cos²
@@ -27,42 +27,46 @@ struct AlignmentSums {
     length += other.length;
     along += other.along;
   }
-  /// Eq. 17: -1 perfect, -0.5 chance, 0 orthogonal or nothing.
+  /// Alignment (Eq. 17): -1 perfect, -0.5 chance, 0 orthogonal or no beads.
   [[nodiscard]] double value() const { return length > 0 ? -along / length : 0; }
 };
 
+/// Alignment sums of all beads and of two selections.
 struct Alignment {
   AlignmentSums all;
-  AlignmentSums interior;     ///< deeper than 1.05 tau
-  AlignmentSums constrained;  ///< of constrained cells inside all counted perimeters
+  AlignmentSums interior;     ///< places deeper than 1.05 tau
+  AlignmentSums constrained;  ///< constrained cells inside all counted perimeters
 };
 
-/// Eq. 17 over pieces of at most tau/8, against the nearest texel of the map as stored. The same for any thread count.
+/// Sums the alignment (Eq. 17) over pieces of at most tau/8, against the nearest texel of the map as stored. The result
+/// is the same for any number of threads.
 Alignment alignmentOf(const Toolpath& toolpath, const BorderIndex& border, const PlateInput& input,
                       const ToolpathParams& params, const RunContext& run);
 
-/// Pixels of a raster of tau/20, judged at their centres.
+/// Counts of pixels on a raster of tau/20, judged at their centres.
 struct BeadArea {
-  std::int64_t shape = 0;       ///< inside the shape
-  std::int64_t covered = 0;     ///< of those, below a bead
-  std::int64_t spilled = 0;     ///< below a bead, outside the shape by more than 1 um, to which paths are rounded
-  std::int64_t overlapped = 0;  ///< passed over more than once
+  std::int64_t shape = 0;       ///< pixels inside the shape
+  std::int64_t covered = 0;     ///< pixels inside the shape and below a bead
+  std::int64_t spilled = 0;     ///< pixels below a bead, outside the shape by more than 1 um, the rounding of paths
+  std::int64_t overlapped = 0;  ///< pixels passed over more than once
 };
 
-/// Takes most of a measurement, and reports up to 0.8 of the current stage. The counts of a cancelled run mean nothing.
-/// \param border  of the shape. \param box  around the toolpath's points and the shape [mm].
+/// Counts the pixels below the beads. It takes most of a measurement, and reports up to 0.8 of the current stage. The
+/// counts of a cancelled run mean nothing. \param border  border of the shape. \param box  around the toolpath's points
+/// and the shape [mm].
 BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const BorderIndex& border, const Bounds& box,
                   const RunContext& run);
 
+/// Counts of sharp turns.
 struct Turns {
-  std::int64_t uTurns = 0;  ///< by 120° and more within one and a half spacings
-  std::int64_t kinks = 0;   ///< by 60° and more within a quarter of a spacing
+  std::int64_t uTurns = 0;  ///< turns by 120° and more within one and a half spacings
+  std::int64_t kinks = 0;   ///< turns by 60° and more within a quarter of a spacing
 };
 
-/// Turns that follow each other without a pause count once. \param spacing  [mm]
+/// Counts turns; those that follow each other without a pause count once. \param spacing  [mm]
 Turns countTurns(const ClosedCurves& curves, double spacing, const RunContext& run);
 
-/// \param totalLength  of all beads [mm]
+/// Measures the widths of beads, weighted by length. \param totalLength  length of all beads [mm]
 WidthMeasures widthMeasures(const Toolpath& toolpath, const ToolpathParams& params, double totalLength);
 
 }  // namespace sillon

@@ -18,6 +18,7 @@
 namespace sillon {
 namespace {
 
+// Finds the places of a shape that are lost because no bead fits, with area and width.
 Result<std::vector<ThinPlace>> lostPlaces(const Shape& shape, const BorderIndex& border, const Bounds& box,
                                           double spacing, const RunContext& run) {
   const Result<LostCells> found = lostCells(shape, border, box, spacing, run);
@@ -29,8 +30,8 @@ Result<std::vector<ThinPlace>> lostPlaces(const Shape& shape, const BorderIndex&
     const std::size_t deepest = *std::min_element(samples.begin(), samples.end(), [&](std::size_t i, std::size_t j) {
       return cells.distance[i] != cells.distance[j] ? cells.distance[i] < cells.distance[j] : i < j;
     });
-    // As wide as a strip of the same mean depth, so that junctions of lines do not count for the lines; samples lie
-    // half a cell beside the thickest point, on average a quarter.
+    // The width is that of a strip of the same mean depth, so that junctions of lines do not count for the lines. It is
+    // limited by the deepest sample, which lies up to half a cell beside the thickest point, on average a quarter.
     double depth = 0;
     for (const std::size_t k : samples) depth -= static_cast<double>(cells.distance[k]);
     const double width = std::min({0.5 * cell - 2.0 * static_cast<double>(cells.distance[deepest]),
@@ -41,6 +42,7 @@ Result<std::vector<ThinPlace>> lostPlaces(const Shape& shape, const BorderIndex&
   return places;
 }
 
+// Copies the cycles of a toolpath into one list of points.
 ClosedCurves curvesOf(const Toolpath& toolpath) {
   ClosedCurves curves;
   for (const Cycle& cycle : toolpath.cycles) {
@@ -51,7 +53,8 @@ ClosedCurves curvesOf(const Toolpath& toolpath) {
   return curves;
 }
 
-// The waves are made as the pipeline makes them: the path itself no longer shows their dislocations.
+// Counts dislocations in the waves, which are made again as in the pipeline, because the path itself no longer shows
+// them.
 Result<Dislocations> dislocationsOf(const Outline& outline, const PlateInput& input, const ToolpathParams& params,
                                     const RunContext& run) {
   const Grid grid = makeGrid(outline.bounds, params.spacing);
@@ -71,6 +74,7 @@ std::int64_t countCrossings(const Toolpath& toolpath) {
   return static_cast<std::int64_t>(findCrossings(curvesOf(toolpath), RunContext(1)).size());
 }
 
+// Hash of all points and widths, rounded to 1 µm; equal toolpaths give equal digests on every platform.
 std::string digestOf(const Toolpath& toolpath) {
   std::uint64_t hash = 0;
   const auto add = [&](std::int64_t v) { hash = hash64(hash ^ static_cast<std::uint64_t>(v)); };
@@ -102,7 +106,7 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const PlateInput& inp
   for (const ToolpathParams& each : {made, params}) {
     if (auto wrong = wrongInput(input, each)) return *wrong;
   }
-  const double making = known ? 0 : 0.3;  // the waves' share
+  const double making = known ? 0 : 0.3;  // share of the time that the waves take
   run.beginJob();
   run.beginStage("measure", 0, making);
   const Result<Outline> outline = resolveOutline(shape);

@@ -18,12 +18,12 @@ namespace sillon {
 namespace {
 
 constexpr double kCellSpacings = 2;
-constexpr int kPointsPerCell = 8;  // and axis
+constexpr int kPointsPerCell = 8;  // points per cell and axis
 constexpr int kBandCells = 4;      // rows of cells that one task rasters
-constexpr float kReach = 0.75f;    // [tau] beyond the bead's edge nothing is seen
+constexpr float kReach = 0.75f;  // [tau], reach of a bead of width tau from its centre line, a quarter beyond its edge
 
 struct Segment {
-  // The ends lie in points, y down.
+  // Ends, in points of the raster, y down.
   Vec2f a;
   Vec2f b;
   float radius = 0;
@@ -34,31 +34,32 @@ struct Cells {
   int height = 0;
 };
 
-/// Row by row: light per picture of each cell, negative where less than half of it is covered.
+/// Light per picture of each cell, row by row; negative where less than half of the cell is covered.
 using Lights = std::vector<std::vector<float>>;
 
-/// Rows of points that a segment reaches, first and last; they may lie off the page.
+/// First and last row of points that a segment reaches; they may lie off the page.
 std::pair<int, int> rowsOf(const Segment& s) {
   return {static_cast<int>(std::floor(std::min(s.a.y, s.b.y) - s.radius)),
           static_cast<int>(std::ceil(std::max(s.a.y, s.b.y) + s.radius))};
 }
 
-/// All beads, and the cells over which they lie.
+/// All beads, with the light they reflect, and the cells below them.
 struct LitBeads {
   std::vector<Segment> segments;
-  std::vector<float> light;  ///< of each segment, per picture
+  std::vector<float> light;  ///< light of each segment, per picture
   std::size_t pictures;
   Cells cells;
 };
 
-/// \param inBand  the segments that reach its rows, in their order: of equally near ones the first counts.
+/// Rasters a band of cells: each point takes the light of its nearest segment, and each cell the mean of its points.
+/// \param inBand  segments that reach the rows of the band, in their order; the first of equally near ones counts.
 void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, int firstCell, int endCell,
               Lights& lights) {
   const Cells cells = beads.cells;
   const int width = cells.width * kPointsPerCell;
   const int top = firstCell * kPointsPerCell;
   const int rows = (endCell - firstCell) * kPointsPerCell;
-  const auto stride = static_cast<std::size_t>(width) + 3;  // four at a time may go beyond a row's end
+  const auto stride = static_cast<std::size_t>(width) + 3;  // room for groups of four that pass the end of a row
   std::vector<float> distance(stride * static_cast<std::size_t>(rows), 1e30f);
   std::vector<std::uint32_t> nearest(distance.size(), 0);
   for (const std::uint32_t k : inBand) {
@@ -116,7 +117,7 @@ void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, i
   }
 }
 
-/// Weighted sums that a mean, a variance and a correlation need.
+/// Weighted sums for means, variances and a correlation.
 struct Sums {
   double weight = 0;
   double x = 0;
@@ -143,12 +144,13 @@ double correlation(const Sums& s) {
   return both > 1e-12 ? s.covariance() / std::sqrt(both) : 0;
 }
 
-/// Wang et al. 2004, dynamic range 1, mean over the windows that lie wholly on the plate.
+/// Structural similarity (SSIM; Wang et al. 2004) for a dynamic range of 1, as the mean over all windows that lie
+/// wholly on the plate.
 double ssimOf(const std::vector<float>& seen, const Tones& picture, std::span<const float> light) {
   constexpr int kRadius = 5;
   constexpr double kC1 = 0.01 * 0.01;
   constexpr double kC2 = 0.03 * 0.03;
-  // exp(-k²/2/1.5²)
+  // Gaussian weights exp(-k²/2/1.5²).
   constexpr double kGauss[kRadius + 1] = {1, 0.800737403, 0.411112291, 0.135335283, 0.028565500, 0.003865920};
   double sum = 0;
   std::int64_t count = 0;
@@ -176,6 +178,7 @@ double ssimOf(const std::vector<float>& seen, const Tones& picture, std::span<co
   return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
+// Sums the codes of the seen light and the tones of a picture over all covered cells.
 Sums sumsOf(std::span<const float> light, const Tones& picture) {
   Sums sums;
   for (std::size_t k = 0; k < light.size(); ++k) {
@@ -225,7 +228,7 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
     if (defect.empty()) defect = invalidLamp(lamp);
   }
   if (!defect.empty()) return Error{ErrorCode::InvalidArgument, std::move(defect)};
-  // Whole cells, as near to 2 tau as the page allows.
+  // The cells divide the page evenly, and are as near to 2 tau as that allows.
   const auto cellsAlong = [&](double side) {
     return std::max(1.0, std::round(side / (kCellSpacings * toolpath.spacing)));
   };

@@ -24,7 +24,7 @@ std::vector<Vec2f> headingsOf(const Vec2f* points, int n, const RunContext& run)
   return headings;
 }
 
-// Runs of steps whose heading differs by at least the given angle from that `apart` steps on, round the cycle.
+// Counts runs of steps around the cycle whose heading differs from that `apart` steps on by at least the given angle.
 std::int64_t countRuns(const std::vector<Vec2f>& headings, std::size_t apart, float cosine, const RunContext& run) {
   const std::size_t n = headings.size();
   const auto turnsAt = [&](std::size_t k) {
@@ -42,7 +42,7 @@ std::int64_t countRuns(const std::vector<Vec2f>& headings, std::size_t apart, fl
     }
     begins += found;
   });
-  return begins == 0 && turnsAt(0) ? 1 : begins.load();  // all of it turns
+  return begins == 0 && turnsAt(0) ? 1 : begins.load();  // the whole cycle turns
 }
 
 }  // namespace

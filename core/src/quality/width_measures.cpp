@@ -12,21 +12,21 @@ namespace {
 
 struct WeightedWidth {
   float width;  ///< [mm], > 0
-  float share;  ///< of the length [mm]
+  float share;  ///< length that has this width [mm]
 };
 
-// Widths by the upper bits of their floats, which are in the order of the widths: only those of one bin are sorted for
-// a quantile.
+// Histogram of widths by the upper bits of their floats, which are in the order of the widths. A quantile only needs
+// one bin to be sorted.
 class WidthBins {
  public:
   explicit WidthBins(const std::vector<WeightedWidth>& widths) : widths_(widths), length_(1 << 16, 0.0) {
     for (const WeightedWidth& w : widths) length_[binOf(w.width)] += static_cast<double>(w.share);
   }
 
-  // The width at which the shares of all lesser ones have come to `below`; the greatest where rounding leaves none.
+  // Finds the width below which lies the length `below`; the greatest width if rounding leaves none.
   [[nodiscard]] float quantile(double below) const {
     std::size_t bin = 0;
-    double lesser = 0;  // than those in the bin
+    double lesser = 0;  // length of all widths below the bin [mm]
     for (std::size_t next = 0; next < length_.size(); ++next) {
       if (length_[next] <= 0) continue;
       if (next > bin) lesser += length_[bin];
@@ -55,7 +55,7 @@ class WidthBins {
   }
 
   const std::vector<WeightedWidth>& widths_;
-  std::vector<double> length_;  ///< of each bin
+  std::vector<double> length_;  ///< length in each bin [mm]
 };
 
 }  // namespace

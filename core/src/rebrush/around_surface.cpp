@@ -8,14 +8,17 @@
 namespace sillon {
 namespace {
 
-constexpr double kShortWipe = 1;  // [mm] without plastic behind the last bead
-constexpr double kAside = 10;     // [mm] of a relative way, drawn back: end blocks step aside from wherever they are
-constexpr int kLookAhead = 500;   // lines after a block
+constexpr double kShortWipe = 1;  // [mm] length up to which Cura's first move without plastic may be a wipe
+// [mm] Length below which relative moves behind a retraction are passed over: with these, end blocks step aside from
+// wherever the nozzle is.
+constexpr double kAside = 10;
+constexpr int kLookAhead = 500;  // lines behind a block in which its next travel is looked for
 
-// The commands that replace an earlier one altogether: of the same name, that set the same, for the same tool.
+// Key of a command. Commands of one key replace each other altogether: they have the same name, set the same
+// parameters, and are for the same tool.
 std::string kindOf(const GcodeCommand& command) {
   std::string kind(command.name);
-  if (command.is('M', 117)) return kind;  // text
+  if (command.is('M', 117)) return kind;  // it is followed by text, not by parameters
   std::string_view rest = command.rest;
   while (!(rest = trimmed(rest)).empty()) {
     const std::string_view word = rest.substr(0, rest.find(' '));
@@ -68,7 +71,7 @@ void keepCommand(std::string_view line, KeptPlaces& places, SurfaceBlock& block)
       case 106:
       case 107:
         return put("fan " + decimal(wordsOf(command.rest).at('P'), 3));
-      case 104:  // does not wait
+      case 104:  // sets a temperature without waiting for it
       case 140:
       case 73:
       case 117:
@@ -92,7 +95,7 @@ void keepCommand(std::string_view line, KeptPlaces& places, SurfaceBlock& block)
 
 void lookAhead(std::string_view gcode, bool byCura, SurfaceBlock& block) {
   MachineState machine = block.after;
-  std::optional<Vec2> aside;  // a short way of Cura, which is a wipe if the nozzle draws back behind it
+  std::optional<Vec2> aside;  // end of a short move of Cura: a wipe if a retraction follows, else the travel
   std::size_t asideEnd = 0;
   int lines = 0;
   std::string_view rest = gcode.substr(block.surface.end);
@@ -126,7 +129,7 @@ void lookAhead(std::string_view gcode, bool byCura, SurfaceBlock& block) {
       block.wipes.push_back({begin, offset, move->length});
       continue;
     }
-    // A wipe may leave out a coordinate that does not change; a travel must name its place.
+    // A coordinate that is left out stays as the block leaves it, and the new beads end elsewhere.
     if (!words.has('X') || !words.has('Y')) return leaveSurface(block, LeftBecause::Travel);
     if (byCura && block.wipes.empty() && !(move->toldF && tight) && move->length < kShortWipe &&
         block.after.at == move->from && move->z == move->zFrom) {

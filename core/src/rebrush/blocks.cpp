@@ -9,7 +9,7 @@
 namespace sillon {
 namespace {
 
-// Gathers surfaces from events. Skins of Cura wait for the next layer, which tells whether they are tops.
+// Gathers surfaces from events. Cura's skins wait for the next layer, which shows which of them are tops.
 class Gatherer {
  public:
   explicit Gatherer(std::string_view gcode) : gcode_(gcode) {}
@@ -40,7 +40,8 @@ class Gatherer {
     }
   }
 
-  // \param cut  the file ends within a surface.
+  // Ends the last layers, and hands over the blocks in the order of the file.
+  // \param cut  true if the file ends within a surface.
   std::vector<SurfaceBlock> finish(bool cut) {
     if (cut && !blocks_.empty()) leaveSurface(blocks_.back(), LeftBecause::Cut);
     endSkins();
@@ -57,7 +58,7 @@ class Gatherer {
   std::string_view gcode_;
   Skins skins_;
   std::vector<SurfaceBlock> blocks_;
-  std::size_t layerBegin_ = 0;  // its first block
+  std::size_t layerBegin_ = 0;  // index of this layer's first block
 };
 
 }  // namespace

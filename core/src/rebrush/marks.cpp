@@ -6,17 +6,18 @@
 namespace sillon {
 namespace {
 
-// What OrcaSlicer and its offshoots call themselves; all of them kept its marks.
+// Names of OrcaSlicer and its offshoots, which have all kept its marks.
 constexpr std::string_view kOrcas[] = {"OrcaSlicer",     "Creality_Print", "ElegooSlicer",   "AnycubicSlicerNext",
                                        "Snapmaker Orca", "Snapmaker_Orca", "Orca-Flashforge"};
 
-// Takes a key off the front, whatever blanks follow it.
+// Removes a key, and the blanks behind it, from the front of a text. \return false if the text begins otherwise.
 bool takes(std::string_view& text, std::string_view key) {
   if (!text.starts_with(key)) return false;
   text = trimmed(text.substr(key.size()));
   return true;
 }
 
+// Role that a TYPE or FEATURE mark names.
 RoleKind roleOf(std::string_view name) {
   if (name == "Top solid infill" || name == "Top surface") return RoleKind::Top;
   if (name == "Bottom surface") return RoleKind::Bottom;
@@ -109,7 +110,7 @@ std::optional<Program> programOf(std::string_view comment) {
   if (rest.starts_with("BambuStudio") || rest.starts_with("QIDIStudio")) {
     return Program{Slicer::BambuStudio, shown(rest)};
   }
-  if (takes(rest, "GENERATOR.NAME:") && rest.starts_with("Cura")) {  // UltiMaker's header has no other line
+  if (takes(rest, "GENERATOR.NAME:") && rest.starts_with("Cura")) {  // no other line of UltiMaker's header names Cura
     return Program{Slicer::Cura, shown(rest)};
   }
   if (rest.starts_with("OrcaSlicer ")) return Program{Slicer::OrcaSlicer, shown(rest)};

@@ -9,9 +9,9 @@
 namespace sillon {
 namespace {
 
-constexpr double kCornerSpeed = 8;  // square corner velocity [mm/s]: Marlin's usual jerk
+constexpr double kCornerSpeed = 8;  // [mm/s] square corner velocity: Marlin's usual jerk
 
-// One straight stretch of motion.
+// One straight piece of motion.
 struct Stretch {
   Vec2 direction;
   double length = 0;
@@ -19,14 +19,18 @@ struct Stretch {
   double acceleration = 0;
 };
 
+// Largest speed at the corner between two pieces [mm/s], by Klipper's junction deviation.
 double cornerSpeed(const Stretch& a, const Stretch& b) {
   if (a.direction == Vec2{} || b.direction == Vec2{}) return 0;
-  const double half = std::sqrt(std::max(0.0, (1 + dot(a.direction, b.direction)) / 2));  // 1: straight on
+  // Cosine of half the turn; 1 is straight on.
+  const double half = std::sqrt(std::max(0.0, (1 + dot(a.direction, b.direction)) / 2));
   if (half > 0.999999) return std::min(a.speed, b.speed);
   const double deviation = kCornerSpeed * kCornerSpeed * (std::sqrt(2.0) - 1);
   return std::min({a.speed, b.speed, std::sqrt(deviation * half / (1 - half))});
 }
 
+// Time of a path that begins and ends at rest [s]. A pass backward and one forward find the speeds at its corners;
+// each piece is then a trapezoid of speed.
 double secondsOf(const std::vector<Stretch>& path) {
   const std::size_t count = path.size();
   std::vector<double> entry(count + 1, 0);
@@ -51,7 +55,7 @@ double secondsOf(const std::vector<Stretch>& path) {
 }  // namespace
 
 double accelerationOf(std::string_view code) {
-  if (!code.starts_with('M') && !code.starts_with('S')) return 0;  // most lines are moves
+  if (!code.starts_with('M') && !code.starts_with('S')) return 0;  // most lines are moves, and end here
   double value = 0;
   if (code.starts_with("SET_VELOCITY_LIMIT")) {
     const std::size_t at = code.find("ACCEL=");

@@ -17,11 +17,11 @@
 namespace sillon {
 namespace {
 
-constexpr double kLeastCoverage = 97;  // [%], less shows the layer below; wide faces reach 98.5
-constexpr double kMostSpill = 2;       // [%] of beads beyond the region
-constexpr double kMostBeyond = 0.05;   // [mm] of a bead beyond the region
+constexpr double kLeastCoverage = 97;  // [%] least coverage: less shows the layer below; wide faces reach 98.5
+constexpr double kMostSpill = 2;       // [% of the region's area] largest area of beads beyond the region
+constexpr double kMostBeyond = 0.05;   // [mm] largest reach of a bead beyond the region
 
-// How far the beads reach over the region at most [mm].
+// Largest reach of the beads beyond the region [mm].
 Result<double> reachOver(const Cycle& cycle, const Shape& region, double spacing, const RunContext& run) {
   const Result<Outline> outline = resolveOutline(region);
   if (!outline) return outline.error();
@@ -44,12 +44,13 @@ Result<double> reachOver(const Cycle& cycle, const Shape& region, double spacing
   return most;
 }
 
-// Why a face is left.
+// Reason for which a face is left.
 struct Why {
   LeftBecause because = LeftBecause::None;
   std::string text;
 };
 
+// Finds the limit that new beads break, if there is one.
 Why problemOf(const Measures& measures) {
   if (measures.crossings > 0) return {LeftBecause::Path, "the new path would cross itself"};
   if (measures.coverage < kLeastCoverage) {
@@ -63,14 +64,15 @@ Why problemOf(const Measures& measures) {
   return {};
 }
 
-// What a face becomes.
+// New beads of a face, or the reason for which it has none.
 struct LaidBeads {
-  Toolpath toolpath;  // as wide as its plastic makes it, where the slicer's beads just touch
+  Toolpath toolpath;  // path whose widths follow from its plastic; by the same rule the slicer's beads just touch
   Replacement replacement;
   Measures measures;
   Why left;
 };
 
+// Lays a face along the wanted directions, as one cycle, and measures it.
 Result<LaidBeads> layBeads(std::string_view gcode, const SurfaceBlock& block, const PlateInput& input,
                            const ToolpathParams& params, const SlicedBlocks& file, const RunContext& run) {
   const SlicedSurface& surface = block.surface;
@@ -99,8 +101,8 @@ Result<LaidBeads> layBeads(std::string_view gcode, const SurfaceBlock& block, co
   return laid;
 }
 
-// Lays one surface anew. \param made  what became of it; where it is left, why \param edits, change  of the file, where
-// it is not
+// Lays one surface anew, or leaves it. \param made  receives the outcome, with the reason if the surface is left.
+// \param edits, change  receive the changes of the file if it is not.
 std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const RebrushOptions& options,
                            DirectionSource& source, const RunContext& run, RebrushedSurface& made,
                            std::vector<Edit>& edits, TimeChange& change) {
@@ -127,8 +129,8 @@ std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const
   made.coverage = measures.coverage;
   made.spill = measures.spill;
   if (Why problem = problemOf(measures); problem.because != LeftBecause::None) return leave(std::move(problem));
-  // What surrounds the block is the slicer's: it must find the machine as the slicer left it.
-  constexpr std::size_t kBehind = 200'000;  // bytes, where no travel tells how far to look
+  // The slicer's lines behind the block must find the machine in the state in which the slicer's block left it.
+  constexpr std::size_t kBehind = 200'000;  // [bytes] text behind the block that is compared where no travel ends it
   std::vector<Edit> local = replacement.edits;
   for (Edit& edit : local) {
     edit.begin -= surface.begin;
@@ -186,9 +188,9 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
   DirectionSource source(options, file);
   std::vector<Edit> edits;
   std::vector<TimeChange> changes;
-  std::string reason;  // why the largest was left
+  std::string reason;  // reason of the largest surface that was left
   LeftBecause because = LeftBecause::None;
-  double largest = 0;  // [mm²]
+  double largest = 0;  // [mm²] area of that surface
   for (const std::size_t k : chosen) {
     if (options.onSurface) options.onSurface(out.surfaces.size(), chosen.size());
     if (run.cancelled()) return cancelledRun();

@@ -9,15 +9,16 @@
 namespace sillon {
 namespace {
 
-constexpr double kFinest = 0.05;  // [mm]
-constexpr double kMostCells = 4e6;
-constexpr double kLargestBed = 5000;  // [mm]
-constexpr int kMargin = 3;            // [cells] around the beads, so that outlines close
+constexpr double kFinest = 0.05;      // [mm] least side of a cell
+constexpr double kMostCells = 4e6;    // largest number of cells: larger faces have larger cells
+constexpr double kLargestBed = 5000;  // [mm] largest coordinate on any bed
+constexpr int kMargin = 3;            // [cells] margin around the beads, so that outlines close
 
 std::size_t index(const RegionField& field, int x, int y) {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(field.columns) + static_cast<std::size_t>(x);
 }
 
+// Lowers the distances near a bead to those from its edge, up to `beyond` [mm] outside.
 void draw(RegionField& field, const RegionBead& bead, double beyond) {
   const double reach = bead.width / 2 + beyond;
   const Vec2 a = bead.from - field.corner;
@@ -32,7 +33,7 @@ void draw(RegionField& field, const RegionBead& bead, double beyond) {
     const double y = (row + 0.5) * field.cell - a.y;
     double low = std::min(0.0, d.x);
     double high = std::max(0.0, d.x);
-    // Long slanted beads cross a row over a small part of their box only.
+    // A long slanted bead crosses a row in a small part of its box only.
     if (std::abs(d.y) > reach) {
       const double s = std::clamp((y - reach) / d.y, 0.0, 1.0) * d.x;
       const double t = std::clamp((y + reach) / d.y, 0.0, 1.0) * d.x;
@@ -51,12 +52,13 @@ void draw(RegionField& field, const RegionBead& bead, double beyond) {
   }
 }
 
-// Morphological closing, by distances: a disc that touches the beads from outside runs along them, and what lies behind
-// it is filled.
+// Fills notches by a morphological closing on distances: a disc rolls along the beads from outside, and places that it
+// cannot reach are filled.
 void fillNotches(RegionField& field, double radius) {
   const int span = static_cast<int>(std::ceil(radius / field.cell)) + 3;
   const std::vector<float> given = field.distance;
-  std::vector<float> depth(given.size(), static_cast<float>(radius + 3 * field.cell));  // below the disc's middles
+  // Distance from each cell to the nearest place that the disc's middle can reach [mm].
+  std::vector<float> depth(given.size(), static_cast<float>(radius + 3 * field.cell));
   const auto far = [&](std::size_t k) { return static_cast<double>(given[k]) >= radius; };
   for (int y = 1; y + 1 < field.rows; ++y) {
     for (int x = 1; x + 1 < field.columns; ++x) {
@@ -80,7 +82,7 @@ void fillNotches(RegionField& field, double radius) {
   }
 }
 
-// Parts hang together by sides. Breadth first, in the order of the cells.
+// Numbers the connected parts. Cells connect by their sides; parts are numbered in the order of their first cells.
 void labelParts(RegionField& field) {
   field.part.assign(field.distance.size(), -1);
   std::vector<std::size_t> queue;
@@ -92,7 +94,7 @@ void labelParts(RegionField& field) {
     while (!queue.empty()) {
       const std::size_t cell = queue.back();
       queue.pop_back();
-      // The margin keeps all of them within the field.
+      // The margin keeps all four neighbours within the field.
       for (const std::size_t next : {cell - 1, cell + 1, cell - columns, cell + columns}) {
         if (field.distance[next] >= 0 || field.part[next] >= 0) continue;
         field.part[next] = field.parts;
@@ -103,6 +105,7 @@ void labelParts(RegionField& field) {
   }
 }
 
+// Signed area of a ring [mm²], positive if it is counter-clockwise.
 double areaOf(const Ring& ring) {
   double sum = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) sum += cross(ring[k], ring[(k + 1) % ring.size()]);
@@ -135,7 +138,7 @@ Result<RegionField> fieldOfBeads(const std::vector<RegionBead>& beads, double no
   if (box.empty()) return field;
   const Vec2 size = box.size();
   field.cell = std::max(kFinest, std::sqrt(size.x * size.y / kMostCells));
-  // Beyond that a disc is free.
+  // Distances are cut off where a disc is free anyway.
   const double beyond = notch > 0 ? notch + 2 * field.cell : 2 * field.cell;
   const int margin = kMargin + static_cast<int>(std::ceil(notch / field.cell));
   field.corner = box.min - Vec2{margin * field.cell, margin * field.cell};
@@ -173,7 +176,7 @@ Result<Shape> regionOf(const RegionField& field, int part, double hole, Vec2& co
   mask.height = above - below + 1;
   mask.channels = 1;
   mask.samples.resize(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
-  // Half grey where the edge is, so that the outline runs between the cells. Neighbours of other parts are outside.
+  // Grey is one half at the edge, so that the outline runs between cells. Cells of other parts are outside.
   for (int y = 0; y < mask.height; ++y) {
     for (int x = 0; x < mask.width; ++x) {
       const std::size_t cell = index(field, left + x, above - y);

@@ -17,11 +17,11 @@ namespace sillon {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kFinest = 0.05;   // [mm] of a cell
-constexpr double kMargin = 1;      // [mm] around what is higher than the first layer
-constexpr double kFarthest = 1e4;  // [mm]
-constexpr double kRound = 0.35;    // by how much of its height a bead falls towards its sides
-constexpr float kWidest = 3;       // [mm] of a bead: more is a lump of a purge
+constexpr double kFinest = 0.05;   // [mm] least side of a cell
+constexpr double kMargin = 1;      // [mm] margin around everything that is higher than the first layer
+constexpr double kFarthest = 1e4;  // [mm] coordinate that no bed reaches
+constexpr double kRound = 0.35;    // share of its height by which a bead falls towards its sides
+constexpr float kWidest = 3;       // [mm] largest width of a bead: more is a lump of a purge
 
 struct Bead {
   Vec2f from;
@@ -31,7 +31,7 @@ struct Bead {
   float height = 0;
 };
 
-// Tells all beads of a file, in its order. They are as large as its text: nobody keeps them.
+// Hands over all beads of a file, in its order. None is kept: together they would be as large as the text.
 class Beads {
  public:
   Beads(const FileSettings& settings, std::function<void(const Bead&)> take)
@@ -39,6 +39,7 @@ class Beads {
         machine_(settings.flavor),
         area_(settings.volumetric ? 1 : kPi * settings.filamentDiameter * settings.filamentDiameter / 4) {}
 
+  // Reads one line, and hands over the bead that it lays, if any, with the width that its plastic has.
   void line(const GcodeLine& line) {
     const GcodeParts parts = partsOf(line.text);
     if (parts.code.empty()) {
@@ -67,12 +68,13 @@ class Beads {
     add(*move, static_cast<float>(width), static_cast<float>(height));
   }
 
-  bool begun = false;   // a layer was marked
-  bool beyond = false;  // a bead lies where no bed reaches
+  bool begun = false;   // true once a layer was marked
+  bool beyond = false;  // true once a bead lies where no bed reaches
 
  private:
   std::function<void(const Bead&)> take_;
 
+  // Hands over a move's bead; an arc becomes straight pieces.
   void add(const MachineMove& move, float width, float height) {
     const auto single = [](Vec2 p) { return Vec2f{static_cast<float>(p.x), static_cast<float>(p.y)}; };
     const auto top = static_cast<float>(move.z);
@@ -91,12 +93,12 @@ class Beads {
 
   MachineState machine_;
   double area_;
-  double z_ = 0;
-  double below_ = 0;
-  double told_ = 0;
+  double z_ = 0;      // height of the last bead [mm]
+  double below_ = 0;  // height of the layer below [mm]
+  double told_ = 0;   // layer height of the last mark [mm]; 0: none
 };
 
-// The box around all beads, less what lies far beside those that are higher than the lowest ones.
+// Box around all beads, cut to a margin around those above the lowest ones: purge lines, skirts and brims fall away.
 class Box {
  public:
   void add(const Bead& bead) {
@@ -122,10 +124,11 @@ class Box {
  private:
   Bounds whole_;
   Bounds higher_;
-  float first_ = std::numeric_limits<float>::infinity();  // height of the lowest so far
+  float first_ = std::numeric_limits<float>::infinity();  // height of the lowest bead so far [mm]
 };
 
-// Along its longer way, one line of cells across it at each step: a few cells per bead, whatever its direction.
+// Draws a bead in steps along its longer axis, with one line of cells across it at each step: a bead costs few cells,
+// whatever its direction.
 void draw(const Bead& bead, PrintRelief& relief) {
   const auto toCells = [&](Vec2f p) {
     return Vec2{(static_cast<double>(p.x) - relief.corner.x) / relief.cell - 0.5,
@@ -142,7 +145,7 @@ void draw(const Bead& bead, PrintRelief& relief) {
   const double run = b.x - a.x;
   const double rise = run > 0 ? (b.y - a.y) / run : 0;
   const double half = 0.5 * static_cast<double>(bead.width) / relief.cell;
-  const double across = half * std::sqrt(1 + rise * rise);  // of the bead, along the line of cells
+  const double across = half * std::sqrt(1 + rise * rise);  // half width of the bead along a line of cells [cells]
   const double end = half / std::sqrt(1 + rise * rise);
   const int most = (steep ? relief.rows : relief.columns) - 1;
   const int widest = (steep ? relief.columns : relief.rows) - 1;

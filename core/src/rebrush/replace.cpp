@@ -12,27 +12,29 @@
 namespace sillon {
 namespace {
 
-constexpr double kChord = 0.005;      // [mm] that a merged move may lie beside its points
-constexpr double kWidthError = 0.03;  // [mm] that its width may be off
-constexpr double kLongestMove = 5;    // [mm] over which widths are merged
-constexpr double kLeastFlow = 0.85;   // of the slicer's plastic over ours
-constexpr double kMostFlow = 1.18;
-constexpr double kSpeedStep = 2;    // [mm/s], smaller gains of speed are not worth a visible step
-constexpr double kFarEntry = 2;     // [mm] from the slicer's entry to the cycle
-constexpr double kShortTravel = 2;  // [mm] without retraction, as slicers allow
+constexpr double kChord = 0.005;      // [mm] largest distance of a merged move from its points
+constexpr double kWidthError = 0.03;  // [mm] largest error of a merged move's width
+constexpr double kLongestMove = 5;    // [mm] longest merged move
+constexpr double kLeastFlow = 0.85;   // least ratio of the slicer's plastic to that of the new beads at flow 1
+constexpr double kMostFlow = 1.18;    // largest ratio of the slicer's plastic to that of the new beads at flow 1
+constexpr double kSpeedStep = 2;      // [mm/s] least gain of speed: smaller ones are not worth a visible step
+constexpr double kFarEntry = 2;     // [mm] longest way from the slicer's entry to the cycle that may leave the surface
+constexpr double kShortTravel = 2;  // [mm] longest travel without retraction, as slicers allow
 
+// A straight move that lays plastic.
 struct Bead {
   Vec2 to;
   double length = 0;  // [mm]
   double volume = 0;  // [mm³] at flow 1
 };
 
+// Point of a cycle on the bed; indices wrap around.
 Vec2 pointAt(const Cycle& cycle, std::size_t k, Vec2 offset) {
   const Vec2f p = cycle.points[k % cycle.points.size()];
   return Vec2{p.x, p.y} + offset;
 }
 
-// Coordinates have three decimals.
+// Rounds a place to the three decimals of written coordinates.
 Vec2 rounded(Vec2 p) { return {std::round(p.x * 1000) / 1000 + 0.0, std::round(p.y * 1000) / 1000 + 0.0}; }
 
 double distanceTo(Vec2 p, Vec2 a, Vec2 b) {
@@ -42,7 +44,7 @@ double distanceTo(Vec2 p, Vec2 a, Vec2 b) {
   return length(p - a - t * d);
 }
 
-// The cycle from its vertex `first` back to it, with as few moves as the tolerances allow; volumes sum up exactly.
+// Merges the cycle, from its vertex `first` back to it, into few moves within the tolerances. Volumes add up exactly.
 std::vector<Bead> mergedBeads(const Cycle& cycle, std::size_t first, Vec2 offset, double height) {
   const std::size_t count = cycle.points.size();
   const auto width = [&](std::size_t k) { return static_cast<double>(cycle.widths[(first + k) % count]); };
@@ -71,6 +73,7 @@ std::vector<Bead> mergedBeads(const Cycle& cycle, std::size_t first, Vec2 offset
   return beads;
 }
 
+// Index of the cycle's point that is nearest to a place on the bed.
 std::size_t nearestTo(const Cycle& cycle, Vec2 place, Vec2 offset) {
   std::size_t nearest = 0;
   for (std::size_t k = 1; k < cycle.points.size(); ++k) {
@@ -79,6 +82,7 @@ std::size_t nearestTo(const Cycle& cycle, Vec2 place, Vec2 offset) {
   return nearest;
 }
 
+// Tells whether a point lies in a shape, by the even-odd rule.
 bool isInside(const Shape& shape, Vec2 p) {
   bool inside = false;
   for (const FilledPath& path : shape.paths) {
@@ -93,31 +97,32 @@ bool isInside(const Shape& shape, Vec2 p) {
   return inside;
 }
 
-// Whether a straight way stays within the surface.
+// Tells whether a straight way stays within the surface.
 bool staysInside(const SlicedSurface& surface, Vec2 from, Vec2 to) {
   constexpr double kStep = 0.2;  // [mm]
   const int steps = std::clamp(static_cast<int>(length(to - from) / kStep) + 1, 1, 5000);
-  for (int k = 1; k < steps; ++k) {  // its ends lie on beads
+  for (int k = 1; k < steps; ++k) {  // the ends lie on beads, so they need no check
     const Vec2 p = from + (static_cast<double>(k) / steps) * (to - from);
     if (!isInside(surface.region, p - surface.corner)) return false;
   }
   return true;
 }
 
-// Speeds in whole mm/s, and told where they change. A printer that is told none keeps its own.
+// Chooses speeds in whole mm/s, and writes them where they change. If the slicer's is unknown, none is written, and the
+// printer keeps its own.
 class Feedrate {
  public:
-  /// \param speed  of the slicer's beads [mm/s], 0: not told. \param mostFlow  [mm³/s], 0: not known
+  /// \param speed  speed of the slicer's beads [mm/s]; 0: unknown. \param mostFlow  largest flow [mm³/s]; 0: unknown.
   Feedrate(double speed, double mostFlow) : speed_(speed), mostFlow_(mostFlow), current_(speed) {}
 
-  /// For what the slicer set: all of it. \return a word, or nothing.
+  /// Sets a speed as it is, without rounding to whole mm/s. \return an F word, or nothing if the speed does not change.
   std::string set(double speed) {
     if (!(speed > 0) || speed == told_) return {};
     told_ = speed;
     return " F" + decimal(60 * speed, 3);
   }
 
-  /// For a bead of this section [mm²].
+  /// Sets the speed for a bead of this section [mm²], lowered where its flow would be too large. \return as set.
   std::string follow(double section) {
     if (!(speed_ > 0)) return {};
     const double allowed = mostFlow_ > 0 ? mostFlow_ / section : speed_;
@@ -133,6 +138,7 @@ class Feedrate {
   double told_ = 0;
 };
 
+// Replaces X and Y in a line of G-code; comments stay.
 std::string withPlace(std::string_view line, Vec2 place) {
   std::string out;
   const std::size_t comment = std::min(line.find(';'), line.size());
@@ -163,14 +169,14 @@ Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, cons
     left.left = why;
     return left;
   };
-  // What the slicer does behind it without retraction must not become longer.
+  // A travel without retraction behind the block must not become longer: the nozzle would ooze.
   const auto leadsOn = [&](Vec2 place) {
     if (!block.next || block.tightBefore) return true;
     const double before = length(*block.next - surface.exit);
     return length(*block.next - place) <= std::max(before + surface.spacing, kShortTravel);
   };
   std::size_t first = nearestTo(cycle, surface.entry, offset);
-  // Then it begins where the slicer ends: on the way there the nozzle crosses what it is going to cover.
+  // Else the cycle begins where the slicer ends; on the way there the nozzle crosses only places that it will cover.
   if (!leadsOn(rounded(pointAt(cycle, first, offset)))) first = nearestTo(cycle, surface.exit, offset);
   const Vec2 start = rounded(pointAt(cycle, first, offset));
   if (!leadsOn(start)) return leave(LeftBecause::Travel);
@@ -192,14 +198,14 @@ Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, cons
   Feedrate feedrate(surface.speed, mostFlow);
   Vec2 at = surface.entry;
   if (const double way = length(start - at); way > 0.0005) {
-    // A long way at the speed of beads would ooze.
+    // On a long way at the speed of beads, the nozzle would ooze.
     const double speed =
         way > kShortTravel && surface.speed > 0 ? std::max(block.travelSpeed, surface.speed) : surface.speed;
     text += "G1 X" + fixed(start.x, 3) + " Y" + fixed(start.y, 3) + feedrate.set(speed) + end;
     at = start;
   }
   if (const std::string word = feedrate.set(surface.speed); !word.empty()) text += "G1" + word + end;
-  // E has five decimals; what rounding leaves over goes to the next move.
+  // E has five decimals; the rest that rounding leaves goes into the next move.
   double told = block.before.e;
   double exact = told;
   for (const Bead& bead : beads) {
@@ -219,11 +225,11 @@ Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, cons
     if (!line.empty()) text += line + end;
   }
   if (const std::string word = feedrate.set(block.after.speed); !word.empty()) text += "G1" + word + end;
-  // The last line of a file may have no end.
+  // The last line of a file may have no line end; then the new text gets none.
   if (!gcode.substr(0, surface.end).ends_with('\n')) text.erase(text.size() - end.size());
   out.edits.push_back(std::move(edit));
 
-  // Wipes follow the new beads instead of those that are gone: on along the cycle, as far as before.
+  // The old beads under the wipes are gone. The wipes go on along the new cycle instead, over the same length.
   std::size_t vertex = first;
   Vec2 place = at;
   for (const WipeMove& wipe : block.wipes) {

@@ -7,13 +7,13 @@
 namespace sillon {
 namespace {
 
-constexpr double kExpanded = 2;         // [mm] by which skins reach under the next layer's walls
-constexpr double kInside = 0.8;         // of a skin that is no top at all
-constexpr double kMostExpanded = 0.35;  // of a skin that may lie there
-constexpr double kCovered = 0.02;       // of a skin: less below the next layer is none
-constexpr double kCarried = 0.08;       // of a skin: less plastic below it, and it bridges air
+constexpr double kExpanded = 2;         // [mm] length by which skins reach under the next layer's walls
+constexpr double kInside = 0.8;         // covered share above which a skin is no top at all
+constexpr double kMostExpanded = 0.35;  // largest share of a top that lies under the next layer's walls
+constexpr double kCovered = 0.02;       // covered share up to which a skin counts as free
+constexpr double kCarried = 0.08;       // least share of a skin on plastic: with less, it bridges air
 
-// The cells of a region that a bead of this width lies over or under.
+// Marks the cells of a region that lie over or under a bead of this width.
 void mark(std::vector<bool>& cells, const RegionField& field, double width, Vec2 from, Vec2 to) {
   const int steps = std::clamp(static_cast<int>(length(to - from) / field.cell) + 1, 1, 100000);
   const int reach = static_cast<int>(width / 2 / field.cell);
@@ -31,7 +31,7 @@ void mark(std::vector<bool>& cells, const RegionField& field, double width, Vec2
   }
 }
 
-// Of the cells of a part.
+// Counts the cells of a part, and those among them that are marked.
 struct Cells {
   std::int64_t all = 0;
   std::int64_t marked = 0;
@@ -82,7 +82,7 @@ void Skins::leave(LeftBecause why) {
 std::vector<SurfaceBlock> Skins::endLayer() {
   std::vector<SurfaceBlock> tops;
   for (Stretch& stretch : waiting_) {
-    // Skins reach a little under the walls of the next layer. Infill above would cover them all over.
+    // A top may reach a little under the walls of the next layer. Infill above a skin would cover all of it.
     const RegionField& field = *stretch.field;
     const std::vector<float> depth = depths(field);
     std::vector<Cells> all(static_cast<std::size_t>(field.parts));

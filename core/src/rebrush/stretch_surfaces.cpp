@@ -10,16 +10,17 @@
 namespace sillon {
 namespace {
 
-constexpr double kThreeBeads = 3;        // narrower surfaces are left [spacings]
-constexpr double kTenSquares = 10;       // smaller surfaces are left [spacings²]
-constexpr double kNotch = 0.3;           // [spacings], between the ends of beads: narrower than walls
-constexpr double kLooseFilament = 0.02;  // [mm] that retractions inside a block may gain or lose
-constexpr double kFullFlow = 0.01;       // by which flow may differ from 1 before it counts as set so
-constexpr double kMostFlow = 0.25;       // by which a slicer's flow may differ from 1
-constexpr double kJoined = 0.01;         // [mm] between the end of a bead and the beginning of the next
-constexpr double kFlatEnds = 0.01;       // of a region that plastic does not fill, if its beads end at its edge
-constexpr double kRoundSides = 1 - std::numbers::pi / 4;  // of a height, by which a bead is wider than its section
+constexpr double kThreeBeads = 3;        // [spacings] least breadth: narrower surfaces are left
+constexpr double kTenSquares = 10;       // [spacings²] least area: smaller surfaces are left
+constexpr double kNotch = 0.3;           // [spacings] radius of notches between the ends of beads: narrower than walls
+constexpr double kLooseFilament = 0.02;  // [mm] filament that retractions inside a block may gain or lose
+constexpr double kFullFlow = 0.01;       // deviation of flow from 1 up to which it counts as 1
+constexpr double kMostFlow = 0.25;       // largest deviation of a slicer's flow from 1: beyond it, 1 is assumed
+constexpr double kJoined = 0.01;         // [mm] largest gap between the end of a bead and the beginning of the next
+constexpr double kFlatEnds = 0.01;       // least empty share of a region at which flat ends of beads are tried
+constexpr double kRoundSides = 1 - std::numbers::pi / 4;  // [height] excess of a bead's width over section / height
 
+// Weighted median.
 double median(std::vector<std::pair<double, double>> valueAndWeight) {
   std::sort(valueAndWeight.begin(), valueAndWeight.end());
   double all = 0;
@@ -32,11 +33,11 @@ double median(std::vector<std::pair<double, double>> valueAndWeight) {
   return 0;
 }
 
-// Between neighbouring straight beads: half of them lie closer [mm]. 0: there are too few.
+// Median distance between neighbouring straight beads [mm]; 0 if there are too few of them.
 double neighbourDistance(const std::vector<StretchLine>& lines) {
-  constexpr double kLong = 2;         // [mm]
-  constexpr double kParallel = 0.02;  // sine
-  constexpr std::size_t kEnough = 8;
+  constexpr double kLong = 2;         // [mm] least length of a bead
+  constexpr double kParallel = 0.02;  // sine of the largest angle between neighbours
+  constexpr std::size_t kEnough = 8;  // least number of pairs
   std::vector<std::pair<double, double>> distances;
   const MachineMove* last = nullptr;
   for (const StretchLine& line : lines) {
@@ -79,21 +80,23 @@ std::vector<RegionBead> withFlatEnds(std::vector<RegionBead> beads) {
   return beads;
 }
 
+// Area of all parts of a field [mm²].
 double areaOf(const RegionField& field) {
   const auto inside = std::count_if(field.part.begin(), field.part.end(), [](std::int32_t part) { return part >= 0; });
   return static_cast<double>(inside) * field.cell * field.cell;
 }
 
-// The shape of a stretch's beads.
+// Usual shape of a stretch's beads.
 struct BeadShape {
-  double height = 0;  // [mm]
-  double spacing = 0;
-  double width = 0;
-  double rounding = 0;  // by which a bead is wider than its section says
-  double flow = 1;      // thinner beads than their distance: the filament is known to need that
+  double height = 0;    // [mm]
+  double spacing = 0;   // [mm]
+  double width = 0;     // [mm]
+  double rounding = 0;  // [mm] excess of a bead's width over section / height
+  double flow = 1;      // ratio of plastic to that of beads as wide as their distance: a setting for the filament
 };
 
-// Beads are rectangles with round sides: their section is h (w - h) + pi h²/4. Cura reckons with plain rectangles.
+// Measures the beads. They are rectangles with round sides, of the section h (w - h) + pi h²/4; Cura's are plain
+// rectangles. \return a shape without width if the layer's height is out of range.
 BeadShape shapeOf(const Stretch& stretch) {
   BeadShape shape;
   shape.height = stretch.heightAt(stretch.lines.back().move->z);
@@ -112,13 +115,14 @@ BeadShape shapeOf(const Stretch& stretch) {
   return shape;
 }
 
-// The beads of a stretch, straight ones.
+// Beads of a stretch; arcs are split into straight pieces.
 struct StraightBeads {
   std::vector<RegionBead> beads;
-  std::vector<Vec2> middles;  // of each line that is a bead
-  double filled = 0;          // [mm²]
+  std::vector<Vec2> middles;  // middle of each line that is a bead
+  double filled = 0;          // [mm²] area that the plastic fills
 };
 
+// Splits the beads of a stretch into straight ones, each as wide as its plastic makes it.
 StraightBeads straightBeads(const Stretch& stretch, const BeadShape& shape) {
   StraightBeads made;
   made.middles.resize(stretch.lines.size());
@@ -145,6 +149,8 @@ StraightBeads straightBeads(const Stretch& stretch, const BeadShape& shape) {
   return made;
 }
 
+// Region of the beads. Their ends are flat if separate beads with round ends would cover more than the plastic fills.
+// \return nullptr if the beads lie where no bed reaches.
 std::shared_ptr<const RegionField> fieldOf(StraightBeads& straight, const BeadShape& shape) {
   Result<RegionField> made = fieldOfBeads(straight.beads, kNotch * shape.spacing);
   if (!made) return nullptr;
@@ -156,7 +162,7 @@ std::shared_ptr<const RegionField> fieldOf(StraightBeads& straight, const BeadSh
   return std::make_shared<const RegionField>(std::move(made).value());
 }
 
-// Part of the field that each line lays, -1 for others.
+// Part of the field in which each line lays a bead; -1 for lines that lay none.
 std::vector<int> partsOfLines(const Stretch& stretch, const RegionField& field, const std::vector<Vec2>& middles) {
   std::vector<int> partOf(stretch.lines.size(), -1);
   for (std::size_t k = 0; k < partOf.size(); ++k) {
@@ -166,7 +172,7 @@ std::vector<int> partsOfLines(const Stretch& stretch, const RegionField& field, 
   return partOf;
 }
 
-// The surface from its first to its last bead, as the file tells it there.
+// Makes the block of a surface from its first to its last bead, with the settings that hold there.
 SurfaceBlock blockBetween(const Stretch& stretch, const BeadShape& shape, std::size_t first, std::size_t last) {
   const StretchLine& head = stretch.lines[first];
   const StretchLine& tail = stretch.lines[last];
@@ -200,8 +206,8 @@ std::string_view withoutLineEnd(std::string_view line) {
   return line;
 }
 
-// Sums up what the surface's lines lay, and leaves it where one of them forbids to replace it.
-// \param part  of the field; partOf tells that of each line.
+// Sums up the plastic of the surface's lines, and leaves the surface if one of them forbids replacing it.
+// \param part  number of the surface's part. \param partOf  part of each line.
 void judgeLines(const Stretch& stretch, std::string_view gcode, const std::vector<int>& partOf, int part,
                 SurfaceBlock& block) {
   SlicedSurface& surface = block.surface;
@@ -239,7 +245,7 @@ void judgeLines(const Stretch& stretch, std::string_view gcode, const std::vecto
   }
 }
 
-// The surface's region, and whether it is large enough and filled. \return false where it has none.
+// Finds the surface's region, and leaves the surface if it is too small or not filled. \return false if it has none.
 bool judgeRegion(const RegionField& field, int part, double breadth, SurfaceBlock& block) {
   SlicedSurface& surface = block.surface;
   Result<Shape> region = regionOf(field, part, 2 * surface.width * surface.width, surface.corner);

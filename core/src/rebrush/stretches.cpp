@@ -11,11 +11,11 @@
 namespace sillon {
 namespace {
 
-constexpr double kLongBead = 1;                // [mm], shorter beads tell no flow: E is rounded
-constexpr double kLongTravel = 1;              // [mm], shorter ones may be wipes
-constexpr std::size_t kMostLines = 5'000'000;  // of one stretch
+constexpr double kLongBead = 1;                // [mm] least length of a bead whose feed counts, because E is rounded
+constexpr double kLongTravel = 1;              // [mm] least length of a travel: shorter moves may be wipes
+constexpr std::size_t kMostLines = 5'000'000;  // largest number of lines in one stretch
 
-// Editors and shells of Windows write one.
+// Removes the byte order mark that editors and shells of Windows write.
 std::string_view withoutByteOrderMark(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   return text;
@@ -25,7 +25,7 @@ bool isSurface(RoleKind role) {
   return role != RoleKind::Other && role != RoleKind::Ironing && role != RoleKind::Purge;
 }
 
-// Follows layers and roles by their marks, and the machine by its commands.
+// Follows layers and roles by their marks and the machine by its commands, and hands over events.
 class EventReader {
  public:
   EventReader(const FileSettings& settings, const std::function<void(SlicedEvent)>& visit)
@@ -49,18 +49,18 @@ class EventReader {
   const std::function<void(SlicedEvent)>& visit_;
   SlicedFacts facts_;
   MachineState machine_;
-  double acceleration_ = 1000;  // [mm/s²], of most printers that say nothing
+  double acceleration_ = 1000;  // [mm/s²] usual value, for files that set none
   bool changesTool_ = false;
   bool numbered_ = false;
   std::optional<Program> program_;
-  bool marked_ = false;  // any role
-  bool pushed_ = false;  // any bead
+  bool marked_ = false;  // true once a role was marked
+  bool pushed_ = false;  // true once a bead was laid
 
-  RoleKind told_ = RoleKind::Other;  // by the last mark
-  RoleKind role_ = RoleKind::Other;  // what counts of it in this layer
+  RoleKind told_ = RoleKind::Other;  // role of the last mark
+  RoleKind role_ = RoleKind::Other;  // role that counts: some do only in layers on the bed
   bool onBed_ = false;
-  std::optional<double> firstZ_;  // as a mark tells it
-  std::string firstLayer_;        // the mark of Cura
+  std::optional<double> firstZ_;  // Z of the first layer, if a mark gives it [mm]
+  std::string firstLayer_;        // text of the first layer's mark
   double layerZ_ = 0;
   double previousZ_ = 0;
   std::optional<double> height_;
@@ -69,6 +69,7 @@ class EventReader {
   std::vector<StretchLine> lines_;
 };
 
+// Reads one line: its mark or command, and its place in a stretch if its role may be a surface.
 void EventReader::line(const GcodeLine& line) {
   facts_.file.lines = line.number;
   const GcodeParts parts = partsOf(line.offset == 0 ? withoutByteOrderMark(line.text) : line.text);
@@ -108,6 +109,7 @@ void EventReader::line(const GcodeLine& line) {
   lines_.push_back(std::move(entry));
 }
 
+// Notes a bead: its height, and its feed if that counts towards the tool's largest one.
 void EventReader::laid(const MachineMove& move) {
   layerZ_ = move.z;
   pushed_ = true;
@@ -118,6 +120,7 @@ void EventReader::laid(const MachineMove& move) {
   if (byCura()) visit_(BeadLaid{move.from, move.to});
 }
 
+// Follows a mark: layers and roles end the stretch so far.
 void EventReader::mark(const Mark& mark) {
   switch (mark.kind) {
     case MarkKind::Layer:
@@ -147,7 +150,7 @@ void EventReader::mark(const Mark& mark) {
   }
 }
 
-// Cura tells the role anew in each layer, the others where it changes.
+// Begins a layer. Cura marks the role anew in each layer, the other slicers only where it changes.
 void EventReader::beginLayer(std::string_view name) {
   if (byCura()) told_ = RoleKind::Other;
   visit_(LayerBegins{});
@@ -159,17 +162,20 @@ void EventReader::beginLayer(std::string_view name) {
   takeRole();
 }
 
+// Notes that the layer lies on the bed.
 void EventReader::beginOnBed() {
   onBed_ = true;
   previousZ_ = 0;
   takeRole();
 }
 
+// Takes the role of the last mark; solid infill and bottoms count only on the bed.
 void EventReader::takeRole() {
   const bool ofBottoms = told_ == RoleKind::FirstSolid || told_ == RoleKind::Bottom;
   role_ = ofBottoms && !onBed_ ? RoleKind::Other : told_;
 }
 
+// Hands over the lines so far, up to the last bead, as one stretch.
 void EventReader::endStretch() {
   Stretch stretch;
   stretch.lines = std::move(lines_);
@@ -188,6 +194,7 @@ void EventReader::endStretch() {
   visit_(std::move(stretch));
 }
 
+// Ends the last stretch, and refuses files whose surfaces cannot be found or replaced.
 Result<SlicedFacts> EventReader::finish() {
   facts_.cut = isSurface(role_) && !lines_.empty() && lines_.back().bead();
   endStretch();

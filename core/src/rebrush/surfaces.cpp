@@ -9,7 +9,7 @@ namespace sillon {
 
 namespace {
 
-// In the order of LeftBecause.
+// Sentences in the order of LeftBecause.
 constexpr Sentence kSentences[] = {
     {"", "it can be replaced"},
     {"Narrow", "narrower than three beads"},

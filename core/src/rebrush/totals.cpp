@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMinute = 60;  // [s]
 
-// "1d 2h 3m 4s" and nothing else.
+// Reads a duration such as "1d 2h 3m 4s" [s]; none if the text has anything else.
 std::optional<double> durationOf(std::string_view text) {
   double seconds = 0;
   bool any = false;
@@ -32,6 +32,7 @@ std::optional<double> durationOf(std::string_view text) {
   return any ? std::optional<double>(seconds) : std::nullopt;
 }
 
+// Writes a duration as slicers do: "1d 2h 3m 4s".
 std::string durationText(double seconds) {
   const auto all = static_cast<std::int64_t>(std::llround(std::max(0.0, seconds)));
   const std::array<std::int64_t, 4> parts{all / 86400, all / 3600 % 24, all / 60 % 60, all % 60};
@@ -43,7 +44,7 @@ std::string durationText(double seconds) {
   return text;
 }
 
-/// Whole durations of the file by the two modes that slicers tell, 0: unknown.
+/// Durations of the whole print in both modes for which slicers estimate it [s]; 0: unknown.
 struct Whole {
   double normal = 0;
   double silent = 0;
@@ -52,6 +53,7 @@ struct Whole {
 constexpr std::string_view kNormal = "estimated printing time (normal mode) =";
 constexpr std::string_view kSilent = "estimated printing time (silent mode) =";
 
+// Reads the durations that a file gives.
 Whole wholeOf(std::string_view gcode) {
   Whole whole;
   forEachLine(gcode, [&](const GcodeLine& line) {
@@ -69,7 +71,7 @@ Whole wholeOf(std::string_view gcode) {
   return whole;
 }
 
-// A duration behind a key.
+// Adds `more` seconds to the duration behind a key.
 void lengthen(std::string& line, std::string_view key, double more) {
   const std::size_t at = line.find(key);
   if (at == std::string::npos) return;
@@ -80,7 +82,7 @@ void lengthen(std::string& line, std::string_view key, double more) {
   if (value) line.replace(begin, end - begin, durationText(*value + more));
 }
 
-// Seconds behind a key that the line begins with.
+// Adds `more` to the seconds behind a key with which the line begins; their number of decimals stays.
 void lengthenSeconds(std::string& line, std::string_view key, double more) {
   if (!line.starts_with(key)) return;
   double value = 0;
@@ -92,7 +94,7 @@ void lengthenSeconds(std::string& line, std::string_view key, double more) {
   line.replace(key.size(), read, fixed(std::max(0.0, value + more), digits));
 }
 
-// Goes through the file in its order and gives the lines that tell times as they become.
+// Goes through the file from its beginning, and rewrites the lines that contain times or progress.
 class TimeRewriter {
  public:
   TimeRewriter(const Whole& whole, const std::vector<TimeChange>& changes) : whole_(whole), changes_(changes) {
@@ -102,8 +104,8 @@ class TimeRewriter {
     }
   }
 
-  /// The lines of a text that change. \param offset  of the text in the file as it was \param edited  all of it stands
-  /// for what was there
+  /// Finds the lines of a text that change, and their new text. \param offset  place of the text in the file as it was
+  /// [bytes]. \param edited  true if the text as a whole replaces the lines at that place.
   std::vector<Edit> changesOf(std::string_view text, std::size_t offset, bool edited) {
     std::vector<Edit> found;
     forEachLine(text, [&](const GcodeLine& line) {
@@ -117,6 +119,7 @@ class TimeRewriter {
   }
 
  private:
+  // Rewrites a line if it contains a time.
   std::string changed(std::string_view line) {
     if (line.starts_with("M73 ")) return progress(line);
     std::string text(line);
@@ -133,6 +136,7 @@ class TimeRewriter {
     return text;
   }
 
+  // Rewrites an M73. Percent done and minutes left are P and R in normal mode, Q and S in silent mode.
   std::string progress(std::string_view line) {
     std::string fresh;
     const std::size_t code = std::min(line.find(';'), line.size());
@@ -162,11 +166,11 @@ class TimeRewriter {
 
   Whole whole_;
   const std::vector<TimeChange>& changes_;
-  double all_ = 0;
-  double first_ = 0;
-  double before_ = 0;  // of the changes that are behind us
-  std::size_t next_ = 0;
-  std::array<double, 2> least_{0, 0};  // progress never goes back
+  double all_ = 0;                     // time that all changes add [s]
+  double first_ = 0;                   // time that those in the first layer add [s]
+  double before_ = 0;                  // time that the changes before the current line add [s]
+  std::size_t next_ = 0;               // index of the first change behind the current line
+  std::array<double, 2> least_{0, 0};  // last progress of each mode [%]: progress never goes back
 };
 
 }  // namespace

@@ -11,10 +11,11 @@
 namespace sillon {
 namespace {
 
-constexpr int kMostTexels = 4096;  // of a side of a cut map
+constexpr int kMostTexels = 4096;  // largest number of texels along a side of a cut map
 constexpr const char* kNoBed = "fit is bed, but the file does not give its bed; it must be face, object or all";
 
-// The part of a map that lies over `part` where the map lies over `whole`. 1 x 1 maps are the same everywhere.
+// Cuts out the part of a map that lies over `part`, where the map lies over `whole`. Maps of 1 x 1 are the same
+// everywhere.
 template <class Map, class Texels>
 Map cutMap(const Map& map, const Texels& texels, const Bounds& part, const Bounds& whole) {
   if ((map.width <= 1 && map.height <= 1) || whole.empty()) return map;
@@ -40,13 +41,14 @@ Map cutMap(const Map& map, const Texels& texels, const Bounds& part, const Bound
   return cut;
 }
 
-/// A map as it is seen from the other side. \param turn  of a texel.
+/// Mirrors a map from left to right, as it is seen from the other side. \param turn  mirrors the value of a texel.
 template <class Texel, class Turn>
 void mirror(std::vector<Texel>& texels, int width, const Turn& turn) {
   for (auto row = texels.begin(); row != texels.end(); row += width) std::reverse(row, row + width);
   for (Texel& texel : texels) texel = turn(texel);
 }
 
+// Page of a surface on the bed.
 Bounds pageOf(const SlicedSurface& surface) {
   Bounds box;
   box.add(surface.corner);
@@ -131,7 +133,7 @@ Result<WantedDirections> DirectionSource::of(std::size_t block, const RunContext
   std::string key = surface.side == SurfaceSide::Bottom ? "below " : "above ";
   if (options_.fit == PictureFit::Face) {
     key += std::to_string(block);
-    laid_.clear();  // nobody asks for it again
+    laid_.clear();  // no other surface shares a composition
   }
   if (options_.fit == PictureFit::Object) key += surface.object;
   auto found = laid_.find(key);

@@ -37,7 +37,7 @@ void add(std::vector<InputNote>& notes, const char* code, std::vector<NamedValue
   notes.push_back({code, std::move(values), std::move(message)});
 }
 
-// Adds notes on parts of a drawing that no use of it shows as drawn.
+// Adds notes on parts of a drawing that are not shown as drawn, whatever it is used for.
 void addLost(const DrawingFacts& drawing, std::vector<InputNote>& notes) {
   if (drawing.texts > 0) add(notes, "TextLeftOut", {{"n", static_cast<double>(drawing.texts)}});
   if (drawing.otherFont) add(notes, "TextInOtherFont");

@@ -1,5 +1,6 @@
-// The report as JSON text. Numbers have fixed decimals and come from integers, so the bytes are the same on every
-// platform; the JSON library would write as many digits as a double needs, and each number of a list on its own line.
+// The report as JSON text. Numbers have fixed decimals and are printed from integers, so the bytes are the same on
+// every platform. The JSON library would write as many digits as a double needs, and each number of a list on its own
+// line.
 #include "sillon/report/report.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 namespace sillon {
 namespace {
 
-/// Fixed decimals, or null: JSON has no NaN.
+/// A number with fixed decimals; null for NaN, which JSON lacks, and for huge values.
 std::string number(double value, int decimals) { return std::abs(value) < 1e12 ? fixed(value, decimals) : "null"; }
 
 /// An object with one member per line; members are JSON texts.
@@ -55,7 +56,7 @@ std::string timeJson(const std::vector<StageTime>& stages) {
   return object.text();
 }
 
-// The largest; more are no list to read.
+// Lists the largest places, at most kMost, so that the list stays readable.
 std::string placesJson(const std::vector<ThinPlace>& places) {
   constexpr std::size_t kMost = 100;
   std::string list;
@@ -103,6 +104,7 @@ void addLikeness(Object& object, const Lamp& lamp, const PictureMeasures& measur
   object.add("contrast", measures.contrast, 2);
 }
 
+/// Lists the layers with the shares of them that are hidden.
 std::string layersJson(const std::vector<SeenLayer>& layers) {
   std::string list;
   for (const SeenLayer& one : layers) {
@@ -118,9 +120,10 @@ std::string layersJson(const std::vector<SeenLayer>& layers) {
   return "[" + list + "\n  ]";
 }
 
+/// Lists the pictures with their measures; `others` are the correlations with other pictures of the same layer.
 std::string picturesJson(const std::vector<ReportedPicture>& pictures, bool fromGcode) {
   std::string list;
-  std::size_t own = 0;  // number among the pictures of its layer
+  std::size_t own = 0;  // index among the pictures of its layer
   for (std::size_t k = 0; k < pictures.size(); ++k) {
     const auto& [layer, file, lamp, measures] = pictures[k];
     own = k > 0 && pictures[k - 1].layer == layer ? own + 1 : 0;
@@ -130,7 +133,7 @@ std::string picturesJson(const std::vector<ReportedPicture>& pictures, bool from
     }
     Object object("    ");
     object.add("layer", std::to_string(layer));
-    // File names need not be UTF-8; what is not becomes U+FFFD instead of an exception.
+    // File names need not be UTF-8; invalid bytes become U+FFFD instead of an exception.
     object.add("file", jsonString(file));
     addLikeness(object, lamp, measures);
     object.add("others", "[" + others + "]");
@@ -140,7 +143,7 @@ std::string picturesJson(const std::vector<ReportedPicture>& pictures, bool from
   return "[" + list + "\n  ]";
 }
 
-/// On one line, and without trailing zeros.
+/// Totals of a print on one line, without trailing zeros.
 std::string printJson(const PrintTotals& print) {
   const auto hundredths = [](double value) { return jsonNumber(std::round(100 * value) / 100); };
   return "{\"seconds\":" + jsonNumber(std::round(print.seconds)) + ",\"filamentMm\":" + hundredths(print.filamentMm) +

@@ -9,7 +9,7 @@
 
 namespace sillon {
 
-/// \param codeOf  gives the name of the code of each.
+/// Writes a list of warnings or notes as JSON. \param codeOf  returns the name of the code of one of them.
 template <class Told, class CodeOf>
 std::string toldJson(const std::vector<Told>& all, const CodeOf& codeOf) {
   std::string list;

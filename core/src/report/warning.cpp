@@ -15,7 +15,7 @@
 namespace sillon {
 namespace {
 
-// In the order of WarningCode, which is that of the alphabet.
+// Sentences in the order of WarningCode, which is alphabetical.
 constexpr Sentence kSentences[] = {
     {"AccelerationHeld", "printer.acceleration is {asked} mm/s2; it is held at printer.machineAcceleration, {held}"},
     {"BaseTooThin",
@@ -106,6 +106,7 @@ constexpr Sentence kSentences[] = {
      "{percent} % of the path is printed with a width held at {low} or {high} mm (0.6 and 1.6 nozzle diameters)"},
 };
 
+/// Tells whether the sentences are sorted and complete, at compile time.
 constexpr bool standInOrder() {
   for (std::size_t k = 1; k < std::size(kSentences); ++k) {
     if (!(std::string_view(kSentences[k - 1].code) < kSentences[k].code)) return false;
@@ -116,10 +117,10 @@ static_assert(standInOrder(), "one sentence per code, in the order of WarningCod
 
 const Sentence& sentence(WarningCode code) { return kSentences[static_cast<std::size_t>(code)]; }
 
-/// The warning about places narrower than a bead.
+/// Warns of places narrower than a bead.
 std::vector<Warning> lossWarnings(const Measures& measures, Vec2 page, double spacing) {
   if (!(measures.lostAreaMm2 > 0.005 * measures.shapeAreaMm2)) return {};
-  // The thinnest tenth may be hairlines that no size would save.
+  // The thinnest tenth is left out, because it may be hairlines that no size would save.
   std::vector<ThinPlace> byWidth = measures.lostPlaces;
   sortBy(byWidth, [](const ThinPlace& place) { return -place.width; });
   double printed = 0;
@@ -129,7 +130,8 @@ std::vector<Warning> lossWarnings(const Measures& measures, Vec2 page, double sp
     printed += place.areaMm2;
     width = place.width;
   }
-  // Never the present width: for a place a hundredth too thin, rounding could give it.
+  // The advice must exceed the present width; for a place a hundredth too thin, rounding could otherwise give that
+  // width.
   const double size = std::max(std::ceil(page.x * spacing / std::max(width, 0.01 * spacing)), std::floor(page.x) + 1);
   return {{WarningCode::DetailLost,
            {{"area", measures.lostAreaMm2},
@@ -162,7 +164,7 @@ const char* warningName(WarningCode code) { return sentence(code).code; }
 std::span<const Sentence> warningSentences() { return kSentences; }
 
 std::vector<Warning> letterWarnings(const std::vector<LackedLetter>& lacked, std::size_t layer) {
-  std::vector<std::pair<std::string, std::string>> byFont;  // and their letters
+  std::vector<std::pair<std::string, std::string>> byFont;  // fonts and their letters
   for (const LackedLetter& one : lacked) {
     const auto same = [&](const auto& other) { return other.first == one.font; };
     const auto known = std::find_if(byFont.begin(), byFont.end(), same);
@@ -188,7 +190,7 @@ std::vector<Warning> letterWarnings(const std::vector<LackedLetter>& lacked, std
 std::vector<Warning> drawingWarnings(const DrawingFacts& drawing) {
   std::vector<Warning> warnings = letterWarnings(drawing.lacked, 0);
   if (drawing.faintMm2 > 0) warnings.push_back({WarningCode::DrawingFaint, {{"area", drawing.faintMm2}}});
-  // Edges that only graze the page's are no loss.
+  // Smaller areas come from edges that only graze those of the page.
   if (drawing.offPage >= 0.01) {
     warnings.push_back({WarningCode::DrawingOffPage, {{"area", drawing.offPage}}});
   }
@@ -245,12 +247,12 @@ std::vector<Warning> plateWarnings(const DrawingFacts& drawing, const std::vecto
 }
 
 std::vector<Warning> layerWarnings(const std::vector<SeenLayer>& layers, Vec2 page, double spacing) {
-  constexpr double kMuchThin = 0.2;      // serifs alone take less
-  constexpr double kMayBeHidden = 0.02;  // of letters, drawings and codes
-  // A drawing filled at one angle over an echo of itself merges with it wherever its outline runs so, and is still
-  // seen.
+  constexpr double kMuchThin = 0.2;      // share of narrow parts that is too much; serifs alone have less
+  constexpr double kMayBeHidden = 0.02;  // hidden share of letters, drawings and codes that is tolerated
+  // Tolerated share of a drawing that lies within 15 degrees of the layer below. A drawing filled at one angle over an
+  // echo of itself merges with it wherever its outline has that angle, and is still visible.
   constexpr double kOfDrawingAlike = 0.1;
-  constexpr double kIsLeft = 0.02;  // of anything that is seen
+  constexpr double kIsLeft = 0.02;  // visible share that any other layer must keep
   const auto percent = [](double share) { return std::round(100 * share); };
   const auto tenths = [](double length) { return std::round(10 * length) / 10; };
   std::vector<Warning> warnings;

@@ -1,4 +1,4 @@
-// Settings from and to JSON.
+// Settings as JSON.
 #pragma once
 
 #include <cstddef>
@@ -16,35 +16,35 @@ namespace sillon {
 
 // Settings as text: the sections of project files, and values for messages.
 
-/// Shortest decimal that reads back as the same double, the same in every locale: "0.4", "1e-07", "60".
+/// Writes the shortest decimal that reads back as the same double, in any locale: "0.4", "1e-07", "60".
 std::string numberText(double value);
 
-/// Words of StrokeTool.
+/// Words of StrokeTool, in its order.
 inline constexpr const char* kStrokeTools = "comb mode erase";
 
-/// A field of an enumeration, by number.
+/// Wraps an enumeration as a field that is read and set by number.
 template <class Enum>
 ChoiceField choiceField(Enum& at) {
   return {&at, [](const void* p) { return static_cast<std::size_t>(*static_cast<const Enum*>(p)); },
           [](void* p, std::size_t index) { *static_cast<Enum*>(p) = static_cast<Enum>(index); }};
 }
 
-/// "[1.5, 20]"
+/// Writes a pair, such as "[1.5, 20]".
 std::string pairText(Vec2 value);
 
-/// "\"none\", \"soft\" or \"count\""
+/// Lists the choices of a setting, such as "none", "soft" or "count", in quotes.
 std::string choicesText(const Setting& setting);
 
-/// A message about a setting of a layer, which then tells the number of the layer: "layers[2].angle is ...".
+/// Puts the number of the layer into a message about a setting of a layer: "layers[2].angle is ...".
 std::string inLayer(std::string message, std::size_t number);
 
-/// A project file with the sections of which a view has any part.
+/// Writes a project file with the sections of which a view has any part.
 std::string projectText(const SettingsView& view);
 
-// The error for a number that is outside its range, whoever sets the range.
+// The error about a number outside its range.
 
-/// "print.layerHeight is 0.5 mm; it must be 0.05 to 0.32" and the rest.
-/// \param part  ".x" or ".y" of a pair; else empty. \param rest  why, and the way out, with its own comma.
+/// Makes an error such as "print.layerHeight is 0.5 mm; it must be 0.05 to 0.32", followed by `rest`.
+/// \param part  ".x" or ".y" of a pair; otherwise empty. \param rest  reason and remedy, with their own comma.
 inline Error settingOutOfRange(const Setting& setting, double value, double low, double high,
                                const std::string& rest = "", const char* part = "") {
   const std::string unit = *setting.unit == '\0' ? "" : std::string(" ") + setting.unit;
@@ -57,25 +57,25 @@ inline Error settingOutOfRange(const Setting& setting, double value, double low,
 
 // Settings from JSON.
 
-// Each reads one value. \param name  for messages. \return what is wrong; empty: nothing.
+// Each of these reads one value. \param name  name in messages. \return the fault; empty: none.
 std::string readText(const nlohmann::json& value, const std::string& name, std::string& out);
 std::string readFlag(const nlohmann::json& value, const std::string& name, bool& out);
 std::string readNumber(const nlohmann::json& value, const std::string& name, double& out);
 std::string readInteger(const nlohmann::json& value, const std::string& name, int& out);
 std::string readInteger(const nlohmann::json& value, const std::string& name, std::uint64_t& out);
 
-/// "a list", "text": what a value is, in words.
+/// Names the type of a value, such as "a list" or "text".
 const char* typeName(const nlohmann::json& value);
 
-/// Reads the keys of one section; those that are not there leave their fields alone. The values of a
-/// preset or profile that is named come first. Types only: ranges are the validator's.
-/// \return what is wrong, an unknown key too; empty: nothing.
+/// Reads the keys of one section; missing keys leave their fields as they are. The values of a named preset or profile
+/// are applied first. Only types are checked; ranges are left to the validator. \return the fault, such as an unknown
+/// key; empty: none.
 std::string readSection(const nlohmann::json& value, Section section, const SettingsView& view);
 
-/// Reads the list of a project's layers. \return as readSection.
+/// Reads the list of a project's layers. \return the fault, as readSection.
 std::string readLayers(const nlohmann::json& value, Project& project);
 
-/// Refuses keys that are not known. \param prefix  of the names in messages, such as "print.".
+/// Refuses unknown keys. \param prefix  prefix of the names in messages, such as "print.".
 std::string unknownKey(const nlohmann::json& object, const std::string& prefix, const std::vector<std::string>& known);
 
 }  // namespace sillon

@@ -17,7 +17,7 @@ std::string wrongType(const std::string& name, const std::string& wanted, const 
   return name + " is " + typeName(value) + "; it must be " + wanted;
 }
 
-/// \param range  for the message, such as " from 1 to 1000".
+/// Reads an integer. \param range  range for the message, such as " from 1 to 1000".
 template <class Integer>
 std::string wholeNumber(const Json& value, const std::string& name, Integer& out, const std::string& range) {
   if (!value.is_number()) return wrongType(name, "a whole number", value);
@@ -28,11 +28,11 @@ std::string wholeNumber(const Json& value, const std::string& name, Integer& out
     const auto whole = value.get<std::uint64_t>();
     fits = whole <= static_cast<std::uint64_t>(kHigh);
     if (fits) out = static_cast<Integer>(whole);
-  } else if (value.is_number_integer()) {  // negative
+  } else if (value.is_number_integer()) {  // negative integers
     const auto whole = value.get<std::int64_t>();
     fits = std::is_signed_v<Integer> && whole >= static_cast<std::int64_t>(kLow);
     if (fits) out = static_cast<Integer>(whole);
-  } else {  // 7.0 is a whole number too; beyond 2^53 it may not be the one that was meant
+  } else {  // 7.0 is an integer, too; beyond 2^53 it may not be the one that was meant
     const auto real = value.get<double>();
     fits = std::floor(real) == real && real >= static_cast<double>(kLow) &&
            real <= std::min(static_cast<double>(kHigh), 9007199254740992.0);
@@ -148,7 +148,7 @@ struct ReadValue {
   }
   std::string operator()(const ChoiceField& /*out*/) const { return choice(); }
 
-  /// The same setting with another value.
+  /// Returns a reader of the same setting for another value.
   [[nodiscard]] ReadValue other(const Json& one, const std::string& path) const { return {setting, field, one, path}; }
 
   /// Reads a list of objects that have these keys.
@@ -178,7 +178,7 @@ struct ReadValue {
   }
 };
 
-/// Lays the values of a preset or profile under those that follow.
+/// Applies the values of a preset or profile, which later keys may override.
 std::string applyNamed(const Setting& setting, const std::string& id, const SettingsView& view) {
   if (id.empty()) return "";
   if (setting.section == Section::Toolpath) return applyPreset(id, *view.toolpath);
@@ -186,6 +186,7 @@ std::string applyNamed(const Setting& setting, const std::string& id, const Sett
   return applyProfile(printer ? ProfileKind::Printer : ProfileKind::Filament, id, *view.printer);
 }
 
+/// Reads one setting; a name of a preset or profile also applies its values.
 std::string readSetting(const Setting& setting, const Json& value, const std::string& name, const SettingsView& view) {
   const Field field = setting.field(view);
   if (setting.type != SettingType::Name) return std::visit(ReadValue{setting, field, value, name}, field);
@@ -196,7 +197,7 @@ std::string readSetting(const Setting& setting, const Json& value, const std::st
   return wrong.empty() ? "" : name + ": " + wrong;
 }
 
-/// \param setting  that layers of this kind do not have.
+/// Message about a setting that a layer of this kind does not have.
 std::string otherKind(const Setting& setting, const Layer& layer) {
   SettingsView view;
   view.layer = const_cast<Layer*>(&layer);
@@ -266,7 +267,7 @@ std::string readLayers(const Json& value, Project& project) {
     const std::size_t number = project.layers.size() - 1;
     if (!one.is_object()) return wrongType("layers[" + std::to_string(number) + "]", "an object", one);
     if (std::string wrong = readSection(one, Section::Layers, view); !wrong.empty()) return inLayer(wrong, number);
-    // Otherwise an angle would be lost without a word.
+    // An angle given without a fill selects the fill by angle; otherwise it would be lost silently.
     auto* filled = view.layer->as<LayerFilled>();
     if (filled != nullptr && one.contains("angle") && !one.contains("fill")) filled->fill = LayerFill::Angle;
   }
@@ -289,7 +290,7 @@ std::string readSection(const Json& value, Section section, const SettingsView& 
     if (std::string wrong = readSetting(setting, *found, fullName(setting), view); !wrong.empty()) return wrong;
     if (section == Section::Printer && setting.key == std::string_view("profile")) profile = found->get<std::string>();
   }
-  // It depends on filament and nozzle, which are known only now.
+  // Pressure advance depends on filament and nozzle, which are known only now.
   if (!profile.empty() && !value.contains("pressureAdvance") && !value.contains("setPressureAdvance")) {
     applyAdvance(profile, *view.printer);
   }

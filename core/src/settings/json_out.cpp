@@ -10,7 +10,7 @@
 namespace sillon {
 namespace {
 
-/// The value of a field as JSON. \param pad  what lists are broken into lines with; empty: they stay on one.
+/// Writes the value of a field as JSON. \param pad  line break and indent of list items; empty: lists stay on one line.
 struct ValueJson {
   const Setting& setting;
   const Field& field;
@@ -117,12 +117,12 @@ std::string listJson(const char* words) {
   return "[" + out + "]";
 }
 
-/// Text is quoted; numbers and lists are not.
+/// Appends a member to an object. \param json  value as JSON text, quoted if it is text.
 void add(std::string& object, const char* key, const std::string& json) {
   object += std::string(object.empty() ? "" : ", ") + "\"" + key + "\": " + json;
 }
 
-/// \param kinds  of layers that have it; empty: all.
+/// Describes a setting as JSON. \param kinds  kinds of layers that have it; empty: all.
 std::string settingJson(const Setting& setting, const Field& field, const std::string& kinds) {
   const SettingType type = setting.type;
   const bool number = type == SettingType::Number || type == SettingType::Integer || type == SettingType::Pair ||
@@ -139,7 +139,7 @@ std::string settingJson(const Setting& setting, const Field& field, const std::s
   }
   if (nullable) add(out, "nullable", "true");
   if (*setting.unit != '\0') add(out, "unit", jsonString(setting.unit));
-  const bool seed = std::holds_alternative<std::uint64_t*>(field);  // its end is no double
+  const bool seed = std::holds_alternative<std::uint64_t*>(field);  // its upper end is no double
   if (number) add(out, "low", numberText(setting.low));
   if (number) add(out, "high", seed ? std::to_string(UINT64_MAX) : numberText(setting.high));
   const bool list = type == SettingType::PictureList || type == SettingType::HoleList ||
@@ -197,8 +197,8 @@ std::string inLayer(std::string message, std::size_t number) {
 
 namespace {
 
-/// One line, with the kind and all that differs from the defaults; the fill also beside an angle, which is one
-/// otherwise.
+/// Writes a layer on one line: its kind and all settings that differ from the defaults. The fill is also written beside
+/// an angle, which would select the fill by angle otherwise.
 std::string layerText(const Layer& layer) {
   Layer usual;
   SettingsView view, defaults;
@@ -230,7 +230,7 @@ std::string layersText(const std::vector<Layer>& layers) {
 std::string projectText(const SettingsView& view) {
   std::string out = "{\n  \"sillon\": 1";
   const char* open = "";
-  bool layers = view.project == nullptr || view.project->layers.empty();  // written
+  bool layers = view.project == nullptr || view.project->layers.empty();  // layers are written, or there are none
   for (const Setting& setting : settings()) {
     const Field field = setting.field(view);
     if (std::holds_alternative<std::monostate>(field)) continue;
@@ -259,7 +259,7 @@ std::string settingsJson() {
   const std::vector<std::string> kinds = splitWords(kind.choices);
   std::string out;
   for (const Setting& setting : settings()) {
-    std::string having;  // the kinds of layers that have it
+    std::string having;  // kinds of layers that have the setting
     std::vector<Layer> layers(kinds.size());
     Field field;
     for (std::size_t k = kinds.size(); k-- > 0;) {

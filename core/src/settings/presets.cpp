@@ -14,7 +14,7 @@
 namespace sillon {
 namespace {
 
-/// JSON built into the library, and what one row of it is called.
+/// JSON built into the library, and the name of one row of it.
 struct BuiltIn {
   const char* key;
   const char* noun;
@@ -24,7 +24,7 @@ constexpr BuiltIn kPrinters{"printers", "printer profile", kPrintersJson};
 constexpr BuiltIn kFilaments{"filaments", "filament profile", kFilamentsJson};
 constexpr BuiltIn kPresets{"presets", "preset", kPresetsJson};
 
-/// Read once: files of many printers, and tests, ask for them again and again.
+/// Parses built-in JSON once, because files of many printers, and tests, ask for it again and again.
 const Json& rowsOf(const BuiltIn& builtIn) {
   static const Json printers = parseJson(kPrinters.json)[kPrinters.key];
   static const Json filaments = parseJson(kFilaments.json)[kFilaments.key];
@@ -46,12 +46,13 @@ std::vector<std::string> ids(const Json& rows) {
   return all;
 }
 
-/// A row without what is told of the machine itself.
+/// Returns a row without the facts about the machine itself, which are no settings.
 Json settingsOf(Json row) {
   for (const char* fact : {"maker", "models", "source", "advance"}) row.erase(fact);
   return row;
 }
 
+/// Applies a built-in row to settings. \return the fault; empty: none.
 std::string apply(const BuiltIn& builtIn, const std::string& id, Section section, const SettingsView& view) {
   const Json& rows = rowsOf(builtIn);
   const auto found = rows.find(id);
@@ -59,7 +60,7 @@ std::string apply(const BuiltIn& builtIn, const std::string& id, Section section
   return inQuotes(id) + " is not a " + builtIn.noun + "; " + suggestion(id, ids(rows));
 }
 
-// Small letters and digits, less the nozzle: "Bambu Lab A1 0.4 nozzle" is "bambulaba1".
+// Reduces a name to lower-case letters and digits without the nozzle: "Bambu Lab A1 0.4 nozzle" becomes "bambulaba1".
 std::string plainName(std::string_view text) {
   if (text.ends_with("nozzle")) text = text.substr(0, text.rfind(" 0."));
   std::string out;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMostPictures = 8;
 
-// "WxH", "WxH/PNG" or "WxH/QOI"; width 0 if it is none of them.
+// Reads "WxH", "WxH/PNG" or "WxH/QOI". \return width 0 if the word is none of them.
 ThumbnailSize sizeFrom(std::string_view word) {
   ThumbnailSize size;
   const char* end = word.data() + word.size();

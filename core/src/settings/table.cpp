@@ -20,13 +20,13 @@ PictureParams* part(const SettingsView& view, const PictureParams* /*of this typ
 }
 Printer* part(const SettingsView& view, const Printer* /*of this type*/) { return view.printer; }
 Layer* part(const SettingsView& view, const Layer* /*of this type*/) { return view.layer; }
-/// A part that only some kinds of layers have.
+/// The part of a layer that only some kinds have; null if this layer lacks it.
 template <class Part>
 Part* part(const SettingsView& view, const Part* /*of this type*/) {
   return view.layer == nullptr ? nullptr : view.layer->as<Part>();
 }
 
-/// New contents of the kind with this number.
+/// Makes new contents of the kind with this number.
 template <std::size_t Kind = 0>
 LayerContents contentsOf(std::size_t index) {
   if constexpr (Kind + 1 < std::variant_size_v<LayerContents>) {
@@ -50,39 +50,40 @@ struct Access<Member> {
   }
 };
 
-/// The field that a member pointer names.
+/// Accessor of the field that a member pointer names.
 template <auto Member>
 constexpr auto at = &Access<Member>::field;
 
-/// The kind of a layer. Choosing one makes its contents anew.
+/// Field of the kind of a layer. Setting it replaces the contents of the layer.
 Field kindOf(const SettingsView& view) {
   if (view.layer == nullptr) return std::monostate{};
   return ChoiceField{view.layer, [](const void* at) { return static_cast<const Layer*>(at)->contents.index(); },
                      [](void* at, std::size_t index) { static_cast<Layer*>(at)->contents = contentsOf(index); }};
 }
 
-/// Only read: its values go into other fields.
+/// Field of a setting without storage: it is only read, and its values go into other fields.
 Field nowhere(const SettingsView& /*view*/) { return std::monostate{}; }
 
 using enum Section;
 using enum Level;
 using enum SettingType;
 
-constexpr double kMaxSide = 10'000;      // [mm], pages
+constexpr double kMaxSide = 10'000;      // [mm], side of a page
 constexpr double kMaxBed = 5'000;        // [mm]; beds may have their origin anywhere
-constexpr double kLine = 1024;           // [bytes]
-constexpr double kBlock = 65'536;        // [bytes]
-constexpr double kText = 4096;           // [bytes], of a layer
+constexpr double kLine = 1024;           // [bytes], text of one line
+constexpr double kBlock = 65'536;        // [bytes], start or end block
+constexpr double kText = 4096;           // [bytes], text of a layer
 constexpr double kMaxLayerHeight = 1.6;  // [mm], 0.8 of the widest nozzle
 constexpr double kSeeds = 18446744073709551615.0;
 
+/// A setting and its words.
 struct Row {
   Setting setting;
   SettingWords words;
 };
 
-// Within a section: the order of the files that are written. What temperatures, bed corners and layer heights may be
-// depends on other settings besides: validator.cpp.
+// Rows of the table. Within a section they stand in the order of written files. The ranges of temperatures, bed corners
+// and layer heights also depend on other settings: validator.cpp.
 constexpr Row kRows[] = {
     {{.section = Shape, .key = "file", .type = Text, .field = at<&Project::shapeFile>, .high = kLine, .level = Basic},
      {.label = "File",
@@ -1421,7 +1422,7 @@ constexpr Row kRows[] = {
       .help = "Thumbnail sizes in pixels: WxH, WxH/PNG or WxH/QOI; at most 8, with sides of 16 to 1024"}},
 };
 
-// Apart, so that programs which read no words do not carry them.
+// Kept apart from the words, so that programs without them do not carry these.
 constexpr auto kSettings = [] {
   std::array<Setting, std::size(kRows)> settings{};
   for (std::size_t k = 0; k < settings.size(); ++k) settings[k] = kRows[k].setting;

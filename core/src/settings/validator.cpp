@@ -1,5 +1,5 @@
-// The one validator: the table's ranges, and the rules that hold between settings of one section. What the settings of
-// a whole print must be together is the G-code's business: gcode/validation.cpp.
+// The validator of all settings: the ranges of the table, and the rules between settings of one section. Rules between
+// the settings of a whole print belong to the G-code: gcode/validation.cpp.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -15,16 +15,18 @@
 namespace sillon {
 namespace {
 
-constexpr double kLine = 1024;        // [bytes], of a file's name
-constexpr double kFurthest = 10'000;  // [mm], of holes, as sides of pages
+constexpr double kLine = 1024;        // [bytes], length of a file's name
+constexpr double kFurthest = 10'000;  // [mm], coordinate of a hole; as large as the side of a page
 
+/// Allowed range of a number, with advice about values above it.
 struct Range {
   double low;
   double high;
-  const char* wayOut = "";  ///< of what is too high
+  const char* wayOut = "";  ///< advice in messages about values above the range
 };
 
-/// Most ranges are the table's; what a printer may heat to depends on its own limits and generalHeatLimits.
+/// Returns the range of a setting. Most are the table's; temperatures depend on the printer's own limits and
+/// generalHeatLimits.
 Range rangeOf(const Setting& setting, const SettingsView& view) {
   if (setting.section == Section::Printer && view.printer != nullptr && !view.printer->generalHeatLimits) {
     const Printer& printer = *view.printer;
@@ -47,8 +49,9 @@ using Wrong = std::optional<Error>;
 
 Wrong wrong(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
 
+/// Checks one number against its range. \param part  ".x" or ".y" of a pair; otherwise empty.
 Wrong wrongNumber(const Setting& setting, const char* part, double value, Range range) {
-  if (value >= range.low && value <= range.high) return std::nullopt;  // false for NaN
+  if (value >= range.low && value <= range.high) return std::nullopt;  // NaN fails here
   return settingOutOfRange(setting, value, range.low, range.high, value > range.high ? range.wayOut : "", part);
 }
 
@@ -60,6 +63,7 @@ Wrong wrongPair(const Setting& setting, Vec2 value, Range range) {
   return wrong(fullName(setting) + " is " + pairText(value) + "; it must be two whole numbers");
 }
 
+/// Checks the length of a text, and its characters: blocks may have several lines, other texts must not.
 Wrong wrongText(const Setting& setting, const std::string& value) {
   const auto bytes = static_cast<std::size_t>(setting.high);
   if (setting.type == SettingType::Block) {
@@ -82,6 +86,7 @@ Wrong tooMany(const Setting& setting, std::size_t count, const char* items) {
                numberText(setting.high));
 }
 
+/// Checks the files and lamps of a list of pictures.
 Wrong wrongPictures(const Setting& setting, const std::vector<LampPicture>& pictures) {
   if (Wrong found = tooMany(setting, pictures.size(), "pictures")) return found;
   Setting part = setting;
@@ -104,6 +109,7 @@ Wrong wrongPictures(const Setting& setting, const std::vector<LampPicture>& pict
   return std::nullopt;
 }
 
+/// Checks centres and diameters of a list of holes.
 Wrong wrongHoles(const Setting& setting, const std::vector<RoundHole>& holes) {
   if (Wrong found = tooMany(setting, holes.size(), "holes")) return found;
   Setting part = setting;
@@ -119,6 +125,7 @@ Wrong wrongHoles(const Setting& setting, const std::vector<RoundHole>& holes) {
   return std::nullopt;
 }
 
+/// Checks colours and angles of a list.
 Wrong wrongColours(const Setting& setting, const std::vector<ColourAngle>& colours) {
   if (Wrong found = tooMany(setting, colours.size(), "colours")) return found;
   Setting part = setting;
@@ -140,6 +147,7 @@ Wrong wrongColours(const Setting& setting, const std::vector<ColourAngle>& colou
   return std::nullopt;
 }
 
+/// Checks brushes and points of a list of strokes.
 Wrong wrongStrokes(const Setting& setting, const std::vector<Stroke>& strokes) {
   if (Wrong found = tooMany(setting, strokes.size(), "strokes")) return found;
   Setting part = setting;
@@ -173,7 +181,7 @@ Wrong wrongChoice(const Setting& setting, const Field& field) {
                choicesText(setting));
 }
 
-/// Says what is wrong with the value of a field, by the kind of field.
+/// Checks the value of a field, by the kind of field.
 struct WrongValue {
   const Setting& setting;
   Range range;
@@ -199,7 +207,7 @@ struct WrongValue {
   Wrong operator()(const ChoiceField& /*value*/) const { return wrongChoice(setting, field); }
 };
 
-// ---- rules between settings of one section
+// ---- Rules between settings of one section.
 
 Wrong wrongShape(const Project& project) {
   if (project.builtin == BuiltinShape::Text && project.shapeText.empty()) {
@@ -215,6 +223,7 @@ Wrong wrongPrint(const PrintParams& print) {
   return settingOutOfRange(setting, print.firstLayerHeight, 0.05, setting.high, ", or 0 for the height of the others");
 }
 
+/// Checks the bed, the speed of the machine and the sizes of thumbnails.
 Wrong wrongPrinter(const Printer& printer) {
   const Vec2 size = printer.bedMax - printer.bedMin;
   constexpr Range kSide{10, 5000};
@@ -235,7 +244,7 @@ Wrong wrongPrinter(const Printer& printer) {
   return std::nullopt;
 }
 
-/// Finds the field that a visible layer lacks.
+/// Refuses a visible layer that lacks its file, text, pictures or mask.
 Wrong lackingLayer(const Layer& layer) {
   const auto* file = layer.as<LayerFile>();
   const auto* words = layer.as<LayerWords>();
@@ -269,6 +278,7 @@ Wrong wrongLayer(const Layer& layer) {
 
 Wrong wrongIn(const SettingsView& view);
 
+/// Checks the number of layers and each of them; errors name the layer.
 Wrong wrongLayers(const Project& project) {
   if (project.layers.size() > kMostLayers) {
     return wrong("the project has " + std::to_string(project.layers.size()) + " layers; it may have up to " +
@@ -285,6 +295,7 @@ Wrong wrongLayers(const Project& project) {
   return std::nullopt;
 }
 
+/// Checks all settings of a view, then the rules between them. \return the first fault.
 Wrong wrongIn(const SettingsView& view) {
   for (const Setting& setting : settings()) {
     const Field field = setting.field(view);
@@ -301,7 +312,7 @@ Wrong wrongIn(const SettingsView& view) {
 
 }  // namespace
 
-// Views are made for reading and writing alike; the validator only reads.
+// Views serve reading and writing alike, so const is cast away here; the validator only reads.
 std::optional<Error> invalidSettings(const Project& project) { return wrongIn(viewOf(const_cast<Project&>(project))); }
 
 std::optional<Error> invalidSettings(const ToolpathParams& toolpath) {

@@ -17,7 +17,7 @@ bool hasAny(const std::string& text, std::initializer_list<const char*> words) {
                      [&](const char* word) { return text.find(word) != std::string::npos; });
 }
 
-/// A built-in font that looks a little like the ones of these names.
+/// Returns a built-in font that looks somewhat like the fonts of these families.
 std::string_view lookAlike(const std::string& families) {
   if (hasAny(families, {"cursive", "script", "hand", "brush"})) return "Caveat";
   if (hasAny(families, {"sans"})) return builtinFonts().front();
@@ -59,15 +59,15 @@ std::vector<std::string> linesOfDrawing(std::string_view svg) {
   SvgOptions options;
   options.letters.choose = fontOfDrawing;
   options.letters.shape = [&](const DrawingFont& font, const std::string& line) -> Result<ShapedLine> {
-    lines.push_back(nameOfLine(font.name, 0, line));  // each is asked for once
-    ShapedLine shown;                                 // a drawing that shows nothing would be read again
+    lines.push_back(nameOfLine(font.name, 0, line));  // each line is asked for once
+    ShapedLine shown;  // dummy letters, because a drawing that shows nothing would be read again
     shown.letters.emplace_back();
     shown.outlines.emplace_back("M0 0H1V1Z");
     return shown;
   };
   const Result<Shape> read = readSvg(svg, options);
-  // These letters may lie beside what the real ones show. Of what is refused for another reason nothing needs to be
-  // shaped.
+  // Such letters may lie outside the page while the real ones do not, so that EmptyShape is ignored. If the drawing is
+  // refused for another reason, no line needs to be shaped.
   if (!read && read.error().code != ErrorCode::EmptyShape) lines.clear();
   return lines;
 }

@@ -1,4 +1,4 @@
-// The files of the built-in fonts, which core/embed_fonts.cmake makes part of the library.
+// Files of the built-in fonts, which core/embed_fonts.cmake makes part of the library.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@ struct FontData {
   std::size_t size;
 };
 
-/// In the order of builtinFonts().
+/// Font files in the order of builtinFonts().
 extern const FontData kFontData[];
 
 }  // namespace sillon

@@ -1,4 +1,4 @@
-// The bytes of the fonts that come with the library.
+// Bytes of the fonts that come with the library.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 namespace sillon {
 
-/// \return nothing for a name that is not one of builtinFonts().
+/// Returns the file of a built-in font. \return nothing if the name is not one of builtinFonts().
 std::optional<std::string_view> builtinFont(std::string_view name);
 
 }  // namespace sillon

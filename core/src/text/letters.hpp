@@ -1,4 +1,4 @@
-// Letters of a text, and what may be wrong with a font.
+// Letters of a text, and errors of fonts.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,19 @@
 
 namespace sillon {
 
-/// The most path data of all letters of a text, which may repeat few outlines [bytes].
+/// Limit on the path data of all letters of a text, which may repeat a few outlines [bytes].
 inline constexpr std::size_t kMostDrawnBytes = std::size_t{16} << 20;
 
-/// \param font  neither built in nor a file that was handed over.
+/// Makes the error for a font that is neither built in nor among the given files.
 Error unknownFont(const std::string& font);
-/// The name under which engines in browsers ask for a shaped line.
+/// Returns the name under which engines in browsers ask for a shaped line.
 std::string nameOfLine(const std::string& font, int weight, const std::string& line);
 Error noFont(const std::string& font);
-/// \param most  bytes of path data.
+/// \param most  limit on path data [bytes]
 Error tooDetailed(const std::string& font, std::size_t most = kMostPathBytes);
-/// \param lacked  that no font has.
+/// Makes the error for a letter that no font has.
 Error missingLetter(const std::string& font, const LackedLetter& lacked);
-/// Adds a letter to those that are told, of which ShapedLine says how many there may be.
+/// Adds a letter to those that are reported; ShapedLine limits their number.
 void addLacked(std::vector<LackedLetter>& all, const LackedLetter& one);
 
 }  // namespace sillon

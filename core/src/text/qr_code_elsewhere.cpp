@@ -1,4 +1,4 @@
-// Takes QR codes that JavaScript has made (wasm/src/text/text.ts), by the same algorithm.
+// Takes QR codes that JavaScript has made (wasm/src/text/text.ts) by the same algorithm.
 #include <variant>
 
 #include "sillon/text/qr_code.hpp"

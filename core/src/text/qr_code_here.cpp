@@ -1,4 +1,4 @@
-// Makes QR codes by libqrcodegen. Engines in browsers have qr_code_elsewhere.cpp instead.
+// Makes QR codes with libqrcodegen. Engines in browsers use qr_code_elsewhere.cpp instead.
 #include <array>
 #include <cstddef>
 #include <qrcodegen.hpp>

@@ -1,4 +1,4 @@
-// The error of a text that fits into no QR code.
+// Error for a text that fits into no QR code.
 #pragma once
 
 #include <cstddef>

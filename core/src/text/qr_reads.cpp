@@ -1,5 +1,5 @@
-// Reading of QR codes with damage. What a code says is known here, so that no decoder is needed: only the correction's
-// reach counts.
+// Predicts whether a damaged QR code can be read. Its content is known here, so that no decoder is needed: only the
+// reach of the error correction matters.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostVersions = 40;
 using PerVersion = std::array<std::uint8_t, kMostVersions>;
 
-// By level, from low to high, and by version from 1 (ISO/IEC 18004, table 9).
+// Correction codewords per block, by level from low to high and by version from 1 (ISO/IEC 18004, table 9).
 constexpr std::array<PerVersion, 4> kCorrectionWords{{
     {7,  10, 15, 20, 26, 18, 20, 24, 30, 18, 20, 24, 26, 30, 22, 24, 28, 30, 28, 28,
      28, 28, 30, 30, 26, 28, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30},
@@ -35,7 +35,7 @@ constexpr std::array<PerVersion, 4> kBlocks{{
      25, 34, 30, 32, 35, 37, 40, 42, 45, 48, 51, 54, 57, 60, 63, 66, 70, 74, 77, 81},
 }};
 
-/// Modules are counted from the code's upper left corner, without the quiet zone.
+/// Reading of a code. Modules are counted from the code's upper left corner, without the quiet zone.
 class Reading {
  public:
   Reading(const Image& code, const std::vector<char>& wrong)
@@ -51,8 +51,8 @@ class Reading {
   [[nodiscard]] bool wrong(int x, int y) const { return wrong_[at(x, y)] != 0; }
   [[nodiscard]] int dark(int x, int y) const { return code_.samples[at(x, y)] == 0 ? 1 : 0; }
 
-  /// Decoders look for 1:1:3:1:1 on lines through the middle of a pattern, with light at either end, and then for its
-  /// corners.
+  /// Tells whether the three finder patterns are intact. Decoders look for runs of 1:1:3:1:1 on lines through the
+  /// middle of a pattern, with light at either end, and then for its corners.
   [[nodiscard]] bool findersShow() const {
     for (const auto& [left, top] : {std::array{0, 0}, {side_ - 7, 0}, {0, side_ - 7}}) {
       for (int line = 0; line < 7; ++line) {
@@ -65,6 +65,7 @@ class Reading {
     return true;
   }
 
+  /// Tells whether one of the two copies of the format can be corrected.
   [[nodiscard]] bool formatReads() const {
     constexpr int kCorrected = 3;
     int first = 0, second = 0;
@@ -75,7 +76,7 @@ class Reading {
     return std::min(first, second) <= kCorrected;
   }
 
-  /// Index of the alignment pattern's column or row that a module lies in, or -1.
+  /// Returns the index of the alignment patterns' column or row that contains a module, or -1.
   [[nodiscard]] int alignment(int place) const {
     const int gaps = version_ / 7 + 1;
     const int step = version_ == 32 ? 26 : (side_ - 13 + 2 * gaps - 1) / (2 * gaps) * 2;
@@ -85,7 +86,7 @@ class Reading {
     }
     return -1;
   }
-  /// Tells whether a module belongs to a pattern, the format or the version, and holds no data.
+  /// Tells whether a module belongs to a pattern, the format or the version, and therefore holds no data.
   [[nodiscard]] bool fixed(int x, int y) const {
     const int far = side_ - 8;
     if ((x < 9 && (y < 9 || y >= far)) || (x >= far && y < 9) || x == 6 || y == 6) return true;
@@ -94,13 +95,13 @@ class Reading {
     const int column = alignment(x), row = alignment(y), last = version_ / 7 + 1;
     return column >= 0 && row >= 0 && !(column == 0 && row == last) && !(column == last && row == 0);
   }
-  /// Tells of each codeword, in the order of their places, whether a module of it is wrong.
+  /// Marks each codeword, in the order of their places, that has a wrong module.
   [[nodiscard]] std::vector<char> wrongWords() const {
     std::vector<char> words;
     int bit = 0;
     bool up = true;
     for (int right = side_ - 1; right > 0; right -= 2, up = !up) {
-      if (right == 6) --right;  // the timing pattern
+      if (right == 6) --right;  // skips the timing pattern
       for (int k = 0; k < 2 * side_; ++k) {
         const int x = right - k % 2, y = up ? side_ - 1 - k / 2 : k / 2;
         if (fixed(x, y)) continue;
@@ -109,11 +110,12 @@ class Reading {
         ++bit;
       }
     }
-    if (bit % 8 != 0) words.pop_back();  // the rest holds nothing
+    if (bit % 8 != 0) words.pop_back();  // the remaining bits hold nothing
     return words;
   }
+  /// Tells whether each block has few enough wrong words to be corrected.
   [[nodiscard]] bool blocksRead() const {
-    // Two bits of the format, low 1, medium 0, quartile 3, high 2, of which the mask turns the upper one.
+    // The level is two bits of the format: low 1, medium 0, quartile 3, high 2; the mask inverts the upper one.
     const auto level = static_cast<std::size_t>(((dark(0, 8) ^ 1) * 2 + dark(1, 8)) ^ 1);
     const auto version = static_cast<std::size_t>(version_ - 1);
     const std::size_t blocks = kBlocks[level][version], correction = kCorrectionWords[level][version];
@@ -121,7 +123,7 @@ class Reading {
     const std::size_t data = words.size() - blocks * correction, shared = data - data % blocks;
     std::vector<std::size_t> count(blocks);
     for (std::size_t k = 0; k < words.size(); ++k) {
-      // The last blocks have one word of data more than the others.
+      // The last blocks have one more data word than the others.
       const std::size_t block = k < shared ? k % blocks : k < data ? blocks - data + k : (k - data) % blocks;
       if (words[k] != 0 && ++count[block] > correction / 2) return false;
     }

@@ -1,5 +1,5 @@
-// Takes lines that JavaScript has shaped (wasm/src/text/text.ts), by the same library: engines in browsers would be a
-// fifth larger with HarfBuzz in them, and most plates have no text.
+// Takes lines that JavaScript has shaped (wasm/src/text/text.ts) with the same library. With HarfBuzz, engines in
+// browsers would be a fifth larger, and most plates have no text.
 #include <cstddef>
 #include <utility>
 

@@ -1,5 +1,5 @@
-// Shapes lines by HarfBuzz. Engines in browsers have shape_line_elsewhere.cpp instead: wasm/src/text/text.ts does the
-// same.
+// Shapes lines with HarfBuzz. Engines in browsers use shape_line_elsewhere.cpp and wasm/src/text/text.ts instead, with
+// the same results.
 #include <hb-ot.h>
 #include <hb.h>
 #include <unicode/ustring.h>
@@ -44,7 +44,7 @@ using DrawFuncs = Owned<hb_draw_funcs_t, hb_draw_funcs_destroy>;
 using PaintFuncs = Owned<hb_paint_funcs_t, hb_paint_funcs_destroy>;
 #endif
 
-/// From the points of a glyph to those of the letter that it is a part of.
+/// Map from the points of a glyph to those of the letter of which it is a part.
 struct Affine {
   double xx = 1, yx = 0, xy = 0, yy = 1, dx = 0, dy = 0;
 };
@@ -54,12 +54,12 @@ Affine operator*(const Affine& a, const Affine& b) {
           a.yx * b.xy + a.yy * b.yy, a.xx * b.dx + a.xy * b.dy + a.dx, a.yx * b.dx + a.yy * b.dy + a.dy};
 }
 
-/// Path data that is being written.
+/// Writer of path data.
 struct Pen {
   std::string path;
   double scale = 1;
   hb_draw_funcs_t* writer = nullptr;
-  std::vector<Affine> places{Affine{}};  ///< of nested parts
+  std::vector<Affine> places{Affine{}};  ///< transforms of the nested parts, innermost last
 };
 
 Pen& penOf(void* data) { return *static_cast<Pen*>(data); }
@@ -74,6 +74,7 @@ void addNumbers(Pen& pen, char command, std::initializer_list<float> numbers) {
   }
 }
 
+/// Makes the functions by which HarfBuzz writes an outline as path data.
 DrawFuncs pathWriter() {
   DrawFuncs funcs(hb_draw_funcs_create());
   hb_draw_funcs_set_move_to_func(
@@ -108,7 +109,7 @@ DrawFuncs pathWriter() {
 }
 
 #if HB_VERSION_ATLEAST(11, 2, 0)
-/// Fonts in colour lay parts of a letter over one another: their union, as they all get the same plastic.
+/// Collects the parts that fonts in colour lay over one another; their union counts, because all get the same plastic.
 PaintFuncs partsWriter() {
   PaintFuncs funcs(hb_paint_funcs_create());
   hb_paint_funcs_set_push_transform_func(
@@ -135,7 +136,7 @@ PaintFuncs partsWriter() {
 }
 #endif
 
-/// The letters of a line. Broken bytes are U+FFFD, control characters and separators of lines are spaces.
+/// Decodes a line. Invalid bytes become U+FFFD; control characters and line separators become spaces.
 std::u16string lettersOf(std::string_view line) {
   std::u16string letters(line.size(), u'\0');
   std::int32_t length = 0;
@@ -172,14 +173,15 @@ bool isSpace(UChar32 code) {
   return category == HB_UNICODE_GENERAL_CATEGORY_SPACE_SEPARATOR;
 }
 
-/// Joiners, marks of direction, selectors of variants: they change letters, and fonts need not have them.
+/// Tells whether a letter is a joiner, a mark of direction or a variation selector: these change other letters, and
+/// fonts need not have them.
 bool isUnseen(UChar32 code) {
   const bool selects = (code >= 0xFE00 && code <= 0xFE0F) || (code >= 0xE0100 && code <= 0xE01EF) ||
                        (code >= 0x180B && code <= 0x180D) || code == 0x180F;
   return selects || categoryOf(code) == HB_UNICODE_GENERAL_CATEGORY_FORMAT;
 }
 
-/// Tells whether a letter is drawn. Marks on letters may be none that are drawn, and some letters are blanks.
+/// Tells whether a letter must show ink. Marks need not be drawn, and some letters are blanks.
 bool hasInk(UChar32 code) {
   const hb_unicode_general_category_t category = categoryOf(code);
   const bool mark = category == HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK ||
@@ -190,7 +192,7 @@ bool hasInk(UChar32 code) {
   return !isSpace(code) && !isUnseen(code) && !mark && !blank;
 }
 
-/// Height of H, since what fonts tell of it may be a third off.
+/// Returns the height of H, because the height that a font states may be off by a third.
 double capHeightOf(hb_font_t* font, double em) {
   hb_codepoint_t glyph = 0;
   hb_glyph_extents_t extents{};
@@ -199,7 +201,7 @@ double capHeightOf(hb_font_t* font, double em) {
   return drawn ? -extents.height : kUsualCapHeight * em;
 }
 
-/// The heights that set the base lines of drawings.
+/// Reads the heights from which the base lines of drawings follow.
 void measure(hb_font_t* font, ShapedLine& shaped) {
   hb_position_t height = 0;
   hb_font_extents_t extents{};
@@ -209,17 +211,17 @@ void measure(hb_font_t* font, ShapedLine& shaped) {
   shaped.descent = -extents.descender;
 }
 
-/// A font whose bytes lie elsewhere.
+/// A font; its bytes are owned elsewhere.
 struct OpenFont {
   std::string name;
   Face face;
   Font font;
   double em = 0;
   double capHeight = 0;
-  std::map<hb_codepoint_t, std::size_t> outlines;  ///< by glyph: index in ShapedLine::outlines
+  std::map<hb_codepoint_t, std::size_t> outlines;  ///< index in ShapedLine::outlines, by glyph
 };
 
-/// \param weight  0: the font's own. \return nothing for what is no font.
+/// Opens a font. \param weight  0 for the font's own. \return nothing if the bytes are no font.
 std::optional<OpenFont> opened(const std::string& name, std::string_view bytes, int weight = 0) {
   const Blob blob(
       hb_blob_create(bytes.data(), static_cast<unsigned>(bytes.size()), HB_MEMORY_MODE_READONLY, nullptr, nullptr));
@@ -242,18 +244,18 @@ bool hasLetter(const OpenFont& font, UChar32 code) {
 
 struct Glyph {
   hb_codepoint_t id = 0;
-  std::size_t letter = 0;  ///< where the letters begin that it stands for
+  std::size_t letter = 0;  ///< position of the first letter that the glyph stands for
   Vec2 offset;
   double advance = 0;
 };
 
 /// Glyphs that stand for the same letters.
 struct Cluster {
-  std::size_t first = 0, last = 0;  ///< of the glyphs
-  std::size_t begin = 0, end = 0;   ///< of the letters
+  std::size_t first = 0, last = 0;  ///< first and last glyph
+  std::size_t begin = 0, end = 0;   ///< range of letters
 };
 
-/// \param glyphs  of a run, from left to right.
+/// Groups glyphs by their letters. \param glyphs  glyphs of a run, from left to right.
 std::vector<Cluster> clustersOf(const std::vector<Glyph>& glyphs, const TextRun& run) {
   std::vector<Cluster> clusters;
   for (std::size_t k = 0; k < glyphs.size(); ++k) {
@@ -263,14 +265,14 @@ std::vector<Cluster> clustersOf(const std::vector<Glyph>& glyphs, const TextRun&
       continue;
     }
     Cluster cluster{k, k, begin, run.end};
-    // The letters of a cluster end where those of the next one begin.
+    // The letters of a cluster end where those of the next cluster begin.
     if (!clusters.empty()) (run.toLeft ? cluster : clusters.back()).end = run.toLeft ? clusters.back().begin : begin;
     clusters.push_back(cluster);
   }
   return clusters;
 }
 
-/// Sets one line: in its font, and what that lacks in the first built-in one that has it.
+/// Sets a line in its font; letters that the font lacks come from the first built-in font that has them.
 class LineSetter {
  public:
   LineSetter(const std::string& line, OpenFont own) : letters_(lettersOf(line)) {
@@ -288,7 +290,7 @@ class LineSetter {
   }
 
  private:
-  /// The font of a line, or a built-in one behind it; none: there are no more.
+  /// Returns the line's font (0) or a built-in fallback (1, 2, ...); null if there are no more.
   OpenFont* fontAt(std::size_t k) {
     while (k >= fonts_.size() && next_ < builtinFonts().size()) {
       const std::string name(builtinFonts()[next_++]);
@@ -297,6 +299,7 @@ class LineSetter {
     return k < fonts_.size() ? &fonts_[k] : nullptr;
   }
 
+  /// Shapes a run with a font; glyphs come from left to right.
   std::vector<Glyph> shape(const OpenFont& font, const TextRun& run) {
     hb_buffer_t* const buffer = buffer_.get();
     hb_buffer_reset(buffer);
@@ -304,7 +307,7 @@ class LineSetter {
                         static_cast<int>(letters_.size()), static_cast<unsigned>(run.begin),
                         static_cast<int>(run.end - run.begin));
     hb_buffer_set_direction(buffer, run.toLeft ? HB_DIRECTION_RTL : HB_DIRECTION_LTR);
-    hb_buffer_set_language(buffer, hb_language_from_string("und", -1));  // not that of the system
+    hb_buffer_set_language(buffer, hb_language_from_string("und", -1));  // the system's language would change results
     hb_buffer_set_flags(buffer, HB_BUFFER_FLAG_REMOVE_DEFAULT_IGNORABLES);
     hb_buffer_guess_segment_properties(buffer);
     hb_shape(font.font.get(), buffer, nullptr, 0);
@@ -320,12 +323,12 @@ class LineSetter {
     return glyphs;
   }
 
-  /// Capitals of all fonts are as high as those of the first.
+  /// Returns the scale that makes capitals of all fonts as high as those of the first font.
   [[nodiscard]] double scaleOf(const OpenFont& font) const {
     return &font == &fonts_.front() ? 1 : shaped_.capHeight / font.capHeight;
   }
 
-  /// \param outline  index of its outline. \return false for more curves than there may be.
+  /// Finds or draws the outline of a glyph. \param outline  its index. \return false if there are too many curves.
   bool findOutline(OpenFont& font, hb_codepoint_t glyph, std::size_t& outline) {
     const auto [known, fresh] = font.outlines.try_emplace(glyph, shaped_.outlines.size());
     outline = known->second;
@@ -344,7 +347,7 @@ class LineSetter {
     return length_ <= kMostPathBytes;
   }
 
-  /// \param k  the font to begin with. \return false for more curves than there may be.
+  /// Sets a run. \param k  index of the font to begin with. \return false if there are too many curves.
   bool setRun(const TextRun& run, std::size_t k) {
     OpenFont& font = *fontAt(k);
     const std::vector<Glyph> glyphs = shape(font, run);
@@ -374,8 +377,9 @@ class LineSetter {
     return true;
   }
 
-  /// \param has  whether the font has these letters, with outlines where they need them.
-  /// \return false for more curves than there may be.
+  /// Draws the outlines of a cluster.
+  /// \param has  true if the font has these letters, with outlines where they need them.
+  /// \return false if there are too many curves.
   bool draws(OpenFont& font, const std::vector<Glyph>& glyphs, const Cluster& cluster, bool& has) {
     bool ink = false;
     for (std::size_t g = cluster.first; g <= cluster.last; ++g) {
@@ -388,7 +392,7 @@ class LineSetter {
     return true;
   }
 
-  /// The first letter of a cluster of which something holds.
+  /// Returns the first letter of a cluster for which `holds` is true.
   template <class Holds>
   std::optional<UChar32> find(const Cluster& cluster, const Holds& holds) const {
     for (std::size_t at = cluster.begin; at < cluster.end;) {
@@ -399,7 +403,7 @@ class LineSetter {
     return std::nullopt;
   }
 
-  /// Tells of letters that come from another font, or from none. Spaces are not worth it.
+  /// Reports a letter that comes from another font, or from none. Spaces are not reported.
   void tell(const Cluster& cluster, const std::string& font) {
     const OpenFont& own = fonts_.front();
     const auto absent =
@@ -410,14 +414,14 @@ class LineSetter {
 
   std::u16string letters_;
   std::deque<OpenFont> fonts_;
-  std::size_t next_ = 0;  // of the built-in ones
+  std::size_t next_ = 0;  // index of the next built-in font to open
   Buffer buffer_{hb_buffer_create()};
   DrawFuncs writer_ = pathWriter();
 #if HB_VERSION_ATLEAST(11, 2, 0)
   PaintFuncs parts_ = partsWriter();
 #endif
   ShapedLine shaped_;
-  std::size_t length_ = 0;  // of all outlines [bytes]
+  std::size_t length_ = 0;  // size of all outlines [bytes]
 };
 
 }  // namespace

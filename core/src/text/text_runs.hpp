@@ -1,4 +1,4 @@
-// The order of letters in a line that may run both ways.
+// Order of the letters in a line that may run both ways.
 #pragma once
 
 #include <cstddef>
@@ -7,18 +7,18 @@
 
 namespace sillon {
 
-/// A part of a line that runs one way and is written in one script, as shapers take it.
+/// A part of a line that runs one way and is written in one script, as shapers require.
 struct TextRun {
-  std::size_t begin = 0;  ///< in UTF-16 units
+  std::size_t begin = 0;  ///< UTF-16 units, also for end
   std::size_t end = 0;
   bool toLeft = false;
 
   friend bool operator==(const TextRun&, const TextRun&) = default;
 };
 
-/// The runs of a line by the Unicode bidirectional algorithm (UAX 9), in the order in which they stand from left to
-/// right. The line is a paragraph, whose first strong letter gives its direction. Letters of several scripts, as digits
-/// and signs, belong to the run before them. wasm/src/text/text-runs.ts does the same.
+/// Splits a line into runs by the Unicode bidirectional algorithm (UAX 9), in their order from left to right. The line
+/// is a paragraph, and its first strong letter gives the direction. Letters common to several scripts, such as digits
+/// and punctuation, belong to the run before them. wasm/src/text/text-runs.ts does the same.
 std::vector<TextRun> textRuns(std::u16string_view line);
 
 }  // namespace sillon

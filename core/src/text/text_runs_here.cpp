@@ -1,4 +1,4 @@
-// Orders the runs of a line by ICU, and splits them by HarfBuzz's table of scripts.
+// Orders the runs of a line with ICU, and splits them by HarfBuzz's table of scripts.
 #include <hb.h>
 #include <unicode/ubidi.h>
 #include <unicode/utf16.h>
@@ -13,10 +13,11 @@
 namespace sillon {
 namespace {
 
-/// The time of the library in JavaScript grows with the square of a paragraph; more letters are several of them.
+/// Longest paragraph that is ordered at once [letters]; longer lines are split. The JavaScript library takes time that
+/// grows with the square of the length, and both must give the same runs.
 constexpr int kLongestParagraph = 4096;
 
-/// Parts of one script each, in the order of the line.
+/// Splits a run into parts of one script each, in the order of the line.
 std::vector<TextRun> byScript(std::u16string_view line, TextRun whole) {
   std::vector<TextRun> parts{whole};
   hb_script_t known = HB_SCRIPT_COMMON;
@@ -35,21 +36,21 @@ std::vector<TextRun> byScript(std::u16string_view line, TextRun whole) {
   return parts;
 }
 
-/// \param whole  one paragraph.
+/// Splits a paragraph into runs of one direction, from left to right. \param whole  the paragraph.
 std::vector<TextRun> byWay(std::u16string_view line, TextRun whole) {
   const std::unique_ptr<UBiDi, void (*)(UBiDi*)> order(ubidi_open(), &ubidi_close);
   UErrorCode status = U_ZERO_ERROR;
   ubidi_setPara(order.get(), line.data() + whole.begin, static_cast<std::int32_t>(whole.end - whole.begin),
                 UBIDI_DEFAULT_LTR, nullptr, &status);
   const std::int32_t count = ubidi_countRuns(order.get(), &status);
-  if (U_FAILURE(status) != 0) throw std::bad_alloc();  // nothing else can fail
+  if (U_FAILURE(status) != 0) throw std::bad_alloc();  // only memory can run out
   std::vector<TextRun> ways;
   for (std::int32_t k = 0; k < count; ++k) {
     std::int32_t start = 0, length = 0;
     const bool toLeft = ubidi_getVisualRun(order.get(), k, &start, &length) == UBIDI_RTL;
     const std::size_t begin = whole.begin + static_cast<std::size_t>(start);
     const TextRun run{begin, begin + static_cast<std::size_t>(length), toLeft};
-    // Levels that differ by two run the same way: kerning goes on between them.
+    // Adjacent runs of one direction, whose levels differ by two, are joined, so that kerning works across them.
     TextRun* const before = ways.empty() || ways.back().toLeft != toLeft ? nullptr : &ways.back();
     if (before != nullptr && (toLeft ? run.end == before->begin : run.begin == before->end)) {
       before->begin = std::min(before->begin, run.begin);

@@ -1,5 +1,5 @@
-// Lays shaped lines out, straight or on a circle, and reads the whole as one drawing: the SVG reader flattens curves,
-// and guards against what a hostile font may hold.
+// Lays out shaped lines, straight or on a circle, and reads them as one drawing: the SVG reader flattens curves, and
+// guards against hostile fonts.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -20,9 +20,9 @@
 namespace sillon {
 namespace {
 
-constexpr double kLineStep = 1.7;    // from line to line [heights of capitals]
-constexpr double kRoom = 4;          // of ink around a line [heights of capitals]; accents and swashes lie within
-constexpr double kAlmostFull = 1.0;  // share of a circle that a line may take
+constexpr double kLineStep = 1.7;  // distance from line to line [heights of capitals]
+constexpr double kRoom = 4;        // room for ink around a line [heights of capitals]; accents and swashes fit into it
+constexpr double kAlmostFull = 1.0;  // largest share of a circle that a line may take
 
 double widthOf(const ShapedLine& line) {
   double width = 0;
@@ -30,7 +30,7 @@ double widthOf(const ShapedLine& line) {
   return width;
 }
 
-/// A letter's outline, from font units to the page: scaled, turned, moved.
+/// Returns a letter's outline as a path, mapped from font units to the page: scaled, turned, moved.
 std::string placed(const std::string& outline, double scale, exact::SinCos turn, Vec2 at) {
   std::string out = "<path d=\"" + outline + "\" transform=\"matrix(";
   for (const double number : {scale * turn.cos, scale * turn.sin, -scale * turn.sin, scale * turn.cos, at.x}) {
@@ -39,12 +39,13 @@ std::string placed(const std::string& outline, double scale, exact::SinCos turn,
   return out += jsonNumber(at.y) + ")\"/>";
 }
 
-/// A drawing of letters, y up about the origin.
+/// A drawing of letters around the origin, y up.
 struct Drawing {
   std::string paths;
-  double reach = 0;  ///< no ink lies further from the origin [mm]
+  double reach = 0;  ///< bound on the distance of ink from the origin [mm]
 };
 
+/// Sets lines below each other, aligned to a side or to the middle.
 Drawing straight(const std::vector<ShapedLine>& lines, const Lettering& lettering) {
   Drawing drawing;
   double widest = 0;
@@ -66,6 +67,7 @@ Drawing straight(const std::vector<ShapedLine>& lines, const Lettering& letterin
   return drawing;
 }
 
+/// Sets lines on circles around the origin, each centred at the top or at the bottom.
 Result<Drawing> onCircle(const std::vector<ShapedLine>& lines, const Lettering& lettering) {
   Drawing drawing;
   const bool below = lettering.circle < 0;
@@ -110,14 +112,14 @@ Result<Shape> shapeOf(const Drawing& drawing) {
   return read;
 }
 
-/// Moves all points; what lies at `corner` comes to the page's lower left corner.
+/// Moves all points so that `corner` becomes the page's lower left corner.
 Shape moved(Shape shape, Vec2 corner, Vec2 page) {
   movePoints(shape, [&](Vec2 point) { return point - corner; });
   shape.page = page;
   return shape;
 }
 
-/// The lines on a page as textShape has it.
+/// Lays the lines out on the page that textShape() returns.
 Result<Shape> laidOut(const std::vector<ShapedLine>& lines, const Lettering& lettering) {
   if (lettering.circle == 0) {
     Result<Shape> shape = shapeOf(straight(lines, lettering));
@@ -129,7 +131,7 @@ Result<Shape> laidOut(const std::vector<ShapedLine>& lines, const Lettering& let
   if (!drawing) return drawing.error();
   Result<Shape> shape = shapeOf(drawing.value());
   if (!shape) return shape;
-  // The page reaches as far from the circle's middle as the ink does.
+  // The page extends as far from the circle's middle as the ink does.
   const double middle = shape.value().page.x / 2;
   const Bounds ink = bounds(shape.value());
   const double reach = std::max({ink.max.x - middle, middle - ink.min.x, ink.max.y - middle, middle - ink.min.y});

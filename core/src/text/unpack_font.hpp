@@ -1,4 +1,4 @@
-// Web fonts: TrueType and OpenType files, packed by zlib (WOFF) or by Brotli (WOFF2).
+// Unpacks web fonts: TrueType and OpenType files packed by zlib (WOFF) or by Brotli (WOFF2).
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace sillon {
 
-/// The file inside a packed one, of a collection its first font; a font that is not packed as it is.
+/// Unpacks a font; of a collection its first font. A font that is not packed is returned as it is.
 /// \return nothing for a packed font that is damaged, or has more than kMostFontBytes.
 std::optional<std::string> unpackedFont(std::string bytes);
 

@@ -1,4 +1,4 @@
-// Unpacks web fonts: https://www.w3.org/TR/WOFF/ and https://www.w3.org/TR/WOFF2/. Engines in browsers have
+// Unpacks web fonts: https://www.w3.org/TR/WOFF/ and https://www.w3.org/TR/WOFF2/. Engines in browsers use
 // wasm/src/text/unpack.ts instead.
 #include <brotli/decode.h>
 
@@ -16,9 +16,9 @@
 namespace sillon {
 namespace {
 
-constexpr std::size_t kMostFontBytes = std::size_t{30} << 20;  // as woff2 of JavaScript has it
+constexpr std::size_t kMostFontBytes = std::size_t{30} << 20;  // same limit as in the JavaScript library woff2
 
-/// Big-endian numbers one after another. Past the end all are 0, and `whole` tells.
+/// Reads big-endian numbers. Beyond the end all are 0, and whole() becomes false.
 class Bytes {
  public:
   explicit Bytes(std::string_view data) : data_(data) {}
@@ -41,7 +41,7 @@ class Bytes {
     return data_.substr(at_ - size, size);
   }
 
-  /// UIntBase128.
+  /// Reads a UIntBase128.
   std::uint32_t length() {
     std::uint32_t value = 0;
     for (int k = 0; k < 5; ++k) {
@@ -54,7 +54,7 @@ class Bytes {
     return 0;
   }
 
-  /// 255UInt16.
+  /// Reads a 255UInt16.
   std::uint16_t count() {
     const std::uint8_t code = byte();
     if (code == 253) return word();
@@ -79,12 +79,12 @@ void put(std::string& out, int bytes, std::uint32_t value) {
 struct Table {
   std::string tag;
   std::string_view packed;
-  std::size_t size = 0;  ///< of `packed` once more, or of what it becomes
+  std::size_t size = 0;  ///< size of the unpacked data, or of the transformed data in `packed`
   bool transformed = false;
   std::string data;
 };
 
-/// A font file of these tables. Nothing here reads the sums and the order of search.
+/// Assembles a font file from tables. Checksums and search fields stay 0, because nothing here reads them.
 std::optional<std::string> fontOf(std::uint32_t flavor, const std::vector<const Table*>& tables) {
   std::string head, body;
   put(head, 4, flavor);
@@ -103,6 +103,7 @@ std::optional<std::string> fontOf(std::uint32_t flavor, const std::vector<const 
   return head + body;
 }
 
+/// Unpacks a WOFF.
 std::optional<std::string> fromZlib(std::string_view file) {
   Bytes head(file);
   head.take(4);
@@ -120,7 +121,7 @@ std::optional<std::string> fromZlib(std::string_view file) {
     if (!head.whole() || size > kMostFontBytes || at > file.size() || packed > file.size() - at) return std::nullopt;
     table.packed = file.substr(at, packed);
   }
-  constexpr std::size_t kHeader = 2;  // of zlib
+  constexpr std::size_t kHeader = 2;  // bytes of zlib's header
   for (Table& table : tables) {
     if (table.packed.size() == table.size) {
       table.data = table.packed;
@@ -136,18 +137,19 @@ std::optional<std::string> fromZlib(std::string_view file) {
   return fontOf(flavor, all);
 }
 
-/// Tags by their numbers in WOFF2.
+/// Tags in the order of their numbers in WOFF2.
 constexpr std::string_view kTags =
     "cmapheadhheahmtxmaxpnameOS/2postcvt fpgmglyflocaprepCFF VORGEBDTEBLCgasphdmxkernLTSHPCLTVDMXvheavmtxBASEGDEFGPOS"
     "GSUBEBSCJSTFMATHCBDTCBLCCOLRCPALSVG sbixacntavarbdatblocbslncvarfdscfeatfmtxfvargvarhstyjustlcarmortmorxopbdprop"
     "trakZapfSilfGlatGlocFeatSill";
 
-/// How far a point lies from the one before, as WOFF2 writes it.
+/// Offset of a point from the one before, as WOFF2 stores it.
 struct Step {
   int dx = 0;
   int dy = 0;
 };
 
+/// Decodes an offset between points, whose flag tells the number of bytes (WOFF2, sec. 5.2).
 Step nextStep(unsigned flag, Bytes& data) {
   const auto toward = [](unsigned sign, unsigned size) {
     return (sign & 1U) != 0 ? static_cast<int>(size) : -static_cast<int>(size);
@@ -169,10 +171,11 @@ Step nextStep(unsigned flag, Bytes& data) {
   return {toward(flag, (a << 8) + b), toward(flag >> 1, (c << 8) + data.byte())};
 }
 
-/// The tables of outlines, which WOFF2 keeps as streams of like numbers. Instructions for small screens are left out.
+/// Restores the tables of outlines, which WOFF2 splits into streams of similar numbers. Instructions for small screens
+/// are left out.
 class Outlines {
  public:
-  /// \return false for what is damaged.
+  /// \return false if the data are damaged.
   bool read(std::string_view transformed) {
     Bytes head(transformed);
     head.take(2);
@@ -204,9 +207,10 @@ class Outlines {
   }
 
   std::string glyf, loca;
-  std::vector<std::uint16_t> left;  ///< least x of each glyph
+  std::vector<std::uint16_t> left;  ///< smallest x of each glyph
 
  private:
+  /// Appends a glyph to `glyf`. Returns false if the data are damaged.
   bool addGlyph(bool boxed, bool overlapped) {
     const std::uint16_t contours = contours_.word();
     left.push_back(0);
@@ -222,7 +226,7 @@ class Outlines {
     return true;
   }
 
-  /// A glyph made of others.
+  /// Adds a glyph made of other glyphs.
   bool addParts(std::string& body) {
     enum : unsigned { Words = 1, Scale = 8, More = 0x20, Scales = 0x40, Matrix = 0x80, Instructions = 0x100 };
     unsigned flags = More;
@@ -241,10 +245,11 @@ class Outlines {
       body += parts_.take(size);
       if (!parts_.whole()) return false;
     }
-    if (instructs) steps_.count();  // bytes of instructions
+    if (instructs) steps_.count();  // skips the number of bytes of instructions
     return steps_.whole();
   }
 
+  /// Adds the points of a simple glyph, and computes its box unless it is given.
   bool addPoints(std::size_t contours, bool overlapped, std::string& box, std::string& body) {
     std::size_t points = 0;
     for (std::size_t k = 0; k < contours; ++k) {
@@ -271,7 +276,7 @@ class Outlines {
       put(xs, 2, static_cast<std::uint32_t>(step.dx));
       put(ys, 2, static_cast<std::uint32_t>(step.dy));
     }
-    steps_.count();  // bytes of instructions
+    steps_.count();  // skips the number of bytes of instructions
     body += xs + ys;
     if (box.empty()) {
       for (const int edge : {least[0], least[1], most[0], most[1]}) put(box, 2, static_cast<std::uint32_t>(edge));
@@ -282,7 +287,7 @@ class Outlines {
   Bytes contours_{""}, points_{""}, flags_{""}, steps_{""}, parts_{""}, boxes_{""};
 };
 
-/// Widths, and left edges where they are not those of the outlines.
+/// Restores widths, and left edges where they are not those of the outlines.
 std::optional<std::string> widthsOf(std::string_view transformed, std::size_t wide, const Outlines& outlines) {
   Bytes data(transformed);
   const unsigned flags = data.byte();
@@ -307,9 +312,9 @@ Table* tableOf(const std::vector<Table*>& tables, std::string_view tag) {
   return found == tables.end() ? nullptr : *found;
 }
 
-/// Brings the tables of a font back to what they were.
+/// Restores the tables that WOFF2 transforms.
 bool restore(const std::vector<Table*>& tables) {
-  constexpr std::size_t kLocaFormat = 50, kWide = 34;  // in `head` and in `hhea`
+  constexpr std::size_t kLocaFormat = 50, kWide = 34;  // offsets in `head` and in `hhea`
   for (Table* table : tables) {
     if (!table->transformed) table->data = table->packed;
   }
@@ -321,7 +326,7 @@ bool restore(const std::vector<Table*>& tables) {
     if (!outlines.read(glyf->packed)) return false;
     glyf->data = outlines.glyf;
     loca->data = outlines.loca;
-    head->data[kLocaFormat + 1] = 1;  // long
+    head->data[kLocaFormat + 1] = 1;  // long offsets
   }
   Table* const widths = tableOf(tables, "hmtx");
   if (widths == nullptr || !widths->transformed) return true;
@@ -333,6 +338,7 @@ bool restore(const std::vector<Table*>& tables) {
   return restored.has_value();
 }
 
+/// Unpacks a WOFF2; of a collection its first font.
 std::optional<std::string> fromBrotli(std::string_view file) {
   constexpr std::uint32_t kCollection = 0x74746366;  // ttcf
   Bytes head(file);
@@ -356,7 +362,7 @@ std::optional<std::string> fromBrotli(std::string_view file) {
   }
   std::vector<Table*> own;
   if (flavor == kCollection) {
-    head.take(4);  // its version
+    head.take(4);  // version of the collection
     const std::size_t fonts = head.count();
     for (std::size_t font = 0; font < fonts; ++font) {
       const std::size_t count = head.count();

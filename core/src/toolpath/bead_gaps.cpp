@@ -12,11 +12,11 @@ namespace sillon {
 
 namespace {
 
-constexpr int kOwnChain = 4;               ///< points tau/4 apart
+constexpr int kOwnChain = 4;  ///< points on either side that are no neighbours: one spacing, as points are tau/4 apart
 constexpr int kFollowing = kOwnChain + 2;  ///< points after one that are looked at for a turn
-constexpr float kTight = 0.3f;  ///< segments of tau/4 can only meet if ends of theirs are nearer than this [tau]
+constexpr float kTight = 0.3f;             ///< distance [tau]; segments of tau/4 meet only if ends of theirs are nearer
 
-// Curvatures 1/g of the touching circles, the largest on either side.
+// Largest 1/g on either side, where g is the diameter of a circle that touches the path at a point.
 struct Nearest {
   float left;
   float right;
@@ -26,7 +26,9 @@ struct Nearest {
 float laneMin(F4 v) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])); }
 float laneMax(F4 v) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
 
-// Over all sorted points: (N . to) / |to|² is the signed curvature of the circle through `to` touching the path at p.
+// Goes over all points within `cap` of p. The circle that touches the path at p with normal n and passes through p + v
+// has the diameter |v|² / (n . v); the largest inverse on a side belongs to the smallest circle, the gap there. Four
+// points are looked at at once, without branches.
 Nearest nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, const OwnChain& own) {
   F4 left = splat(1 / cap);
   F4 right = splat(1 / cap);
@@ -42,6 +44,7 @@ Nearest nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, const
       const F4 dy = load4(&grid.y[s]) - py;
       const I4 id = load4(&grid.id[s]);
       const F4 distance2 = max4(dx * dx + dy * dy, splat(1e-12f));
+      // Points of the own chain give no curvature, and are infinitely far.
       const I4 ownChain = own.holds(id);
       const F4 curvature = select4(ownChain, splat(0), (nx * dx + ny * dy) / distance2);
       closest = min4(closest, select4(ownChain, splat(1e9f), distance2));
@@ -52,7 +55,7 @@ Nearest nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, const
   return {laneMax(left), laneMax(right), laneMin(closest)};
 }
 
-// Whether one of the next segments within the own chain heads backwards: only then can it meet this one.
+// Tells whether one of the next segments within the own chain heads backwards: only then can it meet this one.
 bool turnsBack(const ClosedCurves& curves, int curve, int point) {
   const auto at = [&](int k) { return curves.points[k]; };
   int next = nextOf(curves, curve, point);
@@ -66,7 +69,7 @@ bool turnsBack(const ClosedCurves& curves, int curve, int point) {
   return back;
 }
 
-// A segment that turns back meets one of those that follow: both are tight.
+// A segment that turns back may meet one of those that follow it, so that these are tight, too.
 void markFollowing(const ClosedCurves& curves, std::vector<char>& tight) {
   for (int c = 0; c < curves.count(); ++c) {
     const int first = curves.begin[c];
@@ -88,12 +91,13 @@ void markFollowing(const ClosedCurves& curves, std::vector<char>& tight) {
 
 BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double spacing, float cap,
                   const RunContext& run) {
+  // Gaps on either side (Eq. 16, taken separately to the left and to the right).
   const std::vector<std::int32_t> curveOf = curveOfPoints(curves);
   const std::size_t count = curves.points.size();
   BeadGaps gaps{std::vector<float>(count, cap), std::vector<float>(count, cap), std::vector<char>(count, 0)};
   const float tight = kTight * static_cast<float>(spacing);
   const PointGrid grid(curves.points, 0.75f * static_cast<float>(spacing), run);
-  // In path order: the next point's buckets are mostly the same.
+  // Points are visited in path order, as the next point's buckets are mostly the same.
   parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
     BorderDepth depth(border);
     for (int k = begin; k < end; ++k) {
@@ -104,7 +108,8 @@ BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double 
       const Vec2f normal{-tangent.y, tangent.x};
       const OwnChain own(k, curves.begin[curve], curves.size(curve), kOwnChain);
       Nearest nearest = nearestOn(grid, p, normal, cap, own);
-      // Deeper inside, twice the distance is more than the cap.
+      // The border counts as a neighbour at twice its distance, on the side on which it lies. Deeper inside, twice the
+      // distance is more than the cap.
       if (const auto b = depth.nearerThan(0.5f * cap, p)) {
         const float along = dot(b->normal, normal);
         if (std::abs(along) > 0.5f) {
@@ -118,6 +123,7 @@ BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double 
       gaps.right[i] = 1 / nearest.right;
     }
   });
+  // Both segments of a place where the path may meet itself are tight.
   markFollowing(curves, gaps.tight);
   return gaps;
 }

@@ -18,8 +18,7 @@ namespace {
 constexpr float kThread = 0.002f;
 
 // A written move has the mean width of its ends, so that it is too wide at the narrower one. Beads leave room for steps
-// up to this [mm]. More room would leave more uncovered; less would let written moves overlap
-// (docs/internals/quality.md).
+// up to this [mm]. Larger: more stays uncovered; smaller: written moves overlap (docs/internals/quality.md).
 constexpr float kWidthStep = 0.006f;
 
 // The first round lets beads give way, the others let them grow again. More rounds gain less than 0.02 points of
@@ -29,29 +28,29 @@ constexpr int kRounds = 3;
 // Beads grow by no more than this factor in one round. It also sets how far each point looks for others.
 constexpr float kGrowth = 1.2f;
 
-// A neighbour has given way to somebody else if it is narrowed to less than this share of what this bead is. To look
+// A neighbour has given way to another bead if it is narrowed to less than this share of what this bead is. Looking
 // again at smaller differences would take half of the time of this stage.
 constexpr float kYielding = 0.995f;
 
-// Points of the same curve fewer than this many steps of tau/4 away are no neighbours: a U-turn's legs shall not count
-// as neighbours of each other round its tip.
+// Points of the same curve fewer than this many steps of tau/4 away are no neighbours: the legs of a U-turn must not
+// count as neighbours of each other round its tip.
 constexpr int kOwnChain = 7;
 
-// How wide beads may become between others: see holdApart.
+// Limits of the widths that holdApart gives beads.
 struct WidthLimits {
   float spacing;  ///< [mm]
   float low;      ///< widths do not fall below it [mm]
-  float allowed;  ///< overlap [mm]
+  float allowed;  ///< largest overlap of two beads [mm]
 };
 
-// How much wider a bead may be before it meets another.
+// Factor by which a bead may be wider before it meets another.
 struct Share {
-  float factor = 1;  ///< both give way, or grow, alike
-  int beside = -1;   ///< the point it would meet first; -1: none
+  float factor = 1;  ///< the same for both beads: both give way, or grow, alike
+  int beside = -1;   ///< the point that the bead would meet first; -1: none
 };
 
-// Widths that moves have at their ends: a written move has one width from end to end, the mean, so that beside a wider
-// point it is wider than its own end by up to half the step. Longer steps are written as several moves.
+// Widths of moves at their ends. A written move has one width from end to end, the mean, so that beside a wider point
+// it is wider than its own end by up to half the step. Longer steps are written as several moves.
 std::vector<float> movesWidths(const ClosedCurves& curves, const std::vector<float>& width) {
   std::vector<float> widths(width.size());
   for (int c = 0; c < curves.count(); ++c) {
@@ -79,7 +78,8 @@ class Beads {
     }
   }
 
-  /// \param growth  the largest factor looked for.
+  /// Computes by which factor a point's bead and each of its neighbours may be scaled until they overlap by no more
+  /// than is allowed, and returns the smallest. \param growth  the largest factor looked for.
   [[nodiscard]] Share shareOf(int point, float growth) const {
     const std::size_t i = static_cast<std::size_t>(point);
     const int c = curveOf_[i];
@@ -120,26 +120,26 @@ class Beads {
   const std::vector<std::int32_t>& curveOf_;
   const PointGrid& grid_;
   const WidthLimits& limits_;
-  std::vector<float> moves_;       ///< by points of the path
-  std::vector<float> sortedHalf_;  ///< half of these, as the grid has the points; its padding has no width
+  std::vector<float> moves_;       ///< widths of moves, by points of the path
+  std::vector<float> sortedHalf_;  ///< half of these in the grid's order; the padding has width 0
   float widest_ = 0;
 };
 
-// True if the bead that a point would meet first has given way to a third one, so that there is room now.
+// Tells whether the bead that a point would meet first has given way to a third one, so that there is room now.
 bool gaveWay(const std::vector<Share>& shares, std::size_t point) {
   const Share& share = shares[point];
   return share.beside >= 0 && shares[share.beside].factor < kYielding * share.factor;
 }
 
 // Narrows beads where two would overlap by more than `allowed`. Then they grow again where a neighbour has given way to
-// another: those that touch grow alike, so that none meets one that stays as it is.
+// another: beads that touch grow alike, so that none meets one that stays as it is.
 void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, const WidthLimits& limits,
                std::vector<float>& width, const RunContext& run) {
   const PointGrid grid(curves.points, 0.75f * limits.spacing, run);
   Beads beads(curves, curveOf, grid, limits);
   const std::vector<float> wanted = width;
   std::vector<Share> shares(width.size());
-  std::vector<char> open(width.size(), 1);  // whether the width may still change; all at first, later a few
+  std::vector<char> open(width.size(), 1);  // tells whether the width may still change: all at first, later a few
   for (int round = 0; round < kRounds && !run.cancelled(); ++round) {
     const float growth = round == 0 ? 1 : kGrowth;
     beads.setWidths(width);
@@ -184,8 +184,9 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const BeadGaps& gaps, 
       // Deeper than this the border limits no width of the bead between its neighbours.
       const float deep = 0.5f * high + 2 * tolerance + std::max(length(neighbours[0] - p), length(neighbours[1] - p));
       if (const auto at = depth.nearerThan(deep, p)) {
-        // Half-way to the neighbours too: round a reflex corner the bead's straight segments pass nearer than its
-        // points. And at a neighbour that lies outside: what reaches out to it is a thread from here on.
+        // Look half-way to the neighbours, too: round a reflex corner the bead's straight segments pass nearer to the
+        // border than its points. If a neighbour lies outside, the bead that reaches out to it is a thread from this
+        // point on.
         float distance = at->distance;
         for (const Vec2f end : neighbours) {
           const Vec2f q = (p + end) * 0.5f;
@@ -198,7 +199,7 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const BeadGaps& gaps, 
       widths.width[i] = width;
     }
   });
-  // What simplification may still move counts as overlap already.
+  // Simplification may still move points by its tolerance: count that as overlap already.
   const float allowed = static_cast<float>(params.beadOverlap * params.spacing - params.simplifyTolerance);
   holdApart(curves, curveOf, {spacing, low, allowed}, widths.width, run);
   if (run.cancelled()) return cancelledRun();

@@ -11,6 +11,9 @@
 namespace sillon {
 namespace {
 
+// Root on an edge between two values, as a share of it. Waves are sines, so that their phase (arc sine) is linear along
+// the edge: its root is exact where that of the values is not. Nearer to the border than half a spacing, values are no
+// waves, and are interpolated themselves.
 float rootBetween(float a, float b, bool onPhase) {
   if (onPhase) {
     a = asinApprox(a);
@@ -20,6 +23,7 @@ float rootBetween(float a, float b, bool onPhase) {
   return std::clamp(a / (a - b), kMinRoot, 1 - kMinRoot);
 }
 
+// The lattice with the field's values, and the place of a vertex on each of its edges.
 struct Lattice {
   const Grid& grid;
   const float* values;
@@ -38,8 +42,8 @@ struct Lattice {
   }
 };
 
-// Signs of all nodes, one bit each, so that 64 edges without a vertex are passed at once: a look at each takes 1.7
-// times the instructions where curves are dense, and seven times where they are few.
+// Signs of all nodes, one bit each, so that 64 edges without a vertex are passed at once. Looking at each edge takes
+// 1.7 times the instructions where curves are dense, and seven times where they are few.
 class Signs {
  public:
   using Word = std::uint64_t;
@@ -49,8 +53,9 @@ class Signs {
         words_((static_cast<std::size_t>(lattice.grid.nx) + 63) / 64),
         bits_(words_ * static_cast<std::size_t>(lattice.grid.ny)) {}
 
-  [[nodiscard]] std::size_t words() const { return words_; }  ///< in a row
+  [[nodiscard]] std::size_t words() const { return words_; }  ///< words in a row
 
+  // Packs one row of signs into words; zero counts as positive.
   void read(int y) {
     const std::size_t nx = static_cast<std::size_t>(lattice_.grid.nx);
     const float* values = &lattice_.values[lattice_.grid.index(0, y)];
@@ -77,7 +82,7 @@ class Signs {
   }
 
  private:
-  // The bits of a word that stand for less than `end`.
+  // Mask of the bits of a word whose columns are less than `end`.
   static Word within(std::size_t w, int end) {
     const int count = end - 64 * static_cast<int>(w);
     return count >= 64 ? ~Word{0} : count <= 0 ? 0 : (Word{1} << count) - 1;
@@ -88,7 +93,7 @@ class Signs {
   std::vector<Word> bits_;
 };
 
-// The vertices on the edges of one square; -1: none.
+// The vertices on the edges of one square of marching squares; -1 where there is none.
 struct SquareVertices {
   int bottom;
   int right;
@@ -103,6 +108,8 @@ void linkSquare(const Lattice& lattice, int x, int y, const SquareVertices& vert
   const auto link = [&](int from, int to) { next[from] = to; };
   const bool bl = lattice.positive(x, y);
   if (bottom >= 0 && right >= 0 && top >= 0 && left >= 0) {
+    // The ambiguous case, a saddle: all four edges have a vertex. The mean of the corners decides which two corners are
+    // connected.
     const Grid& g = lattice.grid;
     const float mean = lattice.values[g.index(x, y)] + lattice.values[g.index(x + 1, y)] +
                        lattice.values[g.index(x, y + 1)] + lattice.values[g.index(x + 1, y + 1)];
@@ -116,6 +123,7 @@ void linkSquare(const Lattice& lattice, int x, int y, const SquareVertices& vert
     }
     return;
   }
+  // All other squares hold one curve at most: the signs at the corners tell which vertex it enters by.
   int from = -1;
   int to = -1;
   const bool br = lattice.positive(x + 1, y);
@@ -133,14 +141,16 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
                                    const std::vector<float>& distance, double spacing, const RunContext& run) {
   const Lattice lattice{grid, values.data(), distance.data(), static_cast<float>(-0.5 * spacing)};
 
+  // 1. Read all signs.
   Signs signs(lattice);
   const int grain = rowGrain(run, grid.ny, 2.0 * grid.nx);
   parallelFor(run, grid.ny, grain, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) signs.read(y);
   });
-  // Vertices are numbered row by row: first the edges along the row, then those up to the next.
+  // 2. Number the vertices row by row: first the edges along the row, then those up to the next row. The bits of each
+  // row are counted, and sums of the counts tell where each row begins, so that rows can be worked on at the same time.
   std::vector<std::int64_t> first(static_cast<std::size_t>(grid.ny) + 1, 0);
-  std::vector<int> firstUp(static_cast<std::size_t>(grid.ny), 0);  // in its row
+  std::vector<int> firstUp(static_cast<std::size_t>(grid.ny), 0);  // offset within its row
   parallelFor(run, grid.ny, grain, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       int along = 0;
@@ -159,6 +169,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
     return Error{ErrorCode::TooLarge, "the plate needs more than a thousand million path points; use a larger spacing"};
   }
 
+  // 3. Place the vertices and link them, square by square. Each row numbers its vertices anew from its own begin.
   std::vector<Vec2f> vertices(static_cast<std::size_t>(total));
   std::vector<int> next(static_cast<std::size_t>(total), -1);
   parallelFor(run, grid.ny - 1, grain, [&](int begin, int end) {
@@ -172,6 +183,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
         const Signs::Word ups = signs.up(y, w);
         const Signs::Word aboves = signs.along(y + 1, w);
         const Signs::Word nextUps = ups >> 1 | (w + 1 < signs.words() ? signs.up(y, w + 1) << 63 : 0);
+        // Visit only squares of which an edge holds a vertex.
         for (Signs::Word rest = alongs | ups | aboves; rest != 0; rest &= rest - 1) {
           const int bit = std::countr_zero(rest);
           const int x = 64 * static_cast<int>(w) + bit;
@@ -181,6 +193,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
           if (x + 1 == grid.nx) continue;
           const int bottom = number(alongs, along);
           const int top = number(aboves, above);
+          // The right edge belongs to the next square, which numbers it: it is the next free one here.
           const int right = (nextUps >> bit & 1) != 0 ? up : -1;
           if (bottom >= 0) vertices[bottom] = lattice.vertex(x, y, x + 1, y);
           linkSquare(lattice, x, y, {bottom, right, top, left}, next);
@@ -190,6 +203,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
   });
   if (run.cancelled()) return cancelledRun();
 
+  // 4. Follow the links round. Cycles begin at their lowest edge, in order.
   ClosedCurves cycles;
   cycles.points.reserve(vertices.size());
   for (std::size_t start = 0; start < next.size(); ++start) {

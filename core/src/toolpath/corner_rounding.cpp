@@ -11,23 +11,25 @@
 namespace sillon {
 namespace {
 
-constexpr int kPasses = 2;        ///< what one kink leaves may be another
-constexpr float kSuspect = 0.9f;  ///< cosine of 26 degrees; where points turn by less there is no kink
+constexpr int kPasses = 2;        ///< rounds over all points: a kink that is bent may leave another
+constexpr float kSuspect = 0.9f;  ///< cosine of 26 degrees; points that turn by less are no kinks
 constexpr float kKink =
     0.56f;  ///< cosine of the turn within tau/4 that is too sharp: 56 degrees, as points are rounded to 1 µm later
-constexpr int kFixed = 3;  ///< points looked at beyond those that move
+constexpr int kFixed = 3;  ///< points looked at on either side of those that move
 
+// Compares the angle between two vectors with one of a given cosine, without square roots.
 bool turnsMore(Vec2f u, Vec2f v, float cosine) {
   const float d = dot(u, v);
   return d * std::abs(d) < cosine * cosine * dot(u, u) * dot(v, v);
 }
 
-// Whether the headings of two pieces of tau/8, tau/4 apart, differ too much, wherever the first begins.
+// Tells whether the headings of two pieces of tau/8 that lie tau/4 apart differ too much, wherever the first begins.
+// Samples are tau/16 apart, so that the result does not depend on where the points are.
 bool hasKink(const std::vector<Vec2f>& path, float spacing) {
   const float step = spacing / 16;
   std::vector<Vec2f> samples;
   samples.reserve(8 * path.size());  // points are some four steps apart
-  float at = 0;                      // from a segment's begin to the next sample
+  float at = 0;                      // distance from a segment's begin to the next sample
   for (std::size_t k = 0; k + 1 < path.size(); ++k) {
     const Vec2f along = path[k + 1] - path[k];
     const float size = length(along);
@@ -40,34 +42,38 @@ bool hasKink(const std::vector<Vec2f>& path, float spacing) {
   return false;
 }
 
-// How a kink is taken away: bending moves the path least, shortening pulls the tips of U-turns back to where their
-// legs lie further apart.
+// A way to take a kink away. Bending moves the path least; shortening pulls the tip of a U-turn back to where its legs
+// lie further apart.
 struct Remedy {
   bool shorten;
   int half;         ///< points moved on either side of the kink
-  int sweeps;       ///< at most
-  float mostMoved;  ///< [tau]
-  float border;     ///< points come no nearer to it, or than the path is [tau]
+  int sweeps;       ///< most sweeps of straighten()
+  float mostMoved;  ///< largest move of a point [tau]
+  float border;     ///< points come no nearer to the border than this, or than the path is [tau]
 };
+// The remedies in order, the gentlest first: few points bent by little, then more points nearer to the border, then
+// shortening.
 constexpr Remedy kRemedies[] = {{false, 1, 30, 0.5f, 0.25f}, {false, 2, 30, 0.5f, 0.25f}, {false, 3, 30, 0.5f, 0.25f},
                                 {false, 3, 60, 0.7f, 0.18f}, {false, 5, 90, 1, 0.18f},    {false, 7, 120, 1, 0.18f},
                                 {true, 3, 60, 0.5f, 0.18f},  {true, 5, 120, 1.5f, 0.18f}, {true, 8, 240, 2, 0.18f},
                                 {true, 12, 480, 3, 0.18f}};
 
-// One step towards the least sum of squared second differences, or of first ones; then equal steps again: without them
-// points gather where the path turns most. The first and the last `kFixed` points stay.
+// One step towards the least sum of squared second differences (bending), or of squared first ones (shortening); then
+// equal steps again, without which points gather where the path turns most. The first and the last `kFixed` points
+// stay.
 void straighten(std::vector<Vec2f>& p, bool shorten) {
   const std::size_t begin = kFixed - 1;
   const std::size_t end = p.size() - kFixed;
   for (std::size_t k = begin + 1; k < end; ++k) {
     p[k] = shorten ? (p[k - 1] + p[k + 1]) * 0.5f : ((p[k - 1] + p[k + 1]) * 4.0f - p[k - 2] - p[k + 2]) * (1.0f / 6);
   }
+  // Resample the moved stretch in equal steps.
   float total = 0;
   for (std::size_t k = begin; k < end; ++k) total += length(p[k + 1] - p[k]);
   const float step = total / static_cast<float>(end - begin);
   const std::vector<Vec2f> q = p;
   std::size_t k = begin;
-  float passed = 0;  // up to q[k]
+  float passed = 0;  // length up to q[k]
   for (std::size_t m = begin + 1; m < end; ++m) {
     const float wanted = step * static_cast<float>(m - begin);
     float size = length(q[k + 1] - q[k]);
@@ -79,12 +85,13 @@ void straighten(std::vector<Vec2f>& p, bool shorten) {
   }
 }
 
+// Rounds kinks of a path one by one, and makes sure that no move lets the path meet itself.
 class Rounding {
  public:
   Rounding(ClosedCurves& curves, const BorderIndex& border, float spacing, const RunContext& run)
       : curves_(curves), border_(border), spacing_(spacing), curveOf_(curveOfPoints(curves)), run_(run) {}
 
-  // Moves as few points as will do.
+  // Tries the remedies in order until one does, so that as few points as possible move.
   void roundAt(int point) {
     for (const Remedy& remedy : kRemedies) {
       if (isRound(point, remedy)) return;
@@ -97,11 +104,12 @@ class Rounding {
     for (std::size_t k = 0; k < ids.size(); ++k) curves_.points[ids[k]] = points[k];
   }
 
-  // Whether there is no kink, or the remedy took it away.
+  // Tells whether there is no kink at a point, or the remedy took it away.
   bool isRound(int point, const Remedy& remedy) {
     const int curve = curveOf_[point];
     const int count = 2 * (remedy.half + kFixed) + 1;
     if (count > curves_.size(curve)) return false;
+    // The stretch around the point, with the fixed points at both ends.
     std::vector<int> ids{point};
     while (static_cast<int>(ids.size()) <= remedy.half + kFixed) ids.push_back(previousOf(curves_, curve, ids.back()));
     std::reverse(ids.begin(), ids.end());
@@ -110,6 +118,7 @@ class Rounding {
     before.reserve(ids.size());
     for (const int id : ids) before.push_back(at(id));
     if (!hasKink(before, spacing_)) return true;
+    // Straighten until the kink is gone; give up if that moves points too far or takes too long.
     std::vector<Vec2f> after = before;
     bool stays = true;
     for (int sweep = 0; sweep < remedy.sweeps && stays; ++sweep) {
@@ -117,8 +126,9 @@ class Rounding {
       stays = hasKink(after, spacing_);
     }
     if (stays || movesTooFar(before, after, remedy)) return false;
-    if (!grid_) grid_.emplace(curves_.points, spacing_, run_);  // half of the time: one does for all passes
-    if (run_.cancelled()) return false;                         // it may be half made
+    if (!grid_) grid_.emplace(curves_.points, spacing_, run_);  // takes half of the time: one grid serves all passes
+    if (run_.cancelled()) return false;                         // the grid may be half made
+    // Take the moves back if the path would meet itself.
     put(ids, after);
     if (!meets(ids, remedy.mostMoved)) {
       for (std::size_t k = 0; k < ids.size(); ++k) moved_ = std::max(moved_, length(after[k] - before[k]));
@@ -128,6 +138,7 @@ class Rounding {
     return false;
   }
 
+  // Tells whether a point moves more than the remedy allows, or comes nearer to the border than it may.
   [[nodiscard]] bool movesTooFar(const std::vector<Vec2f>& before, const std::vector<Vec2f>& after,
                                  const Remedy& remedy) const {
     const float kept = remedy.border * spacing_;
@@ -144,7 +155,7 @@ class Rounding {
     return false;
   }
 
-  // Whether one of the segments that moved meets any other.
+  // Tells whether one of the segments that moved meets any other.
   [[nodiscard]] bool meets(const std::vector<int>& ids, float mostMoved) const {
     bool met = false;
     for (std::size_t k = kFixed - 1; k + kFixed < ids.size() && !met; ++k) {
@@ -167,8 +178,8 @@ class Rounding {
   float spacing_;
   std::vector<std::int32_t> curveOf_;
   const RunContext& run_;
-  std::optional<PointGrid> grid_;  ///< of the points as they were before the first moved
-  float moved_ = 0;                ///< farthest that any point has moved in one go since [mm]
+  std::optional<PointGrid> grid_;  ///< the points as they were before the first moved
+  float moved_ = 0;                ///< farthest move of any point in one go since [mm]
 };
 
 }  // namespace
@@ -177,6 +188,7 @@ void roundKinks(ClosedCurves& curves, const BorderIndex& border, double spacing,
   const auto at = [&](int id) { return curves.points[id]; };
   std::optional<Rounding> rounding;
   for (int pass = 0; pass < kPasses && !run.cancelled(); ++pass) {
+    // Points whose two segments differ by 26 degrees or more are looked at closely; few are.
     std::vector<int> suspects;
     for (int c = 0; c < curves.count(); ++c) {
       const int end = curves.begin[static_cast<std::size_t>(c) + 1];

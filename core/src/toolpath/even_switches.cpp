@@ -8,18 +8,18 @@ namespace sillon {
 namespace {
 
 constexpr int kStride = 2;         ///< points from one that looks for a joint to the next
-constexpr int kApart = 40;         ///< points from one joint to the next between two strands
-constexpr int kLeastLoop = 40;     ///< points that a joint within a curve splits off
-constexpr float kStraight = 0.7f;  ///< cosine over four spacings, from which on a joint makes two U-turns
+constexpr int kApart = 40;         ///< least distance of two joints between the same two strands [points]
+constexpr int kLeastLoop = 40;     ///< shortest loop that a joint within a curve may split off [points]
+constexpr float kStraight = 0.7f;  ///< cosine over four spacings; above it, a joint makes two U-turns
 constexpr float kTurnCost = 0.3f;  ///< price of an added U-turn, to choose between neighbours [mm]
-constexpr float kDearest = 1.5f;   ///< joint by the usual price of misalignment [mm]
-constexpr int kMostTurns = 1;      ///< added by a joint
-constexpr int kTurnsOfRings = 2;   ///< likewise, between rings and between windings
-constexpr int kFar = 1200;         ///< points along a curve from one of its windings to the next
+constexpr float kDearest = 1.5f;   ///< highest cost of a joint at the usual price of misalignment [mm]
+constexpr int kMostTurns = 1;      ///< most U-turns that a joint may add
+constexpr int kTurnsOfRings = 2;   ///< most of them between rings and between windings
+constexpr int kFar = 1200;         ///< least distance along a curve of two of its windings [points]
 constexpr int kFarStride = 40;     ///< points from one that looks for a joint between windings to the next
 constexpr int kWinding = -2;       ///< Switch::ring of a joint between two windings of one curve
 
-// The point `steps` after one of the same curve, or before it.
+// The point that lies `steps` points after another on the same curve; before it where negative.
 int stepped(const Beads& beads, const Joining& joining, int point, int steps) {
   const int curve = joining.curveOf(point);
   const int first = beads.curves.begin[curve];
@@ -31,18 +31,21 @@ Vec2f tangentOf(const Beads& beads, const Joining& joining, int point) {
   return tangentAt(beads.curves, joining.curveOf(point), point);
 }
 
+// Compares the tangents eight points before and after, which are four spacings apart.
 bool straightAround(const Beads& beads, const Joining& joining, int point) {
   return dot(tangentOf(beads, joining, stepped(beads, joining, point, -8)),
              tangentOf(beads, joining, stepped(beads, joining, point, 8))) > kStraight;
 }
 
-// The nearest point on the left and on the right within reach, across the bead; -1: none.
+// The nearest points within reach on the left and right across the bead; -1 where there is none.
 struct Sides {
   int left = -1;
   int right = -1;
 };
 
 template <class Wanted>
+// Finds the nearest wanted point on either side. Points less than 0.4 spacings across or more than 0.7 along are no
+// neighbours: they lie on the same strand, or ahead.
 Sides besides(const Beads& beads, const Joining& joining, int point, float reach, const Wanted& wanted) {
   const Vec2f p = joining.at(point);
   const Vec2f t = tangentOf(beads, joining, point);
@@ -63,7 +66,8 @@ Sides besides(const Beads& beads, const Joining& joining, int point, float reach
   return sides;
 }
 
-// Items that points find, looked for on the run's threads, in the points' order.
+// Collects what find(k, out) adds for each k, on the run's threads. Chunks of fixed size keep the order of the points,
+// whatever the threads.
 template <class Item, class Find>
 std::vector<Item> found(int count, const RunContext& run, const Find& find) {
   constexpr int kGrain = 1024;
@@ -76,7 +80,8 @@ std::vector<Item> found(int count, const RunContext& run, const Find& find) {
   return all;
 }
 
-// U-turns that a joint adds to the four strands at its ends.
+// Counts the U-turns that a joint adds to the four strands at its ends: those of the two joined lines, less those of
+// the two lines as they are.
 int turnsAdded(const Beads& beads, const Joining& joining, const Joint& joint) {
   constexpr int kAround = 10;
   const int begin = -(joint.span / 2);
@@ -86,6 +91,7 @@ int turnsAdded(const Beads& beads, const Joining& joining, const Joint& joint) {
   };
   std::vector<Vec2f> line;
   int turns = 0;
+  // Each of the two strands as it is, then the line that the joint makes of one strand's begin and the other's end.
   for (const auto& [from, to] : {std::pair{joint.i, joint.j}, std::pair{joint.j, joint.i}}) {
     line.clear();
     append(line, from, begin - kAround, end + kAround);
@@ -98,7 +104,8 @@ int turnsAdded(const Beads& beads, const Joining& joining, const Joint& joint) {
   return turns;
 }
 
-// A joint that could be made, cheapest first in order. Both its ends may have found it, as joints of different kinds.
+// A joint that could be made, ordered by cost. Its two ends may both have found it, as joints of different kinds; ties
+// are broken by all of its figures, so that threads do not matter.
 struct Possible {
   float cost;
   Switch made;
@@ -109,7 +116,7 @@ struct Possible {
   }
 };
 
-// Stretches of two strands that have a joint.
+// Index of the stretches of two strands that have a joint, by blocks of `apart` points of the lower end.
 class Taken {
  public:
   /// \param apart  points from one joint to the next
@@ -117,6 +124,7 @@ class Taken {
 
   void take(const Joint& joint) { at_[joint.i / apart_].push_back({joint.i, joint.j}); }
 
+  // Tells whether a joint lies less than `apart` points away on both strands.
   [[nodiscard]] bool near(const Joint& joint) const {
     const int own = joint.i / apart_;
     for (int k = std::max(0, own - 1); k <= own + 1; ++k) {
@@ -132,7 +140,7 @@ class Taken {
   std::vector<std::vector<Link>> at_;
 };
 
-// Pairs of curves that are joined amid straight strands.
+// Numbers the pairs of curves that are joined amid straight strands.
 class Rings {
  public:
   explicit Rings(std::size_t curves) : others_(curves) {}
@@ -156,7 +164,7 @@ class Rings {
   int count_ = 0;
 };
 
-// Keeps the cheapest of each stretch that is not taken.
+// Keeps the cheapest joint of each stretch that is not taken, as greedy suppression does.
 void thinOut(std::vector<Possible>& possible, Taken taken) {
   std::sort(possible.begin(), possible.end());
   std::erase_if(possible, [&](const Possible& one) {
@@ -180,20 +188,25 @@ std::vector<Link> linksBeside(const Beads& beads, const Joining& joining, const 
 
 std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, const Joining& joining,
                                  const RunContext& run) {
+  // Plates with pictures weigh misalignment more than usual: scale the limit up and the cost down to compare alike.
   const float dearest = kDearest * static_cast<float>(std::max(1.0, stitchAlignment / kUsualPrice));
   const float price = static_cast<float>(kUsualPrice / std::max(kUsualPrice, stitchAlignment));
   const int count = static_cast<int>(beads.curves.points.size());
+  // 1. Joints that are made become switches that are on, and take their stretch.
   std::vector<Switch> switches;
   Taken taken(count, kApart);
   for (const Joint& joint : joining.made()) {
     taken.take({std::min(joint.i, joint.j), std::max(joint.i, joint.j), joint.span});
     switches.push_back({joint, joining.cost(joint.i, joint.j, joint.span), turnsAdded(beads, joining, joint)});
   }
+  // 2. Joints with two U-turns tell which pairs of curves are rings; the pair is numbered.
   Rings rings(beads.curves.begin.size() - 1);
   for (Switch& one : switches) {
     if (one.turns > kMostTurns) one.ring = rings.add(joining.curveOf(one.joint.i), joining.curveOf(one.joint.j));
   }
 
+  // 3. Each second point looks for possible joints with its neighbours in the opposite sense. Within one curve a joint
+  // must split off a real loop; amid straight strands only rings and windings count.
   const auto look = [&](int i, int j, bool straight, std::vector<Possible>& out) {
     if (j < 0) return;
     int ring = straight ? rings.numberOf(joining.curveOf(i), joining.curveOf(j)) : -1;
@@ -210,6 +223,7 @@ std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, con
   };
   std::vector<Possible> possible = found<Possible>((count + kStride - 1) / kStride, run, [&](int k, auto& out) {
     const int i = k * kStride;
+    // Amid straight strands most points are skipped, as only rings and windings could use them.
     const bool straight = straightAround(beads, joining, i);
     if (straight && i % kFarStride != 0 && !rings.any(joining.curveOf(i))) return;
     const Sides sides = besides(beads, joining, i, 1.8f * beads.spacing,
@@ -217,7 +231,8 @@ std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, con
     look(i, sides.left, straight, out);
     look(i, sides.right, straight, out);
   });
-  // Turns are counted for few: that takes longer than all the rest.
+  // 4. Thin out, count turns, and thin out again by the cost with turns. Turns are counted for few joints, as that
+  // takes longer than all the rest.
   thinOut(possible, Taken(count, kApart / 8));
   parallelFor(run, static_cast<int>(possible.size()), 64, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {

@@ -8,8 +8,9 @@
 namespace sillon {
 namespace {
 
-constexpr double kUnit = 1024;  ///< one link's lateness: whole numbers add up alike in any order
+constexpr double kUnit = 1024;  ///< units in the lateness of one link: whole numbers add up alike in any order
 
+// Lateness of a link by its delay: half up to 30 s, half up to 120 s and a tenth up to 1000 s.
 int latenessAfter(double seconds) {
   const auto share = [&](double limit) { return std::min(1.0, seconds / limit); };
   return static_cast<int>(kUnit * (0.5 * share(30) + 0.5 * share(120) + 0.1 * share(1000)));
@@ -25,13 +26,17 @@ Tour::Tour(int size, std::vector<int> cuts, const std::vector<Link>& links, doub
       order_(cuts_.size()),
       rank_(cuts_.size()),
       orderedBegin_(cuts_) {
+  // Elements begin in the order of the path.
   const int count = static_cast<int>(cuts_.size());
   for (int e = 0; e < count; ++e) {
     order_[e] = rank_[e] = e;
     length_[e] = (e + 1 < count ? cuts_[static_cast<std::size_t>(e) + 1] : size_) - cuts_[e];
   }
+  // Table of lateness by delay in steps of kLateStep points, as it is looked up for every link of every move.
   for (int k = 0; k <= size_ / kLateStep; ++k) late_.push_back(latenessAfter((k + 0.5) * kLateStep * pointSeconds));
 
+  // Links within one element keep their delay in every order: leave them out. Others become bonds, the lower element
+  // first.
   for (const Link& link : links) {
     int a = elementAt(link.a);
     int b = elementAt(link.b);
@@ -43,6 +48,8 @@ Tour::Tour(int size, std::vector<int> cuts, const std::vector<Link>& links, doub
     }
     bonds_.push_back({a, b, offset, 1});
   }
+  // Merge all links of two elements into one bond with their number and mean offset, which bounds the work by elements
+  // instead of points.
   std::sort(bonds_.begin(), bonds_.end(),
             [](const Bond& x, const Bond& y) { return std::tie(x.a, x.b, x.offset) < std::tie(y.a, y.b, y.offset); });
   std::size_t kept = 0;
@@ -56,6 +63,8 @@ Tour::Tour(int size, std::vector<int> cuts, const std::vector<Link>& links, doub
   }
   bonds_.resize(kept);
 
+  // Compressed rows of neighbours: those of element e lie from firstBeside_[e] to firstBeside_[e + 1]. Each bond is
+  // entered at both of its elements.
   firstBeside_.assign(cuts_.size() + 1, 0);
   for (const Bond& bond : bonds_) {
     ++firstBeside_[static_cast<std::size_t>(bond.a) + 1];
@@ -67,10 +76,12 @@ Tour::Tour(int size, std::vector<int> cuts, const std::vector<Link>& links, doub
   for (const Bond& bond : bonds_) {
     beside_[at[bond.a]++] = {bond.b, bond.offset, bond.weight};
     beside_[at[bond.b]++] = {bond.a, -bond.offset, bond.weight};
+    // Lateness is kept up to date as a sum; moves only add their difference.
     now_ += static_cast<std::int64_t>(bond.weight) * lateRound(std::abs(begin_[bond.a] - begin_[bond.b] + bond.offset));
   }
 }
 
+// Binary search, as cuts_ ascends in the initial order.
 int Tour::elementAt(int place) const {
   return static_cast<int>(std::upper_bound(cuts_.begin(), cuts_.end(), place) - cuts_.begin()) - 1;
 }
@@ -80,17 +91,20 @@ int Tour::placeNow(int place) const {
   return begin_[e] + place - cuts_[e];
 }
 
+// Rank now of the first element that begins at `place` or later.
 int Tour::rankAt(int place) const {
   return static_cast<int>(std::lower_bound(orderedBegin_.begin(), orderedBegin_.end(), place) - orderedBegin_.begin());
 }
 
 double Tour::lateness() const { return static_cast<double>(now_) / kUnit; }
 
-// Links within a block keep their delay: those of all blocks but the longest are looked at.
+// Sums the change over links between different blocks: links within a block keep their delay. All blocks but the
+// longest are looked at, which finds each such link, as one of its ends is in another block.
 double Tour::gain(const Cuts& cuts) const {
   const int x = cuts[1] - cuts[0];
   const int y = cuts[2] - cuts[1];
   const int z = cuts[3] - cuts[2];
+  // Places that each block W, X, Y, Z moves by when X and Z change places.
   const std::array<int, 4> shift{0, z + y, z - x, -(x + y)};
   const std::array<int, 4> lengths{size_ - (cuts[3] - cuts[0]), x, y, z};
   const int longest = static_cast<int>(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
@@ -106,6 +120,7 @@ double Tour::gain(const Cuts& cuts) const {
         const Beside& beside = beside_[k];
         const int there = begin_[beside.other];
         const int other = blockOf(there);
+        // A link between two of the shorter blocks is found from both ends; count it once.
         if (other == block || (other != longest && e > beside.other)) continue;
         const int apart = begin_[e] - there + beside.offset;
         gained += static_cast<std::int64_t>(beside.weight) *
@@ -119,11 +134,13 @@ double Tour::gain(const Cuts& cuts) const {
   return static_cast<double>(gained) / kUnit;
 }
 
+// Performs W X Y Z -> W Z Y X. Only elements from the first to the last cut change their places.
 void Tour::exchange(const Cuts& cuts) {
   now_ -= static_cast<std::int64_t>(std::llround(gain(cuts) * kUnit));
   std::array<int, 4> ranks{};
   for (std::size_t k = 0; k < 4; ++k) ranks[k] = rankAt(cuts[k]);
   std::vector<int> blocks;
+  // Write the three blocks in reverse order, and number their elements anew.
   for (std::size_t k = 3; k > 0; --k)
     blocks.insert(blocks.end(), order_.begin() + ranks[k - 1], order_.begin() + ranks[k]);
   int place = cuts[0];
@@ -135,6 +152,8 @@ void Tour::exchange(const Cuts& cuts) {
   }
 }
 
+// Takes the difference of lateness at the begin and the end of each link's range, and sums up over places: linear in
+// links and places, where one sum for each place would be quadratic.
 std::vector<double> Tour::latenessOfBegins(const std::vector<Link>& links) const {
   std::vector<std::int64_t> steps(static_cast<std::size_t>(size_) + 1, 0);
   for (const Link& link : links) {
@@ -152,8 +171,10 @@ std::vector<double> Tour::latenessOfBegins(const std::vector<Link>& links) const
   return sums;
 }
 
-// The pair of cuts makes two rings: [low, high), and the rest from `high` on. A third and a fourth cut open each, and
-// the one is put into the other. Links within a ring depend on one of these cuts only.
+// Prepares the gains of all moves that contain one pair of cuts. The pair makes two rings: [low, high), and the rest
+// from `high` on. A third and a fourth cut open each ring, and the one is put into the other. A link within a ring
+// depends on one of these two cuts only, so that sums for every cut can be made beforehand; links across the rings
+// depend on both, and are kept in a list.
 Tour::Split::Split(const Tour& tour, int low, int high, Room& room)
     : tour_(tour), low_(low), high_(high), added_(room.added_), across_(room.across_) {
   const std::size_t count = tour.order_.size();
@@ -168,6 +189,8 @@ Tour::Split::Split(const Tour& tour, int low, int high, Room& room)
     room.places_[e] = {tour.begin_[e] + (before ? tour.size_ : 0),
                        tour.rank_[e] + (before ? static_cast<int>(count) : 0)};
   }
+  // For links within a ring, `added` holds differences by rank: a cut between the two ends of a link makes them as far
+  // apart as the rest of the ring is long.
   std::int64_t* const added = added_.data() + 1;
   std::int64_t kept = 0;
   for (const Bond& bond : tour.bonds_) {
@@ -185,10 +208,12 @@ Tour::Split::Split(const Tour& tour, int low, int high, Room& room)
     added[std::min(a.rank, b.rank)] += cut;
     added[std::max(a.rank, b.rank)] -= cut;
   }
+  // Prefix sums turn the differences into the lateness that a cut at each rank adds.
   kept_ = kept;
   for (std::size_t k = 1; k < added_.size(); ++k) added_[k] += added_[k - 1];
 }
 
+// Finds out which of the two cuts is inside, and looks up the lateness of the links within both rings.
 Tour::Split::Cut Tour::Split::cutAt(int a, int b) const {
   const bool aIn = tour_.endOf(a) > low_ && tour_.endOf(a) < high_;
   const int in = aIn ? a : b;
@@ -203,8 +228,10 @@ Tour::Split::Cut Tour::Split::cutAt(int a, int b) const {
   return cut;
 }
 
+// Links across the rings add nothing negative, so that the gain without them is an upper bound.
 double Tour::Split::atMost(int a, int b) const { return static_cast<double>(tour_.now_ - cutAt(a, b).late) / kUnit; }
 
+// Adds the links across the rings one by one, and stops as soon as the gain falls below `least`.
 double Tour::Split::gain(int a, int b, double least, std::int64_t& work) const {
   const Cut cut = cutAt(a, b);
   const int inside = high_ - low_;
@@ -214,6 +241,7 @@ double Tour::Split::gain(int a, int b, double least, std::int64_t& work) const {
   std::size_t k = 0;
   for (; k < across_.size() && late <= most; ++k) {
     const Across& link = across_[k];
+    // Places counted from the cuts at which the rings are opened.
     const int within = link.in - cut.in + (link.in < cut.in ? inside : 0);
     const int around = link.out - cut.out + (link.out < cut.out ? outside : 0);
     late += static_cast<std::int64_t>(link.weight) *

@@ -7,10 +7,10 @@
 namespace sillon {
 namespace {
 
-constexpr int kAround = 16;  ///< points on either side of a joint's end: its turns end nearer than that
-constexpr int kMeans = 5;    ///< rounds of smoothing, after which as many turns are left as on the relaxed path
+constexpr int kAround = 16;  ///< points on either side of a joint's end, within which its turns end
+constexpr int kMeans = 5;    ///< rounds of smoothing; after five, as many turns are left as on the relaxed path
 
-// The same line in equal steps.
+// Resamples the line in place in equal steps, so that headings a fixed number of points apart are comparable.
 void equalSteps(std::vector<Vec2f>& line, float step) {
   std::vector<Vec2f> out{line.front()};
   out.reserve(line.size() + line.size() / 4);
@@ -29,6 +29,7 @@ void equalSteps(std::vector<Vec2f>& line, float step) {
   line.swap(out);
 }
 
+// One round of binomial smoothing (1, 2, 1) / 4; the two ends stay.
 void meanOfNeighbours(std::vector<Vec2f>& line) {
   Vec2f last = line.front();
   for (std::size_t k = 1; k + 1 < line.size(); ++k) {
@@ -38,7 +39,8 @@ void meanOfNeighbours(std::vector<Vec2f>& line) {
   }
 }
 
-// Walks over the path round the ends of the joints: each stretch once, however many ends it passes.
+// Walks over the path around the four ends of two joints. Ends near to each other share one walk, so that no turn is
+// counted twice.
 class Surroundings {
  public:
   Surroundings(const Joining& joining, const Joint& a, const Joint& b) : joining_(joining) {
@@ -51,11 +53,12 @@ class Surroundings {
     for (std::size_t k = 0; k < ends_.size(); ++k) passed_[k] = !joining.onPath(ends_[k].point);
   }
 
-  /// The points around the next end that no walk has passed; empty after the last.
+  /// Fills `line` with the points around the next end that no walk has passed; empty after the last.
   void next(const Beads& beads, std::vector<Vec2f>& line) {
     line.clear();
     while (at_ < ends_.size() && passed_[at_]) ++at_;
     if (at_ == ends_.size()) return;
+    // Walk forwards. Each further end on the way prolongs the walk beyond itself and is ticked off.
     int p = beginOfWalk(ends_[at_].point);
     const int from = p;
     int left = 2 * kAround;
@@ -76,7 +79,7 @@ class Surroundings {
     int beyond;  ///< points to walk after it
   };
 
-  // Back until no other end lies within reach.
+  // Steps back from an end until no other end lies within kAround points, so that the walk takes in all of them.
   [[nodiscard]] int beginOfWalk(int point) const {
     int p = point;
     for (int left = kAround; left > 0; --left) {
@@ -97,13 +100,17 @@ class Surroundings {
 
 int uTurnsOf(std::vector<Vec2f>& line, float spacing, std::vector<Vec2f>* places) {
   constexpr int kApart = 6;  // steps of tau/4 between the headings that are compared
+  // Smooth the line as relaxation will. Smoothing shortens steps, so resample once more before headings are compared.
   if (line.empty()) return 0;
   equalSteps(line, 0.25f * spacing);
   for (int k = 0; k < kMeans; ++k) meanOfNeighbours(line);
   equalSteps(line, 0.25f * spacing);
+  // The report's rule: a U-turn is a run of places at which the heading turns by at least 120 degrees (cosine -0.5)
+  // over six steps of tau/4, or 1.5 tau. A run counts once.
   int turns = 0;
   bool before = false;
   for (std::size_t k = 0; k + kApart + 1 < line.size(); ++k) {
+    // Compare two headings; only the first place of a run counts.
     const Vec2f u = line[k + 1] - line[k];
     const Vec2f v = line[k + kApart + 1] - line[k + kApart];
     const bool turning = dot(u, v) <= -0.5f * length(u) * length(v);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kLengthCost = 0.65f;  ///< cost of a mm of added length
 
+// Packs the two indices of a cell into one key for the hash map.
 std::uint64_t packed(int x, int y) {
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) | static_cast<std::uint32_t>(x);
 }
@@ -32,6 +33,7 @@ Joining::Joining(const ClosedCurves& curves, const PointGrid& grid, const LineFi
       previous_(curves.points.size()),
       used_(curves.points.size(), kFree),
       root_(static_cast<std::size_t>(curves.count())) {
+  // At first every curve is a set of its own, and each point leads to the next along its curve.
   for (int c = 0; c < curves.count(); ++c) {
     for (int k = 0; k < curves.size(c); ++k) {
       const int point = curves.begin[c] + k;
@@ -41,6 +43,7 @@ Joining::Joining(const ClosedCurves& curves, const PointGrid& grid, const LineFi
   std::iota(root_.begin(), root_.end(), 0);
 }
 
+// Union-find with path halving: each look-up shortens the way to the root.
 int Joining::setOf(int curve) {
   while (root_[curve] != curve) {
     int& up = root_[curve];
@@ -50,16 +53,19 @@ int Joining::setOf(int curve) {
   return curve;
 }
 
+// The patching energy (Eq. 14) with one more term: misaligned length counts, which raises alignment by 0.002 to 0.004.
 float Joining::cost(int i, int j, int span) const {
   const Piece a = pieceAround(i, span);
   const Piece b = pieceAround(j, span);
-  // Eq. 14. Curves run in opposite senses, so the edges that cross over are the shorter ones.
+  // The sum of the two new edges less the two pieces. Curves run in opposite senses, so the edges that cross over are
+  // the shorter ones.
   const float added = length(at(a.begin) - at(b.end)) + length(at(b.begin) - at(a.end)) - a.length - b.length;
   const float misaligned =
       misalignment(at(a.begin), at(b.end)) + misalignment(at(b.begin), at(a.end)) - misalignment(a) - misalignment(b);
   return kLengthCost * added + alignmentCost_ * misaligned;
 }
 
+// Both new edges together, to the end: candidates are compared by it.
 float Joining::outsideLength(int i, int j, int span) const {
   const Piece a = pieceAround(i, span);
   const Piece b = pieceAround(j, span);
@@ -67,6 +73,7 @@ float Joining::outsideLength(int i, int j, int span) const {
   return outsideLength(Edge{a.begin, b.end}, kAll) + outsideLength(Edge{b.begin, a.end}, kAll);
 }
 
+// Joins two sets as in Kruskal's algorithm: refuses a joint within one set, and merges two sets under the lower curve.
 bool Joining::join(const Candidate& candidate, float gap) {
   const int si = setOf(curveOf(candidate.i));
   const int sj = setOf(curveOf(candidate.j));
@@ -84,27 +91,32 @@ bool Joining::toggle(Joint& joint) {
   return true;
 }
 
+// Checks a joint, cheap tests first, and makes it.
 bool Joining::make(const Joint& joint) {
   const Piece a = pieceAround(joint.i, joint.span);
   const Piece b = pieceAround(joint.j, joint.span);
+  // A point can serve one joint only.
   if (touchesUsed(a) || touchesUsed(b) || overlap(a, b)) return false;
   const Edge e{a.begin, b.end};
   const Edge f{b.begin, a.end};
+  // Each new edge may leave the shape by the joint's gap at most.
   const float outsideE = outsideLength(e, joint.gap);
   if (outsideE > joint.gap) return false;
   const float outsideF = outsideLength(f, joint.gap);
   if (outsideF > joint.gap) return false;
+  // The two new edges must not cross each other, nor, with the pieces taken out, any other edge.
   if (segmentsMeet(at(e.from), at(e.to), at(f.from), at(f.to))) return false;
   markUsed(a);
-  markUsed(b);  // taken out, so that the new edges may pass over them
-  // The middle too: where nearly all of a tiny cycle is taken out, the edges may pass round what is left of it, which
-  // turns the cycle inside out, and then no joint fits it any more.
+  markUsed(b);  // both pieces are taken out, so that the new edges may pass over them
+  // The line between the middles must be free, too: where nearly all of a tiny cycle is taken out, the edges may pass
+  // round what is left of it, which turns the cycle inside out, and then no joint fits it any more.
   const Edge middle{joint.i, joint.j};
   if (meetsLiveEdge(e) || meetsLiveEdge(f) || meetsLiveEdge(middle)) {
     unmark(a);
     unmark(b);
     return false;
   }
+  // Link the ends crosswise, and register the edges, so that later joints keep off them.
   gapJoints_ += outsideE + outsideF > 0 ? 1 : 0;
   for (const Edge& edge : {e, f}) {
     link(edge.from, edge.to);
@@ -113,6 +125,7 @@ bool Joining::make(const Joint& joint) {
   return true;
 }
 
+// Puts the two pieces back, unless another joint stands in their way.
 bool Joining::undo(const Joint& joint) {
   const Piece a = pieceAround(joint.i, joint.span);
   const Piece b = pieceAround(joint.j, joint.span);
@@ -120,7 +133,7 @@ bool Joining::undo(const Joint& joint) {
   const Edge f{b.begin, a.end};
   removeJoint(e);
   removeJoint(f);
-  // Curves do not meet, but a later joint may pass over what comes back.
+  // Curves do not meet, but a later joint may pass over the segments that come back.
   bool meets = false;
   const auto look = [&](int p, int q) { meets = meets || meetsJoint({p, q}, (at(p) + at(q)) * 0.5f, 1); };
   forSegments(a, look);
@@ -146,6 +159,7 @@ void Joining::link(int from, int to) {
 
 bool Joining::leavesShape(const Edge& e, const Edge& f) const { return outsideLength(e, 0) + outsideLength(f, 0) > 0; }
 
+// Reads marks only: much cheaper than trying the joint.
 bool Joining::blocked(const Joint& joint) const {
   return !joint.on && (touchesUsed(pieceAround(joint.i, joint.span)) || touchesUsed(pieceAround(joint.j, joint.span)));
 }
@@ -154,7 +168,7 @@ std::pair<int, int> Joining::beginsOf(const Joint& joint) const {
   return {pieceAround(joint.i, joint.span).begin, pieceAround(joint.j, joint.span).begin};
 }
 
-// Every edge that is none of its curve's leads from an end of a piece to another.
+// Looks at the edges that belong to no curve: each leads from an end of one piece to an end of another.
 float Joining::longestJoint() const {
   float longest = 0;
   for (std::size_t p = 0; p < next_.size(); ++p) {
@@ -166,8 +180,10 @@ float Joining::longestJoint() const {
   return longest;
 }
 
+// Walks round each set once and writes its points.
 ClosedCurves Joining::joined() const {
   ClosedCurves out;
+  // Requested begins, by set; a later one replaces an earlier one.
   std::vector<int> beginOf(root_.size(), -1);
   for (const int point : begins_) {
     int set = curveOf(point);
@@ -191,6 +207,7 @@ ClosedCurves Joining::joined() const {
   return out;
 }
 
+// Piece of `wanted` segments around a point, at most half of its curve, which may be tiny.
 Joining::Piece Joining::pieceAround(int point, int wanted) const {
   const int curve = curveOf(point);
   const int first = curves_.begin[curve];
@@ -214,6 +231,8 @@ void Joining::forSegments(const Piece& piece, const Visit& visit) const {
   }
 }
 
+// Part of a segment that runs across the line there. Directions of a LineField lie across the beads, so that their dot
+// product with the segment is its misaligned part.
 float Joining::misalignment(Vec2f a, Vec2f b) const {
   const Vec2f e = b - a;
   const float size = length(e);
@@ -235,6 +254,7 @@ bool Joining::touchesUsed(const Piece& piece) const {
   return touches;
 }
 
+// Compares all points of both pieces: there are five of each at most.
 bool Joining::overlap(const Piece& a, const Piece& b) const {
   bool meet = a.begin == b.begin;
   forSegments(a, [&](int, int p) {
@@ -244,6 +264,7 @@ bool Joining::overlap(const Piece& a, const Piece& b) const {
   return meet;
 }
 
+// Inner points leave the path; the two ends stay on it, but serve no other joint.
 void Joining::markUsed(const Piece& piece) {
   forSegments(piece, [&](int, int b) { used_[b] = kInner; });
   used_[piece.begin] = kEnd;
@@ -255,20 +276,22 @@ void Joining::unmark(const Piece& piece) {
   forSegments(piece, [&](int, int b) { used_[b] = kFree; });
 }
 
-// An edge of a curve is live unless it was taken out with a piece.
+// Tells whether the edge after a point is part of the path: an edge of a curve is, unless it was taken out with a
+// piece.
 bool Joining::live(int point) const {
   const int next = nextOf(curves_, curveOf(point), point);
   return next_[point] == next && !inner(point) && !inner(next);
 }
 
-// Stretch by stretch, so that a long edge costs its length and not the square of it.
+// Tells whether an edge meets any edge of the path. Looks at it in stretches, so that a long edge costs its length and
+// not the square of it.
 bool Joining::meetsLiveEdge(const Edge& edge) const {
   const Vec2f a = at(edge.from);
   const Vec2f b = at(edge.to);
   const float size = length(b - a);
   const int stretches = static_cast<int>(size / (4 * spacing_)) + 1;
   const float half = 0.5f * size / static_cast<float>(stretches);
-  // Points sit tau/4 apart, so an edge that meets a stretch begins within this reach of its middle.
+  // Points lie tau/4 apart, so that an edge that meets a stretch begins within this reach of its middle.
   const float reach = half + 0.5f * spacing_;
   // A joint is registered within tau/2 of every place on it, a quarter of a cell.
   const int cells = half > spacing_ ? 2 : 1;
@@ -279,6 +302,7 @@ bool Joining::meetsLiveEdge(const Edge& edge) const {
   return false;
 }
 
+// Looks for live edges of curves near to `middle` that meet the edge; those that share an end with it do not count.
 bool Joining::meetsCurve(const Edge& edge, Vec2f middle, float reach) const {
   bool meets = false;
   grid_.around(middle, reach, [&](int begin, int end) {
@@ -292,6 +316,7 @@ bool Joining::meetsCurve(const Edge& edge, Vec2f middle, float reach) const {
   return meets;
 }
 
+// Looks for edges of other joints in the cells around `middle` that meet the edge.
 bool Joining::meetsJoint(const Edge& edge, Vec2f middle, int cells) const {
   const auto key = jointCell(middle);
   for (int dy = -cells; dy <= cells; ++dy) {
@@ -306,7 +331,8 @@ bool Joining::meetsJoint(const Edge& edge, Vec2f middle, int cells) const {
   return false;
 }
 
-// From the middle outwards, where a gap lies: what is more than `enough` need not be known.
+// Length of an edge outside the shape, by samples. They go from the middle outwards, where a gap lies, and stop once
+// more than `enough` is outside.
 float Joining::outsideLength(const Edge& edge, float enough) const {
   const Vec2 a{static_cast<double>(at(edge.from).x), static_cast<double>(at(edge.from).y)};
   const Vec2 b{static_cast<double>(at(edge.to).x), static_cast<double>(at(edge.to).y)};
@@ -324,6 +350,7 @@ float Joining::outsideLength(const Edge& edge, float enough) const {
   return outside;
 }
 
+// Cell, two spacings wide, in which a place of a joint is registered.
 std::pair<int, int> Joining::jointCell(Vec2f p) const {
   const float size = 2 * spacing_;
   return {static_cast<int>(std::floor(p.x / size)), static_cast<int>(std::floor(p.y / size))};

@@ -19,14 +19,14 @@ namespace sillon {
 struct Candidate {
   float cost;
   int i;     ///< middle of the piece of one curve
-  int j;     ///< of the other
-  int span;  ///< segments taken out of each
+  int j;     ///< middle of the piece of the other curve
+  int span;  ///< segments taken out of each curve
 };
 
-/// Segments taken out of each curve: one spacing, so that two beads fit side by side.
+/// Segments taken out of each curve: four of tau/4 are one spacing, so that the two new U-turns fit side by side.
 inline constexpr int kSpan = 4;
 
-/// A joint that can be made and undone, between two curves or within one, which it splits in two then.
+/// A joint that can be made and undone: between two curves, which it joins, or within one, which it splits.
 struct Joint {
   int i;          ///< middle of one piece
   int j;          ///< middle of the other piece
@@ -35,37 +35,38 @@ struct Joint {
   bool on = false;
 };
 
-/// Curves whose pieces are taken out and closed crosswise, one pair after the other. The points never move. A set is
-/// what has become one curve by joints; it is named by its lowest curve.
+/// Joins closed curves: takes a piece out of each of two and closes the ends crosswise, joint by joint. The points
+/// never move. A set is a group of curves that joints have made one; it is named by its lowest curve.
 class Joining {
  public:
-  /// All arguments must outlive this. \param grid  the points of `curves`.
+  /// All arguments must outlive the object. \param grid  the points of `curves`.
   Joining(const ClosedCurves& curves, const PointGrid& grid, const LineField& lines, const BorderIndex& border,
           const ToolpathParams& params);
 
   [[nodiscard]] int curveOf(int point) const { return curveOf_[point]; }
   [[nodiscard]] int setOf(int curve);
-  /// Whether a joint has used the point, as an end or by taking it out: no other may.
+  /// Tells whether a joint has used the point, as an end or by taking it out: no other may.
   [[nodiscard]] bool used(int point) const { return used_[point] != kFree; }
   [[nodiscard]] Vec2f at(int point) const { return curves_.points[point]; }
 
-  /// What joining the pieces of `span` segments around i and j costs [mm]: 0.65 of the length it adds (Eq. 14), and
-  /// `stitchAlignment` of the misaligned length it adds.
+  /// Cost of joining the pieces of `span` segments around i and j [mm]: 0.65 of the length it adds (Eq. 14), plus
+  /// `stitchAlignment` times the misaligned length it adds.
   [[nodiscard]] float cost(int i, int j, int span) const;
-  /// Length of the two new edges that lies outside the shape [mm], by samples tau/16 apart; infinite where one leaves
-  /// it by more than half a bridge and half a bead.
+  /// Length of the two new edges that lies outside the shape [mm], by samples tau/16 apart; infinite if an edge gets
+  /// farther from the shape than half a bridge and half a bead.
   [[nodiscard]] float outsideLength(int i, int j, int span) const;
 
   /// Joins if nothing stands against it: the curves are of two sets, no piece touches a used one, and neither the new
   /// edges nor the line between the pieces' middles meet another edge. The work grows with the edges' length.
-  /// \param gap  what each new edge may lie outside the shape [mm].
+  /// \param gap  length of each new edge that may lie outside the shape [mm].
   bool join(const Candidate& candidate, float gap);
   /// The joints that join() made, in their order.
   [[nodiscard]] const std::vector<Joint>& made() const { return made_; }
 
-  /// Undoes a joint that is on and makes one that is off, whatever the sets are. Sets are not followed: in the end each
-  /// must be one curve again.
-  /// \return whether nothing stood against it, by the rules of join(), nor another joint where segments come back.
+  /// Undoes a joint that is on and makes one that is off, whatever the sets are. Sets are not updated: the caller must
+  /// see to it that each is one curve again in the end.
+  /// \return false if something stands against it: when a joint is made, by the rules of join(); when it is undone,
+  /// another joint across the segments that would come back.
   bool toggle(Joint& joint);
   /// Tells whether a joint that is off would touch a used point.
   [[nodiscard]] bool blocked(const Joint& joint) const;
@@ -73,10 +74,12 @@ class Joining {
   [[nodiscard]] std::pair<int, int> beginsOf(const Joint& joint) const;
   /// Part of a segment's length that runs across the wanted lines: its length times sin² of the angle [mm].
   [[nodiscard]] float misalignment(Vec2f a, Vec2f b) const;
-  [[nodiscard]] bool onPath(int point) const { return !inner(point); }  ///< tells whether no joint has taken it out
-  [[nodiscard]] int after(int point) const { return next_[point]; }     ///< the point after one that is on the path
+  [[nodiscard]] bool onPath(int point) const {
+    return !inner(point);
+  }                                                                  ///< tells whether no joint has taken the point out
+  [[nodiscard]] int after(int point) const { return next_[point]; }  ///< the point after one that is on the path
   [[nodiscard]] int before(int point) const { return previous_[point]; }
-  /// Makes the path of the point's set begin there.
+  /// Makes the path of the point's set begin at it.
   void beginAt(int point) { begins_.push_back(point); }
 
   /// The curves as they are now, one for each set, in order of their lowest curves.
@@ -85,16 +88,19 @@ class Joining {
   [[nodiscard]] int gapJoints() const { return gapJoints_; }  ///< joints that lie outside the shape in part
 
  private:
+  // A piece of a curve that a joint takes out, from its first point to its last.
   struct Piece {
     int begin;
     int end;
     int segments;
     float length;  ///< [mm]
   };
+  // A new edge between the ends of two pieces.
   struct Edge {
     int from;
     int to;
   };
+  // State of a point: on no piece, at the end of one, or taken out.
   enum Use : char { kFree, kEnd, kInner };
 
   [[nodiscard]] bool inner(int point) const { return used_[point] == kInner; }
@@ -127,25 +133,27 @@ class Joining {
   const BorderIndex& border_;
   float spacing_;
   float alignmentCost_;
-  float farthest_;  ///< that an edge may lie from the shape: what is farther is of no part [mm]
+  float farthest_;  ///< greatest distance of an edge from the shape: what is farther belongs to no part [mm]
   std::vector<std::int32_t> curveOf_;
-  std::vector<int> next_;  ///< along the curves as joined
+  std::vector<int> next_;  ///< successor of each point along the curves as joined
   std::vector<int> previous_;
   std::vector<Use> used_;
-  std::vector<int> root_;                                        ///< of the sets, for union and find
-  std::unordered_map<std::uint64_t, std::vector<Edge>> joints_;  ///< by the cells they pass
+  std::vector<int> root_;                                        ///< parents in the union-find forest of sets
+  std::unordered_map<std::uint64_t, std::vector<Edge>> joints_;  ///< edges of joints, by the cells they pass
   std::vector<Joint> made_;
   std::vector<int> begins_;
   int gapJoints_ = 0;
 };
 
-/// The cell that holds p, or the first beside it that is of a part where that one lies outside.
+/// The cell that holds p, or, if that lies outside all parts, the first of its neighbours that belongs to one.
 std::size_t cellInPart(const Parts& parts, Vec2f p);
 
-/// Pairs of points of different sets and one part between whose regions a border runs: every point spreads over the
-/// cells of its part until it meets what another spread over, so that of two sets those that are nearest to each other
-/// on a way within the part are among the pairs. Linear in the cells.
-/// \param setOfPoint  -1: the point does not spread. \return each pair once, the lower index first, in ascending order.
+/// Finds pairs of points of different sets that face each other: every point spreads over the cells of its part until
+/// it meets the region of another, and each border between two regions gives a pair (a Voronoi diagram by breadth-first
+/// search). Of two sets, the points that are nearest to each other on a way within the part are among the pairs. The
+/// work is linear in the cells.
+/// \param setOfPoint  set of each point; -1: the point does not spread. \return each pair once, the lower index first,
+/// in ascending order.
 std::vector<std::pair<int, int>> facingPoints(const Parts& parts, const std::vector<Vec2f>& points,
                                               const std::vector<int>& setOfPoint);
 

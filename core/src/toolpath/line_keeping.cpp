@@ -10,10 +10,10 @@
 namespace sillon {
 namespace {
 
-constexpr float kAlike = 0.8f;     ///< cosine between a segment and the direction asked for, at least
-constexpr float kMostMove = 0.5f;  ///< [tau]
+constexpr float kAlike = 0.8f;     ///< least cosine of a segment to the direction asked for, to be turned: 37 degrees
+constexpr float kMostMove = 0.5f;  ///< largest move of a point [tau]
 
-/// Bead's direction asked for at p, between the four cells around it; (0, 0) where they tell none.
+/// The bead's direction asked for at p, interpolated between the four cells around it; (0, 0) where they tell none.
 Vec2f beadAt(const LineField& lines, Vec2f p) {
   const Grid& grid = lines.grid;
   const double u = (static_cast<double>(p.x) - grid.origin.x) / grid.cell - 0.5;
@@ -22,6 +22,7 @@ Vec2f beadAt(const LineField& lines, Vec2f p) {
   const int y0 = static_cast<int>(std::floor(v));
   const float right = static_cast<float>(u - x0);
   const float up = static_cast<float>(v - y0);
+  // Interpolate lines as z = e^{2i angle}: d and -d are the same line, and must not cancel out.
   Vec2f z{};
   for (int k = 0; k < 4; ++k) {
     const int x = x0 + k % 2;
@@ -32,19 +33,22 @@ Vec2f beadAt(const LineField& lines, Vec2f p) {
     z = z + lineOf(d) * ((k % 2 == 1 ? right : 1 - right) * (k / 2 == 1 ? up : 1 - up));
   }
   const float size = length(z);
+  // A short mean says that the cells disagree or have no line.
   if (size < 0.5f) return {};
   const Vec2f d = directionOf(z * (1 / size));
-  return {-d.y, d.x};
+  return {-d.y, d.x};  // fields hold the direction across the bead
 }
 
 }  // namespace
 
+// Least squares along each curve: squared differences between segments and the segments asked for, plus `pull` times
+// the squared moves, as docs/internals/pictures.md describes.
 std::vector<Vec2f> movesToLines(const ClosedCurves& curves, const LineField& lines, double spacing, float pull,
                                 const RunContext& run) {
   std::vector<Vec2f> moves(curves.points.size());
-  std::vector<Vec2f> excess;  // of the segment asked for over the one there is, from point k to the next
-  std::vector<char> kept;     // whether the segment is to be turned
-  std::vector<float> share;   // of the next point's move in that of point k
+  std::vector<Vec2f> excess;  // segment asked for minus the segment from point k to the next
+  std::vector<char> kept;     // tells whether the segment is to be turned
+  std::vector<float> share;   // share of the next point's move in that of point k
   for (int c = 0; c < curves.count(); ++c) {
     const auto first = static_cast<std::size_t>(curves.begin[c]);
     const auto n = static_cast<std::size_t>(curves.size(c));
@@ -64,10 +68,10 @@ std::vector<Vec2f> movesToLines(const ClosedCurves& curves, const LineField& lin
         kept[k] = 1;
       }
     });
-    // A symmetric tridiagonal system for each run of points between turned segments: eliminated forwards, solved
-    // backwards. The first point stays, so that a closed curve needs no other treatment.
+    // A symmetric tridiagonal system for each run of points between turned segments, solved by the Thomas algorithm:
+    // eliminated forwards, solved backwards. The first point stays, so that a closed curve needs no other treatment.
     for (std::size_t k = 1; k < n; ++k) {
-      if (!kept[k - 1] || !kept[k]) continue;  // stays: share and move are 0
+      if (!kept[k - 1] || !kept[k]) continue;  // the point stays: share and move are 0
       const float inverse = 1 / (2 + pull - share[k - 1]);
       share[k] = inverse;
       moves[first + k] = (excess[k - 1] - excess[k] + moves[first + k - 1]) * inverse;

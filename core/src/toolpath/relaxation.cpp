@@ -11,7 +11,7 @@
 namespace sillon {
 namespace {
 
-// Gaps wider than this count as this [tau]. It is also the width of a bead with nothing beside it.
+// Gaps wider than this count as this wide [tau]. It is also the width of a bead with nothing beside it.
 constexpr float kCap = 1.5f;
 
 // The largest move of a point in one round [tau].
@@ -26,14 +26,15 @@ constexpr float kVoidStrength = 0.7f;
 // The least strength nearer to the border than one spacing, where U-turns lie.
 constexpr float kBorderStrength = 0.2f;
 
-// Keeping to lines leaves gaps uneven. So there are more rounds, for lines and gaps in turns (none more if one round is
-// all there is), with at least this strength, and at most this smoothing: beads along the lines need less.
+// Keeping to lines leaves gaps uneven. Plates with pictures therefore have more rounds, for lines and gaps in turns
+// (none more if one round is all there is), with at least this strength, and at most this smoothing: beads along the
+// lines need less.
 constexpr float kAskedStrength = 0.25f;
 constexpr float kAskedSmoothing = 0.3f;
 constexpr int kAskedRounds = 2;
 
-// The pull of line keeping: a move is felt over 18 points, or 4.5 tau. The last time it is felt over 1.4 tau, so that
-// the round that is left makes gaps even again.
+// The pull of line keeping: a move is felt over 18 points, or 4.5 tau. In the last but one round it is felt over 1.4
+// tau, so that the round that is left makes gaps even again.
 constexpr float kAskedPull = 0.003f;
 constexpr float kLastPull = 0.03f;
 
@@ -44,8 +45,8 @@ constexpr int kAttempts = 8;
 // Cycles shorter than this [tau] are dots, which stay as they are.
 constexpr float kDot = 1.8f;
 
-// Instead of Eq. 15, which moves a point half-way to where its neighbours push it: towards the wider side, smoothed
-// along the path with (1, 2, 4, 2, 1) / 10.
+// Computes the moves that even out gaps: towards the wider side, smoothed along the path with (1, 2, 4, 2, 1) / 10.
+// They replace Eq. 15, which moves a point half-way to where its neighbours push it.
 std::vector<Vec2f> movesOf(const ClosedCurves& curves, const BeadGaps& gaps, const BorderIndex& border, float spacing,
                            float strength, const RunContext& run) {
   const float atBorder = std::max(strength, kBorderStrength);
@@ -77,7 +78,7 @@ std::vector<Vec2f> movesOf(const ClosedCurves& curves, const BeadGaps& gaps, con
   return moves;
 }
 
-// No point may come nearer to the border than a quarter of a spacing, or than it was: back to where it was if it would.
+// Sends a point back to where it was if it would come nearer to the border than a quarter of a spacing and than it was.
 Vec2f heldInside(Vec2f from, Vec2f to, const BorderIndex& border, BorderDepth& depth, float spacing) {
   const auto after = depth.nearerThan(0.25f * spacing, to);
   if (!after) return to;
@@ -85,8 +86,8 @@ Vec2f heldInside(Vec2f from, Vec2f to, const BorderIndex& border, BorderDepth& d
   return after->distance <= before ? to : from;
 }
 
-// How much of its move each point makes: of cycles that are hardly more than a dot none, as nothing inside of them
-// keeps them from vanishing, and those that small_cycles made are round already.
+// Share of its move that each point makes. Points of cycles that are hardly more than a dot make none, as nothing
+// inside of them keeps them from vanishing, and those that small_cycles made are round already.
 std::vector<float> sharesOf(const ClosedCurves& curves, float spacing) {
   std::vector<float> share(curves.points.size(), 1.0f);
   for (int c = 0; c < curves.count(); ++c) {
@@ -101,9 +102,10 @@ std::vector<float> sharesOf(const ClosedCurves& curves, float spacing) {
 // A round's moves of all points, to be scaled by their shares.
 struct Moves {
   std::vector<Vec2f> by;
-  float smoothing;  ///< towards the middle of the neighbours
+  float smoothing;  ///< pull of each point towards the middle of its neighbours
 };
 
+// Applies moves and smoothing, and holds points off the border. All points move at once, from the old places.
 ClosedCurves moved(const ClosedCurves& curves, const Moves& moves, const std::vector<float>& share,
                    const BorderIndex& border, float spacing, const RunContext& run) {
   ClosedCurves out = curves;
@@ -141,6 +143,7 @@ Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, con
     strength = std::max(strength, kAskedStrength);
     rounds += rounds > 1 ? kAskedRounds : 0;
   }
+  // Equal steps of tau/4 to begin with, by a slower way if they would cut a corner and make the path meet itself.
   ClosedCurves path = resampled(curves, step, run);
   BeadGaps gaps = beadGaps(path, border, params.spacing, kCap * spacing, run);
   if (!findCrossings(path, run, gaps.tight).empty()) {
@@ -148,22 +151,24 @@ Result<Relaxed> relaxSpacing(ClosedCurves curves, const BorderIndex& border, con
     gaps = beadGaps(path, border, params.spacing, kCap * spacing, run);
   }
   release(curves);
+  // Each round: moves from the gaps, then attempts with smaller shares until the path is simple.
   for (int round = 0; round < rounds && !run.cancelled(); ++round) {
     const Moves moves{movesOf(path, gaps, border, spacing, strength, run), smoothing};
     std::vector<float> share = sharesOf(path, spacing);
     for (int attempt = 0; attempt < kAttempts && !run.cancelled(); ++attempt) {
       ClosedCurves to = moved(path, moves, share, border, spacing, run);
-      // Not in the last round: gaps must be even in the end.
+      // Turn beads towards the lines, but not in the last round: gaps must be even in the end.
       if (asked != nullptr && round + 1 < rounds) {
         const float pull = round + 2 < rounds ? kAskedPull : kLastPull;
         to = moved(to, {movesToLines(to, *asked, params.spacing, pull, run), 0}, share, border, spacing, run);
       }
       // Equal steps may cut corners where strands lie near to each other, however little was moved.
       ClosedCurves next = attempt == 0 ? resampled(to, step, run) : resampledSimply(to, step, run);
-      // Not before the last round: smoothing points U-turns anew.
+      // Round kinks in the last round only: smoothing points U-turns anew.
       if (round + 1 == rounds) roundKinks(next, border, params.spacing, run);
       BeadGaps nextGaps = beadGaps(next, border, params.spacing, kCap * spacing, run);
-      // Equal steps meet where points lie near to each other; other segments may be longer.
+      // Segments of equal steps meet only where points lie near to each other; other segments may be longer, so that
+      // all must be checked.
       const auto crossings = attempt == 0 ? findCrossings(next, run, nextGaps.tight) : findCrossings(next, run);
       if (crossings.empty()) {
         path = std::move(next);

@@ -8,20 +8,21 @@
 namespace sillon {
 namespace {
 
-constexpr int kOwnChain = 10;  ///< points along its curve that do not push a point: those of two spacings
+constexpr int kOwnChain = 10;  ///< points along its curve that do not push a point: two spacings
 
-// An edge of the lattice, from its lower or left node, and the place of a point on it.
+// An edge of the lattice, from its lower or left node, and a point's place on it.
 struct OnEdge {
   Vec2f from;
   Vec2f along;  ///< unit vector
   float at;     ///< [mm]
 };
 
+// Finds the lattice edge on which a contour's vertex lies.
 OnEdge edgeOf(Vec2f point, const Grid& lattice) {
   const Vec2 node = lattice.centre(0, 0);
   const double x = (static_cast<double>(point.x) - node.x) / lattice.cell;
   const double y = (static_cast<double>(point.y) - node.y) / lattice.cell;
-  // Contours keep off the nodes, so that one of both lies between two whole numbers.
+  // Contours keep off the nodes, so that only one of the two coordinates is a whole number.
   const bool horizontal = std::abs(y - std::round(y)) < std::abs(x - std::round(x));
   const Vec2 from = lattice.centre(static_cast<int>(horizontal ? std::floor(x) : std::round(x)),
                                    static_cast<int>(horizontal ? std::round(y) : std::floor(y)));
@@ -29,7 +30,7 @@ OnEdge edgeOf(Vec2f point, const Grid& lattice) {
   return {begin, horizontal ? Vec2f{1, 0} : Vec2f{0, 1}, horizontal ? point.x - begin.x : point.y - begin.y};
 }
 
-// Where the circle around `centre` cuts the edge's line nearest to the point; the point itself where it does not.
+// Place at which the circle around `centre` cuts the edge's line nearest to the point; the point itself if it does not.
 float cutNearest(const OnEdge& edge, Vec2f centre, float radius) {
   const Vec2f to = centre - edge.from;
   const float middle = dot(to, edge.along);
@@ -42,14 +43,18 @@ float cutNearest(const OnEdge& edge, Vec2f centre, float radius) {
 
 }  // namespace
 
+// Eq. 15: every vertex moves half-way to the mean of the places at which circles of tau/2 around its neighbours cut its
+// edge. All vertices of a round move at once, from the old places.
 ClosedCurves repulsed(ClosedCurves curves, const Grid& lattice, const ToolpathParams& params, const RunContext& run) {
   const float reach = 0.5f * static_cast<float>(params.spacing);
   const float cell = static_cast<float>(lattice.cell);
+  // The curve of each point tells which points are its own chain.
   std::vector<int> curveOf(curves.points.size());
   for (int c = 0; c < curves.count(); ++c) {
     std::fill(curveOf.begin() + curves.begin[c], curveOf.begin() + curves.begin[static_cast<std::size_t>(c) + 1], c);
   }
   for (int round = 0; round < params.repulsionRounds && !run.cancelled(); ++round) {
+    // Nearer points than half a spacing push, unless they are the bead's own.
     const PointGrid grid(curves.points, reach, run);
     std::vector<Vec2f> moved = curves.points;
     parallelFor(run, static_cast<int>(moved.size()), 4096, [&](int begin, int end) {
@@ -70,6 +75,7 @@ ClosedCurves repulsed(ClosedCurves curves, const Grid& lattice, const ToolpathPa
           }
         });
         if (neighbours == 0) continue;
+        // Half-way, and held off the ends of the edge as contours are.
         const float to = 0.5f * (edge.at + sum / static_cast<float>(neighbours));
         moved[i] = edge.from + edge.along * std::clamp(to, kMinRoot * cell, (1 - kMinRoot) * cell);
       }

@@ -11,23 +11,26 @@
 namespace sillon {
 namespace {
 
-constexpr float kMaxSegment = 2;      ///< [mm]
-constexpr float kSpill = 0.0005f;     ///< half a µm on either side, the rounding [mm]
-constexpr int kMaxSkipped = 64;       ///< points left out in a row, which bounds the work
+constexpr float kMaxSegment = 2;      ///< longest segment [mm], so that widths and speeds can follow
+constexpr float kSpill = 0.0005f;     ///< width that may spill, from rounding: half a µm on either side [mm]
+constexpr int kMaxSkipped = 64;       ///< most points left out in a row, which bounds the work
 constexpr std::size_t kPiece = 8192;  ///< points of a curve that are walked in one go
 
+// Whole micrometres: down for widths that the border limits, to the nearest for all others.
 float floored(float v) { return static_cast<float>(std::floor(static_cast<double>(v) * 1000) / 1000); }
 float rounded(float v) {
   return static_cast<float>(static_cast<double>(std::llround(static_cast<double>(v) * 1000)) / 1000);
 }
 
+// A closed curve after rounding.
 struct Curve {
   std::vector<Vec2f> points;
   std::vector<float> widths;
-  std::vector<float> limits;  ///< widths that would spill
+  std::vector<float> limits;  ///< widths above these would spill
 };
 
-// Whether the straight bead from `a` to `b` stands for all points between them.
+// Tells whether the straight bead from `a` to `b` stands for all points between them: none is farther from it than the
+// tolerance, its width there differs by no more, and it spills nowhere.
 bool standsFor(const Curve& curve, std::size_t a, std::size_t b, float tolerance) {
   const Vec2f p = curve.points[a];
   const Vec2f q = curve.points[b % curve.points.size()];
@@ -35,6 +38,7 @@ bool standsFor(const Curve& curve, std::size_t a, std::size_t b, float tolerance
   const float wq = curve.widths[b % curve.points.size()];
   const Vec2f along = q - p;
   const float size2 = dot(along, along);
+  // A point beyond either end, or too far from the line, forbids the straight bead.
   if (size2 > kMaxSegment * kMaxSegment || size2 <= 0) return false;
   for (std::size_t k = a + 1; k < b; ++k) {
     const Vec2f to = curve.points[k] - p;
@@ -51,7 +55,8 @@ bool standsFor(const Curve& curve, std::size_t a, std::size_t b, float tolerance
   return true;
 }
 
-// Greedy: the point that is kept after `at`, as far as one bead can stand for. `keep` forces points to stay.
+// Finds the next point to keep after `at`, as far away as one bead can stand for (greedy). Points marked in `keep`
+// stay.
 std::size_t keptAfter(const Curve& curve, std::size_t at, float tolerance, const std::vector<char>& keep) {
   std::size_t next = at + 1;
   while (next < curve.points.size() && !keep[next] && next - at < kMaxSkipped &&
@@ -60,9 +65,9 @@ std::size_t keptAfter(const Curve& curve, std::size_t at, float tolerance, const
   return next;
 }
 
-// Of each curve the points that are kept, from the first on. What follows a point depends on nothing before it: pieces
-// of a curve are walked at the same time, and the walk that comes from the piece before goes on until it meets a point
-// of the next one's, mostly within a few; from there on both are the same.
+// Finds the points of each curve that are kept, from the first on. The points kept after one depend on nothing before
+// it. So pieces of a curve are walked at the same time, and the walk that comes from the piece before goes on until it
+// meets a point of the next piece's walk, mostly within a few points; from there on both are the same.
 std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curves, float tolerance,
                                                  const std::vector<std::vector<char>>& keep, const RunContext& run) {
   struct Piece {
@@ -71,6 +76,7 @@ std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curve
     std::size_t end;
     std::vector<std::size_t> walk;
   };
+  // Each piece is walked as if its first point were kept.
   std::vector<Piece> pieces;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (std::size_t begin = 0; begin < curves[c].points.size(); begin += kPiece)
@@ -84,6 +90,7 @@ std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curve
         piece.walk.push_back(at);
     }
   });
+  // Put the walks together: go on from the piece before, one point at a time, until its walk and this piece's meet.
   std::vector<std::vector<std::size_t>> kept(curves.size());
   if (run.cancelled()) return kept;
   std::size_t at = 0;
@@ -102,7 +109,7 @@ std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curve
       at = keptAfter(curves[piece.curve], at, tolerance, keep[piece.curve]);
     }
   }
-  // A cycle that is smaller than the tolerance stays as it is: it would vanish.
+  // A cycle that is smaller than the tolerance stays as it is, as it would vanish.
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (kept[c].size() >= 3) continue;
     kept[c].resize(curves[c].points.size());
@@ -111,7 +118,7 @@ std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curve
   return kept;
 }
 
-// Removes points that coincide after rounding.
+// Rounds a curve to whole micrometres, and removes points that coincide then.
 Curve roundedCurve(const ClosedCurves& curves, const BeadWidths& widths, int c) {
   Curve out;
   for (int k = curves.begin[c]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
@@ -123,6 +130,7 @@ Curve roundedCurve(const ClosedCurves& curves, const BeadWidths& widths, int c) 
         std::max(0.001f, widths.width[i] < widths.limit[i] ? rounded(widths.width[i]) : floored(widths.width[i])));
     out.limits.push_back(widths.limit[i]);
   }
+  // The last points may coincide with the first.
   while (out.points.size() > 1 && out.points.front() == out.points.back()) {
     out.points.pop_back();
     out.widths.pop_back();
@@ -136,12 +144,15 @@ Curve roundedCurve(const ClosedCurves& curves, const BeadWidths& widths, int c) 
 Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& widths, const ToolpathParams& params,
                                 const RunContext& run) {
   const float tolerance = static_cast<float>(params.simplifyTolerance);
+  // Round before simplifying, so that all checks see what is written.
   std::vector<Curve> full;
   std::vector<std::vector<char>> keep;
   for (int c = 0; c < curves.count(); ++c) {
     full.push_back(roundedCurve(curves, widths, c));
     keep.emplace_back(full.back().points.size(), char{0});
   }
+  // Simplify, look for crossings, and keep all points around them in the next attempt. The last attempt has no
+  // tolerance.
   constexpr int kAttempts = 6;
   for (int attempt = 0;; ++attempt) {
     ClosedCurves path;
@@ -158,7 +169,7 @@ Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& wi
     }
     path.begin.push_back(static_cast<int>(path.points.size()));
     const auto crossings = findCrossings(path, run);
-    if (run.cancelled()) return cancelledRun();  // some may not be found
+    if (run.cancelled()) return cancelledRun();  // some crossings may not have been found
     if (crossings.empty() || attempt == kAttempts) {
       Toolpath toolpath;
       toolpath.spacing = params.spacing;
@@ -173,6 +184,7 @@ Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& wi
       }
       return toolpath;
     }
+    // Keep the points that the crossing segments stood for, and eight more on either side.
     for (const auto& [a, b] : crossings) {
       for (const int segment : {a, b}) {
         const auto [c, k] = source[segment];

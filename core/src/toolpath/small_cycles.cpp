@@ -9,16 +9,17 @@
 namespace sillon {
 namespace {
 
-constexpr float kShallow = 0.05f;       ///< deepest place of a cycle in which no bead has room [tau]
-constexpr float kDot = 1;               ///< longest cycle to leave out [tau]
-constexpr float kBeside = 0.5f;         ///< of another that is so near [tau]
-constexpr float kTurn = 2.25f;          ///< longest cycle that may become a circle [tau]
-constexpr int kFewest = 7;              ///< points of a circle: with six a quarter of a spacing apart each is a kink
-constexpr float kBorder = 0.15f;        ///< what a circle keeps off the border [tau]
-constexpr float kAlone = 1.25f;         ///< no other cycle is so near, or there is no need for a circle [tau]
-constexpr int kLook = 8;                ///< places looked at on either side for the deepest one
-constexpr float kLookStep = 1.0f / 16;  ///< [tau]
+constexpr float kShallow = 0.05f;  ///< depth [tau]; a cycle that gets no deeper inside holds no bead
+constexpr float kDot = 1;          ///< longest cycle that may be left out [tau]
+constexpr float kBeside = 0.5f;    ///< distance of a longer cycle within which a dot is left out [tau]
+constexpr float kTurn = 2.25f;     ///< longest cycle that may become a circle [tau]
+constexpr int kFewest = 7;  ///< points of a circle, at least: with six, a quarter of a spacing apart, each is a kink
+constexpr float kBorder = 0.15f;  ///< least distance of a circle from the border [tau]
+constexpr float kAlone = 1.25f;   ///< distance of a cycle [tau] that will be joined to the dot: no circle is needed
+constexpr int kLook = 8;          ///< places looked at on either side for the deepest one
+constexpr float kLookStep = 1.0f / 16;  ///< distance of these places [tau]
 
+// Decides for each short cycle whether it is left out, becomes a circle or stays.
 class Settling {
  public:
   Settling(const ClosedCurves& curves, const BorderIndex& border, float spacing, const RunContext& run)
@@ -27,6 +28,7 @@ class Settling {
         spacing_(spacing),
         curveOf_(curveOfPoints(curves)),
         grid_(curves.points, spacing, run) {
+    // Lengths only matter up to kTurn, so that long cycles need not be walked to their end.
     for (int c = 0; c < curves.count(); ++c) {
       float size = 0;
       for (int k = begin(c); k < begin(c + 1) && size < kTurn * spacing; ++k)
@@ -37,8 +39,8 @@ class Settling {
 
   [[nodiscard]] bool isTiny(int c) const { return size_[c] < kTurn * spacing_; }
 
-  // Whether it lies so near to the border all round that its bead would be next to nothing: spurs and cracks of
-  // drawings whose sides fall together.
+  // Tells whether the cycle lies so near to the border all round that its bead would be next to nothing: spurs and
+  // cracks of drawings whose sides fall together. A tiny cycle may still have a deeper place nearby.
   [[nodiscard]] bool hasNoRoom(int c) const {
     const float shallow = -kShallow * spacing_;
     for (int k = begin(c); k < begin(c + 1); ++k) {
@@ -47,7 +49,8 @@ class Settling {
     return !isTiny(c) || distanceAt(deepestNear(c)) >= shallow;
   }
 
-  // Whether a longer cycle runs beside it, with no border between.
+  // Tells whether a longer cycle runs beside a dot, with no border between. Of two as long, the one of lower index
+  // counts as longer, so that one of them stays.
   [[nodiscard]] bool isBesideLonger(int c) const {
     const float mine = size_[c];
     return mine < kDot * spacing_ && hasBeside(c, kBeside, [&](int other) {
@@ -56,10 +59,12 @@ class Settling {
            });
   }
 
-  // Of the cycle's own length, or shorter where there is no room for that; empty where no circle has room.
+  // Makes a circle of the cycle's own length at the deepest place nearby, or a smaller one where there is no room for
+  // it; empty where no circle fits.
   [[nodiscard]] std::vector<Vec2f> circleFor(int c) const {
     if (!isAlone(c)) return {};
     const Vec2f centre = deepestNear(c);
+    // Try regular polygons with sides of tau/4, from the own number of points down to the fewest that can be printed.
     const float own = 4 * size_[c] / spacing_;
     for (int n = std::max(kFewest, static_cast<int>(own + 0.5f)); n >= kFewest; --n) {
       const float sense = runsLeft(c) ? 1.0f : -1.0f;  // contours keep what they go round on one side
@@ -79,7 +84,8 @@ class Settling {
   }
 
  private:
-  // Whether one of the other cycles for which wanted(cycle) holds is so near, with no border between. [tau]
+  // Tells whether one of the other cycles for which wanted(cycle) holds comes within `reach` [tau], with no border
+  // between.
   template <class Wanted>
   [[nodiscard]] bool hasBeside(int c, float reach, const Wanted& wanted) const {
     bool beside = false;
@@ -98,6 +104,7 @@ class Settling {
   [[nodiscard]] bool isAlone(int c) const {
     return !hasBeside(c, kAlone, [](int) { return true; });
   }
+  // The sign of the area tells the sense of travel (shoelace formula).
   [[nodiscard]] bool runsLeft(int c) const {
     float area = 0;
     for (int k = begin(c); k < begin(c + 1); ++k) {
@@ -108,6 +115,7 @@ class Settling {
   [[nodiscard]] int begin(int c) const { return curves_.begin[c]; }
   [[nodiscard]] Vec2f at(int point) const { return curves_.points[point]; }
   [[nodiscard]] float distanceAt(Vec2f p) const { return border_.nearest(wide(p)).distance; }
+  // Samples the line between two points; it must not leave the shape.
   [[nodiscard]] bool isInside(Vec2f a, Vec2f b) const {
     for (int k = 1; k < 8; ++k) {
       const Vec2f p = a + (b - a) * (static_cast<float>(k) / 8);
@@ -115,6 +123,7 @@ class Settling {
     }
     return true;
   }
+  // Searches a lattice around the cycle's centre, then a finer one around the best place, for the greatest depth.
   [[nodiscard]] Vec2f deepestNear(int c) const {
     Vec2f deepest{0, 0};
     for (int k = begin(c); k < begin(c + 1); ++k) deepest = deepest + at(k) * (1 / static_cast<float>(curves_.size(c)));
@@ -144,6 +153,7 @@ class Settling {
 
 }  // namespace
 
+// Leaves out cycles without room and dots beside longer cycles, makes circles of other tiny ones, and copies the rest.
 ClosedCurves regularizeSmallCycles(const ClosedCurves& curves, const BorderIndex& border, double spacing,
                                    const RunContext& run) {
   const Settling settling(curves, border, static_cast<float>(spacing), run);
@@ -151,6 +161,7 @@ ClosedCurves regularizeSmallCycles(const ClosedCurves& curves, const BorderIndex
   settled.begin.push_back(0);
   for (int c = 0; c < curves.count() && !run.cancelled(); ++c) {
     std::vector<Vec2f> circle;
+    // The order matters: a cycle without room must not become a circle.
     if (settling.hasNoRoom(c)) continue;
     if (settling.isTiny(c)) {
       if (settling.isBesideLonger(c)) continue;

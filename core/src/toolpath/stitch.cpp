@@ -16,38 +16,38 @@
 namespace sillon {
 namespace {
 
-constexpr int kFirstStride = 4;  ///< in the first round every fourth point looks for partners: enough for most curves
-constexpr float kFarthestOutside = 8;  ///< of an edge between points that face each other [spacings]
-constexpr float kOutsideCost = 4;      ///< of a mm outside the shape, against 0.65 of a mm of added length
-constexpr int kMaxRounds = 60;         ///< far more than any plate needs
-constexpr int kMaxGoes = 8;
+constexpr int kFirstStride = 4;  ///< points between two that seek partners in the first round: most curves need no more
+constexpr float kFarthestOutside = 8;  ///< most of an edge between facing points that may lie outside [spacings]
+constexpr float kOutsideCost = 4;      ///< cost of a mm outside the shape, against 0.65 of a mm of added length
+constexpr int kMaxRounds = 60;         ///< most rounds of one go; far more than any plate needs
+constexpr int kMaxGoes = 8;            ///< most goes in which the paths so far are curves again
 
-/// Where partners are looked for. Each search begins only when the one before leads to no joint any more.
+/// Places in which partners are looked for. Each search begins only when the one before leads to no more joints.
 enum class Search {
   Nearest,         ///< the nearest point on either side
   Near,            ///< all near points, and shorter pieces
   AcrossGaps,      ///< the same, and joints may leave the shape by the width of a bridged gap
-  AcrossWideGaps,  ///< from twice as far: facing tips are nearer to each other than the beads in them
-  Facing,          ///< points that face each other, however far, and joints may leave the shape for some spacings
-  AroundFacing,    ///< the same, and what lies near: a tip may be too sharp, or another strand be the outer one
+  AcrossWideGaps,  ///< the same with twice the reach: beads in two facing tips lie further apart than the tips
+  Facing,          ///< points that face each other, however far; joints may leave the shape for some spacings
+  AroundFacing,    ///< the same, and points near to these: a tip may be too sharp, or another strand the outer one
 };
 
 Search wider(Search search) { return static_cast<Search>(static_cast<int>(search) + 1); }
 
-/// What a search allows; those from Facing on reach as far as anything faces them.
+/// Limits of one search. Searches from Facing on have no limit of distance.
 struct Limits {
-  float reach;           ///< how far apart joined pieces may lie [mm]
-  std::size_t partners;  ///< tried per point
+  float reach;           ///< greatest distance of joined pieces [mm]
+  std::size_t partners;  ///< most partners tried per point
   int leastSpan;         ///< segments in the shortest piece
-  float gap;             ///< what each edge of a joint may lie outside the shape [mm]
+  float gap;             ///< length of each new edge that may lie outside the shape [mm]
   bool nearestOnly = false;
-  int stride = 1;  ///< of so many points along a curve one looks for partners
+  int stride = 1;  ///< points along a curve from one that looks for partners to the next
 };
 
 Limits limitsOf(Search search, const ToolpathParams& params) {
   const float spacing = static_cast<float>(params.spacing);
   const float reach = 1.8f * spacing;
-  // Gaps are crossed at a slant now and then, and sampled.
+  // Room for joints that cross a gap at a slant (1.2), and for the error of samples.
   const float gap = 1.2f * static_cast<float>(params.bridge.value_or(params.spacing)) + 0.125f * spacing;
   switch (search) {
     case Search::Nearest:
@@ -65,14 +65,16 @@ Limits limitsOf(Search search, const ToolpathParams& params) {
   return {std::numeric_limits<float>::max(), 1, 1, std::max(2 * gap, kFarthestOutside * spacing)};
 }
 
-// What is to be joined at the beginning of a round.
+// The sets that a round is to join.
 struct SetsToJoin {
   std::vector<int> ofCurve;   ///< set of each curve
   std::vector<char> open;     ///< curves of parts that are not one set yet
-  std::vector<char> seeking;  ///< those of them outside their part's largest set: they look for partners
+  std::vector<char> seeking;  ///< curves of these outside their part's largest set: they look for partners
   bool any = false;
 };
 
+// Finds the parts with more than one set. The largest set of each, by points, waits for the others: one side is enough
+// to find a joint, and it has most of the points.
 SetsToJoin setsToJoin(const ClosedCurves& curves, const std::vector<int>& partOfCurve, int parts, Joining& joining) {
   const std::size_t count = partOfCurve.size();
   SetsToJoin sets{std::vector<int>(count), std::vector<char>(count, 0), std::vector<char>(count, 0)};
@@ -83,6 +85,7 @@ SetsToJoin setsToJoin(const ClosedCurves& curves, const std::vector<int>& partOf
     points[sets.ofCurve[c]] += curves.size(static_cast<int>(c));
     if (sets.ofCurve[c] == static_cast<int>(c) && partOfCurve[c] >= 0) ++setsOfPart[partOfCurve[c]];
   }
+  // The largest set of each part; the lower one of two as large.
   std::vector<int> largest(setsOfPart.size(), -1);
   for (std::size_t c = 0; c < count; ++c) {
     if (partOfCurve[c] < 0 || sets.ofCurve[c] != static_cast<int>(c)) continue;
@@ -98,12 +101,12 @@ SetsToJoin setsToJoin(const ClosedCurves& curves, const std::vector<int>& partOf
   return sets;
 }
 
-// What a round looks at.
+// The curves and what belongs to each of their points: all that a round looks at.
 struct Strands {
   const ClosedCurves& curves;
   const PointGrid& grid;
   const std::vector<int>& curveAt;  ///< curve of each point of the grid
-  const std::vector<int>& partAt;   ///< part of it; and four more for vector loads to run over
+  const std::vector<int>& partAt;  ///< part of each point of the grid, and four more, as vector loads read past the end
   const Parts& parts;
   const std::vector<int>& partOfCurve;
 };
@@ -119,7 +122,7 @@ void sortNearestFirst(std::vector<Partner>& partners) {
   });
 }
 
-// Set of each point of the grid, -1 where it is used; and four more for vector loads to run over.
+// Set of each point of the grid, -1 where a joint has used it; and four more, as vector loads read past the end.
 std::vector<std::int32_t> freeSets(const Strands& strands, const Joining& joining, const SetsToJoin& sets,
                                    const RunContext& run) {
   std::vector<std::int32_t> free(strands.grid.id.size(), -1);
@@ -131,11 +134,12 @@ std::vector<std::int32_t> freeSets(const Strands& strands, const Joining& joinin
   return free;
 }
 
-// Of one side the nearest point seen in each lane; of two as near the one of lower index.
+// The nearest point on one side, by SIMD lane; of two as near, the one of lower index.
 struct NearestLanes {
   F4 distance2;
   I4 point = splatInt(INT32_MAX);
 
+  // Takes a point in each lane where it is wanted and nearer, without branches.
   void look(I4 wanted, F4 to2, I4 id) {
     const I4 asNear = (to2 > distance2) == splatInt(0);
     const I4 take = wanted & ((to2 < distance2) | (asNear & (id < point)));
@@ -143,6 +147,7 @@ struct NearestLanes {
     point = point + (take & (id - point));
   }
 
+  // Reduces the four lanes to one point, and adds it if there is any.
   void append(std::vector<Partner>& partners) const {
     Partner best{distance2[0], point[0]};
     for (int k = 1; k < 4; ++k) {
@@ -160,8 +165,8 @@ struct Seeker {
   float reach;  ///< [mm]
 };
 
-// The nearest free points of other sets of the same part within reach, one on either side, nearer one first. Nothing
-// tells processors which points these are, so that branches would cost more than the work.
+// Finds the nearest free point of another set of the same part on either side, the nearer one first. Which points these
+// are cannot be predicted, so that branches would cost more than the arithmetic: four points are looked at at once.
 void findNearest(const Strands& strands, const Joining& joining, const std::vector<std::int32_t>& free,
                  const Seeker& seeker, std::vector<Partner>& partners) {
   partners.clear();
@@ -191,7 +196,7 @@ void findNearest(const Strands& strands, const Joining& joining, const std::vect
   sortNearestFirst(partners);
 }
 
-// All of them, as many as may be tried.
+// Finds all free points of other sets of the same part within reach, nearest first, as many as may be tried.
 void findPartners(const Strands& strands, const Joining& joining, const SetsToJoin& sets, const Limits& limits, int i,
                   std::vector<Partner>& partners) {
   partners.clear();
@@ -217,7 +222,7 @@ void findPartners(const Strands& strands, const Joining& joining, const SetsToJo
 }
 
 // Calls find(begin, end, candidates) for ranges of [0, count) on the run's threads. \return the candidates, cheapest
-// first.
+// first; ties are broken by index, so that threads do not matter.
 template <class Find>
 std::vector<Candidate> cheapestFirst(int count, const RunContext& run, const Find& find) {
   constexpr int kGrain = 4096;
@@ -231,7 +236,8 @@ std::vector<Candidate> cheapestFirst(int count, const RunContext& run, const Fin
   return candidates;
 }
 
-// Joints with neighbours of each point that seeks.
+// Proposes joints of each seeking point with its neighbours, by pieces of four segments or, where allowed, of two and
+// one.
 std::vector<Candidate> nearCandidates(const Strands& strands, const Joining& joining, const SetsToJoin& sets,
                                       const Limits& limits, const RunContext& run) {
   const int count = static_cast<int>(strands.curves.points.size());
@@ -248,6 +254,7 @@ std::vector<Candidate> nearCandidates(const Strands& strands, const Joining& joi
         findPartners(strands, joining, sets, limits, i, partners);
       }
       for (const Partner& partner : partners) {
+        // Shorter pieces fit where a whole spacing is not free, at the cost of tighter turns.
         for (int span = kSpan; span >= limits.leastSpan; span /= 2)
           out.push_back({joining.cost(i, partner.point, span), i, partner.point, span});
       }
@@ -257,11 +264,11 @@ std::vector<Candidate> nearCandidates(const Strands& strands, const Joining& joi
 
 using Pairs = std::vector<std::pair<int, int>>;
 
-// The neighbours of both points of each of the nearest pairs, each with each: along the curve, and on strands of the
+// Replaces the nearest pairs by all pairs of their neighbours: points along the curve, and points on strands of the
 // same set beside it, of which only one faces the other set.
 Pairs neighboursOf(Pairs pairs, const Strands& strands, const Joining& joining, const SetsToJoin& sets, float spacing) {
-  constexpr std::size_t kNearest = 16;  ///< pairs: bounds the work
-  constexpr int kAround = 4;            ///< points on either side: one spacing
+  constexpr std::size_t kNearest = 16;  ///< pairs that are kept, which bounds the work
+  constexpr int kAround = 4;            ///< points on either side along the curve: one spacing
   sortBy(pairs, [&](const auto& pair) { return length(joining.at(pair.first) - joining.at(pair.second)); });
   pairs.resize(std::min(pairs.size(), kNearest));
   const auto neighbours = [&](int point) {
@@ -294,7 +301,8 @@ Pairs neighboursOf(Pairs pairs, const Strands& strands, const Joining& joining, 
   return around;
 }
 
-// Joints between points that face each other: inside the shape if they can be.
+// Proposes joints between points that face each other. Length outside the shape is dear, so that joints lie inside if
+// they can.
 std::vector<Candidate> facingCandidates(const Strands& strands, const Joining& joining, const SetsToJoin& sets,
                                         bool andNeighbours, float spacing, const RunContext& run) {
   std::vector<int> setOfPoint(strands.curves.points.size(), -1);
@@ -302,6 +310,7 @@ std::vector<Candidate> facingCandidates(const Strands& strands, const Joining& j
     const std::size_t c = static_cast<std::size_t>(joining.curveOf(static_cast<int>(i)));
     if (sets.open[c] && !joining.used(static_cast<int>(i))) setOfPoint[i] = sets.ofCurve[c];
   }
+  // All free points of open sets spread; used ones cannot serve a joint.
   Pairs pairs = facingPoints(strands.parts, strands.curves.points, setOfPoint);
   if (andNeighbours) pairs = neighboursOf(std::move(pairs), strands, joining, sets, spacing);
   const int count = static_cast<int>(pairs.size());
@@ -314,7 +323,7 @@ std::vector<Candidate> facingCandidates(const Strands& strands, const Joining& j
   });
 }
 
-// As Stitched::work counts.
+// Work of a list of candidates, in the unit of Stitched::work.
 std::int64_t workOf(const std::vector<Candidate>& candidates, const Joining& joining, double spacing) {
   std::int64_t work = 0;
   for (const Candidate& c : candidates)
@@ -322,6 +331,7 @@ std::int64_t workOf(const std::vector<Candidate>& candidates, const Joining& joi
   return work;
 }
 
+// Makes all joints that are possible, cheapest first: Kruskal's algorithm. \return the number of joints made.
 int joinInOrder(const std::vector<Candidate>& candidates, float gap, Joining& joining, const RunContext& run) {
   int joined = 0;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
@@ -331,11 +341,13 @@ int joinInOrder(const std::vector<Candidate>& candidates, float gap, Joining& jo
   return joined;
 }
 
-// Alg. 2, for all parts at once and for all cycles of a round at once.
+// Stitches once, for all parts and all cycles of a round together. Alg. 2 takes the cheapest joint that leaves the
+// smallest cycle; that joint belongs to the cheapest spanning tree, so that the tree is the same.
 Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
                             const Parts& parts, const ToolpathParams& params, const RunContext& run) {
   const PointGrid grid(curves.points, static_cast<float>(params.spacing), run);
   if (run.cancelled()) return cancelledRun();  // the grid may be half made
+  // 1. Part of each curve, by the cell of its first point, and of each point of the grid.
   Joining joining(curves, grid, lines, border, params);
   std::vector<int> partOfCurve;
   for (int c = 0; c < curves.count(); ++c) {
@@ -344,6 +356,7 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
   }
   std::vector<int> labels = partOfCurve;
   std::sort(labels.begin(), labels.end());
+  // Number of parts that hold a curve: so many curves should be left.
   const int held = static_cast<int>(std::unique(labels.begin(), labels.end()) - labels.begin());
   const int most = labels.empty() ? 0 : *std::max_element(partOfCurve.begin(), partOfCurve.end()) + 1;
   std::vector<int> curveAt(static_cast<std::size_t>(grid.count()));
@@ -354,12 +367,15 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
       partAt[k] = partOfCurve[curveAt[k]];
     }
   });
+  // 2. Rounds: find candidates between open sets, join the cheapest first, and widen the search when nothing is joined
+  // any more.
   const Strands strands{curves, grid, curveAt, partAt, parts, partOfCurve};
 
   Stitched stitched;
   Search search = Search::Nearest;
   for (int round = 0; round < kMaxRounds && !run.cancelled(); ++round) {
     const SetsToJoin sets = setsToJoin(curves, partOfCurve, most, joining);
+    // All parts are one set each: done.
     if (!sets.any) break;
     Limits limits = limitsOf(search, params);
     if (round == 0) limits.stride = kFirstStride;
@@ -373,6 +389,7 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
     search = wider(search);
   }
   if (run.cancelled()) return cancelledRun();
+  // 3. Exchange joints until neighbouring beads are laid soon after one another.
   const Beads beads{curves, grid, border, static_cast<float>(params.spacing)};
   if (params.order == BeadOrder::Even && !evenOrder(beads, params, joining, run)) return cancelledRun();
   stitched.curves = joining.joined();
@@ -382,9 +399,9 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
   return stitched;
 }
 
-// As Stitched::apart says.
+// Middles of the boxes of the curves that Stitched::apart lists: all but the longest of each part.
 std::vector<Vec2> middlesOfApart(const ClosedCurves& curves, const Parts& parts) {
-  std::vector<int> longest(static_cast<std::size_t>(parts.count), -1);  // by part
+  std::vector<int> longest(static_cast<std::size_t>(parts.count), -1);  // longest curve, by part
   std::vector<int> part;
   for (int c = 0; c < curves.count(); ++c) {
     const Vec2f first = curves.points[curves.begin[c]];
@@ -412,17 +429,20 @@ std::vector<Vec2> middlesOfApart(const ClosedCurves& curves, const Parts& parts)
 Result<Stitched> stitchCycles(const ClosedCurves& curves, const LineField& lines, const BorderIndex& border,
                               const Parts& parts, const ToolpathParams& params, const RunContext& run) {
   Result<Stitched> stitched = stitchOnce(curves, lines, border, parts, params, run);
-  // Tiny cycles may use up their points, and joints may stand between others: paths as they are now are curves again.
+  // Tiny cycles may use up their points, and joints may stand between others. The paths made so far are therefore
+  // curves again, with fresh points, and are stitched once more.
   for (int go = 1; go < kMaxGoes && stitched && stitched.value().unjoined() > 0; ++go) {
     const Stitched& last = stitched.value();
     const ClosedCurves paths = resampledSimply(last.curves, static_cast<float>(0.25 * params.spacing), run);
     Result<Stitched> more = stitchOnce(paths, lines, border, parts, params, run);
     if (!more) return more;
     more.value().work += last.work;
+    // Nothing was joined: another go would not help.
     if (more.value().curves.count() == paths.count()) {
       stitched.value().work = more.value().work;
       break;
     }
+    // The result counts the joints of all goes.
     more.value().longestJoint = std::max(more.value().longestJoint, last.longestJoint);
     more.value().gapJoints += last.gapJoints;
     stitched = std::move(more);

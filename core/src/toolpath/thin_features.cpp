@@ -8,14 +8,15 @@
 namespace sillon {
 namespace {
 
-constexpr float kLine = -2;       ///< value along thin lines: at -0.5 there and back came to lie on top of each other
-constexpr float kFilled = -0.5f;  ///< value of other places that are filled
-constexpr std::size_t kShortestLine = 8;  ///< nodes: shorter ones are necks, and kinked paths that cross them
-constexpr std::size_t kDotCells = 6;      ///< at most, of a dot in which no place was filled
-constexpr int kReach = 3;                 ///< nodes: a contour that is nearer fills the place
+constexpr float kLine = -2;  ///< value along thin lines: with -0.5, the ways there and back lay on top of each other
+constexpr float kFilled = -0.5f;          ///< value of other places that are filled
+constexpr std::size_t kShortestLine = 8;  ///< shortest line filled [nodes]: shorter ones are necks, and paths across
+constexpr std::size_t kDotCells = 6;      ///< most cells of a dot in which no place was filled
+constexpr int kReach = 3;                 ///< distance [nodes] within which another contour fills the place already
 constexpr std::size_t kSmallest =
     4;  ///< nodes of a place worth a contour: a smaller one adds two U-turns and covers nothing
 
+// Tells whether a contour runs near to a node: it does where a value is negative.
 bool contourNear(const Grid& nodes, const std::vector<float>& values, int x, int y) {
   for (int b = std::max(0, y - kReach); b <= std::min(nodes.ny - 1, y + kReach); ++b) {
     for (int a = std::max(0, x - kReach); a <= std::min(nodes.nx - 1, x + kReach); ++a) {
@@ -25,7 +26,8 @@ bool contourNear(const Grid& nodes, const std::vector<float>& values, int x, int
   return false;
 }
 
-// The connected places that nodes form; the nodes in order.
+// Groups nodes into connected places by flood fill over the four neighbours. `found` ascends, and so do the first nodes
+// of places.
 std::vector<std::vector<std::size_t>> placesOf(const std::vector<std::size_t>& found, const Grid& nodes) {
   std::vector<std::vector<std::size_t>> places;
   std::vector<char> seen(found.size(), 0);
@@ -56,6 +58,8 @@ std::vector<std::vector<std::size_t>> placesOf(const std::vector<std::size_t>& f
 
 void fillThinFeatures(const Grid& nodes, const std::vector<float>& distance, const BorderIndex& border, double spacing,
                       std::vector<float>& values) {
+  // A bead has room at depths of half a spacing. Nodes up to `missed` less deep may lie beside such a place, which the
+  // lattice has no node in.
   const auto deep = static_cast<float>(-0.5 * spacing);
   const float missed = deep + missedDepth(nodes.cell);
   const auto band = static_cast<float>(-spacing);
@@ -68,11 +72,13 @@ void fillThinFeatures(const Grid& nodes, const std::vector<float>& distance, con
     }
   };
 
+  // Deepest of a node and its four neighbours.
   const auto deepestNear = [&](std::size_t i) {
     return std::min({distance[i], distance[i - 1], distance[i + 1], distance[i - nx], distance[i + nx]});
   };
 
-  // Lines hardly wider than a bead, all along: waves end in them anywhere, and leave gaps where they begin anew.
+  // 1. Lines hardly wider than a bead are filled all along: waves end in them anywhere, and leave gaps where they begin
+  // anew.
   std::vector<std::size_t> found;
   for (int y = 1; y < nodes.ny - 1; ++y) {
     for (int x = 1; x < nodes.nx - 1; ++x) {
@@ -84,11 +90,14 @@ void fillThinFeatures(const Grid& nodes, const std::vector<float>& distance, con
   }
   fill(found, kShortestLine, kLine);
 
+  // 2. Other places near the border that have room for a bead and no contour nearby, such as arms at whose mouth a
+  // contour ends. They are filled if they are large enough to be worth two U-turns.
   found.clear();
   for (int y = 1; y < nodes.ny - 1; ++y) {
     for (int x = 1; x < nodes.nx - 1; ++x) {
       const std::size_t i = nodes.index(x, y);
       if (distance[i] > missed || distance[i] <= band || values[i] < 0 || contourNear(nodes, values, x, y)) continue;
+      // The node itself is deep enough, or lies beside a place that is, as the exact distance tells.
       if (distance[i] <= deep || (deepestNear(i) > deep && hasBeadRoom(border, nodes.centre(x, y), spacing)))
         found.push_back(i);
     }
@@ -100,6 +109,7 @@ void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, const Bor
                    std::vector<float>& values) {
   const Grid& grid = parts.grid;
   const Grid nodes = nodeLattice(grid);
+  // Parts with a negative value have a contour.
   std::vector<char> kept(static_cast<std::size_t>(parts.count), 0);
   for (int y = 0; y < nodes.ny; ++y) {
     for (int x = 0; x < nodes.nx; ++x) {
@@ -108,8 +118,8 @@ void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, const Bor
       if (label >= 0 && label < parts.count) kept[label] = 1;
     }
   }
-  // What is left are dots, and places close beside other parts. A dot is one circle: several contours in it would be
-  // joined with kinks.
+  // The other parts are dots, and places close beside other parts. A dot gets one circle: several contours in it would
+  // be joined with kinks.
   const auto deep = static_cast<float>(-0.5 * spacing);
   const float missed = deep + missedDepth(grid.cell);
   std::vector<std::vector<std::size_t>> roomy(static_cast<std::size_t>(parts.count));
@@ -122,6 +132,7 @@ void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, const Bor
       roomy[label].push_back(i);
     }
   }
+  // In a dot only the deepest cell is filled. The centre of cell (x, y) is the node (2 x + 1, 2 y + 1).
   const auto nx = static_cast<std::size_t>(grid.nx);
   for (std::vector<std::size_t>& cells : roomy) {
     if (cells.size() <= kDotCells) {

@@ -5,7 +5,7 @@
 namespace sillon {
 namespace {
 
-// False for NaN.
+// Tells whether low <= value <= high; false for NaN.
 template <class T>
 bool within(T value, T low, T high) {
   return value >= low && value <= high;
@@ -22,7 +22,9 @@ std::string pageDefect(Vec2 page) {
 std::string toolpathDefect(const Toolpath& toolpath, Vec2 page) {
   constexpr float kMaxWidth = 1000;
   if (std::string defect = pageDefect(page); !defect.empty()) return defect;
+  // Points and widths must match, and all be finite and within bounds, as a caller may have changed them.
   for (const Cycle& cycle : toolpath.cycles) {
+    // A width for each point, or those drawn would be read past the end.
     if (cycle.widths.size() != cycle.points.size()) {
       return "toolpath has a cycle with " + std::to_string(cycle.points.size()) + " points and " +
              std::to_string(cycle.widths.size()) + " widths; there must be as many";

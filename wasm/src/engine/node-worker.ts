@@ -1,5 +1,5 @@
-// Gives a thread of Node what a web worker has, then runs a worker's script in it. So the engine's files need to know
-// nothing of Node.
+// Gives a thread of Node the globals of a web worker, then runs a worker's script in it, so that the engine's files
+// need no code for Node.
 import { Worker, parentPort, workerData } from 'node:worker_threads';
 
 interface Thread {
@@ -7,7 +7,7 @@ interface Thread {
   name: string;
 }
 
-/** A worker started by a worker: the engine's threads. */
+/** A worker started by a worker; the engine's threads are such workers. */
 class NestedWorker {
   onmessage: ((event: { data: unknown }) => void) | null = null;
   onerror: ((event: Error & { filename: string; lineno: number }) => void) | null = null;
@@ -17,7 +17,7 @@ class NestedWorker {
     const thread: Thread = { script: String(script), name: options?.name ?? '' };
     this.#thread = new Worker(new URL(import.meta.url), { workerData: thread, execArgv: [] });
     this.#thread.on('message', (data) => this.onmessage?.({ data }));
-    // The glue code throws what it gets here.
+    // The glue code throws the error that it gets here.
     this.#thread.on('error', (error: Error) => {
       this.onerror?.(Object.assign(error, { filename: thread.script, lineno: 0 }));
     });
@@ -43,13 +43,13 @@ const scope = {
     port.postMessage(message, transfer);
   },
   Worker: NestedWorker,
-  // Only their presence is asked for, as the mark of a worker.
+  // Code only tests for its presence, as the mark of a worker.
   WorkerGlobalScope: EventTarget,
   importScripts: (): never => {
     throw new Error('importScripts is not available');
   },
 };
-// Not assigned: Deno has a location that cannot be.
+// Defined instead of assigned, because the location of Deno cannot be assigned.
 for (const [name, value] of Object.entries(scope)) {
   Object.defineProperty(globalThis, name, { value, writable: true, configurable: true, enumerable: true });
 }

@@ -1,4 +1,4 @@
-// Runs the engine in a worker of its own. One file that imports only types, since bundlers copy it as it stands.
+// Runs the engine in a worker of its own. The file imports only types, because bundlers copy it as it stands.
 import type * as api from '../../sillon.js';
 import type {
   Call,
@@ -18,7 +18,7 @@ type OnProgress = (stage: string, fraction: number) => void;
 type Inputs = Record<string, Uint8Array | api.Picture>;
 type CopiedBytes = Uint8Array<ArrayBuffer>;
 
-/** wasm/bindings.hpp */
+/** Functions of wasm/bindings.hpp. */
 interface SillonModule {
   start(threads: number, most: number, poll: (() => boolean) | null): Outcome<{ version: string; cancelFlag: number }>;
   generateToolpath(
@@ -106,7 +106,7 @@ interface SillonModule {
   joinReadings(readings: ReadingFields[], lampSize: number | undefined): Outcome<ReadCoupon>;
 }
 
-/** With a file of one spool, 'measured'. */
+/** Reading with a file of one spool, 'measured'. */
 type ReadCoupon = Omit<api.CouponReading, 'spool'> & { spools: string };
 
 function withSpool({ spools, ...others }: ReadCoupon): api.CouponReading {
@@ -120,7 +120,7 @@ interface PrinterText {
   project: string;
 }
 
-/** The part of the glue code's interface that is used. */
+/** The parts of the glue code's interface that are used here. */
 interface ModuleArguments {
   instantiateWasm(
     imports: WebAssembly.Imports,
@@ -147,17 +147,17 @@ interface Scope {
 }
 const scope = globalThis as unknown as Scope;
 
-const initialPages = 256; // as the modules are linked
+const initialPages = 256; // the modules are linked with the same number
 const progressEvery = 30; // [ms]
 const aliveEvery = 1000; // [ms]
 const pieceBytes = 4 * 2 ** 20;
 
-const fatal: Failure['code'][] = ['OutOfMemory', 'Internal', 'Crashed']; // after which the engine is asked nothing
+const fatal: Failure['code'][] = ['OutOfMemory', 'Internal', 'Crashed']; // after these errors, the engine is not called again
 
 let engine: SillonModule | undefined;
-let mostKept = Infinity; // [bytes] of a file that nobody takes in pieces
-let sharesLess = false; // memory than one thread would have
-let mostPictures = 0; // [bytes] of pictures' samples that are kept
+let mostKept = Infinity; // largest file that is not handed out in pieces [bytes]
+let sharesLess = false; // true if threads share less memory than one thread would have
+let mostPictures = 0; // limit on the samples of kept pictures [bytes]
 let lastPost = 0;
 
 function post(message: FromWorker): void {
@@ -165,7 +165,7 @@ function post(message: FromWorker): void {
   scope.postMessage(message, message.type === 'done' || message.type === 'piece' ? buffersOf(message) : []);
 }
 
-/** What can be handed over without a copy. */
+/** Returns the buffers in a value, which can be handed over without a copy. */
 function buffersOf(value: unknown): ArrayBuffer[] {
   if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
   if (typeof value !== 'object' || value === null || value instanceof Blob) return [];
@@ -178,9 +178,9 @@ let stopByte: Uint8Array | undefined; // 1 asks the running call to stop
 
 const stopAsked = (): boolean => stopByte !== undefined && Atomics.load(stopByte, 0) !== 0;
 
-/** For an engine with one thread, which asks while it computes. */
+/** Polls for a stop, in an engine with one thread, which calls it while it computes. */
 function poll(): boolean {
-  if (performance.now() - lastPost > aliveEvery) post({ type: 'alive' }); // stages of large plates tell no progress for long
+  if (performance.now() - lastPost > aliveEvery) post({ type: 'alive' }); // some stages of large plates report no progress for long
   return stopAsked();
 }
 
@@ -195,7 +195,7 @@ class Failed extends Error implements Failure {
   }
 }
 
-/** What else is thrown: traps, aborts, and JavaScript's own failures to allocate. */
+/** Wraps other errors: traps, aborts, and JavaScript's own failures to allocate. */
 function failed(problem: unknown, otherwise: Failure['code'], what: string): Failed {
   if (problem instanceof Failed) return problem;
   const text = String(problem);
@@ -206,12 +206,14 @@ function failed(problem: unknown, otherwise: Failure['code'], what: string): Fai
 
 // --- Start -------------------------------------------------------------------------------------------------------------
 
-/** Compiled while it arrives, browsers keep what they made of it for the next visit. Not all servers name its type, and
- * browsers do not say what else is wrong: then it is fetched and looked at. */
+/** Compiles the module while it arrives, so that browsers can keep the compiled code for the next visit. If that
+ * fails, it is fetched as a whole and examined: some servers do not give its type, and browsers do not tell other
+ * reasons. */
 async function compile(url: string): Promise<WebAssembly.Module> {
   return WebAssembly.compileStreaming(fetch(url)).catch(() => compileWhole(url));
 }
 
+/** Fetches the whole module and compiles it, with an error that tells what is wrong. */
 async function compileWhole(url: string): Promise<WebAssembly.Module> {
   let response: Response;
   let bytes: Uint8Array<ArrayBuffer>;
@@ -233,9 +235,9 @@ async function compileWhole(url: string): Promise<WebAssembly.Module> {
   }
 }
 
-/** Glue made before Emscripten 3.1.58 starts threads as classic scripts, and Vite's development server puts an import into
- * theirs, which only modules may have. Blobs stay as they are: in frames of opaque origin Chromium starts no modules from
- * them. */
+/** Makes the glue code start its threads as modules. Before Emscripten 3.1.58 it starts them as classic scripts,
+ * but Vite's development server adds an import to them, which only modules may have. Blobs stay classic, because
+ * Chromium starts no modules from blobs in frames of opaque origin. */
 function startThreadsAsModules(): void {
   scope.Worker = class extends scope.Worker {
     constructor(script: string | URL, options?: WorkerOptions) {
@@ -244,8 +246,9 @@ function startThreadsAsModules(): void {
   };
 }
 
+/** Loads the glue code of the engine. */
 async function importGlue(url: string): Promise<Glue> {
-  // Scripts that the page has kept hold the engine.
+  // Scripts that the page has kept contain the engine.
   const { createSillon } = scope;
   if (createSillon !== undefined) return { default: createSillon };
   try {
@@ -255,7 +258,7 @@ async function importGlue(url: string): Promise<Glue> {
   }
 }
 
-/** As much as the system lets threads share: phones refuse large maxima. @param wanted  [MiB] */
+/** Allocates memory for threads, as much as the system allows: phones refuse large maxima. @param wanted  [MiB] */
 function sharedMemory(wanted: number): { memory: WebAssembly.Memory; mib: number } {
   for (const mib of [4096, 2048, 1024, 512, 256, 64].map((mib) => Math.min(mib, Math.floor(wanted)))) {
     try {
@@ -267,7 +270,8 @@ function sharedMemory(wanted: number): { memory: WebAssembly.Memory; mib: number
   throw new Failed('OutOfMemory', 'the system gives no 64 MiB of memory that threads can share');
 }
 
-/** The module's own memory has its maximum from its link; its glue code takes a growth that fails for a lack of memory. */
+/** Limits the growth of the module's own memory, whose maximum is fixed when it is linked. The glue code takes a
+ * failing growth for a lack of memory. */
 function limitGrowth(exports: WebAssembly.Exports, most: number): void {
   for (const memory of Object.values(exports)) {
     if (!(memory instanceof WebAssembly.Memory)) continue;
@@ -279,6 +283,7 @@ function limitGrowth(exports: WebAssembly.Exports, most: number): void {
   }
 }
 
+/** Starts the module, with its threads and its memory. */
 async function start({
   threads,
   memory: most,
@@ -307,19 +312,19 @@ async function start({
           limitGrowth(made.exports, most);
           done(made, wasmModule);
         }, reject);
-        return {}; // what it exports comes later
+        return {}; // the exports arrive later
       },
       onAbort: reject,
       locateFile: (name) => (name.endsWith('.wasm') ? wasm : threadScript),
       print() {},
-      printErr() {}, // what goes wrong is thrown as well
+      printErr() {}, // errors are thrown as well
       mainScriptUrlOrBlob: mainScript,
     };
     if (memory !== undefined) Object.assign(args, { wasmMemory: memory, poolSize: threads - 1 });
-    // The glue code throws what keeps a thread from starting, where only this sees it.
+    // The glue code throws an error of starting a thread at a place where only this handler sees it.
     scope.onerror = () => {
       reject(new Failed('LoadFailed', `${threadScript} could not be started as a thread`));
-      return true; // handled: the page need not hear of it
+      return true; // handled here, so that the page does not hear of it
     };
     glue.default(args).then(resolve, reject);
   });
@@ -345,20 +350,21 @@ async function bytesOf(blob: Blob, name: string): Promise<Uint8Array> {
   }
 }
 
-/** Memory for a file; too little of it that threads share is no fault of the file. */
+/** Gets memory for a file. If threads share too little memory, the error is OutOfMemory, because the file is not at
+ * fault. */
 function roomFor(size: number, module: SillonModule): Uint8Array {
   const outcome = module.room(size);
   if (sharesLess && outcome.error?.code === 'TooLarge') outcome.error.code = 'OutOfMemory';
   return valueOf(outcome);
 }
 
-/** The value that came along, as the worker did not have it. */
+/** Returns the value of a call's part that the worker does not keep. */
 function brought<T>({ number, value }: Known<T>): T {
   if (value === undefined) throw new Failed('Internal', `what has the number ${number} is not kept`);
   return value;
 }
 
-/** A print may have 200 MB: it goes into the engine piece by piece, and is never whole in JavaScript. */
+/** Brings a file into the engine. A print may have 200 MB: it is copied in pieces and is never whole in JavaScript. */
 async function bringIn(known: KnownFile, module: SillonModule): Promise<void> {
   const file = brought(known);
   if (!(file instanceof Blob)) {
@@ -373,7 +379,7 @@ async function bringIn(known: KnownFile, module: SillonModule): Promise<void> {
 
 const sizeOf = (file: Blob | Uint8Array): number => (file instanceof Blob ? file.size : file.length);
 
-/** @returns the number of a text that the module keeps; 0: it has been brought in */
+/** Brings G-code into the module unless it is kept there. @returns its number; 0 if it was brought in */
 async function gcodeIn(file: KnownFile, module: SillonModule): Promise<number> {
   if (file.value === undefined) return file.number;
   await bringIn(file, module);
@@ -382,7 +388,8 @@ async function gcodeIn(file: KnownFile, module: SillonModule): Promise<number> {
 
 let printInside = 0; // number of the print whose text the module keeps
 
-/** Lists, pictures and new beads of one print read it once: bringing and unpacking it takes as long as they do. */
+/** Brings a print into the module, unless it is there: bringing and unpacking it takes as long as the calls
+ * themselves. */
 async function bringPrint(file: KnownFile, module: SillonModule): Promise<void> {
   if (file.value === undefined && file.number === printInside) return;
   printInside = 0;
@@ -392,13 +399,14 @@ async function bringPrint(file: KnownFile, module: SillonModule): Promise<void> 
   printInside = file.number;
 }
 
-/** Pictures of the last calls, the last used last: whoever changes a setting hands over the same files again, and decoding
- * one takes as long as making a small plate. */
+/** Pictures of the last calls, most recently used last. A user who changes a setting hands over the same files
+ * again, and decoding one takes as long as making a small plate. */
 const pictures = new Map<number, api.Picture>();
 
+/** Returns the files of a call for the module, pictures decoded. */
 async function inputsOf(files: Files, module: SillonModule): Promise<Inputs> {
   const inputs: Inputs = {};
-  const before = new Map(pictures); // of which a new one may take the room
+  const before = new Map(pictures); // a new picture may push out one that this call needs
   for (const [name, known] of Object.entries(files)) {
     const kept = before.get(known.number);
     if (kept !== undefined) {
@@ -413,6 +421,7 @@ async function inputsOf(files: Files, module: SillonModule): Promise<Inputs> {
   return inputs;
 }
 
+/** Keeps a picture, and drops the least recently used ones beyond the limit. */
 function keep(number: number, picture: api.Picture): api.Picture {
   if (number === 0) return picture;
   pictures.delete(number);
@@ -427,22 +436,22 @@ function keep(number: number, picture: api.Picture): api.Picture {
   return picture;
 }
 
-/** Most bytes that a file's samples may need: what a PNG says, else a guess from what photographs need. */
+/** Estimates an upper bound of the bytes of a file's samples: exact for a PNG, otherwise a guess from photographs. */
 function samplesOf(bytes: Uint8Array): number {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const png = bytes.length > 24 && view.getUint32(0) === 0x89504e47;
   return 8 * (png ? view.getUint32(16) * view.getUint32(20) : 8 * bytes.length);
 }
 
-/** A picture as its pixels; the file as it is where it is none, or too large to be kept. */
+/** Decodes a picture. A file that is none, or too large to be kept, is returned as it is. */
 function decoded(bytes: Uint8Array, name: string, number: number, module: SillonModule): Uint8Array | api.Picture {
   if (samplesOf(bytes) > mostPictures) return bytes;
   const { value: picture } = module.decodePicture(bytes, name);
-  if (picture === undefined) return bytes; // a drawing, or broken: making the plate tells what is wrong
+  if (picture === undefined) return bytes; // a drawing, or broken; making the plate reports the error
   return keep(number, picture);
 }
 
-/** Numbers for which the next call needs no value. */
+/** Returns the numbers for which the next call needs no value. */
 const kept = (module: SillonModule): number[] => [
   ...valueOf(module.keptNumbers()),
   ...pictures.keys(),
@@ -460,6 +469,7 @@ function valueOf<T>(outcome: Outcome<T>): T {
 const printerOf = (project: string): api.PrinterValues =>
   (JSON.parse(project) as { printer: api.PrinterValues }).printer;
 
+/** Performs a call and returns its value. */
 async function perform(call: Call, module: SillonModule): Promise<unknown> {
   let lastProgress = -Infinity;
   const onProgress: OnProgress = (stage, fraction) => {
@@ -572,7 +582,7 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       const files = await inputsOf(call.files, module);
       await bringPrint(call.file, module);
       const only = Float64Array.from(call.only);
-      const pieces: Blob[] = []; // each out of this worker's memory as soon as it is there
+      const pieces: Blob[] = []; // each piece leaves this worker's memory as soon as it exists
       const made = valueOf(
         module.rebrush(call.project, files, call.sides, call.fit, only, onProgress, (bytes) => {
           pieces.push(new Blob([bytes]));
@@ -600,6 +610,7 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
   }
 }
 
+/** Answers a message with `started`, `done` or `failed`. */
 async function answer(message: ToWorker): Promise<void> {
   try {
     if (message.type === 'start') {

@@ -1,18 +1,19 @@
-// The order of letters in a line that may run both ways: core/src/text/text_runs_here.cpp, by other libraries.
+// Order of the letters in a line that may run both ways; does the same as core/src/text/text_runs_here.cpp with other
+// libraries.
 import library from 'bidi-js';
 
-/** A part of a line that runs one way and is written in one script, as shapers take it. */
+/** A part of a line that runs one way and is written in one script, as shapers require. */
 export interface TextRun {
-  /** In UTF-16 units. */
+  /** UTF-16 units, also for end. */
   begin: number;
   end: number;
   toLeft: boolean;
 }
 
-// Its types are those of a CommonJS module, which it is not.
+// The package has types of a CommonJS module, although it is none.
 const bidi = (library as unknown as typeof library.default)();
 
-/** bidi-js looks at UTF-16 units alone: a letter of the same kind for each kind that larger codes have. */
+/** bidi-js only looks at single UTF-16 units. Larger codes are replaced by a letter of the same kind. */
 const standIns: Partial<Record<ReturnType<typeof bidi.getBidiCharTypeName>, string>> = {
   R: '\u05D0',
   AL: '\u0627',
@@ -24,7 +25,7 @@ const standIns: Partial<Record<ReturnType<typeof bidi.getBidiCharTypeName>, stri
   ON: '!',
 };
 
-/** ISO 15924 codes of Unicode's scripts, but for Common and Inherited. */
+/** ISO 15924 codes of Unicode's scripts, except Common and Inherited. */
 const scriptCodes =
   'Adlm Aghb Ahom Arab Armi Armn Avst Bali Bamu Bass Batk Beng Bhks Bopo Brah Brai Bugi Buhd Cakm Cans Cari Cham Cher Chrs ' +
   'Copt Cpmn Cprt Cyrl Deva Diak Dogr Dsrt Dupl Egyp Elba Elym Ethi Geor Glag Gong Gonm Goth Gran Grek Gujr Guru Hang Hani ' +
@@ -36,7 +37,7 @@ const scriptCodes =
 let scripts: [string, RegExp][] | undefined;
 const scriptOfLetter = new Map<string, string>();
 
-/** Browsers know no scripts that are younger than they. */
+/** Makes a pattern for each script; a browser does not know scripts that are younger than itself. */
 const readScripts = (): [string, RegExp][] =>
   scriptCodes.split(' ').flatMap((code) => {
     try {
@@ -46,7 +47,7 @@ const readScripts = (): [string, RegExp][] =>
     }
   });
 
-/** Empty for letters of several scripts. */
+/** Returns the script of a letter; empty for letters of several scripts. */
 function scriptOf(letter: string): string {
   let script = scriptOfLetter.get(letter);
   if (script === undefined) {
@@ -57,6 +58,7 @@ function scriptOf(letter: string): string {
   return script;
 }
 
+/** Splits a run into parts of one script each, from left to right. */
 function byScript(line: string, { begin, end, toLeft }: TextRun): TextRun[] {
   const parts: TextRun[] = [];
   let from = begin;
@@ -75,10 +77,11 @@ function byScript(line: string, { begin, end, toLeft }: TextRun): TextRun[] {
   return toLeft ? parts.reverse() : parts;
 }
 
-/** The library's time grows with the square of a paragraph; the native program has the same limit. */
+/** Longest paragraph that is ordered at once, because the library's time grows with the square of the length. The
+ * native program has the same limit. */
 const longestParagraph = 4096;
 
-/** @param offset  of the letters in the line, in UTF-16 units */
+/** @param offset  place of the letters in the line [UTF-16 units] */
 function runsOf(letters: string[], offset: number): TextRun[] {
   const places = [offset];
   for (const letter of letters) places.push((places.at(-1) ?? 0) + letter.length);
@@ -91,7 +94,7 @@ function runsOf(letters: string[], offset: number): TextRun[] {
     const [begin = 0, end = 0] = places.slice(index, index + 2);
     const toLeft = ((embedding.levels[index] ?? 0) & 1) === 1;
     const before = ways.at(-1);
-    // Levels that differ by two run the same way: kerning goes on between them.
+    // Adjacent runs of one direction, whose levels differ by two, are joined, so that kerning works across them.
     if (before?.toLeft === toLeft && (toLeft ? end === before.begin : begin === before.end)) {
       before.begin = Math.min(before.begin, begin);
       before.end = Math.max(before.end, end);
@@ -102,7 +105,7 @@ function runsOf(letters: string[], offset: number): TextRun[] {
   return ways;
 }
 
-/** The runs of a line by the Unicode bidirectional algorithm, in the order in which they stand from left to right. */
+/** Returns the runs of a line by the Unicode bidirectional algorithm, in their order from left to right. */
 export function textRuns(line: string): TextRun[] {
   const letters = Array.from(line);
   const runs: TextRun[] = [];

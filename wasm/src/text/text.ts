@@ -1,4 +1,4 @@
-// Shapes letters and makes QR codes by the libraries that the native program has. Built into one file of its own
+// Shapes letters and makes QR codes with the libraries of the native program. Built into one file of its own
 // (dist/engine/text.js), which only plates with texts or codes load.
 import * as hb from 'harfbuzzjs';
 import generator from 'nayuki-qr-code-generator';
@@ -7,24 +7,25 @@ import { textRuns, type TextRun } from './text-runs.js';
 
 export { textRuns };
 
-// Its types are those of a CommonJS module, which it is not.
+// The package has types of a CommonJS module, although it is none.
 const { QrCode } = generator as unknown as typeof generator.default;
 
 const { usualCapHeight, mostPathBytes, mostLackedTold } = letterLimits;
 
 let started: Promise<void> | undefined;
 
-/** Engines share this module: a second start would leave what was made before in another memory.
- * @param wasm  gives harfbuzz.wasm */
+/** Starts HarfBuzz, once: engines share this module, and a second start would leave existing objects in another
+ * memory.
+ * @param wasm  returns harfbuzz.wasm */
 export async function start(wasm: () => Promise<Uint8Array>): Promise<void> {
-  // `start` is added by vite.text.config.js, instead of a start by the import.
+  // vite.text.config.js adds `start`, so that the import itself starts nothing.
   const { start: begin } = hb as unknown as { start: (wasm: Uint8Array) => Promise<void> };
   started ??= wasm().then(begin);
-  started.catch(() => (started = undefined)); // the next call tries again
+  started.catch(() => (started = undefined)); // lets the next call try again
   await started;
 }
 
-/** From the points of a glyph to those of the letter that it is a part of: xx, yx, xy, yy, dx, dy. */
+/** Map from the points of a glyph to those of the letter of which it is a part: xx, yx, xy, yy, dx, dy. */
 type Affine = [number, number, number, number, number, number];
 
 const times = ([xx, yx, xy, yy, dx, dy]: Affine, [b, c, d, e, f, g]: Affine): Affine => [
@@ -39,12 +40,13 @@ const times = ([xx, yx, xy, yy, dx, dy]: Affine, [b, c, d, e, f, g]: Affine): Af
 interface Pen {
   path: string[];
   scale: number;
-  /** Of nested parts. */
+  /** Transforms of the nested parts, innermost last. */
   places: Affine[];
-  /** Bytes of the parts. */
+  /** Total length of `path` [bytes]. */
   size: number;
 }
 
+/** Makes the functions by which HarfBuzz writes an outline as path data. */
 function pathWriter(): hb.DrawFuncs {
   const funcs = new hb.DrawFuncs();
   const writer =
@@ -68,7 +70,8 @@ function pathWriter(): hb.DrawFuncs {
   return funcs;
 }
 
-/** Fonts in colour lay parts of a letter over one another: their union, as they all get the same plastic. */
+/** Collects the parts that fonts in colour lay over one another; their union counts, because all get the same
+ * plastic. */
 function partsWriter(writer: hb.DrawFuncs): hb.PaintFuncs {
   const funcs = new hb.PaintFuncs();
   funcs.setPushTransformFunc((xx, yx, xy, yy, dx, dy, pen) => {
@@ -85,14 +88,14 @@ function partsWriter(writer: hb.DrawFuncs): hb.PaintFuncs {
   return funcs;
 }
 
-/** Height of H. */
+/** Returns the height of H. */
 function capHeightOf(font: hb.Font, em: number): number {
   const glyph = font.nominalGlyph(0x48);
   const height = glyph === undefined || glyph === 0 ? 0 : -(font.glyphExtents(glyph)?.height ?? 0);
   return height > 0 ? height : usualCapHeight * em;
 }
 
-/** The heights that set the base lines of drawings. */
+/** Returns the heights from which the base lines of drawings follow. */
 function heightsOf(font: hb.Font) {
   const { ascender, descender } = font.hExtents();
   return { xHeight: font.getMetricPosition(hb.MetricsTag.X_HEIGHT) ?? 0, ascent: ascender, descent: -descender };
@@ -102,9 +105,9 @@ interface OpenFont {
   font: hb.Font;
   em: number;
   capHeight: number;
-  /** Outlines by glyph that lines of this font have drawn: most of the time of short lines. */
+  /** Outlines that were drawn for lines of this font, by glyph. Drawing them takes most of the time of short lines. */
   paths: Map<number, string>;
-  /** Bytes that may still be kept of them. */
+  /** Bytes of outlines that may still be kept. */
   room: number;
 }
 
@@ -115,6 +118,7 @@ function drawn({ font }: OpenFont, glyph: number, scale: number): string {
   return pen.path.join('');
 }
 
+/** Returns a glyph's outline at the font's own scale, and keeps it if there is room. */
 function keptPath(open: OpenFont, glyph: number): string {
   const known = open.paths.get(glyph);
   if (known !== undefined) return known;
@@ -126,8 +130,8 @@ function keptPath(open: OpenFont, glyph: number): string {
   return path;
 }
 
-/** Objects in HarfBuzz's memory. JavaScript's collector frees them, and a memory whose start was undone: all
- * lines share one buffer, and each file is opened once for each weight. */
+/** Objects in HarfBuzz's memory. JavaScript's collector frees them, and a whole memory that forget() has left. All lines
+ * share one buffer, and each file is opened once for each weight. */
 let held = { fonts: new WeakMap<Uint8Array, Map<number, OpenFont | undefined>>() } as {
   fonts: WeakMap<Uint8Array, Map<number, OpenFont | undefined>>;
   buffer?: hb.Buffer;
@@ -135,18 +139,19 @@ let held = { fonts: new WeakMap<Uint8Array, Map<number, OpenFont | undefined>>()
   parts?: hb.PaintFuncs;
 };
 
-/** Leaves a memory that is broken or full: the next start gives another. */
+/** Leaves a memory that is broken or full; the next start makes another. */
 export function forget(): void {
   started = undefined;
   held = { fonts: new WeakMap() };
 }
 
+/** Opens a font at a weight, or returns the one that is open; undefined if the file is no font. */
 function opened(file: Uint8Array, weight: number): OpenFont | undefined {
   const known = held.fonts.get(file) ?? new Map<number, OpenFont | undefined>();
   held.fonts.set(file, known);
   if (known.has(weight)) return known.get(weight);
   const face = new hb.Face(new hb.Blob(file));
-  // No font has no glyphs; HarfBuzz makes an empty face of anything.
+  // HarfBuzz makes an empty face of any bytes; a file without these tables is no font.
   const none = face.referenceTable('maxp') === undefined || face.referenceTable('cmap') === undefined;
   const font = new hb.Font(face);
   if (weight > 0) font.setVariations([new hb.Variation('wght', weight)]);
@@ -169,7 +174,7 @@ interface Cluster {
   end: number;
 }
 
-/** @param glyphs  of a run, from left to right */
+/** Groups glyphs by their letters. @param glyphs  glyphs of a run, from left to right */
 function clustersOf(glyphs: Glyph[], run: TextRun): Cluster[] {
   const clusters: Cluster[] = [];
   for (const glyph of glyphs) {
@@ -178,7 +183,7 @@ function clustersOf(glyphs: Glyph[], run: TextRun): Cluster[] {
       before.glyphs.push(glyph);
       continue;
     }
-    // The letters of a cluster end where those of the next one begin.
+    // The letters of a cluster end where those of the next cluster begin.
     const end = run.toLeft && before !== undefined ? before.begin : run.end;
     if (!run.toLeft && before !== undefined) before.end = glyph.letter;
     clusters.push({ glyphs: [glyph], begin: glyph.letter, end });
@@ -189,10 +194,10 @@ function clustersOf(glyphs: Glyph[], run: TextRun): Cluster[] {
 const unseen = /[\p{Zs}\p{Cf}\p{Variation_Selector}]/u;
 const inkless = /[\p{Zs}\p{Cf}\p{M}\u115F\u1160\u2800\u3164\uFFA0\u{1D159}]/u;
 
-/** Curves that are more than there may be. */
+/** Thrown if the outlines have too many curves. */
 class TooDetailed extends Error {}
 
-/** LineSetter of core/src/text/shape_line_here.cpp. */
+/** Sets a line, like LineSetter of core/src/text/shape_line_here.cpp. */
 class LineSetter {
   readonly letters: number[][] = [];
   readonly outlines: string[] = [];
@@ -211,12 +216,13 @@ class LineSetter {
     for (const run of textRuns(this.#line)) this.#setRun(run, 0);
   }
 
+  /** Shapes a run with font k; glyphs come from left to right. */
   #shape(k: number, { begin, end, toLeft }: TextRun): Glyph[] {
     const font = this.#fonts[k]?.open.font;
     if (font === undefined) return [];
     const buffer = (held.buffer ??= new hb.Buffer());
     buffer.reset();
-    // The shaper looks at five letters on either side; the whole line would be copied for each run.
+    // The shaper looks at five letters on either side. Passing the whole line would copy it for each run.
     const before = Math.max(0, begin - 10);
     buffer.addText(this.#line.slice(before, end + 10), begin - before, end - begin);
     buffer.setDirection(toLeft ? hb.Direction.RTL : hb.Direction.LTR);
@@ -242,6 +248,7 @@ class LineSetter {
     return k === 0 || own === undefined || font === undefined ? 1 : own.capHeight / font.capHeight;
   }
 
+  /** Returns the index of a glyph's outline, which is drawn if it is new. */
   #outlineOf(k: number, glyph: number): number {
     const font = this.#fonts[k];
     const known = font?.outlines.get(glyph);
@@ -253,6 +260,7 @@ class LineSetter {
     return this.outlines.push(path) - 1;
   }
 
+  /** Sets a run. Letters that font k lacks come from the fonts behind it. */
   #setRun(run: TextRun, k: number): void {
     const clusters = clustersOf(this.#shape(k, run), run);
     for (let c = 0; c < clusters.length;) {
@@ -284,6 +292,7 @@ class LineSetter {
     }
   }
 
+  /** Tells whether font k has the letters of a cluster, with outlines where they need them. */
   #draws(k: number, { glyphs, begin, end }: Cluster): boolean {
     let ink = false;
     for (const { id } of glyphs) {
@@ -294,7 +303,7 @@ class LineSetter {
     return ink || Array.from(this.#line.slice(begin, end)).every((letter) => inkless.test(letter));
   }
 
-  /** Tells of letters that come from another font, or from none. Spaces are not worth it. */
+  /** Reports a letter that comes from another font, or from none. Spaces are not reported. */
   #tell({ begin, end }: Cluster, font: string): void {
     const own = this.#fonts[0]?.open.font;
     const letters = Array.from(this.#line.slice(begin, end));
@@ -311,7 +320,7 @@ class LineSetter {
 
 type Unpacking = typeof import('./unpack.js');
 
-/** The bytes of a font; of a web font, wOFF or wOF2, those inside it: none where it is damaged.
+/** Returns the bytes of a font; of a web font, wOFF or wOF2, the unpacked bytes: none if it is damaged.
  * @param script  address of unpack.js, which only web fonts load */
 export async function plainFont(file: Blob | Uint8Array, script: string): Promise<Uint8Array> {
   const bytes = file instanceof Blob ? new Uint8Array(await file.arrayBuffer()) : file.subarray();
@@ -323,19 +332,19 @@ export async function plainFont(file: Blob | Uint8Array, script: string): Promis
 export interface FontFile {
   name: string;
   bytes: Uint8Array;
-  /** Of a variable font; 0: the font's own. */
+  /** Weight of a variable font; 0: the font's own. */
   weight?: number;
 }
 
-/** A shaped line as core/src/text/shape_line_elsewhere.cpp reads it, and more. */
+/** A shaped line as core/src/text/shape_line_elsewhere.cpp reads it, with further fields. */
 export interface Shaped {
-  /** Some letter, or a space, is in none of the fonts. */
+  /** True if some letter, or a space, is in none of the fonts. */
   lacks?: boolean;
   [more: string]: unknown;
 }
 
-/** A shaped line.
- * @param others  have letters that the line's own font lacks */
+/** Shapes a line.
+ * @param others  fonts for letters that the line's own font lacks */
 export function shapeLine(line: string, own: FontFile, others: readonly FontFile[] = []): Shaped {
   const fonts = [own, ...others].flatMap(({ name, bytes, weight = 0 }) => {
     const open = opened(bytes, weight);
@@ -361,7 +370,7 @@ const levels = {
   high: QrCode.Ecc.HIGH,
 };
 
-/** The modules, one grey texel each; undefined: no code holds the text. */
+/** Returns the modules of a QR code, one grey texel each; undefined if no code can hold the text. */
 export function qrModules(text: string, correction: keyof typeof levels) {
   let code;
   try {

@@ -1,11 +1,11 @@
-// Web fonts as they were before they were packed: core/src/text/unpack_font_here.cpp does the same. Built into one file of its
-// own (dist/engine/unpack.js), which only such a font loads.
+// Unpacks web fonts, like core/src/text/unpack_font_here.cpp. Built into one file of its own (dist/engine/unpack.js),
+// which only web fonts load.
 import { unzlibSync } from 'fflate';
 import unpackedWoff2 from 'woff2-encoder/decompress';
 
-const mostFontBytes = 30 * 1024 * 1024; // which the library for WOFF2 has for its own limit
+const mostFontBytes = 30 * 1024 * 1024; // same limit as in the library for WOFF2
 
-/** Tables packed by zlib, one by one. @throws for what is damaged */
+/** Unpacks a font whose tables are packed by zlib, one by one. @throws if the file is damaged */
 function unpackedWoff(file: Uint8Array): Uint8Array {
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
   const count = view.getUint16(12);
@@ -38,7 +38,7 @@ function unpackedWoff(file: Uint8Array): Uint8Array {
   return font;
 }
 
-/** @returns no bytes for a packed font that is damaged, or larger than fonts may be */
+/** Unpacks a font. @returns no bytes for a packed font that is damaged, or larger than the limit */
 export async function unpackedFont(file: Uint8Array): Promise<Uint8Array> {
   try {
     return file[3] === 0x32 ? await unpackedWoff2(file) : unpackedWoff(file);

@@ -1,4 +1,4 @@
-// Every action of the page with its name, its key and the words by which people look for it.
+// All actions of the page, each with its name, its key and the words that people search for.
 import { words } from '../i18n/en/help.js';
 import { words as exportWords } from '../i18n/en/export.js';
 import { words as printerWords } from '../i18n/en/printer.js';
@@ -34,15 +34,15 @@ const alsoFill = (fill: Fill): string =>
     : '';
 
 export interface Action {
-  /** Heading that it stands under; empty: none. */
+  /** Heading above the action; empty: none. */
   group: string;
   label: string;
   icon: IconName;
   keys?: string;
   disabled?: boolean;
-  /** Other words for it, by which it is found. */
+  /** Synonyms by which the action is found. */
   also?: string;
-  /** It is listed only when words ask for it. */
+  /** The action is listed only if a search finds it. */
   rare?: boolean;
   run: () => void;
 }
@@ -53,7 +53,7 @@ const views = [
   ['quality', 'quality'],
   ['directions', 'flow'],
 ] as const;
-/** Settings whose names people know from elsewhere, or from before. */
+/** Settings that people know by other names. */
 const otherNames: Partial<Record<SettingId, Known>> = {
   'toolpath.spacing': 'spacing',
   'toolpath.perimeterMode': 'outline',
@@ -78,6 +78,7 @@ const products: readonly (readonly [Product, IconName, string?])[] = [
   ['project', 'file', 'Ctrl S'],
 ];
 
+/** Returns the actions that are listed without a search. */
 function usual(studio: Studio): Action[] {
   const { store } = studio;
   const { plate, compare } = store.state;
@@ -273,7 +274,7 @@ function usual(studio: Studio): Action[] {
   ];
 }
 
-/** Things that are chosen from lists: found by their names, and not listed unasked. */
+/** Returns items of lists, such as printers and settings: a search finds them, but they are not listed otherwise. */
 function rare(studio: Studio): Action[] {
   const change = (change: Parameters<Studio['change']>[0]) => (): void => {
     studio.settle();

@@ -1,8 +1,8 @@
-// The kind of this page, and the wishes of its address.
+// The kind of this page, and the settings in its address.
 import { addressed } from '../embed/address.js';
 import { recallText } from '../files/remember.js';
 
-/** Tells whether this is the page for frames of others. */
+/** This page is the one for frames in other pages. */
 export const framed = document.documentElement.dataset['page'] === 'frame';
 export const asked = addressed(location.search);
 export const threads = asked.given.threads ?? 'auto';

@@ -1,4 +1,5 @@
-// The page: head, sections of settings, plate. In narrow windows the sections are a sheet over the plate's lower half.
+// The page: header, sections of settings, plate. In narrow windows,
+// the sections are a sheet over the lower half of the plate.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
@@ -21,7 +22,7 @@ declare global {
   }
 }
 
-/** The element of a part, and what fetches it: rare parts are fetched when they are first asked for. */
+/** The element of a part, and the function that loads it; rare parts are loaded on first use. */
 type Part = [tag: string, load?: () => Promise<unknown>];
 
 const loadPrinterSheet = (): Promise<unknown> => import('./printer-sheet.js');
@@ -61,7 +62,7 @@ const plainText = 'text/plain';
 
 const isSvgText = (text: string): boolean => /^\s*(<\?xml[^>]*>\s*)?(<!--.*?-->\s*)*<svg[\s>]/s.test(text);
 
-/** Chromium's. */
+/** Chromium's API for file handles of dropped files. */
 interface Handing {
   getAsFileSystemHandle?(): Promise<FileSystemHandle | null>;
 }
@@ -284,17 +285,18 @@ export class App extends StudioElement {
   }
 
   #sections(): Tab[] {
-    // Section 'quality' has no tab: its findings stand in the view of that name.
+    // Section 'quality' has no tab: its findings are in the view of that name.
     const offered = sections
       .filter((name) => name !== 'quality' && offers(this.state, name))
       .map((name): Tab => [name, name, t(`section.${name}`)]);
     return ownControls(this.state).length > 0 ? [['own', 'shuffle', t('section.own')], ...offered] : offered;
   }
 
-  /** Parts that are shown, by their tags: they stay for as long as they are. */
+  /** Elements of the shown parts; an element is reused as long as its part is shown. */
   #shown: { panel?: HTMLElement | undefined; dialog?: HTMLElement | undefined } = {};
 
-  /** @param purpose  of a dialog that has several @returns the part's element, once it is known */
+  /** Returns the element of a part, once it is loaded.
+   * @param purpose  one of the purposes of a dialog that has several */
   #part(place: 'panel' | 'dialog', part: Part | undefined, purpose = ''): HTMLElement | typeof nothing {
     const [tag, load] = part ?? [];
     if (tag === undefined || (load !== undefined && !this.lazy(load))) {
@@ -332,14 +334,14 @@ export class App extends StudioElement {
     removeEventListener('keydown', this.#onKey);
   }
 
-  /** The pointer's place on the page: what is pasted may be meant for it. */
+  /** Last place of the pointer: content that is pasted may be meant for it. */
   #pointer: PointerPlace | undefined;
 
   #onPointer = ({ clientX, clientY }: PointerEvent): void => {
     this.#pointer = { clientX, clientY };
   };
 
-  /** Tells whether a drag brings something that the page takes. */
+  /** Tells whether a drag brings content that the page takes. */
   #brings(event: DragEvent, ...kinds: string[]): boolean {
     const { types } = event.dataTransfer ?? {};
     return types?.includes('Files') === true || (!typesText(event) && kinds.some((kind) => types?.includes(kind)));
@@ -349,9 +351,9 @@ export class App extends StudioElement {
 
   #onDragOver = (event: DragEvent): void => {
     if (!this.#brings(event, addresses, ...this.#texts())) return;
-    event.preventDefault(); // else the browser would leave the page for the file
+    event.preventDefault(); // otherwise the browser would leave the page and open the file
     if (!this.#brings(event, ...this.#texts()) || !this.#takesFiles()) return;
-    // Leaving and entering come for every element; no news for a moment means that the files are gone.
+    // Enter and leave events come for every element; if no dragover comes for a moment, the files are gone.
     clearTimeout(this.#leaving);
     this.#leaving = setTimeout(() => {
       this.studio.store.set({ dropping: false });
@@ -366,7 +368,7 @@ export class App extends StudioElement {
     const onShape = this.renderRoot.querySelector('sillon-drop')?.isShape(event) ?? false;
     this.studio.store.set({ dropping: false });
     if (!this.#takesFiles()) return;
-    // The browser may lend a handle to save a project back in its place; the handle is gone with the event.
+    // The browser may lend a handle to save a project back in place; it must be requested during the event.
     const { files, items } = dataTransfer;
     const [item] = items as unknown as Iterable<Handing>;
     const handle = files.length === 1 ? item?.getAsFileSystemHandle?.().catch(() => null) : undefined;

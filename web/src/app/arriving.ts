@@ -1,4 +1,5 @@
-// The plate that a page begins with: of its address, of an earlier visit, or the one that welcomes a first visit.
+// Chooses the plate that a page begins with: from its address,
+// from an earlier visit, or the one that welcomes a first visit.
 import type { PrinterValues } from 'sillon';
 import type { Kept } from '../files/autosave.js';
 import { t } from '../i18n/text.js';
@@ -12,7 +13,7 @@ import { asked, firstVisit, framed } from './address.js';
 import type { Keeper } from './keeping.js';
 import type { Opener } from './opening.js';
 
-export const restoreWithin = 1500; // [ms], after which the page begins with what it has; the plate may still come
+export const restoreWithin = 1500; // [ms] after which the page begins with what it has; the plate may still come
 
 export const elapsed = (time: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, time));
 
@@ -20,11 +21,11 @@ export interface Arriving {
   studio: Studio;
   keeper: Keeper;
   opener: Opener;
-  /** The picture that a first visit sees until there are beads. */
+  /** Picture that a first visit sees until there are beads. */
   shimmer: Promise<Shimmer | undefined> | undefined;
 }
 
-/** Shows the plate of the page's address, or the one that was left here, which is offered beside the other. */
+/** Shows the plate of the page's address, or else the one that was left here; if both exist, the latter is offered. */
 export async function arrive(page: Arriving): Promise<void> {
   const { studio, keeper, opener } = page;
   const { store } = studio;
@@ -34,20 +35,20 @@ export async function arrive(page: Arriving): Promise<void> {
     return;
   }
   const first = store.state.plate;
-  const opening = firstVisit ? opener.first() : undefined; // while the storage is asked
+  const opening = firstVisit ? opener.first() : undefined; // loads while the storage is read
   opening?.catch(() => undefined);
   const kept = keeper.begin();
   const opened = (await openLink(page, kept)) || (await openAddress(page, kept));
   const restored = await keeper.restore(kept, () => !opened);
   if (!opened && !restored && studio.recall('welcomed') === undefined) {
-    greet(page, await (opening ?? opener.first()).catch(() => first), first); // it can be done without
+    greet(page, await (opening ?? opener.first()).catch(() => first), first); // the page works without that plate
   }
 }
 
-/** A first visit: a plate that moves by itself until somebody touches it. @param first  what is shown so far */
+/** Welcomes a first visit: the light moves over a plate until somebody touches it. @param first  plate shown so far */
 function greet({ studio, shimmer }: Arriving, plate: Plate, first: Plate): void {
   const { store } = studio;
-  if (store.state.plate !== first) return; // a hand was faster
+  if (store.state.plate !== first) return; // the user has already changed the plate
   store.change(() => plate);
   studio.look();
   store.forgetSteps();
@@ -57,29 +58,30 @@ function greet({ studio, shimmer }: Arriving, plate: Plate, first: Plate): void 
   });
 }
 
-/** The work that was left here, which may still be on its way. */
+/** Returns the printer of the work that was left here, which may still be loading, or else of the current plate. */
 async function ownPrinter({ store }: Studio, kept: Promise<Kept | undefined> | undefined): Promise<PrinterValues> {
   const found = await Promise.race([kept, elapsed(restoreWithin)]);
   const plate = found !== undefined && 'steps' in found ? found.steps.plate : store.state.plate;
   return (store.state.own?.on(plate) ?? plate).printer;
 }
 
-/** A page begins with what the visitor has said to print with. */
+/** Begins the page with the printer and filament that the visitor has named. */
 export async function useOwnPrint(studio: Studio): Promise<void> {
   const { store } = studio;
-  await studio.recallOwnPrint().catch(() => undefined); // it is asked again
+  await studio.recallOwnPrint().catch(() => undefined); // the visitor is asked again
   const { own, plate } = store.state;
   if (own === undefined) return;
   store.change(() => own.begin(plate.printer));
   store.forgetSteps();
 }
 
-/** @param key  of the printer that the address or a host asks for, whatever a plate brings */
+/** Uses a printer, whatever a plate brings. @param key  key of the printer that the address or a host names */
 export function usePrinter({ store }: Studio, key = asked.given.printer): void {
   if (key !== undefined) store.change((plate) => withPrinter(withoutBrought(plate), key));
 }
 
-/** In a frame nothing else is shown in the place of what its address names. */
+/** Opens the plate that the address names. In a frame, nothing else is shown in its place.
+ * @returns false if it cannot be opened */
 function openNamed({ studio, keeper }: Arriving, named: () => Promise<void>): Promise<boolean> {
   const open = (): Promise<void> => keeper.untried.during(named);
   return studio.attempt(async () => {
@@ -103,9 +105,10 @@ async function openAddress(page: Arriving, kept?: Promise<Kept | undefined>): Pr
   });
 }
 
+/** Opens the plate in the address's hash: of a link, the gallery, or another app. @returns false if there is none */
 export async function openLink(page: Arriving, kept?: Promise<Kept | undefined>): Promise<boolean> {
   const { hash } = location;
-  // Projects of the site's own gallery, and nothing else.
+  // Only projects of the site's own gallery are allowed.
   const project = /^#open=(gallery\/\w+\.zip)$/.exec(hash)?.[1];
   if (project === undefined && hash !== '#shared' && !hash.startsWith('#plate=')) return false;
   // A reload must bring back the work that followed, not the link.

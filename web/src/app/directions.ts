@@ -1,4 +1,5 @@
-// The plate's directions as the engine draws them: what stands in for beads, and the view of directions. Only the newest plate counts.
+// Draws the plate's directions with the engine: they stand in for
+// beads, and are a view of their own. Only the newest plate counts.
 import type { Engine, Shape } from 'sillon';
 import { engineInput, shapeInput } from '../model/input.js';
 import { usualLight, lampsOf } from '../model/lamp.js';
@@ -10,18 +11,19 @@ import type { Light } from '../model/view.js';
 import type { Store } from '../model/store.js';
 import type { Shown } from '../studio/shown.js';
 
-/** The engine draws so many texels per spacing of beads. */
+/** Texels that the engine draws per spacing of beads. */
 const texelsPerBead = 4;
 
-/** @param resolution  texels of the longer side, at most
- * @throws what the engine refuses */
+/** Draws the directions of a plate.
+ * @param resolution  most texels along the longer side
+ * @throws errors of the engine */
 export function drawDirections(plate: Plate, engine: Engine, resolution: number): Promise<DirectionRaster> {
   const { input, params } = engineInput(plate);
   const least = (texelsPerBead * Math.max(...pageOf(plate))) / resolution;
   return engine.drawLayers(input, { ...params, spacing: Math.max(params.spacing, least) });
 }
 
-/** Reads shapes, each once. */
+/** Returns a function that reads shapes, each once. */
 function shapeReader(engine: () => Promise<Engine>): (plate: Plate) => Promise<Shape> {
   let last: { of: Pick<Plate, 'shape' | 'width' | 'height'>; read: Promise<Shape> } | undefined;
   return (plate) => {
@@ -29,15 +31,15 @@ function shapeReader(engine: () => Promise<Engine>): (plate: Plate) => Promise<S
     if (last?.of.shape === shape && last.of.width === width && last.of.height === height) return last.read;
     const read = engine().then((running) => running.readShape(shapeInput(plate, ({ bytes }) => bytes)));
     last = { of: plate, read };
-    read.catch(() => (last = undefined)); // the engine may not have been there
+    read.catch(() => (last = undefined)); // the engine may not have been loaded
     return read;
   };
 }
 
-/** For pictures that name none: the lamp that the engine has chosen for the last plate, or the usual one. */
+/** Returns the lamp for pictures that name none: the one that the engine chose for the last plate, or the usual one. */
 const lampFor = ({ plate, result }: Readonly<Shown>): Light => lampsOf(plate, result?.toolpath.look)[0] ?? usualLight;
 
-/** With a lamp for each single picture that names none: to choose one, the engine makes plates. */
+/** Gives a lamp to each single picture that names none: to choose one itself, the engine would have to make plates. */
 function withLamp(plate: Plate, { azimuth, elevation }: Light): Plate {
   const lit = (layer: PlateLayer): PlateLayer => {
     const [one, ...others] = layer.pictures;
@@ -53,14 +55,16 @@ interface Drawn {
   coarse: boolean;
 }
 
+/** Tells whether the drawn directions are those of a plate, and fine enough. */
 const covers = (drawn: Drawn | undefined, { plate, lamp, coarse }: Drawn): boolean =>
   drawn !== undefined &&
   sameSolved(drawn.plate, plate) &&
   (coarse || !drawn.coarse) &&
   (pictureLayers(plate).length === 0 || JSON.stringify(drawn.lamp) === JSON.stringify(lamp));
 
-/** Keeps `directions` of the state: coarse ones at once, fine ones where the view shows them and no hand moves. A first visit sees
- * its plate before there is an engine, and needs none of this before the plate has beads. */
+/** Keeps `directions` of the state up to date: coarse ones at once, fine ones if
+ * the view shows them and no drag goes on. A first visit sees its plate before
+ * there is an engine, and needs no directions before the plate has beads. */
 export function followDirections(store: Store<Shown>, engine: () => Promise<Engine>): void {
   const readShape = shapeReader(engine);
   let drawn: Drawn | undefined;
@@ -81,7 +85,7 @@ export function followDirections(store: Store<Shown>, engine: () => Promise<Engi
       const [shape, drawnRaster] = await Promise.all([readShape(plate), raster]);
       store.set({ directions: { plate, shape, raster: drawnRaster } });
     } catch {
-      // Whatever is wrong with a layer is told where the plate is made. The next change asks again.
+      // A faulty layer is reported when the plate is made. The next change tries again.
       drawn = undefined;
       if (store.state.plate === plate) return;
     } finally {

@@ -1,4 +1,4 @@
-// Over the page while files are dragged: what becomes of them where they are let go.
+// Covers the page while files are dragged, and shows what they will become where they are dropped.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
 import { StudioElement } from '../controls/element.js';
@@ -105,7 +105,7 @@ export class DropTargets extends StudioElement {
     </div>`;
   }
 
-  /** Tells whether a file let go there is for the plate's shape. */
+  /** Tells whether a file dropped there is meant for the plate's shape. */
   isShape({ clientX: x, clientY: y }: PointerPlace): boolean {
     const box = this.shape?.getBoundingClientRect();
     return box !== undefined && x >= box.left && x <= box.right && y >= box.top && y <= box.bottom;

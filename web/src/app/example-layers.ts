@@ -1,9 +1,9 @@
-// The layers of an example, with their files.
+// Makes the layers of an example, with their files.
 import type { ExampleLayer } from '../model/example.js';
 import { isFontFile, layerDefaults } from '../model/layer-list.js';
 import type { PlateLayer, SourceFile } from '../model/plate.js';
 
-/** @param fetched  a file that lies beside the page, by its name */
+/** Returns the layers of an example. @param fetched  loads a file of the page by its name */
 export const layersFor = (
   layers: readonly ExampleLayer[],
   fetched: (name: string) => Promise<SourceFile>,

@@ -1,4 +1,4 @@
-// From nothing to a file for one's own printer: which machine, what first, what to look at afterwards.
+// Leads to a first file for one's own printer: the machine, the first object to print, and what to check on the print.
 import type { Calibration } from 'sillon';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
@@ -130,7 +130,7 @@ export class FirstPrint extends DialogElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    // Before the page below hears of them.
+    // Capturing listeners run before those of the page below.
     for (const kind of ['dragover', 'drop'] as const) {
       addEventListener(kind, this.#onFile, { signal: this.#end.signal, capture: true });
     }
@@ -143,7 +143,7 @@ export class FirstPrint extends DialogElement {
     this.#end.abort();
   }
 
-  /** A file of their slicer tells the printer. */
+  /** Reads the printer from a file of the visitor's slicer. */
   #onFile = (event: DragEvent): void => {
     event.preventDefault();
     event.stopPropagation();
@@ -155,6 +155,7 @@ export class FirstPrint extends DialogElement {
     if (plate.printer !== before.printer) void this.#estimate();
   }
 
+  /** Computes the cost of the coupon. */
   async #estimate(): Promise<void> {
     this.#job?.abort();
     const job = new AbortController();
@@ -164,7 +165,7 @@ export class FirstPrint extends DialogElement {
       const made = await engine.calibrate('coupon', calibrationOf(this.state.plate, 0), { signal: job.signal });
       if (!job.signal.aborted) this.coupon = made;
     } catch (error) {
-      if (!isAbort(error)) this.coupon = undefined; // its download says why
+      if (!isAbort(error)) this.coupon = undefined; // its download reports the reason
     }
   }
 
@@ -236,6 +237,7 @@ export class FirstPrint extends DialogElement {
     </label>`;
   }
 
+  /** Downloads the chosen first print; the coaster replaces the plate, but keeps its printer and filament. */
   #save(): void {
     const { first, studio } = this;
     if (first === 'coupon') {

@@ -1,4 +1,4 @@
-// Effects of changes of the state, beside the plate's results: pipeline.ts sees to those.
+// Effects of changes of the state; the plate's results are in pipeline.ts.
 import { groundFill, groundOf } from '../model/fills.js';
 import { pictureOf, shownPictures } from '../model/lamp.js';
 import { drawnLayers } from '../model/layers.js';
@@ -9,14 +9,15 @@ import type { Shown } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 import type { Keeper } from './keeping.js';
 
+/** Subscribes all effects of changes of the state. */
 export function followState(studio: Studio, keeper: Keeper): void {
   const { store } = studio;
   store.subscribe((state, before) => {
     if (state.theme !== before.theme) applyTheme(studio, state.theme);
     if (shownPictures(state.plate) !== shownPictures(before.plate)) fitLamps(studio, state);
-    const arrives = state.welcome && !before.welcome; // the first plate, which is nobody's work
+    const arrives = state.welcome && !before.welcome; // the first plate is nobody's work
     const changes = state.plate !== before.plate && !arrives;
-    // A plate that waited for its path is kept when that is there.
+    // A plate that waited for its path is kept once the path is there.
     if (changes || state.result !== before.result) keeper.keep(state, before.plate, changes);
     if (changes && state.welcome) studio.endWelcome();
     if (state.opened !== undefined && isGone(studio, state.opened, state.plate)) studio.setOpened(undefined);
@@ -36,7 +37,7 @@ export function applyTheme(studio: Studio, theme: Theme): void {
   studio.remember('theme', theme);
 }
 
-/** Other layers may have other pictures, or none. */
+/** Adapts the lamp and the comparison to the pictures of the plate, which may be others than before, or none. */
 function fitLamps({ store }: Studio, { plate, lamp, aimed, flipping, over }: Readonly<Shown>): void {
   const lamps = shownPictures(plate).length;
   if (lamp >= Math.max(1, lamps)) store.set({ lamp: 0 });
@@ -46,13 +47,13 @@ function fitLamps({ store }: Studio, { plate, lamp, aimed, flipping, over }: Rea
   if (over !== undefined && !shown[over]) store.set({ over: undefined });
 }
 
-/** Tells whether a plate made of files has been undone, or something of another kind stands in its place. */
+/** Tells whether a plate made of files was undone, or replaced by one of another kind. */
 const isGone = ({ store }: Studio, { before, made }: OpenedFiles, plate: Plate): boolean =>
   store.steps.future.includes(made) ||
   (groundOf(made) !== groundOf(before) && groundFill(made) !== groundFill(plate)) ||
   (made.shape !== before.shape && made.shape.kind === 'file' && plate.shape.kind !== 'file');
 
-/** Tells whether the code of a finished plate can be read. */
+/** Tests whether the code of a finished plate can be read. */
 function scan({ store, services }: Studio, result: PlateResult): void {
   const { plate } = result;
   if (result.coarse || !drawnLayers(plate).some(({ kind }) => kind === 'code')) return;
@@ -61,5 +62,5 @@ function scan({ store, services }: Studio, result: PlateResult): void {
       const azimuths = await scan(result, running, () => store.state.result === result);
       if (azimuths !== undefined) store.set({ scan: { plate, azimuths } });
     })
-    .catch(() => undefined); // nothing is claimed
+    .catch(() => undefined); // without a result, nothing is claimed
 }

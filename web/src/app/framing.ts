@@ -1,4 +1,4 @@
-// The studio in a frame of another page: what that page may have done, and what is shown before it asks for anything.
+// The studio in a frame of another page: the actions of that page, and the plate shown before its first request.
 import { spoken } from '../i18n/languages.js';
 import { t } from '../i18n/text.js';
 import { guestSettings, type GuestSettings } from '../model/guest.js';
@@ -10,7 +10,7 @@ import type { Keeper } from './keeping.js';
 import type { Opener } from './opening.js';
 import type { Pipeline } from './pipeline.js';
 
-const hostWaits = 10_000; // [ms] for work of an earlier visit: some browsers' storages never answer
+const hostWaits = 10_000; // [ms] for work of an earlier visit: some browsers' storage never answers
 
 interface Framing {
   studio: Studio;
@@ -19,7 +19,8 @@ interface Framing {
   pipeline: Pipeline;
 }
 
-/** @param arrived  what the address names is shown, or why it is not */
+/** Connects the studio to its host.
+ * @param arrived  resolves when the plate that the address names is shown, or has failed */
 export async function frame({ studio, keeper, opener, pipeline }: Framing, arrived: Promise<void>): Promise<void> {
   const { store } = studio;
   let begun = false;
@@ -27,8 +28,8 @@ export async function frame({ studio, keeper, opener, pipeline }: Framing, arriv
     if (!begun) pipeline.start();
     begun = true;
   };
-  studio.services.engine().catch(() => undefined); // a host hears of it also where no plate follows
-  // Nobody is shown or sold another plate where one is named: it is on its way, or cannot be shown.
+  studio.services.engine().catch(() => undefined); // a host hears of the engine even if no plate follows
+  // If a plate is named, no other one may be shown or sold: the named plate is on its way, or cannot be shown.
   void arrived.then(() => {
     if (!asked.waits && store.state.lacking === undefined) begin();
   });
@@ -45,7 +46,7 @@ export async function frame({ studio, keeper, opener, pipeline }: Framing, arriv
     finished: () => pipeline.finished(),
     onHost: async (origin) => {
       store.set({ host: origin === 'null' ? t('app.someHost') : origin });
-      await arrived; // what a host asks for is of that, or comes after it
+      await arrived; // a host's requests concern that plate, or come after it
       const { autosave: name } = asked.given;
       if (name === undefined || origin === 'null') return false;
       let waits = true;
@@ -60,7 +61,7 @@ export async function frame({ studio, keeper, opener, pipeline }: Framing, arriv
   });
 }
 
-/** Settings of the address, or of the page around this one. */
+/** Applies settings of the address, or of the page around this one. */
 export async function configure(
   studio: Studio,
   { mode, controls, units, theme, language, printer }: Partial<GuestSettings>,
@@ -77,7 +78,7 @@ export async function configure(
   if (language !== undefined) await studio.speak(language);
 }
 
-/** @param textOf  what the host says of an attribute @throws StudioError GuestValue */
+/** Applies settings of the host. @param textOf  the host's value of an attribute @throws StudioError GuestValue */
 async function configureAsHost(studio: Studio, textOf: (attribute: string) => unknown): Promise<void> {
   const { given, wrong } = guestSettings(textOf, spoken);
   const [first] = wrong;

@@ -1,4 +1,4 @@
-// The page's head: what the plate is called, back and forth, out of the door.
+// The header of the page: name of the plate, undo and redo, gallery and downloads.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { machineName } from '../i18n/say.js';
@@ -200,7 +200,7 @@ export class Header extends StudioElement {
     `;
   }
 
-  /** They come with the first change. */
+  /** Returns the buttons of undo and redo, which appear with the first change. */
   #steps(): TemplateResult | typeof nothing {
     const { store } = this.studio;
     if (!store.canUndo && !store.canRedo) return nothing;
@@ -212,6 +212,7 @@ export class Header extends StudioElement {
     })}`;
   }
 
+  /** Returns the field of the plate's name; Escape restores the name. */
   #name(plate: Plate): TemplateResult {
     return html`<input
       class="name"
@@ -265,14 +266,14 @@ export class Header extends StudioElement {
     for (const open of this.renderRoot.querySelectorAll<HTMLElement>('[popover]:popover-open')) open.hidePopover();
   }
 
-  /** Gives the focus back to the button that opened it: browsers lose it, and what is opened next comes back to it. */
+  /** Returns the focus to the button that opened the popover: browsers lose it, and later dialogs return it there. */
   #onToggle = ({ currentTarget, newState }: ToggleEvent): void => {
     const popover = currentTarget as HTMLElement;
     if (newState === 'closed' && popover.matches(':focus-within'))
       this.renderRoot.querySelector<HTMLElement>(`[popovertarget=${popover.id}]`)?.focus();
   };
 
-  /** Its contents are loaded when it is first opened. */
+  /** Returns the popover of downloads; its content is loaded when it is first opened. */
   #exports(): TemplateResult {
     return html`<div
       id="export"
@@ -298,7 +299,7 @@ export class Header extends StudioElement {
     </div>`;
   }
 
-  /** G-code at once, and beside it the list of all files. */
+  /** Returns a button for G-code and, beside it, one for the list of all files. */
   #download({ printer }: Plate): TemplateResult {
     const name = machineName(printer);
     const label = name === '' ? t('export.gcode') : t('export.gcodeFor', { printer: name });
@@ -331,7 +332,7 @@ export class Header extends StudioElement {
   #opened = false;
   #menuOpened = false;
 
-  /** Its content comes when it is first opened. */
+  /** Returns the menu; its content is loaded when it is first opened. */
   #menu(): TemplateResult {
     return html`<button
         type="button"

@@ -11,24 +11,25 @@ import type { KeepingServices } from '../studio/services.js';
 import type { Studio } from '../studio/studio.js';
 import { smallLook } from '../views/plate-look.js';
 
-const pictureAfter = 800; // [ms] without another plate
+const pictureAfter = 800; // [ms] without a new plate, after which its picture is drawn
 const pictureSide = 240; // [pixels]
 
-/** The words about kept plates, which no first visit fetches. */
+/** Loads the words about kept plates, which no first visit needs. */
 const plateWords = async () => (await import('../i18n/en/plates.js')).words;
 
 export class Keeper {
-  /** The studio itself has it at once, and a frame only when a host says so. */
+  /** Storage of plates: the studio has it from the beginning, a frame only if its host asks for it. */
   #autosave: Autosave | undefined;
-  /** By record: the project files that plates were opened from. */
+  /** Project files that plates were opened from, by record. */
   readonly #places = new Map<string, FileSystemFileHandle>();
-  /** A plate that came from somewhere else has not been made yet. */
+  /** A plate from elsewhere has not been made yet. */
   #held = false;
   readonly untried = new Untried();
 
   constructor(private readonly studio: Studio) {}
 
-  /** From now on plates are kept. @param host  a site's origin and its name for the work; left out: the studio's own
+  /** Begins to keep plates.
+   * @param host  origin of a site, and its name for the work; left out: the studio's own storage
    * @returns work of an earlier visit */
   async begin(host?: string): Promise<Kept | undefined> {
     const { studio } = this;
@@ -51,7 +52,7 @@ export class Keeper {
     return made.load();
   }
 
-  /** Another plate altogether, in a record of its own; what was there can be had back by undo. */
+  /** Shows another plate, in a record of its own; undo brings the previous one back. */
   show = (plate: Plate, fresh = false): void => {
     const { store } = this.studio;
     store.settle();
@@ -60,29 +61,30 @@ export class Keeper {
     this.studio.look();
   };
 
-  /** Goes on in the record of a plate that was kept. */
+  /** Continues the record of a plate that was kept. */
   #goOn = (plate: Plate): void => this.#autosave?.begin(plate);
 
-  /** @param wanted  whether it is still to be shown
-   * @returns whether there was work of an earlier visit, which is shown now; what comes too late is offered instead */
+  /** Shows work of an earlier visit; if it comes too late, it is offered.
+   * @param wanted  tells whether to show it still
+   * @returns true if there was such work and it is shown */
   async restore(kept: Promise<Kept | undefined>, wanted: () => boolean = () => true): Promise<boolean> {
     const { studio } = this;
     const before = studio.store.state.plate;
     const found = await kept;
     if (found === undefined) return false;
     const { restore } = await import('./restore.js');
-    const shows = wanted() && studio.store.state.plate === before; // else a hand was faster
+    const shows = wanted() && studio.store.state.plate === before; // otherwise the user has already changed the plate
     return restore(studio, found, shows, this.#goOn);
   }
 
-  /** A plate from somewhere else waits until it has been made. @param changes  the plate is another than before */
+  /** Keeps the plate; one from elsewhere is kept only once it has been made. @param changes  the plate has changed */
   keep(state: Pick<State, 'plate' | 'result'>, before: Plate, changes: boolean): void {
     const may = this.untried.mayKeep(state, before);
     if (may && (changes || this.#held)) this.#autosave?.save(this.studio.store.steps);
     this.#held = !may;
   }
 
-  /** A sliced print over the plate, which is kept with it, changed or not. */
+  /** Keeps a sliced print with the plate, even if the plate has not changed. */
   #keepPrint = (print: KeptPrint | undefined): void => {
     if (print !== undefined && !this.#held) this.#autosave?.save(this.studio.store.steps);
     this.#autosave?.savePrint(print);
@@ -91,7 +93,7 @@ export class Keeper {
   keepWhenLeft(): void {
     addEventListener('pagehide', () => void this.#autosave?.flush());
     document.addEventListener('visibilitychange', () => {
-      if (document.visibilityState === 'hidden') void this.#autosave?.flush(); // phones may never say more
+      if (document.visibilityState === 'hidden') void this.#autosave?.flush(); // on phones, this may be the last event
     });
   }
 
@@ -100,7 +102,7 @@ export class Keeper {
     if (coarse) return;
     setTimeout(() => {
       const { plate, result } = this.studio.store.state; // the plate may have been renamed since
-      if (result?.toolpath.cycles !== toolpath.cycles) return; // another picture follows
+      if (result?.toolpath.cycles !== toolpath.cycles) return; // a newer picture follows
       void import('../views/miniature.js')
         .then(async ({ miniature }) =>
           this.#autosave?.picture(
@@ -108,7 +110,7 @@ export class Keeper {
             await miniature(toolpath, smallLook(plate, homeLight(plate, toolpath.look)), pictureSide),
           ),
         )
-        .catch(() => undefined); // the list has a sign in its place
+        .catch(() => undefined); // the list shows an icon instead
     }, pictureAfter);
   }
 
@@ -117,6 +119,7 @@ export class Keeper {
     return this.#autosave;
   }
 
+  /** Returns the services of keeping plates. */
   services(): KeepingServices {
     const { studio } = this;
     return {

@@ -1,4 +1,4 @@
-// A card that goes with a print: what it is, and where each lamp must stand. Printing the page prints it.
+// A card that goes with a print: its facts, and the place of each lamp. Printing the page prints the card.
 import { css, html, nothing, svg, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { words } from '../i18n/en/export.js';
@@ -16,9 +16,9 @@ import { miniature } from '../views/miniature.js';
 import { smallLook } from '../views/plate-look.js';
 import { filamentName } from '../print/filament-name.js';
 
-const pictureSide = 640; // [pixels] of 50 mm on paper
+const pictureSide = 640; // [pixels] for 50 mm on paper
 const away = 60; // [cm] from the plate to the lamp
-const straightUp = 85; // [degrees]
+const straightUp = 85; // [degrees] elevation from which a lamp counts as straight above
 
 /** Describes a lamp's place, also by a clock's hour and by lengths [cm], so that nobody needs a protractor. */
 function lampText({ azimuth, elevation }: Light): string {
@@ -33,7 +33,7 @@ function lampText({ azimuth, elevation }: Light): string {
   });
 }
 
-/** From above, with a clock's face around the plate; from the side, with the lamp's height. */
+/** Draws a lamp's place from above, with a clock's face around the plate, and from the side, with its elevation. */
 function drawing({ azimuth, elevation }: Light): TemplateResult {
   const [a, e] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
   const at = (angle: number, far: number): [number, number] => [far * Math.cos(angle), -far * Math.sin(angle)];
@@ -189,7 +189,7 @@ export class LampCard extends DialogElement {
     this.#drawn = undefined;
   }
 
-  /** Draws the plate under each lamp. @returns addresses of the pictures, once they are there */
+  /** Draws the plate under each lamp. @returns addresses of the pictures; empty until they are drawn */
   #pictures(result: PlateResult | undefined, lamps: readonly Standing[]): readonly string[] {
     if (result === undefined) return [];
     if (this.#drawn?.of === result) return this.#drawn.urls;
@@ -245,7 +245,7 @@ export class LampCard extends DialogElement {
       </button>`;
   }
 
-  /** The kind of lamp, where it is one of those that have a name. */
+  /** Returns the kind of lamp, if its size is one of those with a name. */
   #kind(): TemplateResult | typeof nothing {
     const { lampSize } = this.state.plate.pictures;
     const names = Object.keys(lampSizes) as (keyof typeof lampSizes)[];

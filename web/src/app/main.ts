@@ -1,4 +1,4 @@
-// Puts a page together. There are two: the studio, and the studio as it is shown in a frame of another page.
+// Assembles a page. There are two: the studio, and the studio in a frame of another page.
 import { recall } from '../files/remember.js';
 import { spoken } from '../i18n/languages.js';
 import { languageFor } from '../i18n/text.js';
@@ -14,16 +14,16 @@ import { Keeper } from './keeping.js';
 import { createMaking } from './making.js';
 import { createOpener } from './opening.js';
 
-const linkWithin = 10_000; // [ms], as nobody who follows a link wants to see another plate first
-const keepsAfter = 60_000; // [ms]; some plates cannot be made
+const linkWithin = 10_000; // [ms] for a link: nobody who follows one wants to see another plate first
+const keepsAfter = 60_000; // [ms] to wait for the first plate, since some plates cannot be made
 
 addEventListener('vite:preloadError', ({ payload }) => {
   markUnfetched(payload);
 });
 
-/** Of what a first visit sees first; asked for before anything else. */
+/** First picture of a first visit; requested before anything else. */
 const shimmer = firstVisit
-  ? import('./shimmer.js').then(({ loadShimmer }) => loadShimmer()).catch(() => undefined) // the beads will be there soon
+  ? import('./shimmer.js').then(({ loadShimmer }) => loadShimmer()).catch(() => undefined) // beads replace it soon
   : undefined;
 const studio = new Studio(new Store(newShown()), threads, framed);
 const { store } = studio;
@@ -48,7 +48,7 @@ studio.services = {
   },
 };
 
-/** The service worker that brought the page; null: none, or none may be asked for, as in sandboxes. */
+/** Returns the service worker that served the page; null: there is none, or access is forbidden, as in sandboxes. */
 function pagesWorker(): ServiceWorker | null {
   try {
     return navigator.serviceWorker.controller;
@@ -57,6 +57,7 @@ function pagesWorker(): ServiceWorker | null {
   }
 }
 
+/** Resolves once the first plate is made. */
 const firstPlate = (): Promise<void> =>
   new Promise((resolve) => {
     const end = store.subscribe(({ result }) => {
@@ -66,7 +67,7 @@ const firstPlate = (): Promise<void> =>
     });
   });
 
-/** The words and the look of the page, as it was asked for or as they were left. */
+/** Sets language and theme of the page, from its address or as they were left. */
 async function dress(): Promise<void> {
   const { given } = asked;
   const theme = given.theme ?? (framed ? undefined : recall('theme', ['auto', 'light', 'dark'])) ?? 'auto';
@@ -82,16 +83,18 @@ async function dress(): Promise<void> {
   }
 }
 
+/** Starts everything that follows the state. */
 function listen(): void {
   followState(studio, keeper);
   keeper.keepWhenLeft();
   addEventListener('hashchange', () => void openLink(page));
-  // What nobody caught is told, too.
+  // Errors that no handler caught are reported, too.
   addEventListener('unhandledrejection', ({ reason }) => {
     studio.fail(problemOf(reason));
   });
 }
 
+/** Starts the page: its elements, its plate, the pipeline, and last the service worker. */
 async function start(): Promise<void> {
   const broughtBy = pagesWorker();
   await dress();
@@ -99,14 +102,14 @@ async function start(): Promise<void> {
   app.studio = studio;
   document.body.append(app);
   listen();
-  const within = location.hash === '' ? restoreWithin : linkWithin; // arrive() takes the link out of the address
+  const within = location.hash === '' ? restoreWithin : linkWithin; // arrive() removes the link from the address
   if (framed && asked.waits)
     store.set({ lacking: { code: 'BadRequest', message: 'No plate is loaded yet.', hint: '' } });
   const arrived = arrive(page);
   await Promise.race([arrived, elapsed(within)]);
   if (framed) {
     await (await loadFraming()).frame(page, arrived);
-    return; // other pages work as they work without a network
+    return; // the page around the frame is responsible for working without a network
   }
   pipeline.start();
   if ('launchQueue' in window) {
@@ -114,7 +117,8 @@ async function start(): Promise<void> {
       onLaunched((files) => void studio.open(files), studio.handles);
     });
   }
-  // What the next visit needs would take the network from what this one waits for; without threads that visit is at once.
+  // Files for the next visit would compete for the network with this one. Without threads there is no wait, since the
+  // page is then loaded again at once.
   if (crossOriginIsolated) await Promise.race([firstPlate(), elapsed(keepsAfter)]);
   const [{ workOffline }, { followSheet }] = await Promise.all([import('./offline.js'), import('./sheet.js')]);
   followSheet(studio);

@@ -1,4 +1,4 @@
-// Puts together what computes a plate's results: the engine, the directions that it is given, and the order of both.
+// Assembles the modules that compute a plate's results: the engine, the directions, and the pipeline.
 import { loadEngine } from '../engine/load.js';
 import { startWorker } from '../engine/start-worker.js';
 import { StudioEngine } from '../engine/studio-engine.js';
@@ -11,7 +11,7 @@ import type { Room } from '../layers/room.js';
 import { drawDirections, followDirections } from './directions.js';
 import { Pipeline } from './pipeline.js';
 
-/** @param first  what is to have the network before the engine */
+/** Creates them. @param first  returns requests that use the network before the engine does */
 export function createMaking(
   { store, threads }: Studio,
   first: () => Promise<unknown>,

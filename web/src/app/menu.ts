@@ -1,4 +1,4 @@
-// The page's menu: what is done rarely, language and theme, and the ways to the project's other places.
+// The menu of the page: rare actions, language and theme, and links to the project.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { words } from '../i18n/en/about.js';
@@ -9,7 +9,7 @@ import { StudioElement } from '../controls/element.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { menuStyle } from '../controls/menu-style.js';
 
-/** Put in by the build out of addresses.json and of the version. An empty address has no link. */
+/** Set by the build from addresses.json and the version. An empty address has no link. */
 declare const publicLinks: Readonly<Record<'documentation' | 'source' | 'report', string>>;
 declare const publicVersion: string;
 

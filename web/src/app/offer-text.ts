@@ -1,5 +1,5 @@
-// A sentence that was pasted or dropped on a plate without layers: a name sign on a plate that nobody has touched, else letters
-// where there is room. It may have come by mistake, so it is offered first.
+// Offers to use a text that was pasted or dropped on a plate without layers: on an untouched plate as a name sign,
+// otherwise as letters where there is room. The text may have come by mistake, so it is not used at once.
 import { words } from '../i18n/en/files.js';
 import { say, t } from '../i18n/text.js';
 import { addText } from '../layers/add-layer.js';
@@ -11,13 +11,13 @@ import { templates } from '../plates/templates.js';
 import type { Studio } from '../studio/studio.js';
 import { layersFor } from './example-layers.js';
 
-/** Letters of more would be lower than ten beads on a name sign. */
+/** Most letters that are offered: with more, they would be lower than ten beads on a name sign. */
 export const mostLetters = 120;
 const shownLetters = 40;
-const mostOfName = 80; // letters, as its field takes
+const mostOfName = 80; // most letters of a name, as in its field
 const room = { width: 0.83, height: 0.6 }; // shares of the sign, within its border
 
-/** Tells whether nobody has made anything of the plate yet. */
+/** Tells whether nobody has changed the plate yet. */
 function isUntouched({ store }: Studio): boolean {
   const { plate, welcome } = store.state;
   const parts = ({ name, shape, layers, width, height }: Plate): string =>
@@ -25,7 +25,7 @@ function isUntouched({ store }: Studio): boolean {
   return welcome || parts(plate) === parts(newPlateOn(plate.printer));
 }
 
-/** The example's sign with other letters, as large as its border allows. */
+/** Returns the example's name sign with other letters, as large as its border allows. */
 async function signOf(studio: Studio, text: string): Promise<Plate> {
   const sign = templates.find(({ id }) => id === 'nameSign');
   if (sign === undefined || typeof sign.shape === 'string') throw new Error('there is no name sign');
@@ -49,10 +49,11 @@ async function signOf(studio: Studio, text: string): Promise<Plate> {
   return { ...plate, layers: fitted };
 }
 
+/** Makes a sign of an untouched plate, or adds the text to it. */
 async function make(studio: Studio, text: string): Promise<void> {
   const { store } = studio;
   studio.settle();
-  studio.show(undefined); // no plate changes behind a sheet
+  studio.show(undefined); // a plate must not change behind a sheet
   if (store.state.mode === 'edit' && isUntouched(studio)) {
     const plate = await signOf(studio, text);
     studio.change(() => plate);
@@ -68,7 +69,7 @@ async function make(studio: Studio, text: string): Promise<void> {
   });
 }
 
-/** @param given  as it came: what is empty, or longer than a plate can show, is not offered */
+/** Offers a text. @param given  text as it came; an empty one, or one that is too long for a plate, is not offered */
 export function offerText(studio: Studio, given: string): void {
   const text = given.replaceAll('\r\n', '\n').trim();
   const letters = Array.from(text);

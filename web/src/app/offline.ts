@@ -1,13 +1,13 @@
-// Starts the service worker, chooses what it keeps, and tells when a new version is there.
+// Starts the service worker, chooses which files it keeps, and reports a new version.
 import { words } from '../i18n/en/about.js';
 import { say, t } from '../i18n/text.js';
 import { markUnfetched } from '../model/problem.js';
 import type { Studio } from '../studio/studio.js';
 
 const begun = 'sillon-begun-without-worker';
-const patience = 10_000; // [ms]
+const patience = 10_000; // [ms] for the old version to end
 
-/** Remembers that this tab begins without a service worker. @returns whether it did before; undefined: nobody knows */
+/** Remembers that this tab began without a service worker. @returns true if it had before; undefined: unknown */
 function beginsWithout(now: boolean): boolean | undefined {
   try {
     const before = sessionStorage.getItem(begun) !== null;
@@ -20,12 +20,12 @@ function beginsWithout(now: boolean): boolean | undefined {
 
 interface Line {
   saveData?: boolean;
-  /** Known on phones alone. */
+  /** Kind of connection; browsers tell it on phones only. */
   type?: string;
 }
 
-/** Tells whether nobody pays for what is fetched, or waits for it. Where the browser does not say, a phone's line is taken for
- * one that costs. */
+/** Tells whether downloads are probably free of charge. If the browser does not say, a phone's connection is assumed
+ * to cost money. */
 function isFree(): boolean {
   const { saveData = false, type }: Line = (navigator as { connection?: Line }).connection ?? {};
   if (saveData) return false;
@@ -33,7 +33,7 @@ function isFree(): boolean {
   return matchMedia('(hover: hover) and (pointer: fine)').matches;
 }
 
-/** Hands the worker the addresses of files to keep. @returns whether they are */
+/** Tells the worker to keep files. @returns true if it keeps them all */
 function keep(names: string[] | 'all', worker: ServiceWorker): Promise<boolean> {
   const { port1, port2 } = new MessageChannel();
   return new Promise((resolve) => {
@@ -44,7 +44,7 @@ function keep(names: string[] | 'all', worker: ServiceWorker): Promise<boolean> 
   });
 }
 
-/** Keeps all parts of the page on this device, since somebody asks for that.
+/** Keeps all parts of the page on this device, at the user's request.
  * @throws Error if some cannot be fetched, or this browser keeps none */
 export async function keepAll(studio: Studio): Promise<void> {
   const active = (await navigator.serviceWorker.getRegistration())?.active;
@@ -56,6 +56,7 @@ export async function keepAll(studio: Studio): Promise<void> {
   studio.notify(say(words, 'offline.ready'));
 }
 
+/** Offers to reload the page when a new version is installed. */
 function watchForUpdates(
   registration: ServiceWorkerRegistration,
   broughtBy: ServiceWorker | null,
@@ -70,10 +71,10 @@ function watchForUpdates(
   };
   const tell = (waiting: ServiceWorker): void => {
     offer(() => {
-      // Another tab may have been faster: there will be no other change.
+      // Another tab may have activated the version already: then no change follows.
       if (waiting.state === 'activated') reload();
       else serviceWorker.addEventListener('controllerchange', reload, { once: true });
-      // Browsers let the old version finish what it does, which may never end; a page that is loaded anew ends it.
+      // Browsers let the old version finish its work, which may never end; reloading the page ends it.
       setTimeout(reload, patience);
       waiting.postMessage('activate');
     });
@@ -84,19 +85,20 @@ function watchForUpdates(
     if (installing === watched) return;
     watched = installing;
     installing?.addEventListener('statechange', () => {
-      // Without a controller it is no update but the first.
+      // Without a controller, this is the first version and no update.
       if (installing.state === 'installed' && serviceWorker.controller !== null) tell(installing);
     });
   };
   registration.addEventListener('updatefound', watchInstalling);
-  // Other tabs may have found a version, or taken it, before this one registered.
+  // Other tabs may have found or activated a version before this one registered.
   watchInstalling();
   if (registration.waiting !== null) tell(registration.waiting);
   else if (broughtBy !== null && serviceWorker.controller !== broughtBy) offer(reload);
 }
 
-/** Quietly does nothing where there are no service workers: old browsers, sandboxes, frames of other sites, plain http.
- * @param broughtBy  the service worker that brought this page; null: none */
+/** Starts the service worker; does nothing without service workers: in old browsers, sandboxes, frames of other
+ * sites, and on plain http.
+ * @param broughtBy  service worker that served this page; null: none */
 export async function workOffline(studio: Studio, broughtBy: ServiceWorker | null): Promise<void> {
   const begunWithout = beginsWithout(broughtBy === null);
   let active: ServiceWorker | null;
@@ -108,14 +110,15 @@ export async function workOffline(studio: Studio, broughtBy: ServiceWorker | nul
   } catch {
     return;
   }
-  // Hosts without headers need it once for threads; not where an edit would be lost, and never twice in a tab.
+  // Hosts without headers need one reload to get threads. It is skipped if an edit would be lost, and never done twice
+  // in a tab.
   const helps = broughtBy === null && begunWithout === false && !crossOriginIsolated && window.top === window;
   if (helps && !studio.store.canUndo) {
     location.reload();
     return;
   }
   if (active === null) return;
-  // A first visit keeps what it has fetched, which costs nothing; who comes again gets the whole page.
+  // A first visit keeps what it has loaded anyway, at no cost; a later visit keeps the whole page.
   if (broughtBy === null || begunWithout !== false)
     await keep(
       performance.getEntriesByType('resource').map(({ name }) => name),

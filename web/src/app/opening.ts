@@ -1,4 +1,4 @@
-// Files and examples become plates: what each file is for is guessed, used at once, and can be changed afterwards.
+// Makes plates of files and examples: the role of each file is guessed, used at once, and can be changed afterwards.
 import type { PrinterValues } from 'sillon';
 import { t } from '../i18n/text.js';
 import { newPlateOn, onOwnPrinter } from '../model/brought.js';
@@ -17,16 +17,17 @@ import type { Studio } from '../studio/studio.js';
 import type { Keeper } from './keeping.js';
 
 export interface Opener extends OpeningServices {
-  /** The plate that a first visit sees. @throws StudioError LoadFailed */
+  /** Returns the plate that a first visit sees. @throws StudioError LoadFailed */
   first(): Promise<Plate>;
-  /** A project that lies beside the page. @throws StudioError LoadFailed; as open */
+  /** Opens a project that lies beside the page. @throws StudioError LoadFailed; errors of `open` */
   openOwn(path: string): Promise<void>;
-  /** Another plate, of these files alone. @param trusted  whether a project's own printer may be used */
+  /** Shows another plate, made of these files alone. @param trusted  a project's own printer may be used */
   load(openings: readonly Opening[], trusted?: boolean): Promise<void>;
 }
 
 const gesture = 'files';
 
+/** Creates the services that open files, projects and examples. */
 export function createOpener(studio: Studio, { show, untried }: Keeper): Opener {
   const engine = () => studio.services.engine();
   const own = (): PrinterValues => {
@@ -34,7 +35,9 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
     return (own?.on(plate) ?? plate).printer;
   };
 
-  /** @param without  of the plate on the screen, what they are put into @param step  while the plate is made of them */
+  /** Puts files into the plate.
+   * @param without  returns the plate without earlier files
+   * @param step  reports progress of the work */
   async function use(
     without: (plate: Plate) => Plate,
     files: readonly Opened[],
@@ -49,17 +52,17 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
       const { plate, light, lightMode, result } = studio.store.state;
       from = plate;
       before = without(plate);
-      // That on the screen: where a hand has put it, else where it comes back to.
+      // The lamp is the light on the screen: where the user has put it, or where it returns to.
       const lamp = lightMode === 'fixed' ? light : homeLight(before, result?.toolpath.look);
       made = await step(withFiles(before, files, await engine(), tell, lamp));
-    } while (studio.store.state.plate !== from); // what a hand changes meanwhile stays
-    // One step of undo, however often the roles are changed.
+    } while (studio.store.state.plate !== from); // changes that the user makes in the meantime are kept
+    // All changes of roles form one step of undo.
     studio.store.change(() => made, gesture);
     studio.setOpened({ before, made, files });
     studio.stage?.fit();
   }
 
-  /** @param stop  ends it; the plate is as before then */
+  /** Reads files and uses them. @param stop  ends the reading; the plate then stays as it was */
   async function read(files: readonly File[], role: Role | undefined, stop: AbortController): Promise<void> {
     const { signal } = stop;
     const stopped = new Promise<never>((_, reject) => {
@@ -69,7 +72,7 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
     });
     stopped.catch(() => undefined);
     const name = files[0]?.name ?? '';
-    /** One after the other, each told of; what goes on after a stop is of no use to anybody. */
+    /** Runs one step after the other and reports each; after a stop, no further step begins. */
     const step = <Result>(fraction: number, work: Promise<Result>): Promise<Result> => {
       signal.throwIfAborted();
       const cancel = (): void => {
@@ -81,7 +84,8 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
     const { identify, isFont, onePrint } = await step(0.05, import('../files/open.js'));
     const { mode, host } = studio.store.state;
     const [sliced] = files;
-    // What somebody dropped for their printer is not for a page that shows this one.
+    // A sliced print or a body is opened only on the studio's own
+    // page: in a frame, it would not concern the host's page.
     const theirs = role === undefined && mode === 'edit' && host === '';
     const print = theirs ? await step(0.1, onePrint(files)) : '';
     if (sliced !== undefined && print !== '') {
@@ -90,7 +94,7 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
     }
     const fonts = role === undefined && offers(studio.store.state, 'layers') ? files.filter(isFont) : [];
     if (fonts.length > 0) {
-      // Only layers have letters of their own.
+      // Only layers can have letters of their own.
       await (await import('../layers/add-layer.js')).addFiles(studio, fonts);
       studio.setPanel('layers');
       if (fonts.length === files.length) return;
@@ -147,7 +151,7 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
       const files = openings.map(({ file }) => file);
       const found = await identify(files, plate, await engine());
       const [wrong] = found.refused;
-      if (wrong !== undefined) throw wrong; // a page that shows this one means all of them
+      if (wrong !== undefined) throw wrong; // a surrounding page wants all of its files
       const opened = found.opened.map((one, k) => ({ ...one, role: asked(one, openings[k]?.role ?? '') }));
       const project = found.project === undefined || trusted ? found.project : onOwnPrinter(found.project, own());
       show(project ?? (await withFiles(plate, opened, await engine())));
@@ -174,14 +178,16 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
   return opener;
 }
 
-/** Somebody's own picture takes the place of an example's, which else would stay beside it under a lamp of its own. */
+/** Removes an example's picture, which would otherwise stay beside the user's own, under a lamp of its own. */
 function withoutExample(plate: Plate): Plate {
   const pictures = groundPictures(plate);
   const example = pictures.length > 0 && pictures.every(({ file }) => isExample(file));
   return example ? { ...filledWith(plate, 'waves'), name: '' } : plate;
 }
 
-/** The role that a file gets. @param wanted  of an `Opening` */
+/** Returns the role that a file gets.
+ * @param wanted  role of its `Opening`
+ * @throws StudioError GuestValue if the file cannot have it */
 function asked({ source, role, roles }: Opened, wanted: string): Role {
   if (wanted === '') return role;
   const directions: readonly Role[] = ['lamp', 'tone', 'edges', 'levels', 'colours', 'angle', 'rotation', 'tangent'];
@@ -192,6 +198,7 @@ function asked({ source, role, roles }: Opened, wanted: string): Role {
   return found;
 }
 
+/** Loads a file that lies beside the page. @throws StudioError LoadFailed */
 async function fetchedBytes(path: string): Promise<Blob> {
   try {
     const response = await fetch(new URL(path, document.baseURI));
@@ -208,7 +215,8 @@ const fetched = async (name: string): Promise<SourceFile> => ({
   bytes: await fetchedBytes(`examples/${name}`),
 });
 
-/** On the visitor's printer, and with their filament where they have said one: an example's is for its looks. */
+/** Makes the plate of an example, on the visitor's printer, and with the visitor's filament if one was named: the
+ * example's own only serves its look. */
 async function plateOf(example: Example, studio: Studio): Promise<Plate> {
   const { width, height, filament, nearest } = example;
   const shape: ShapeSource =

@@ -1,4 +1,4 @@
-// What a host lets its visitors change, one by one.
+// The settings that a host lets its visitors change one by one.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { words } from '../i18n/en/about.js';
@@ -39,6 +39,7 @@ export class OwnPanel extends StudioElement {
     </section>`;
   }
 
+  /** Returns the control of a setting or part. */
   #field(control: Control): TemplateResult | TemplateResult[] {
     const { studio } = this;
     const { plate } = this.state;

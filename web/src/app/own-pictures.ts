@@ -1,4 +1,4 @@
-// Small pictures to choose by: the plate with each fill, and in each shape.
+// Draws small pictures for choices: the plate with each fill, and in each shape.
 import type { ColourAngle, Engine } from 'sillon';
 import { bitmapOf, coloursOf } from '../files/drawn.js';
 import { shapeRoom } from '../layers/shape-room.js';
@@ -31,7 +31,7 @@ interface Bright extends Size {
 
 let drawn: { bytes: Blob; bright: Bright } | undefined;
 
-/** A picture as it will be seen, small. @throws where the browser does not draw it */
+/** Returns a picture's brightness at thumbnail size. @throws Error if the browser cannot draw it */
 async function litPicture({ bytes }: SourceFile, page: readonly [number, number], engine: Engine): Promise<Bright> {
   const size = sizeFor(page, thumbnailSide);
   if (drawn?.bytes === bytes && drawn.bright.width === size.width && drawn.bright.height === size.height) {
@@ -40,7 +40,7 @@ async function litPicture({ bytes }: SourceFile, page: readonly [number, number]
   const bitmap = await bitmapOf(bytes, engine);
   const context = new OffscreenCanvas(size.width, size.height).getContext('2d', { willReadFrequently: true });
   if (context === null) throw new Error('no canvas');
-  // It lies as the engine lays it: it covers the page, and the rest is cut off on both sides alike.
+  // The engine places it the same way: it covers the page, and is cropped equally on both sides.
   const scale = Math.max(size.width / bitmap.width, size.height / bitmap.height);
   const [width, height] = [bitmap.width * scale, bitmap.height * scale];
   context.fillStyle = 'white';
@@ -49,12 +49,13 @@ async function litPicture({ bytes }: SourceFile, page: readonly [number, number]
   const { data } = context.getImageData(0, 0, size.width, size.height);
   const bright = Float32Array.from({ length: size.width * size.height }, (_, k) => {
     const [r = 0, g = 0, b = 0] = data.subarray(4 * k, 4 * k + 3);
-    return ((0.2126 * r + 0.7152 * g + 0.0722 * b) / 255) ** 2.2; // of light rather than of its code
+    return ((0.2126 * r + 0.7152 * g + 0.0722 * b) / 255) ** 2.2; // linear light instead of the sRGB value
   });
   drawn = { bytes, bright: { ...size, bright } };
   return drawn.bright;
 }
 
+/** Resamples values to another size by the nearest neighbour. */
 const nearest = (values: Float32Array, from: Size, to: Size): Float32Array =>
   Float32Array.from({ length: to.width * to.height }, (_, k) => {
     const [x, y] = [k % to.width, Math.floor(k / to.width)];
@@ -62,7 +63,7 @@ const nearest = (values: Float32Array, from: Size, to: Size): Float32Array =>
     return values[row * from.width + column] as number;
   });
 
-/** The plate's ground alone, as bright as its beads would be. */
+/** Returns the brightness of the plate's ground alone, as its beads would have it. */
 async function litGround(plate: Plate, engine: Engine): Promise<Bright> {
   const ground = groundOf(plate);
   const alone = { ...plate, layers: ground === undefined ? [] : [ground] };
@@ -70,11 +71,12 @@ async function litGround(plate: Plate, engine: Engine): Promise<Bright> {
   const light = lightBy(smallLook(alone, homeLight(alone, undefined)));
   const bright = brightnessOf(raster, (x, y) => light(x, y, 0, 0));
   const size = sizeFor(pageOf(plate), thumbnailSide);
-  // One direction is a single texel, and a map has its own.
+  // A single direction is one texel, and maps have a size of their own.
   return { ...size, bright: nearest(bright, raster, size) };
 }
 
-/** The plate with another fill: as it has it or was left, else as it would begin. @param colours  of the file */
+/** Returns the plate with another fill: its own or a former one, otherwise with default values.
+ * @param colours  colours of the file */
 function filled(plate: Plate, fill: Fill, left: Left, file: SourceFile | undefined, colours: ColourAngle[]): Plate {
   const ground = groundOf(plate);
   if (ground !== undefined && fillOf(ground) === fill) return plate;
@@ -83,8 +85,10 @@ function filled(plate: Plate, fill: Fill, left: Left, file: SourceFile | undefin
   return filledWith(plate, fill, isPictureFill(fill) && file !== undefined ? { file, colours } : {});
 }
 
-/** @param lamp  of several pictures, whose lamp shines @param wanted  whether it is still of use
- * @returns what could be drawn; fills that need a picture are left out without one */
+/** Draws the plate with each fill.
+ * @param lamp  index of the picture whose lamp shines
+ * @param wanted  tells whether the pictures are still of use
+ * @returns pictures of the fills that could be drawn; fills that need a picture are left out without one */
 export async function fillPictures(
   plate: Plate,
   lamp: number,
@@ -106,13 +110,13 @@ export async function fillPictures(
   };
   for (const fill of [...pictureFills, ...patternFills]) {
     if (!wanted()) break;
-    const lit = await draw(fill).catch(() => undefined); // of a kind that browsers, or the engine, do not draw
+    const lit = await draw(fill).catch(() => undefined); // browsers, or the engine, cannot draw this kind of file
     if (lit !== undefined) made.set(fill, await plateThumbnail(lit, room, colour));
   }
   return made;
 }
 
-/** The plate's directions in each of the shapes. */
+/** Draws the plate in each of the shapes. */
 export async function shapePictures(
   plate: Plate,
   lamp: number,

@@ -1,4 +1,4 @@
-// Every action of the page by its name, with its key.
+// The palette: all actions of the page by name, with their keys.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
 import { words } from '../i18n/en/help.js';
@@ -8,7 +8,7 @@ import { icon } from '../controls/icons.js';
 import { keysText } from '../controls/shortcut-list.js';
 import { actionsOf, type Action } from './actions.js';
 
-/** Without accents, capitals and hyphens. */
+/** Normalises a text for the search: no accents, capitals or hyphens. */
 const folded = (text: string): string =>
   text
     .normalize('NFD')
@@ -89,6 +89,7 @@ export class Palette extends DialogElement {
     this.input.focus();
   }
 
+  /** Returns the actions that match all typed words. */
   #found(): Action[] {
     const words = folded(this.words).split(/\s+/);
     const asked = words.some((word) => word !== '');
@@ -96,7 +97,7 @@ export class Palette extends DialogElement {
       const text = folded(`${group} ${label} ${also}`);
       return (asked || !rare) && words.every((word) => text.includes(word));
     });
-    // A name that says it comes before another word for it.
+    // Matches of the name come before matches of a synonym.
     const named = ({ group, label }: Action): boolean =>
       words.every((word) => folded(`${group} ${label}`).includes(word));
     return [...found.filter(named), ...found.filter((action) => !named(action))];

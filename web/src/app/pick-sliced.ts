@@ -1,4 +1,4 @@
-// Asks for a print that a slicer made, to lay other beads on it, or for a body, to give it zones.
+// Asks for a sliced print, to lay other beads on it, or for a body, to give it zones.
 import { printOf } from '../files/sliced.js';
 import { StudioError } from '../model/problem.js';
 import type { Studio } from '../studio/studio.js';

@@ -1,4 +1,4 @@
-// Makes all that follows from a plate: its toolpath, places to look at, the file's summary.
+// Computes everything that follows from a plate: its toolpath, its marks, and the summary of its file.
 import type { Gcode, GcodeCheck } from 'sillon';
 import type { Mark } from '../model/view.js';
 import type { StudioEngine } from '../engine/studio-engine.js';
@@ -12,7 +12,7 @@ import type { PlateResult } from '../model/state.js';
 import type { Store } from '../model/store.js';
 import type { Shown } from '../studio/shown.js';
 
-const summaryAfter = 400; // [ms] without a change
+const summaryAfter = 400; // [ms] without a change, after which the file is written
 
 interface Written {
   plate: Plate;
@@ -21,6 +21,7 @@ interface Written {
   check: GcodeCheck;
 }
 
+/** Tells whether a written file is still that of the plate. */
 const sameFile = (a: Written, plate: Plate, result: PlateResult | undefined): boolean =>
   isOf(a.result, plate) && // a new plate stands beside the old result until its own is there
   a.result.toolpath.cycles === result?.toolpath.cycles &&
@@ -29,7 +30,7 @@ const sameFile = (a: Written, plate: Plate, result: PlateResult | undefined): bo
 
 export class Pipeline {
   #written: Written | undefined;
-  /** The problem with the file that is told, until it goes well. */
+  /** Problem of the file that is shown, until a file succeeds. */
   #told: Problem | undefined;
   #marksWorker: Worker | undefined;
   #summaryTimer: ReturnType<typeof setTimeout> | undefined;
@@ -59,16 +60,16 @@ export class Pipeline {
     this.store.set({ cancelled: true, progress: undefined });
   }
 
-  /** The whole, measured path of the plate as it is now, however newly that has changed. */
+  /** Returns the complete, measured path of the current plate, even if the plate has only just changed. */
   async finished(): Promise<PlateResult> {
     await this.#followed();
     return this.engine.finished();
   }
 
-  /** Writes the plate as it is now. @param unwanted  ends it */
+  /** Writes the G-code of the current plate. @param unwanted  ends it */
   async gcode(unwanted?: AbortSignal): Promise<Gcode> {
     const current = await this.finished();
-    unwanted?.throwIfAborted(); // else it would stop the timer of the summary that follows it
+    unwanted?.throwIfAborted(); // otherwise it would stop the timer of the next summary
     const { plate } = this.store.state;
     if (this.#written !== undefined && sameFile(this.#written, plate, current)) return this.#written.gcode;
     clearTimeout(this.#summaryTimer);
@@ -85,8 +86,9 @@ export class Pipeline {
     return this.engine.body(this.store.state.plate);
   }
 
-  /** A body with zones of straight lines, the one that the plate lies on or as high as the print: other slicers make its
-   * G-code. @throws as bodyInput; errors of the engine */
+  /** Returns a body with zones of straight lines for other slicers:
+   * the body under the plate, or a new one of the print's height.
+   * @throws errors of bodyInput and of the engine */
   async zones(): Promise<Blob> {
     const { plate } = this.store.state;
     const { input } = engineInput(plate);
@@ -122,8 +124,9 @@ export class Pipeline {
     this.engine.update(plate, { live });
   }
 
+  /** Searches the marks in a worker; a search that still runs is stopped. */
   #findMarks(result: PlateResult): void {
-    this.#marksWorker?.terminate(); // what it looks through is stale
+    this.#marksWorker?.terminate(); // it searches a stale toolpath
     const worker = this.startMarks();
     this.#marksWorker = worker;
     worker.onmessage = ({ data }: MessageEvent<Mark[]>) => {
@@ -133,10 +136,10 @@ export class Pipeline {
     worker.postMessage(result.toolpath);
   }
 
-  /** Time, length and weight need the file to be written; it is kept for a download. */
+  /** Writes the file, which gives time, length and weight; it is kept for a download. */
   #summarise(): void {
     clearTimeout(this.#summaryTimer);
-    this.#summary?.abort(); // the next plate need not wait for it
+    this.#summary?.abort(); // the next plate must not wait for it
     const { plate, result, summary } = this.store.state;
     if (this.#written !== undefined && sameFile(this.#written, plate, result)) {
       this.#tell(undefined);
@@ -155,7 +158,7 @@ export class Pipeline {
     }, summaryAfter);
   }
 
-  /** @param problem  undefined: it went well, and what was told of it is over */
+  /** Shows or removes the problem of the file. @param problem  undefined: the file succeeded */
   #tell(problem: Problem | undefined): void {
     const before = this.#told;
     this.#told = problem;

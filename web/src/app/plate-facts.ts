@@ -1,4 +1,4 @@
-// The facts that every plate needs: its size, its printer and its filament; and a button for prints that are sliced already.
+// Size, printer and filament of a plate, and a button for sliced prints.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { StudioElement } from '../controls/element.js';

@@ -1,4 +1,4 @@
-// Your printer, your filament, how thick: asked before the first file, and to be changed at any time.
+// The sheet of printer, filament and thickness: it opens before the first file, and at any later time.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import { words } from '../i18n/en/printer.js';
@@ -66,7 +66,7 @@ export class PrinterSheet extends DialogElement {
   ];
 
   @property() purpose: 'printer' | 'firstFile' = 'printer';
-  /** A printer that was chosen and is not told by a file yet. */
+  /** Key of a chosen printer that needs a file, until the file is read. */
   @state() private waits = '';
   @state() private missing = false;
 
@@ -79,11 +79,11 @@ export class PrinterSheet extends DialogElement {
 
   protected override onState({ plate }: Readonly<Shown>, { plate: before }: Readonly<Shown>): void {
     if (plate.printer === before.printer) return;
-    this.waits = ''; // a file has told it, or another was chosen
+    this.waits = ''; // a file has defined the printer, or another one was chosen
     this.missing = false;
   }
 
-  /** Nobody has said which printer it is. */
+  /** Tells whether nobody has said which printer it is. */
   #lacks = (): boolean => this.waits !== '' || this.studio.lacksPrinter();
 
   protected override body(): TemplateResult {
@@ -136,6 +136,7 @@ export class PrinterSheet extends DialogElement {
     return printer === '' ? t('keys.gcode') : t('export.gcodeFor', { printer });
   }
 
+  /** Keeps the answers and closes the sheet, or asks for the missing printer. */
   #answer(lacks: boolean): void {
     if (lacks) {
       this.missing = true;

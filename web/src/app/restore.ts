@@ -1,5 +1,6 @@
-// Work of an earlier visit becomes the page's own again. A plate that stops the page before it is shown must not be restored by
-// itself at the next visit: a mark is set before it is restored, and taken away once it is shown. Fetched when there is work.
+// Restores work of an earlier visit. A plate that crashes or freezes the page before it is shown must not be restored
+// again by itself: a mark is set before the plate is restored, and removed once it is shown. The module is loaded only
+// if there is such work.
 import type { Kept, Opened } from '../files/autosave.js';
 import { words } from '../i18n/en/plates.js';
 import { say, t } from '../i18n/text.js';
@@ -8,15 +9,15 @@ import type { NoticeAction } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 import { forget, recallText, remember } from '../files/remember.js';
 
-const shownAfter = 1000; // [ms] from its path, in which it is drawn
-const longest = 60_000; // [ms]; some plates cannot be made
+const shownAfter = 1000; // [ms] after its path is there, in which a plate is drawn
+const longest = 60_000; // [ms] for a plate that never gets a path
 
 const markOf = (id: string): string => `opening ${id}`;
 
-/** Whether the plate of a record was restored once and never shown, nor left in good order. */
+/** Tells whether the plate of a record was restored once, but neither shown nor left in good order. */
 const wasNeverShown = (id: string): boolean => recallText(markOf(id)) !== undefined;
 
-/** Marks a record's plate until it is shown, told of as a problem, or left in good order. */
+/** Marks a record's plate until it is shown, reported as a problem, or left in good order. */
 function markUntilShown(id: string, { store }: Studio): void {
   const mark = markOf(id);
   const before = store.state;
@@ -32,7 +33,7 @@ function markUntilShown(id: string, { store }: Studio): void {
   const leaving = (): void => {
     if (document.visibilityState === 'hidden') end();
   };
-  // A page that stands still hears of neither.
+  // A page that hangs receives neither event.
   addEventListener('pagehide', end);
   document.addEventListener('visibilitychange', leaving);
 
@@ -45,8 +46,8 @@ function markUntilShown(id: string, { store }: Studio): void {
   }
 }
 
-/** With the steps that led to it: undone, a plate must not become the one that was shown before.
- * @param begin  goes on in its record */
+/** Shows a kept plate with its undo steps, so that undo does not lead to the plate that was shown before.
+ * @param begin  continues its record */
 export function showKept(studio: Studio, { id, steps, print }: Opened, begin: (plate: Plate) => void): void {
   begin(steps.plate);
   markUntilShown(id, studio);
@@ -65,8 +66,10 @@ const listPlates = (studio: Studio): NoticeAction => ({
   },
 });
 
-/** @param shows  whether it is still wanted; what comes too late is offered instead @param begin  goes on in its record
- * @returns whether the plate that was found is shown, or is open in another tab */
+/** Restores work of an earlier visit, or offers it.
+ * @param shows  it is still wanted; otherwise it is offered
+ * @param begin  continues its record
+ * @returns true if the plate is shown, or is open in another tab */
 export function restore(studio: Studio, found: Kept, shows: boolean, begin: (plate: Plate) => void): boolean {
   const plates = studio.framed ? [] : [listPlates(studio)];
   if (found.state === 'elsewhere') {
@@ -87,7 +90,7 @@ export function restore(studio: Studio, found: Kept, shows: boolean, begin: (pla
     studio.notify(say(words, 'restore.late'), open(say(words, 'restore.show')));
     return false;
   }
-  // The last visit ended before its plate was shown: the plate may have stopped the page, and would again.
+  // The last visit ended before its plate was shown: the plate may have crashed or frozen the page, and would again.
   if (found.state === 'own' && wasNeverShown(found.id)) {
     studio.tell({
       text: say(words, 'plates.unshown'),

@@ -1,7 +1,8 @@
-// In narrow windows a section is a sheet over the plate, which Back closes.
+// Lets Back close the section that is open as a sheet over the plate in narrow windows.
 import { closesByBack } from '../controls/back.js';
 import type { Studio } from '../studio/studio.js';
 
+/** Registers the sheet with Back whenever a section opens in a narrow window. */
 export function followSheet(studio: Studio): void {
   const { store } = studio;
   const narrow = matchMedia('(max-width: 720px)');

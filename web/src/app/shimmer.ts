@@ -3,10 +3,10 @@ import { decodeView, fetchView } from '../embed/view-file.js';
 import { ViewRenderer } from '../embed/view-renderer.js';
 import type { Shimmer } from '../model/view.js';
 
-/** Made by web/gallery.js. */
+/** Name of the file, which web/gallery.js makes. */
 const file = 'opening.view.png';
 
-/** @throws Error where it cannot be fetched or drawn */
+/** Loads the view and returns a function that draws it under a light. @throws Error if it cannot be loaded or drawn */
 export async function loadShimmer(): Promise<Shimmer> {
   const view = await fetchView(new URL(file, document.baseURI), file, new AbortController().signal);
   const renderer = new ViewRenderer(() => undefined);

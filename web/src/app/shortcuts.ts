@@ -1,4 +1,4 @@
-// Keys that work anywhere on the page; shortcut-list.ts has the same.
+// Handles keys that work anywhere on the page; shortcut-list.ts lists the same keys.
 import type { Tool } from '../model/state.js';
 import type { ViewName } from '../model/view.js';
 import { isTyping } from '../controls/fields.js';
@@ -9,8 +9,9 @@ const views: Record<string, ViewName> = { '1': 'appearance', '2': 'toolpath', '3
 const tools: Record<string, Tool> = { v: 'pan', b: 'comb', m: 'mode', e: 'erase' };
 const lightKeys = [',', '.'];
 const radiusStep = 1.2;
-const lightStep = 5; // degrees
+const lightStep = 5; // [degrees] per key press
 
+/** Tells whether an event comes from a field for text. */
 export function typesText(event: Event): boolean {
   const target = event.composedPath()[0];
   if (target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement) return true;
@@ -33,10 +34,10 @@ const hasPopover = (root: ParentNode): boolean =>
     (one) => one.matches(':popover-open') || (one.shadowRoot !== null && hasPopover(one.shadowRoot)),
   );
 
-/** Escape is the topmost thing's: a menu closes by it, and a hand that drags means its drag. */
+/** Tells whether Escape is free for the page: it first closes a menu, or ends a drag. */
 const escapes = (): boolean => !pressed && !hasPopover(document);
 
-/** @returns whether the key meant something. */
+/** Runs the action of a key. @returns true if the key has one */
 export function onShortcut(studio: Studio, event: KeyboardEvent): boolean {
   const { state } = studio.store;
   const key = event.key.toLowerCase();
@@ -67,6 +68,7 @@ export function onShortcut(studio: Studio, event: KeyboardEvent): boolean {
   return true;
 }
 
+/** Runs the action of a key with Ctrl or Cmd. @returns true if the key has one */
 function onCommand(studio: Studio, key: string, event: KeyboardEvent): boolean {
   const { store } = studio;
   if (store.state.mode === 'view') return false;

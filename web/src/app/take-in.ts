@@ -1,5 +1,5 @@
-// Takes in what is dropped or pasted: files and texts become layers while layers are in use, else a plate is made of files, and
-// texts are offered to be one.
+// Takes content that is dropped or pasted. While layers are in use, files and texts become layers; otherwise files make
+// a plate, and texts are offered.
 import { addFiles, addText } from '../layers/add-layer.js';
 import type { Point } from '../model/layer-frame.js';
 import { pageOf } from '../model/plate.js';
@@ -21,7 +21,7 @@ export interface Handed {
   handle?: Promise<FileSystemHandle | null> | undefined;
 }
 
-/** @returns the place on the page [mm]; undefined: beside the plate */
+/** Converts a pointer's place. @returns the place on the page [mm]; undefined: beside the plate */
 function placeOf({ stage, store }: Studio, at: PointerPlace | undefined): Point | undefined {
   if (stage === undefined || at === undefined) return undefined;
   const canvas = stage.getBoundingClientRect();
@@ -31,11 +31,11 @@ function placeOf({ stage, store }: Studio, at: PointerPlace | undefined): Point 
   return x >= 0 && x <= 1 && y >= 0 && y <= 1 ? [x * wide, (1 - y) * tall] : undefined;
 }
 
-/** A drawing that was copied as text. */
+/** Returns a drawing that was copied as text. */
 const drawingOf = (text: string): File[] =>
   /^\s*</.test(text) && text.includes('<svg') ? [new File([text], 'pasted.svg', { type: 'image/svg+xml' })] : [];
 
-/** @throws what opening files throws */
+/** Uses content that was handed to the page. @throws errors of opening files */
 export async function takeIn(studio: Studio, { text, address, at, onShape, handle, ...given }: Handed): Promise<void> {
   const files = given.files.length > 0 ? given.files : address === '' ? drawingOf(text) : [];
   const composing = composes(studio.store.state);
@@ -54,7 +54,7 @@ export async function takeIn(studio: Studio, { text, address, at, onShape, handl
   }
   const found = await handle;
   if (found?.kind === 'file') studio.handles.set(file, found);
-  studio.show(undefined); // no plate changes behind a sheet
+  studio.show(undefined); // a plate must not change behind a sheet
   const { onePrint } = await import('../files/open.js');
   if (onShape) await studio.open(files, 'shape');
   else if (!composing || (await onePrint(files)) !== '') await studio.open(files);

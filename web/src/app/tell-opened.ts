@@ -1,4 +1,4 @@
-// What a file that was opened alone has become, and what else it can be.
+// Reports what a single opened file has become, and offers its other roles.
 import { words } from '../i18n/en/files.js';
 import { say } from '../i18n/text.js';
 import { hasUnits, isStrip } from '../files/open.js';
@@ -7,9 +7,10 @@ import { groundPictures } from '../model/fills.js';
 import { mostPictures } from '../model/lamp.js';
 import type { Studio } from '../studio/studio.js';
 
-/** Pictures in one of these roles could be seen under a lamp as well. */
+/** Roles of pictures that could also be shown under a lamp. */
 const seen: readonly Role[] = ['lamp', 'levels'];
 
+/** Shows a notice about an opened file: its role, its size, and actions that change the role. */
 export async function tellOpened(studio: Studio, { source, role, notes }: Opened): Promise<void> {
   const { opened, plate } = studio.store.state;
   const { width, height } = plate;

@@ -1,4 +1,4 @@
-// What was found on a calibration print, and the plate's setting that takes it.
+// Fields for the result of a calibration print, and the button that takes it over into the plate's setting.
 import type { Calibration, CalibrationKind } from 'sillon';
 import { html, nothing, type TemplateResult } from 'lit';
 import { c } from '../i18n/calibrate.js';
@@ -10,6 +10,7 @@ import { flag, numberField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import type { Studio } from '../studio/studio.js';
 
+/** The visitor's results from a print: a value, constant flow or not, or the narrowest and widest good beads [mm]. */
 export interface Found {
   value: number | undefined;
   constant: boolean;
@@ -19,6 +20,7 @@ export interface Found {
 
 type Change = (change: Partial<Found>) => void;
 
+/** Fields for the result that this kind of print has; none before the print is made. */
 export function answerFields(
   studio: Studio,
   kind: CalibrationKind,
@@ -38,7 +40,7 @@ export function answerFields(
   }
 }
 
-/** The values as they are written beside the patches. */
+/** The values tried on the print, labelled as beside its patches. */
 function triedValues(
   calibration: Calibration,
   chosen: number | undefined,
@@ -61,6 +63,7 @@ function triedValues(
   </div>`;
 }
 
+/** Fields for a print that finds one setting. */
 function settingAnswer(
   studio: Studio,
   kind: CalibrationKind,
@@ -72,7 +75,7 @@ function settingAnswer(
   const setting = settingOf(id) as NumberSetting;
   const label = settingLabel(setting);
   const { plate } = studio.store.state;
-  // The coupon's values are those of its discs.
+  // The present value comes from the plate, since a coupon's values are those of its discs.
   const now = valueOf(plate, setting) as number;
   const written = (number: number): string => valueText(setting, number);
   return html`${triedValues(calibration, value, (next) => {
@@ -115,6 +118,7 @@ function settingAnswer(
   )}`;
 }
 
+/** Fields for a print that finds the narrowest and the widest good beads. */
 function widthsAnswer(studio: Studio, calibration: Calibration, found: Found, change: Change): TemplateResult {
   const tried = calibration.values.map(({ value }) => value);
   const [low, high] = [Math.min(...tried), Math.max(...tried)];
@@ -145,6 +149,7 @@ function widthsAnswer(studio: Studio, calibration: Calibration, found: Found, ch
     })}`;
 }
 
+/** The button that takes the result over into the plate. */
 function useButton(studio: Studio, usable: boolean, value: string, use: () => void): TemplateResult {
   return html`<button
     type="button"

@@ -1,4 +1,4 @@
-// Calibration: the prints, a photograph of one, and the spools that come of it.
+// Calibration dialog: the prints, photographs of a coupon, and the spools made from them.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
 import { loadSpools } from '../print/own-spools.js';

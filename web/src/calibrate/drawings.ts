@@ -1,7 +1,8 @@
-// Each calibration print, and the coaster, as a line drawing on a grid of 48, in the colour of the text around it.
+// Line drawings of the calibration prints and of the coaster, on a grid of 48, in the colour of the surrounding text.
 import { svg, type SVGTemplateResult } from 'lit';
 import type { CalibrationKind } from 'sillon';
 
+/** Path of an Archimedean spiral. */
 const spiral = (x: number, y: number, radius: number, turns: number): string => {
   const points = Array.from({ length: 24 * turns + 1 }, (_, k) => {
     const [angle, r] = [(2 * Math.PI * k) / 24, (radius * k) / (24 * turns)];
@@ -10,7 +11,7 @@ const spiral = (x: number, y: number, radius: number, turns: number): string => 
   return `M${points.join('L')}`;
 };
 
-/** Spokes of a ring. */
+/** The spokes of a ring. */
 const star = (x: number, y: number, inner: number, outer: number, count: number): string =>
   Array.from({ length: count }, (_, k) => {
     const [u, v] = [Math.cos((2 * Math.PI * k) / count), Math.sin((2 * Math.PI * k) / count)];

@@ -1,13 +1,14 @@
-// Calibration prints: which there are, and which of a plate's settings each is about.
+// The kinds of calibration prints, and the plate's setting that each one finds.
 import type { CalibrationKind } from 'sillon';
 import { calibrationKinds } from '../model/facts.js';
 import type { Plate } from '../model/plate.js';
 import { accepts, settingOf, withValue, type SettingId, type SettingValue } from '../model/settings.js';
 
-/** The coupon has most of the others in it; each of these relies on those before it. */
+/** Kinds in their order on the page. The coupon combines most of the others; each of those relies on the ones before
+ * it. */
 export const kinds: readonly CalibrationKind[] = ['coupon', ...calibrationKinds.filter((kind) => kind !== 'coupon')];
 
-/** The answer to type back: a setting's own value, two widths, or nothing. */
+/** The result to type in: a setting's value, two widths, or nothing. */
 export type Answer = { kind: 'setting'; setting: SettingId } | { kind: 'widths' | 'none' };
 
 const settingFor: Partial<Record<CalibrationKind, SettingId>> = {
@@ -23,13 +24,15 @@ export function answerOf(kind: CalibrationKind): Answer {
   return { kind: kind === 'width' ? 'widths' : 'none' };
 }
 
+/** The plate with those values that its settings accept. */
 const withAll = (plate: Plate, values: Partial<Record<SettingId, SettingValue>>): Plate =>
   Object.entries(values).reduce((now, [id, value]) => {
     const setting = settingOf(id as SettingId);
     return accepts(setting, value) ? withValue(now, setting, value) : now;
   }, plate);
 
-/** The plate with what was found. @param constant  of `speed`: whether the half with constant flow looked better */
+/** The plate with the value that was found. @param constant  for `speed`: true where the half with constant flow
+ * looked better */
 export function withFound(plate: Plate, kind: CalibrationKind, value: number, constant: boolean): Plate {
   const answer = answerOf(kind);
   if (answer.kind !== 'setting') return plate;
@@ -39,11 +42,13 @@ export function withFound(plate: Plate, kind: CalibrationKind, value: number, co
 
 const hundredth = (value: number): number => Math.round(100 * value) / 100;
 
-/** Between two widths [mm] beads are closed and even: a spacing between them, and how far beads may depart from it. */
+/** The spacing, and its variation, for beads that are closed and even between two widths [mm]: the geometric mean,
+ * and half the logarithm of the ratio. */
 export function spacingBetween(low: number, high: number): { spacing: number; variation: number } {
   return { spacing: hundredth(Math.sqrt(low * high)), variation: hundredth(Math.log(high / low) / 2) };
 }
 
+/** The plate with the spacing that suits beads between two widths [mm]. */
 export function withWidths(plate: Plate, low: number, high: number): Plate {
   const { spacing, variation } = spacingBetween(low, high);
   return withAll(plate, { 'toolpath.spacing': spacing, 'toolpath.spacingVariation': variation });

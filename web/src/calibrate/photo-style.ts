@@ -1,4 +1,4 @@
-// How photographs lie beside what is read from them.
+// Styles for photographs beside the values read from them.
 import { css } from 'lit';
 
 export const photoStyle = css`

@@ -1,4 +1,4 @@
-// Photographs of a coupon become a spool.
+// Turns photographs of a coupon into a spool.
 import type { CouponReading, Measured } from 'sillon';
 import { html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
@@ -16,11 +16,11 @@ import { flag, numberField, textField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import { photoStyle } from './photo-style.js';
 
-const usualElevation = 45; // [°]
-const enough = 3; // photographs
+const usualElevation = 45; // [°], shown first when the visitor states the lamp's elevation
+const enough = 3; // photographs; with fewer, the page asks for more
 const example = 'examples/coupon-photograph.jpg';
 
-/** A photograph, and what it gave, or why it was refused; neither: not read yet. */
+/** A photograph with its reading, or with the reason why it was refused. It has neither while it is unread. */
 interface Shot {
   readonly file: File;
   readonly url: string;
@@ -28,7 +28,7 @@ interface Shot {
   readonly problem?: Problem | undefined;
 }
 
-/** What is told of a flow that has no figure. */
+/** Text id for a flow without a figure. */
 function flowBeyond(read: CouponReading): 'photo.flow.lower' | 'photo.flow.higher' | 'photo.flow.unknown' {
   if (read.allDiscsClosed) return 'photo.flow.lower';
   return read.noDiscClosed ? 'photo.flow.higher' : 'photo.flow.unknown';
@@ -40,11 +40,11 @@ export class CalibratePhoto extends StudioElement {
   static override styles = [...StudioElement.styles, photoStyle];
 
   @state() private shots: readonly Shot[] = [];
-  /** What all that were read say together. */
+  /** Result of all readings together. */
   @state() private joined: CouponReading | undefined;
   @state() private apart: Problem | undefined;
   @state() private over = false;
-  /** Of the lamp [°]; undefined: nobody has measured it. */
+  /** Elevation of the lamp [°]; undefined where nobody has measured it. */
   @state() private elevation: number | undefined;
   @state() private name = 'mySpool';
   #job: AbortController | undefined;
@@ -52,7 +52,7 @@ export class CalibratePhoto extends StudioElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    // Before the page below hears of them.
+    // Files dropped here are taken in the capture phase, before the page below handles them.
     const { signal } = this.#end;
     for (const kind of ['dragover', 'dragleave', 'drop'] as const) {
       addEventListener(kind, this.#onFiles, { signal, capture: true });
@@ -77,7 +77,7 @@ export class CalibratePhoto extends StudioElement {
     this.#add(await this.studio.pick('image/*'));
   }
 
-  /** A photograph that is there already would count twice. */
+  /** Adds photographs; one that is there already is left out, since it would count twice. */
   #add(files: readonly File[]): void {
     const isNew = (file: File): boolean => !this.shots.some((shot) => sameFile(shot.file, file));
     const shots = files.filter(isNew).map((file) => ({ file, url: URL.createObjectURL(file) }));
@@ -97,7 +97,7 @@ export class CalibratePhoto extends StudioElement {
     void this.#read();
   }
 
-  /** Those that have not been read, one after the other; then what all say together. */
+  /** Reads the photographs that are still unread, one after the other, and then joins all readings. */
   async #read(): Promise<void> {
     this.#job?.abort();
     const job = new AbortController();
@@ -170,7 +170,8 @@ export class CalibratePhoto extends StudioElement {
       <button type="button" @click=${() => void this.#pick()}>${icon('plus', 16)} ${c('photo.another')}</button>`;
   }
 
-  /** @param number  as the engine counts those that were read, where it says which one differs; 0: none of them. */
+  /** One photograph in the list. @param number  number in the engine's order of readings, which its messages use; 0:
+   * no reading */
   #row(shot: Shot, number: number): TemplateResult {
     const { file, url, reading, problem } = shot;
     const name = number > 0 && this.shots.length > 1 ? `${number}. ${file.name}` : file.name;
@@ -326,6 +327,7 @@ const isWaiting = ({ reading, problem }: Shot): boolean => reading === undefined
 const sameFile = (a: File, b: File): boolean =>
   a.name === b.name && a.size === b.size && a.lastModified === b.lastModified;
 
+/** The slopes and the lamp that one photograph gave. */
 function gave({ along, across, azimuth, elevation }: CouponReading): TemplateResult {
   const lamp = c('photo.lamp', {
     azimuth: Math.round(azimuth.value),

@@ -1,4 +1,4 @@
-// The calibration prints: what each finds and takes, its file, what to see on it and what to type back.
+// The calibration prints: what each finds and costs, its file, what to see on it, and the result to type in.
 import type { Calibration, CalibrationKind, CalibrationRequest } from 'sillon';
 import { html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
@@ -20,7 +20,7 @@ import type { Shown } from '../studio/shown.js';
 import { gcodeMark, isPacked, type Studio } from '../studio/studio.js';
 
 const pictureSide = 720; // [pixels]
-const rest = 250; // [ms] after a change, before the prints are made anew
+const rest = 250; // [ms] after a change before the prints are made again
 
 type Made = { calibration: Calibration } | { problem: Problem };
 
@@ -32,7 +32,7 @@ export class CalibratePrints extends StudioElement {
   @state() private kind: CalibrationKind = 'coupon';
   @state() private made: ReadonlyMap<CalibrationKind, Made> = new Map<CalibrationKind, Made>();
   @state() private found: Found = { value: undefined, constant: false, low: undefined, high: undefined };
-  /** Of the chosen print, by what it is a picture of. */
+  /** Picture of the chosen print, with the print that it shows. */
   @state() private picture: { of: Calibration; url: string } | undefined;
   readonly #fresh = new Set<CalibrationKind>();
   #job: AbortController | undefined;
@@ -61,7 +61,8 @@ export class CalibratePrints extends StudioElement {
     this.#timer = setTimeout(() => void this.#make(), rest);
   }
 
-  /** What is not of the plate as it is now: the chosen one first, with its picture, the others for their figures. */
+  /** Makes the prints that are out of date: the chosen one first, with its picture, then the others for their
+   * figures. */
   async #make(): Promise<void> {
     this.#job?.abort();
     const job = new AbortController();
@@ -204,10 +205,10 @@ export class CalibratePrints extends StudioElement {
   };
 }
 
-/** What the engine is asked for. */
+/** The engine's request for a calibration print. @param side  of its picture [pixels]; 0: no picture */
 export function calibrationOf(plate: Plate, side: number): CalibrationRequest {
   const { printer, print, toolpath } = plate;
-  // Prints lie with their beads on top, whatever the plate does.
+  // Calibration prints are seen from above, whichever side the plate shows.
   const filament = viewLook({ ...plate, print: { ...print, showSide: 'up' } });
   return { printer, print, toolpath, filament, pictureSide: side };
 }
@@ -218,7 +219,7 @@ export const costText = ({ summary }: Calibration): string =>
     grams: c('grams', { g: formatNumber(summary.filamentGrams, 1) }),
   });
 
-/** Of the plate's printer as it is now. */
+/** Saves a calibration print for the plate's present printer. */
 export async function saveCalibration(studio: Studio, kind: CalibrationKind): Promise<void> {
   await studio.attempt(async () => {
     const { plate } = studio.store.state;

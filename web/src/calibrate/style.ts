@@ -1,4 +1,4 @@
-// How the calibration prints lie on their page.
+// Styles for the page of calibration prints.
 import { css } from 'lit';
 
 export const printStyle = css`

@@ -1,4 +1,4 @@
-// The folded part of a panel: groups of rows of data, each with its default.
+// The folded part of a panel: groups of settings, each with a button that restores its default.
 import { html, type TemplateResult } from 'lit';
 import { settingLabel, valueText } from '../i18n/say.js';
 import { t } from '../i18n/text.js';
@@ -9,6 +9,7 @@ import type { Studio } from '../studio/studio.js';
 
 const same = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.stringify(b);
 
+/** Returns a button that restores the default; empty if the setting has it. */
 function resetButton(studio: Studio, setting: Setting): TemplateResult | string {
   if (same(valueOf(studio.store.state.plate, setting), setting.default)) return '';
   const value = valueText(setting, setting.default);
@@ -27,7 +28,7 @@ function resetButton(studio: Studio, setting: Setting): TemplateResult | string 
 export interface AdvancedGroup {
   label: string;
   rows: readonly Setting[];
-  /** After its rows. */
+  /** Content after the rows. */
   more?: TemplateResult | undefined;
 }
 
@@ -39,7 +40,7 @@ const groupFields = (studio: Studio, { label, rows, more }: AdvancedGroup): Temp
     </div>
   </details>`;
 
-/** Each group is folded, too, so that few fields are seen at a time. */
+/** Returns the folded section; each group in it is folded, too, so that few fields are in sight at a time. */
 export const advancedSettings = (studio: Studio, groups: readonly AdvancedGroup[]): TemplateResult =>
   html`<section>
     <details

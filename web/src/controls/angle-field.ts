@@ -1,14 +1,14 @@
-// An angle as a protractor and a number.
+// Edits an angle, by a protractor and by a number.
 import { html, type TemplateResult } from 'lit';
 import './dial.js';
 import { aboutButton, helpText, numberInput, type NumberField } from './fields.js';
 
 export interface AngleField extends Omit<NumberField, 'step' | 'unit' | 'usual' | 'integer'> {
-  /** A bead's line, which has no front, or a light, which has. */
+  /** Kind of angle: a bead's line, which has no front, or a light, which has one. */
   kind?: 'line' | 'light';
 }
 
-/** The panel that shows it has `panelStyle`. */
+/** Returns the field; the panel around it needs `panelStyle`. */
 export function angleField(field: AngleField): TemplateResult {
   const { id, label, kind = 'line', value, min, max, help = '', onInput, onSettle } = field;
   return html`<div class="field angle">

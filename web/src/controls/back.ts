@@ -1,18 +1,20 @@
-// Back closes what is open over the page, as on phones it closes sheets, instead of leaving the page: each open thing has an
-// entry of the history while it is open.
+// Makes the Back button close whatever is open over the page, as sheets on phones do, instead of leaving the page: each
+// open part has a history entry while it is open.
 
-/** The ways to close what is open, the topmost last. */
+/** Functions that close the open parts, the topmost last. */
 const open: (() => void)[] = [];
-/** Entries are being left: what comes of it is told by the browser later, and none can be added before. */
+/** The history is on its way to another entry: the browser reports it later, and no entry can be added before. */
 let leaving = false;
 let following = false;
 
-/** The entries that lead to this one and stand for open things. An address that is opened meanwhile begins anew. */
+/** Returns the number of history entries that stand for open parts; an address that is opened in between starts
+ * again at 0. */
 function entries(): number {
   const state: unknown = history.state;
   return typeof state === 'object' && state !== null && 'open' in state ? Number(state.open) : 0;
 }
 
+/** Brings the history in line with the open parts. */
 function follow(): void {
   following = false;
   if (leaving) return;
@@ -22,7 +24,8 @@ function follow(): void {
   for (let entry = before + 1; entry <= open.length; ++entry) history.pushState({ open: entry }, '');
 }
 
-/** One thing may open in the place of another within a turn, and nothing is left then. */
+/** Updates the history after the current turn: if one part
+ * opens in place of another within it, no entry is left over. */
 function followSoon(): void {
   if (following) return;
   following = true;
@@ -30,15 +33,16 @@ function followSoon(): void {
 }
 
 addEventListener('popstate', () => {
-  // An entry of our own is left: what was opened meanwhile, in the place of what it stood for, stays.
+  // If this module went back itself, parts that were opened in the meantime stay open.
   const ours = leaving;
   leaving = false;
   while (!ours && open.length > entries()) open.pop()?.();
-  followSoon(); // Forward, to what is open no more, leads back
+  followSoon(); // Forward leads to an entry of a closed part, so the history goes back again
 });
 
-/** Something is open now, and Back closes it. In a frame the history is another page's.
- * @returns what is to be called when it is closed, however that came */
+/** Registers an open part, which Back closes from now on. In a
+ * frame the history belongs to another page, so nothing is done.
+ * @returns function to call when the part is closed, in whatever way */
 export function closesByBack(close: () => void): () => void {
   if (parent !== window) return () => undefined;
   const own = (): void => {

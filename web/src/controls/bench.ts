@@ -1,4 +1,4 @@
-// A bench: canvases over each other, moved by hand.
+// Styles of a bench: canvases over each other that the user pans and zooms.
 import { css } from 'lit';
 
 export const bench = css`

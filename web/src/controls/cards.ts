@@ -1,4 +1,4 @@
-// Choices as cards: a radio button lies, unseen, over the whole of its label.
+// Styles of choices as cards: an invisible radio button covers each label.
 import { css } from 'lit';
 
 export const choiceCards = css`

@@ -1,4 +1,4 @@
-// Buttons, fields and text as all elements draw them.
+// Styles of buttons, fields and text in all elements.
 import { css } from 'lit';
 
 export const controls = css`

@@ -1,4 +1,4 @@
-// A protractor for an angle: a bead's line, which has no front, or a light, which has.
+// A protractor for an angle: a bead's line, which has no front, or a light, which has one.
 import { css, html, svg, LitElement, type TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { controls } from './controls.js';
@@ -50,7 +50,7 @@ export class Dial extends LitElement {
   ];
 
   @property() label = '';
-  /** Degrees, counter-clockwise from the right. */
+  /** Angle in degrees, counter-clockwise from the right. */
   @property({ type: Number }) value = 0;
   @property({ type: Number }) min = -360;
   @property({ type: Number }) max = 360;
@@ -102,7 +102,7 @@ export class Dial extends LitElement {
     this.dispatchEvent(new CustomEvent('settle'));
   }
 
-  /** The value of that direction that is nearest to the one before. */
+  /** Reports the angle under the pointer, as the value closest to the previous one. */
   #pointTo(event: PointerEvent): void {
     const box = this.getBoundingClientRect();
     const dx = event.clientX - box.left - box.width / 2;
@@ -129,6 +129,7 @@ export class Dial extends LitElement {
     this.#settle();
   };
 
+  /** Turns by arrow keys: 1°, or 15° with Shift or Page keys. */
   #onKey = (event: KeyboardEvent): void => {
     const step = event.shiftKey ? 15 : 1;
     const steps: Record<string, number> = {

@@ -1,5 +1,5 @@
-// A sheet above the page. It closes with Escape, with its cross, with a click beside it, and with Back. What is told while it is open is
-// told in it, by the element that the page has anyway: nothing behind it can be reached.
+// A sheet above the page. Escape, its close button, a click beside it and Back close it. Notices that come while it is
+// open are shown in it, because nothing behind it can be reached.
 import { css, html, type TemplateResult } from 'lit';
 import { query } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
@@ -23,7 +23,7 @@ export abstract class DialogElement extends StudioElement {
   @query('dialog') private dialog!: HTMLDialogElement;
   #afterwards?: () => void;
   #closed?: () => void;
-  /** What was told before. */
+  /** Notices from before the sheet opened. */
   #known: Pick<Shown, 'notices' | 'problem'> | undefined;
 
   protected abstract heading(): string;
@@ -76,13 +76,13 @@ export abstract class DialogElement extends StudioElement {
 
   override firstUpdated(): void {
     this.dialog.showModal();
-    // The browser would choose the cross, which nobody came for.
+    // The browser would focus the close button, which is hardly ever wanted.
     const fields = 'input:not([type=file]), select, textarea, button';
     const [first] = this.dialog.querySelectorAll<HTMLElement>(`.body :is(${fields}):not([disabled])`);
     (first ?? this.dialog.querySelector<HTMLElement>('.body'))?.focus();
   }
 
-  /** @param afterwards  done once the sheet is gone, which is later: what it opens is not closed with this one */
+  /** Closes the sheet. @param afterwards  runs once the sheet is gone, so that a sheet that it opens stays open */
   protected close(afterwards?: () => void): void {
     this.#afterwards = afterwards;
     this.dialog.close();

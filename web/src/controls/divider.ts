@@ -1,4 +1,4 @@
-// The line between the plate and what lies over it, to be dragged over both.
+// The line between the plate and the layer over it; dragging it shows more of one or the other.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
@@ -11,7 +11,7 @@ import { icon } from './icons.js';
 export class Divider extends StudioElement {
   static override reads = ['wipe', 'over'] as const;
 
-  /** Share of the page's width at a place of the window [CSS pixels]. */
+  /** Returns the share of the page's width at a horizontal place of the window [CSS pixels]. */
   @property({ attribute: false }) shareAt!: (x: number) => number;
 
   static override styles = [
@@ -96,7 +96,7 @@ export class Divider extends StudioElement {
       <span class="grip" @pointerdown=${this.#onDown} @pointermove=${this.#onMove}>${icon('compare')}</span>`;
   }
 
-  /** @param left, top, height  on the bench [CSS pixels] */
+  /** Places the line on the bench. @param left, top, height  [CSS pixels] */
   place(left: number, top: number, height: number): void {
     this.style.left = `${left}px`;
     this.style.top = `${top}px`;

@@ -1,4 +1,4 @@
-// Pictures for the cards of a panel, drawn anew when the plate has changed and rests.
+// Draws pictures for the cards of a panel, again whenever the plate has changed and rests.
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
 import type { Plate } from '../model/plate.js';
 import type { Draw } from '../studio/services.js';
@@ -11,7 +11,7 @@ export class DrawnChoices<Name extends string> implements ReactiveController {
   #urls = new Map<Name, string>();
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param draw  what draws, which is fetched when it is first needed */
+  /** Adds itself to the host. @param draw  returns the drawing function, which is loaded on first use */
   constructor(
     private readonly host: ReactiveControllerHost & StudioElement,
     private readonly draw: () => Draw<Name>,
@@ -19,7 +19,7 @@ export class DrawnChoices<Name extends string> implements ReactiveController {
     host.addController(this);
   }
 
-  /** Address of a picture; undefined: there is none yet. */
+  /** Returns the address of a picture; undefined: there is none yet. */
   url(name: Name): string | undefined {
     return this.#urls.get(name);
   }
@@ -33,10 +33,10 @@ export class DrawnChoices<Name extends string> implements ReactiveController {
   }
 
   hostConnected(): void {
-    this.host.requestUpdate(); // it may have been here before
+    this.host.requestUpdate(); // the host may have been in the page before
   }
 
-  /** Nothing is asked of the host: an update would have all of it drawn anew. */
+  /** Frees the pictures. It requests no update, which would draw the whole host again. */
   hostDisconnected(): void {
     clearTimeout(this.#timer);
     this.#plate = undefined;
@@ -44,6 +44,7 @@ export class DrawnChoices<Name extends string> implements ReactiveController {
     this.#urls = new Map();
   }
 
+  /** Tells whether the pictures still fit the plate. */
   #same(plate: Plate): boolean {
     const before = this.#plate;
     if (before === undefined) return false;
@@ -63,7 +64,7 @@ export class DrawnChoices<Name extends string> implements ReactiveController {
       const made = await this.draw()(plate, wanted);
       if (wanted()) this.#show(new Map([...made].map(([name, blob]) => [name, URL.createObjectURL(blob)])));
     } catch {
-      // Icons stand in their place.
+      // Icons stand in for the pictures.
     }
   }
 
@@ -71,7 +72,7 @@ export class DrawnChoices<Name extends string> implements ReactiveController {
     const before = this.#urls;
     this.#urls = urls;
     this.host.requestUpdate();
-    // Not before the new ones are on the screen.
+    // The old addresses stay valid until the new pictures are on the screen.
     void this.host.updateComplete.then(() => {
       this.#forget(before);
     });

@@ -1,4 +1,4 @@
-// What all elements of the page have in common: they draw the state, and draw again when what they read has changed.
+// Base class of all elements of the page: they draw the state, and draw again when a part that they read has changed.
 import { LitElement } from 'lit';
 import { property } from 'lit/decorators.js';
 import { problemOf } from '../model/problem.js';
@@ -6,22 +6,22 @@ import { controls } from './controls.js';
 import type { Shown } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 
-const longestRest = 16; // [s] between two tries
+const longestRest = 16; // [s] longest pause between two attempts
 
-/** Ends when another try may go better: after a while, or when the network is back. */
+/** Resolves when another attempt may succeed: after a while, or when the network is back. */
 const rest = (seconds: number): Promise<unknown> =>
   new Promise((resolve) => {
     setTimeout(resolve, 1000 * seconds);
     addEventListener('online', resolve, { once: true });
   });
 
-/** A part of the page. */
+/** State of a part of the page that is loaded on demand. */
 interface Part {
-  /** It is there, on its way, or not to be asked for again yet. */
+  /** The part is loaded, on its way, or must not be requested again yet. */
   asked?: boolean;
   came?: unknown;
   failures: number;
-  /** The notice of its failure. */
+  /** Id of the notice about its failure. */
   notice?: number;
 }
 
@@ -55,11 +55,12 @@ export abstract class StudioElement extends LitElement {
 
   readonly #parts = new Map<() => Promise<unknown>, Part>();
 
-  /** Fetches a part of the page when it is first asked for, and draws again once it is there. A fetch that failed is told
-   * until another went well: for as long as drawings ask for the part, after 1, 2, 4 ... 16 s, or when the network is back.
-   * @param load  the same function for the same part each time
-   * @param quiet  a failure is not told: there is something in its place
-   * @returns what came; undefined: nothing yet */
+  /** Loads a part of the page on first use, and draws again once it is there. A failure is shown until another
+   * attempt succeeds; as long as drawings ask for the part, attempts follow after 1, 2, 4 ... 16 s, or when the
+   * network is back.
+   * @param load  the same function each time for the same part
+   * @param quiet  no notice of a failure: something stands in for the part
+   * @returns the loaded part; undefined: not there yet */
   protected lazy = <T>(load: () => Promise<T>, quiet = false): T | undefined => {
     let part = this.#parts.get(load);
     if (part === undefined) this.#parts.set(load, (part = { failures: 0 }));
@@ -67,6 +68,7 @@ export abstract class StudioElement extends LitElement {
     return part.came as T | undefined;
   };
 
+  /** Loads a part, reports a failure, and waits before another attempt is allowed. */
   async #fetch(load: () => Promise<unknown>, part: Part, quiet: boolean): Promise<void> {
     part.asked = true;
     try {
@@ -80,6 +82,6 @@ export abstract class StudioElement extends LitElement {
     if (this.isConnected) this.requestUpdate();
   }
 
-  /** After each change of the state, drawn or not. */
+  /** Called after each change of the state, drawn or not. */
   protected onState(_state: Readonly<Shown>, _before: Readonly<Shown>): void {}
 }

@@ -1,28 +1,29 @@
-// Controls as functions of plain data. What they tell comes as `onInput` while a hand moves and `onSettle` when it lets go.
+// Controls as functions of plain data. They call `onInput` while the user drags or types, and `onSettle` at the end.
 import { html, nothing, type TemplateResult } from 'lit';
 import { Directive, directive, type ElementPart } from 'lit/directive.js';
 import { live } from 'lit/directives/live.js';
 import { language, t } from '../i18n/text.js';
 import { icon, type IconName } from './icons.js';
 
-/** Fields whose text was not taken over yet: to undo what is typed there is the browser's, all else is the plate's. */
+/** Fields whose text is not applied yet: undo in them belongs to the browser, everywhere else to the plate. */
 export const typing = new WeakSet<EventTarget>();
 export const isTyping = (event: Event): boolean => typing.has(event.composedPath()[0] as EventTarget);
 
 type Content = TemplateResult | typeof nothing;
 
-/** As the page's language writes it, to be typed over: without marks between thousands. */
+/** Formats a number for editing in the page's language, without thousands separators. */
 const inputText = (value: number): string =>
   new Intl.NumberFormat(language(), { maximumFractionDigits: 10, useGrouping: false }).format(value);
 
-/** With a comma or a point in every language, and with the unit that stands beside the field, or centimetres for millimetres. */
+/** Reads a number with a comma or a point, in any language, and
+ * with the field's unit, or cm in a field of mm; otherwise NaN. */
 function numberIn(text: string, unit = ''): number {
   const [, number, given = ''] = /^\s*([-+−]?(?:\d+[.,]?\d*|[.,]\d+))\s*(.*?)\s*$/.exec(text) ?? [];
   const scale = given === '' || given === unit ? 1 : given === 'cm' && unit === 'mm' ? 10 : Number.NaN;
   return Number((scale * Number(number?.replace('−', '-').replace(',', '.'))).toFixed(10));
 }
 
-/** Shows a value, but leaves alone what is being typed unless the value changes elsewhere. */
+/** Directive that shows a value, but keeps text that is being typed unless the value changes elsewhere. */
 class Shows extends Directive {
   #shown: number | string | undefined;
 
@@ -41,7 +42,8 @@ class Shows extends Directive {
 }
 const shows = directive(Shows);
 
-/** Styles by property: attributes are what a strict Content-Security-Policy forbids. */
+/** Returns a slider's share as a style. Styles are set as properties,
+ * since a strict Content-Security-Policy forbids attributes. */
 const share = (value: number): string => `--share: ${Math.min(1, Math.max(0, value))}`;
 
 function toggleHelp(event: Event): void {
@@ -52,6 +54,7 @@ function toggleHelp(event: Event): void {
   button.setAttribute('aria-expanded', String(!help.hidden));
 }
 
+/** Returns the button that unfolds a field's help; nothing without help. */
 export const aboutButton = (id: string, label: string, help: string): Content =>
   help === ''
     ? nothing
@@ -76,7 +79,7 @@ export interface NumberField {
   min: number;
   max: number;
   step: number;
-  /** What the slider spans; none without. */
+  /** Range of the slider; undefined: there is none. */
   usual?: readonly [number, number] | undefined;
   unit?: string;
   help?: string;
@@ -88,10 +91,10 @@ export interface NumberField {
 
 const digitsOf = (step: number): number => Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
 
-/** As little of a number as its step can tell apart. */
+/** Rounds a number to one digit more than its step shows. */
 const shortNumber = (value: number, step: number): number => Number(value.toFixed(digitsOf(step) + 1));
 
-/** @param error  what is wrong with what is typed; empty: nothing */
+/** Marks a field as right or wrong. @param error  sentence about the typed text; empty: it is right */
 function judge(input: HTMLElement, error: string): void {
   input.setAttribute('aria-invalid', String(error !== ''));
   const place = input.closest('.field')?.querySelector<HTMLElement>('.error');
@@ -100,6 +103,7 @@ function judge(input: HTMLElement, error: string): void {
   place.textContent = error;
 }
 
+/** Reads a number field and marks it; undefined if the text is no valid number. */
 function readNumber(field: NumberField, input: HTMLInputElement): number | undefined {
   const value = numberIn(input.value, field.unit);
   const right = value >= field.min && value <= field.max && (!field.integer || Number.isInteger(value));
@@ -116,13 +120,13 @@ function readNumber(field: NumberField, input: HTMLInputElement): number | undef
 
 let pause: ReturnType<typeof setTimeout> | undefined;
 
-/** Nothing tells that typing is done before the focus goes, and it may stay: figures and hosts wait for a pause alone. */
+/** Settles after a pause of 1 s: no event tells that typing has ended before the focus goes, and the focus may stay. */
 function settleSoon({ onSettle }: { onSettle: () => void }): void {
   clearTimeout(pause);
   pause = setTimeout(onSettle, 1000);
 }
 
-/** The number alone, with its unit. */
+/** Returns the number's input with its unit, without a name. */
 export function numberInput(field: NumberField, name = true): TemplateResult {
   const { id, label, unit = '', min, max, step } = field;
   const onInput = (event: Event): void => {
@@ -137,13 +141,13 @@ export function numberInput(field: NumberField, name = true): TemplateResult {
     const input = event.currentTarget as HTMLInputElement;
     typing.delete(input);
     const value = readNumber(field, input);
-    // What cannot be used does not stay; the sentence about it does, until the next change.
+    // Invalid text does not stay; the sentence about it does, until the next change.
     input.value = inputText(value ?? shortNumber(field.value, step));
     input.setAttribute('aria-invalid', 'false');
-    clearTimeout(pause); // which could end a drag that follows
+    clearTimeout(pause); // a late pause could end the next drag
     field.onSettle();
   };
-  /** As the spin buttons of number fields, which write no comma where the page's language has one. */
+  /** Steps with the arrow keys. Spin buttons of number inputs do the same, but cannot write decimal commas. */
   const onKey = (event: KeyboardEvent): void => {
     const by = event.key === 'ArrowUp' ? step : event.key === 'ArrowDown' ? -step : 0;
     if (by === 0) return;
@@ -175,6 +179,7 @@ export function numberInput(field: NumberField, name = true): TemplateResult {
   </span>`;
 }
 
+/** Returns a number's name, input and slider; dragging the name changes the number. */
 export function numberField(field: NumberField): TemplateResult {
   const { id, label, value, step, usual, help = '' } = field;
   const [low, high] = usual ?? [0, 1];
@@ -237,6 +242,7 @@ export interface ChoiceField<Value extends string = string> {
   onChoose: (value: Value) => void;
 }
 
+/** Returns the radio buttons of a choice. */
 function radios<Value extends string>(field: ChoiceField<Value>, size: number): TemplateResult[] {
   return field.options.map(
     ({ value, label, icon: name, picture, disabled = false, title = '' }) =>
@@ -258,7 +264,7 @@ function radios<Value extends string>(field: ChoiceField<Value>, size: number): 
   );
 }
 
-/** A few short words side by side; in two rows where they would not fit into one. */
+/** Returns a few short options side by side; in two rows if they would not fit into one. */
 export const segments = <Value extends string>(field: ChoiceField<Value>, legend = true): TemplateResult => {
   const { length: count } = field.options;
   const letters = field.options.reduce((sum, { label }) => sum + label.length, 0);
@@ -285,7 +291,8 @@ export const segments = <Value extends string>(field: ChoiceField<Value>, legend
   </div>`;
 };
 
-/** Arrow keys alone choose nothing, as in toolbars: some cards ask for a file. Space does, and so does Enter. */
+/** Moves the focus by arrow keys without choosing, as in toolbars,
+ * because some cards ask for a file. Space and Enter choose. */
 function onCardKey(event: KeyboardEvent): void {
   const cards = [...(event.currentTarget as HTMLElement).querySelectorAll<HTMLInputElement>('input:enabled')];
   const input = event.target as HTMLInputElement;
@@ -296,7 +303,7 @@ function onCardKey(event: KeyboardEvent): void {
   event.preventDefault();
 }
 
-/** Things to choose from, each with a picture. */
+/** Returns options as cards, each with a picture or an icon. */
 export const cards = <Value extends string>(field: ChoiceField<Value>): TemplateResult =>
   html`<div class="cards" role="radiogroup" aria-label=${field.label} @keydown=${onCardKey}>${radios(field, 22)}</div>`;
 
@@ -358,9 +365,10 @@ export interface TextField {
   onSettle: () => void;
 }
 
+/** Returns a text's name and input, in one or several lines. */
 export function textField(field: TextField): TemplateResult {
   const { id, label, value, maxLength, help = '' } = field;
-  /** A limit of the browser's own would cut what is pasted, and say nothing. */
+  /** Reads the text. `maxlength` is not used: it would cut pasted text without a message. */
   const read = (input: HTMLInputElement): boolean => {
     const { length } = input.value;
     const right = length <= maxLength;
@@ -376,9 +384,9 @@ export function textField(field: TextField): TemplateResult {
   const onChange = (event: Event): void => {
     const input = event.currentTarget as HTMLInputElement;
     typing.delete(input);
-    if (input.value.length > maxLength) input.value = value; // as with numbers: the sentence about it stays
+    if (input.value.length > maxLength) input.value = value; // the sentence about it stays, see `numberInput`
     input.setAttribute('aria-invalid', 'false');
-    clearTimeout(pause); // as with numbers
+    clearTimeout(pause); // a late pause could end the next drag
     field.onSettle();
   };
   return html`<div class="field">

@@ -1,11 +1,13 @@
-// A file that a plate is made from.
+// Shows a file that a plate is made from.
 import { html, nothing, type TemplateResult } from 'lit';
 import { formatBytes, t } from '../i18n/text.js';
 import type { SourceFile } from '../model/plate.js';
 import { icon } from './icons.js';
 import type { Studio } from '../studio/studio.js';
 
-/** @param onRemove  where the plate can do without @param onFiles  takes others in its place; left out: the plate opens them */
+/** Returns the chip of a file with buttons to replace and remove it.
+ * @param onRemove  removes the file; left out: the plate needs it
+ * @param onFiles  takes replacements; left out: the plate opens them */
 export const fileChip = (
   studio: Studio,
   file: SourceFile,

@@ -1,25 +1,26 @@
-// Pointers, wheels and pinches on an element, as what they mean. Places are CSS pixels from its upper left corner.
+// Turns pointers, wheels and pinches on an element into gestures. Places are CSS pixels from its upper left corner.
 export interface Place {
   x: number;
   y: number;
 }
 
 export interface GestureEvents {
-  /** Whether this pointer draws, or moves what is there, rather than the view. */
+  /** Tells whether this pointer draws or moves an object, instead of the view. */
   draws(event: PointerEvent, place: Place): boolean;
   pan(dx: number, dy: number): void;
   zoom(factor: number, x: number, y: number): void;
-  /** undefined: the pointer has left. @param leads  it floats above the plate, as no finger does */
+  /** Reports the pointer's place; undefined: it has left.
+   * @param leads  it floats above the plate, as a finger never does */
   hover(place: Place | undefined, leads: boolean): void;
   begin(place: Place): void;
   draw(place: Place, event: PointerEvent): void;
   end(): void;
-  /** A second finger makes a pinch of what had begun as a stroke. */
+  /** Discards a stroke: a second finger has turned it into a pinch. */
   abandon(): void;
 }
 
-const wheelStep = 0.0016; // per pixel of a wheel
-const pinchStep = 0.01; // of a touchpad's pinch, which comes as a wheel with Ctrl
+const wheelStep = 0.0016; // zoom per pixel of a wheel, as a logarithm
+const pinchStep = 0.01; // the same for a touchpad's pinch, which arrives as a wheel event with Ctrl
 const linePixels = 16;
 
 export class Gestures {
@@ -49,6 +50,7 @@ export class Gestures {
     return { x: event.clientX - left, y: event.clientY - top };
   }
 
+  /** Begins a stroke or a pan; a second pointer begins a pinch. */
   #onDown = (event: PointerEvent): void => {
     if (event.button > 1) return;
     event.preventDefault();
@@ -68,6 +70,7 @@ export class Gestures {
     }
   };
 
+  /** Continues the gesture of the pointers that are down, or reports a hover. */
   #onMove = (event: PointerEvent): void => {
     const place = this.#place(event);
     const before = this.#pointers.get(event.pointerId);
@@ -119,7 +122,7 @@ export class Gestures {
   };
 }
 
-/** All places since the last event; old Safari tells only the last. */
+/** Returns all events since the last one; old versions of Safari report only the last. */
 function coalesced(event: PointerEvent): PointerEvent[] {
   const events = 'getCoalescedEvents' in event ? event.getCoalescedEvents() : [];
   return events.length > 0 ? events : [event];
@@ -127,9 +130,10 @@ function coalesced(event: PointerEvent): PointerEvent[] {
 
 const floats = ({ pointerType }: PointerEvent): boolean => pointerType !== 'touch';
 
-const stillClick = 5; // [CSS pixels] that a pointer may move between down and up
+const stillClick = 5; // [CSS pixels] longest way of a pointer between down and up
 
-/** Clicks that end where they began, and are no end of a drag. @param run  given the place on the element [CSS pixels] */
+/** Listens to clicks that end where they began, so that drags do not count.
+ * @param run  receives the place on the element [CSS pixels] */
 export function onStillClick(element: HTMLElement, run: (x: number, y: number) => void): void {
   let down = { x: 0, y: 0 };
   element.addEventListener('pointerdown', ({ offsetX: x, offsetY: y }) => {

@@ -1,4 +1,4 @@
-// What this is, and its keys.
+// The help sheet: what the studio is, and its keys.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { words } from '../i18n/en/help.js';

@@ -1,4 +1,4 @@
-// How much of a path has which width.
+// Measures the length of path of each width.
 import type { Toolpath } from 'sillon';
 
 export interface Histogram {
@@ -11,7 +11,7 @@ export interface Histogram {
 
 const known = new WeakMap<Toolpath['cycles'], Histogram>();
 
-/** From 0.3 to 2 spacings; what lies outside counts at the ends. */
+/** Returns the histogram from 0.3 to 2 spacings; widths beyond count at the ends. */
 export function widthHistogram({ cycles, spacing }: Toolpath, classes = 50): Histogram {
   const before = known.get(cycles);
   if (before !== undefined) return before;

@@ -54,7 +54,7 @@ const paths = {
   tune: 'M4 6h7M15 6h1M13 4v4M4 14h1M9 14h7M7 12v4M4 10h4M12 10h4M10 8v4',
   shuffle:
     'M3 6h2.5c4 0 5 8 9 8H17M15 12l2 2-2 2M3 14h2.5c1.2 0 2.1-.7 2.8-1.7M11.2 7.7C12 6.7 13 6 14.5 6H17M15 4l2 2-2 2',
-  // Kinds of directions, as small plates.
+  // Icons of directions are drawn as small plates.
   lamp: 'M7 11.8a4.6 4.6 0 1 1 6 0c-.7.6-.9 1.2-.9 2.2H7.9c0-1-.2-1.6-.9-2.2zM8.2 16.8h3.6',
   angle: 'M4 13 13 4M4 16.5 16.5 4M7.5 16.5l9-9',
   tone: 'M3.5 3.5h13v13h-13zM3.5 16.5 16.5 3.5M3.5 12.5l9-9M3.5 8.5l5-5M7 16.5h9.5M11 13h5.5',
@@ -84,7 +84,7 @@ const paths = {
 
 export type IconName = keyof typeof paths;
 
-/** @param path  on that grid */
+/** Returns an icon. @param path  outline on that grid */
 export const lineIcon = (path: string, size = 18): SVGTemplateResult => svg`
   <svg class="icon" viewBox="0 0 20 20" width=${size} height=${size} fill="none" stroke="currentColor"
     stroke-width="1.4" stroke-linecap="round" stroke-linejoin="round" aria-hidden="true" focusable="false">
@@ -93,7 +93,7 @@ export const lineIcon = (path: string, size = 18): SVGTemplateResult => svg`
 
 export const icon = (name: IconName, size?: number): SVGTemplateResult => lineIcon(paths[name], size);
 
-/** Furrows on a disc. */
+/** Returns the logo: furrows on a disc. */
 export const mark = (): SVGTemplateResult => svg`
   <svg class="mark" viewBox="0 0 24 24" width="24" height="24" aria-hidden="true" focusable="false" fill="none"
     stroke="currentColor" stroke-width="1.5" stroke-linecap="round">

@@ -1,4 +1,4 @@
-// Sentences that name settings lead to their fields.
+// Turns names of settings in sentences into buttons that lead to their fields.
 import { html, type TemplateResult } from 'lit';
 import { showSetting, type FieldId } from './show-setting.js';
 import { settingLabel } from '../i18n/say.js';
@@ -8,12 +8,12 @@ import { expertSettings, settings } from '../model/settings.js';
 import { offers } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 
-/** In the quotes of any language, French ones with their spaces. */
+/** A name between the quotation marks of any language; French ones have inner spaces. */
 const quoted = /([“„]|«[\u00a0\u202f])([^“”„«»]+)([”“]|[\u00a0\u202f]»)/;
 
 let labels: { of: string; fields: ReadonlyMap<string, FieldId> } | undefined;
 
-/** Fields by their names in the page's language. */
+/** Returns the fields by their names in the page's language. */
 function fieldsByLabel(): ReadonlyMap<string, FieldId> {
   if (labels?.of !== language()) {
     const named = settings
@@ -27,9 +27,10 @@ function fieldsByLabel(): ReadonlyMap<string, FieldId> {
   return labels.fields;
 }
 
-/** Words, or a field that the sentence names between quotes. */
+/** Plain text, or a field that the sentence names in quotation marks. */
 type Piece = string | { label: string; field: FieldId };
 
+/** Splits a sentence into plain text and named fields. */
 export function piecesOf(text: string): Piece[] {
   const pieces = text.split(new RegExp(quoted, 'g'));
   return pieces.flatMap((piece, k): Piece[] => {
@@ -38,7 +39,7 @@ export function piecesOf(text: string): Piece[] {
   });
 }
 
-/** The sentence with a button in the place of each setting that it names. */
+/** Returns the sentence with a button for each setting that it names. */
 export const linked = (studio: Studio, text: string): (string | TemplateResult)[] =>
   piecesOf(text).map((piece) => {
     if (typeof piece === 'string') return piece;

@@ -1,4 +1,4 @@
-// Rows of a menu: a sign, what it does, and a word on it.
+// Styles of the rows of a menu: an icon, the action, and a note about it.
 import { css } from 'lit';
 
 export const menuStyle = css`

@@ -1,4 +1,4 @@
-// What has happened, in passing; what went wrong, until it is read.
+// Shows notices, which pass, and problems, which stay until they are dismissed.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { problemWords } from '../i18n/say.js';
@@ -11,7 +11,8 @@ import type { Notice, Shown } from '../studio/shown.js';
 const loadExact = () => import('../i18n/say-problem.js');
 const loadLinked = () => import('./linked.js');
 
-/** In English the page says many problems in the engine's own words: those are no details. */
+/** Tells whether two texts say the same: in English, many problems are shown in the engine's own words, which then
+ * are no further details. */
 const sameWords = (one: string, other: string): boolean => lettersOf(one) === lettersOf(other);
 const lettersOf = (text: string): string => text.toLowerCase().replaceAll(/[\s.]+/g, '');
 
@@ -103,7 +104,7 @@ export class Notices extends StudioElement {
     `,
   ];
 
-  /** Is told elsewhere. */
+  /** Notices that are shown elsewhere. */
   @property({ attribute: false }) known: Partial<Pick<Shown, 'notices' | 'problem'>> = {};
 
   override render(): TemplateResult {
@@ -139,7 +140,7 @@ export class Notices extends StudioElement {
       </div>`;
   }
 
-  /** Where a button goes that had the focus: to the sheet that this is told in, or to the plate. */
+  /** Moves the focus on before a focused button goes: to the surrounding sheet, or to the plate. */
   #refocus(): void {
     const sheet = this.closest('dialog')?.querySelector<HTMLElement>('.body');
     (sheet ?? this.studio.stage)?.focus();
@@ -170,7 +171,7 @@ export class Notices extends StudioElement {
               type="button"
               class="link"
               @click=${() => {
-                this.#refocus(); // to which it comes back from what this opens
+                this.#refocus(); // the focus comes back to it from whatever `run` opens
                 this.studio.dismiss(id);
                 run();
               }}
@@ -185,14 +186,14 @@ export class Notices extends StudioElement {
     </div>`;
   }
 
-  /** @param ofPlate  the engine's, which another try may mend */
+  /** Returns a problem with its hint and actions. @param ofPlate  it comes from the engine, and a retry may help */
   #problem(problem: NonNullable<Notice['problem']>, close: () => void, ofPlate: boolean): TemplateResult {
-    // The words for a part that could not be fetched are here: theirs could not be fetched either.
+    // Words about a part that could not be loaded must be here already: their own part could not be loaded either.
     const told = problem.code === 'PartMissing' ? undefined : this.lazy(loadExact, true)?.exactWords(problem);
     const { message, hint, detail } = { ...problemWords(problem), ...told };
-    // What the page has no words for the engine says in one sentence: which setting, and by how much.
+    // If the page has no words of its own, the engine's sentence names the setting and the amount.
     const named = told === undefined && (problem.code === 'InvalidArgument' || problem.code === 'DoesNotFit');
-    // Sentences that name a setting lead to it.
+    // Names of settings become links to their fields.
     const links = told === undefined ? undefined : this.lazy(loadLinked, true);
     const said = (text: string): unknown => links?.linked(this.studio, text) ?? text;
     return html`<div class="notice problem">

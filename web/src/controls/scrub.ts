@@ -1,11 +1,11 @@
-// A number changes while its name is dragged: to the right it grows, by a step for every few pixels.
+// Changes a number while its name is dragged: to the right it grows, by one step every few pixels.
 import type { NumberField } from './fields.js';
 
 const pixelsPerStep = 4;
-const steps = 150; // over which the usual range is crossed, where it has more
-const begins = 3; // [pixels] before which it is a click
+const steps = 150; // steps across the usual range, if it has more
+const begins = 3; // [pixels] shorter drags are clicks
 
-/** @param down  on the name of the field */
+/** Follows a drag until it ends. @param down  the pointerdown event on the field's name */
 export function scrub(
   down: PointerEvent,
   name: HTMLElement,
@@ -36,7 +36,7 @@ export function scrub(
   addEventListener('pointermove', onMove, { signal });
   addEventListener('pointerup', onEnd, { signal });
   addEventListener('pointercancel', onEnd, { signal });
-  // A drag is no click on the name, which would go into the field.
+  // A drag must not count as a click on the name, which would focus the field.
   addEventListener(
     'click',
     (event) => {

@@ -1,4 +1,4 @@
-// A row of model/settings.ts as a control.
+// Shows a row of model/settings.ts as a control.
 import { html, type TemplateResult } from 'lit';
 import { settingHelp } from '../i18n/help.js';
 import { choiceLabel, nullLabel, settingLabel, unitText } from '../i18n/say.js';
@@ -20,23 +20,23 @@ export interface ValueField {
   label: string;
   help: string;
   value: SettingValue;
-  /** The value that follows null. */
+  /** Value that replaces null. */
   fallback: number | [number, number];
-  /** The names of null and of a choice. */
+  /** Names of null and of each choice. */
   nullLabel: string;
   choiceLabel: (choice: string) => string;
-  /** While a hand moves. */
+  /** Called while the user drags or types. */
   onInput: (value: SettingValue) => void;
   onSettle: () => void;
 }
 
-/** A value at once, without a hand that moves. */
+/** Sets a value at once, without a drag. */
 function choose({ onInput, onSettle }: ValueField, value: SettingValue): void {
   onInput(value);
   onSettle();
 }
 
-/** A switch between null and values. */
+/** Returns a switch between null and a value. */
 const nullFlag = (field: ValueField, help: string): TemplateResult =>
   flag({
     id: `${field.id}-null`,
@@ -48,6 +48,7 @@ const nullFlag = (field: ValueField, help: string): TemplateResult =>
     },
   });
 
+/** Returns the two numbers of a pair, such as a place on the bed. */
 function pairField(field: ValueField, setting: Extract<AnySetting, { kind: 'pair' }>): TemplateResult {
   const { id, label, help, onInput, onSettle } = field;
   const value = field.value as [number, number] | null;
@@ -80,7 +81,7 @@ function pairField(field: ValueField, setting: Extract<AnySetting, { kind: 'pair
   </div>`;
 }
 
-/** The control that suits the value's kind. */
+/** Returns the control for the setting's kind of value. */
 export function valueField(field: ValueField): TemplateResult {
   const { setting, id, label, help, value, onInput, onSettle } = field;
   switch (setting.kind) {
@@ -146,6 +147,7 @@ export function valueField(field: ValueField): TemplateResult {
   }
 }
 
+/** Returns the control of a setting of the plate. */
 export function settingField(studio: Studio, id: SettingId): TemplateResult {
   const setting = settingOf(id);
   const { plate } = studio.store.state;

@@ -1,9 +1,9 @@
-// The keys of shortcuts.ts, as people read them.
+// The keys of shortcuts.ts, in readable form.
 import { words } from '../i18n/en/help.js';
 import { say } from '../i18n/text.js';
 
 interface Shortcut {
-  /** As the help sheet shows them; several are alternatives. */
+  /** Keys as the help sheet shows them; several are alternatives. */
   shown: readonly string[];
   text: keyof typeof words;
 }
@@ -33,7 +33,7 @@ export const shortcuts: readonly Shortcut[] = [
 
 const keyNames = { Ctrl: 'key.ctrl', Shift: 'key.shift', Esc: 'key.escape', Del: 'key.delete' } as const;
 
-/** "Ctrl Shift Z", as the keyboard says it. */
+/** Returns keys by their names on the keyboard, such as "Ctrl Shift Z". */
 export const keysText = (keys: string): string =>
   keys
     .split(' ')

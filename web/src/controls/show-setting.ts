@@ -1,21 +1,21 @@
-// Opens the section that has a setting, unfolds what it is folded into, and leads to its field.
+// Opens the section of a setting, unfolds the groups around it, and focuses its field.
 import type { SettingId } from '../model/settings.js';
 import { isAtFirst } from '../model/setting-groups.js';
 import type { Studio } from '../studio/studio.js';
 
-/** A setting, or the choice of all that makes a path. */
+/** A setting, or the choice of a quality, which sets all that makes a path. */
 export type FieldId = SettingId | 'quality';
 
-const patience = 3000; // [ms] for a section that is fetched first
+const patience = 3000; // [ms] for a section that must be loaded first
 const step = 50; // [ms]
 
-/** Fields that are there only while another has some value. */
+/** Fields that exist only while another field has a certain value. */
 const without: Partial<Record<FieldId, FieldId>> = {
   'toolpath.perimeters': 'toolpath.perimeterMode',
   'print.rimWidth': 'print.rim',
 };
 
-/** The first element in any shadow root below that this finds. */
+/** Returns the first matching element below a root, also in nested shadow roots. */
 function elementIn(root: ParentNode, selector: string): HTMLElement | undefined {
   const here = root.querySelector<HTMLElement>(selector);
   if (here !== null) return here;
@@ -26,7 +26,7 @@ function elementIn(root: ParentNode, selector: string): HTMLElement | undefined 
   return undefined;
 }
 
-/** Returns the element that takes the focus of a field: its input; of several, the one that is chosen. */
+/** Returns the element that takes a field's focus: its input, or the chosen one of several. */
 function inputOf(root: ParentNode, id: FieldId): HTMLElement | undefined {
   const name = id.replace('.', '-');
   return (
@@ -38,10 +38,12 @@ function inputOf(root: ParentNode, id: FieldId): HTMLElement | undefined {
   );
 }
 
+/** Opens all folded groups around an element. */
 function unfold(element: HTMLElement): void {
   for (let one = element.closest('details'); one; one = one.parentElement?.closest('details') ?? null) one.open = true;
 }
 
+/** Shows a setting; gives up if its section does not come in time. */
 export async function showSetting(studio: Studio, id: FieldId): Promise<void> {
   studio.show(undefined);
   if (id !== 'quality' && !isAtFirst(id)) studio.store.set({ advanced: true });

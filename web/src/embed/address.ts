@@ -1,10 +1,10 @@
-// What the address of the page asks for: ?src=plate.svg&mode=view
+// Reads the query of the page's address, for example ?src=plate.svg&mode=view
 import { spoken } from '../i18n/languages.js';
 import type { Unfit } from '../model/check.js';
 import type { Asked } from './fetching.js';
 import { guestSettings, type GuestSettings } from '../model/guest.js';
 
-/** Attributes that name files, and what a file is for; '': as its bytes tell. */
+/** Attributes that name files, with the role of each file; '': the file's bytes tell its role. */
 export const fileAttributes = { src: '', project: '', shape: 'shape', image: 'image' } as const;
 
 export interface Addressed {
@@ -15,6 +15,7 @@ export interface Addressed {
   waits: boolean;
 }
 
+/** Reads settings and file addresses from a query; values that do not fit are returned in `wrong`. */
 export function addressed(search: string): Addressed {
   const query = new URLSearchParams(search);
   const files = Object.entries(fileAttributes).flatMap(([name, role]) => {

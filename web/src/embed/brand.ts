@@ -1,18 +1,19 @@
-// The host's colour, corners and letters. Its attributes may have been written by anybody: a colour, a length and names of fonts
-// are taken apart and written anew, so that no style, and no address, comes in with them.
+// The host's colour, corners and fonts. Anybody may have written its attributes, so colours, lengths and font names are
+// parsed and written anew: no other style and no address can come in with them.
 import { Unfit } from '../model/check.js';
 
-/** Names of custom properties of src/style/tokens.css; '': as they are there. */
+/** Custom properties of src/controls/tokens.css by name; '': the style sheet's own value. */
 export type Brand = Readonly<Record<string, string>>;
 
 type Rgb = readonly [number, number, number];
 
 const grounds = { light: [0xf4, 0xf3, 0xef], dark: [0x15, 0x18, 0x1b] } as const; // --surface
-const enough = 4.5; // contrast of text, WCAG 2
+const enough = 4.5; // least contrast of text, WCAG 2 level AA
 const mostRadius = 20; // [px]
 const mostFonts = 4;
 const generic = /^(?:serif|sans-serif|monospace|cursive|system-ui|ui-(?:serif|sans-serif|monospace|rounded))$/;
 
+/** Returns the relative luminance of WCAG 2, 0..1. */
 function luminance(colour: Rgb): number {
   const [red, green, blue] = colour.map((byte) => {
     const x = byte / 255;
@@ -21,7 +22,7 @@ function luminance(colour: Rgb): number {
   return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 }
 
-/** 1 to 21 */
+/** Returns the contrast ratio of WCAG 2, from 1 to 21. */
 export function contrast(a: Rgb, b: Rgb): number {
   const [low = 0, high = 0] = [luminance(a), luminance(b)].sort((x, y) => x - y);
   return (high + 0.05) / (low + 0.05);
@@ -32,7 +33,7 @@ const mixed = (a: Rgb, b: Rgb, share: number): Rgb =>
 
 const hex = (colour: Rgb): string => `#${colour.map((byte) => byte.toString(16).padStart(2, '0')).join('')}`;
 
-/** The colour, or as near to it as can be read on that ground. */
+/** Returns the colour itself, or the nearest mix with black or white that is readable on that ground. */
 function readable(colour: Rgb, ground: Rgb): Rgb {
   const far: Rgb = luminance(ground) > 0.5 ? [0, 0, 0] : [255, 255, 255];
   for (let share = 0; share < 1; share += 0.04) {
@@ -42,9 +43,11 @@ function readable(colour: Rgb, ground: Rgb): Rgb {
   return far;
 }
 
+/** Returns black or white, whichever is easier to read on the colour. */
 const onColour = (colour: Rgb): Rgb =>
   contrast([255, 255, 255], colour) >= contrast([0, 0, 0], colour) ? [255, 255, 255] : [0, 0, 0];
 
+/** Derives the accent colours of both themes from one hex colour. @throws Unfit */
 function accent(text: string): Brand {
   const names = ['--accent', '--on-accent', '--accent-hover', '--tint'];
   if (text === '') return Object.fromEntries(names.map((name) => [name, '']));
@@ -62,6 +65,7 @@ function accent(text: string): Brand {
   return Object.fromEntries(names.map((name, k) => [name, `light-dark(${light[k] ?? ''}, ${dark[k] ?? ''})`]));
 }
 
+/** Reads a corner radius in pixels. @throws Unfit */
 function radius(text: string): Brand {
   if (text === '') return { '--radius': '', '--radius-large': '' };
   const pixels = Number(/^(\d{1,2}(?:\.\d{1,2})?)(?:px)?$/.exec(text)?.[1]);
@@ -69,6 +73,7 @@ function radius(text: string): Brand {
   return { '--radius': `${pixels}px`, '--radius-large': `${2 * pixels}px` };
 }
 
+/** Reads a list of font families and quotes each name. @throws Unfit */
 function font(text: string): Brand {
   if (text === '') return { '--font': '' };
   const families = text.split(',').map((name) => name.trim().replace(/^(['"])(.*)\1$/, '$2'));
@@ -81,7 +86,7 @@ function font(text: string): Brand {
 
 const readers: Readonly<Record<string, (text: string) => Brand>> = { accent, radius, font };
 
-/** @param textOf  of an attribute; undefined where it is not set @throws Unfit */
+/** Reads the brand from attributes. @param textOf  value of an attribute; undefined if it is not set @throws Unfit */
 export function brandFrom(textOf: (attribute: string) => unknown): Brand {
   return Object.entries(readers).reduce<Brand>((brand, [attribute, read]) => {
     const text = textOf(attribute);
@@ -91,6 +96,7 @@ export function brandFrom(textOf: (attribute: string) => unknown): Brand {
   }, {});
 }
 
+/** Sets the custom properties of the page. */
 export function wear(brand: Brand): void {
   const { style } = document.documentElement;
   for (const [name, value] of Object.entries(brand)) {

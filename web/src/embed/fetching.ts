@@ -1,10 +1,10 @@
-// Fetches the files that attributes name. Only addresses of http and https, and of files that a page holds itself: a stranger
-// may have written them.
+// Fetches the files that attributes name. Only http and https addresses and blobs of the page itself are allowed, since
+// a stranger may have written the attributes.
 import { field, isFields, most } from './protocol.js';
 
 export interface Asked {
   url: string;
-  /** As in the protocol's `load`. */
+  /** Role of the file, see `load` of the protocol. */
   role: string;
 }
 
@@ -16,6 +16,7 @@ export interface Fetched {
 
 const allowed = ['http:', 'https:', 'blob:'];
 
+/** Returns the last part of an address as a file name. */
 function nameOf({ pathname }: URL): string {
   const last = pathname.split('/').at(-1) ?? '';
   try {
@@ -25,7 +26,9 @@ function nameOf({ pathname }: URL): string {
   }
 }
 
-/** @param credentials  of the page's own files, never of those that a project names */
+/** Fetches one file.
+ * @param credentials  'same-origin' for the page's own files, 'omit' for those that a project names
+ * @throws Error with one sentence for people; the signal's reason */
 async function bytesAt(url: URL, credentials: RequestCredentials, signal?: AbortSignal): Promise<ArrayBuffer> {
   if (!allowed.includes(url.protocol)) throw new Error(`${url.protocol} addresses are not fetched`);
   let response: Response;
@@ -41,7 +44,7 @@ async function bytesAt(url: URL, credentials: RequestCredentials, signal?: Abort
   return bodyOf(response, url);
 }
 
-/** Stops reading where a file is too long: servers need not tell, or not the truth. */
+/** Reads a body and stops when the file is too long: a server may send no length, or a wrong one. */
 async function bodyOf(response: Response, url: URL): Promise<ArrayBuffer> {
   const parts: BlobPart[] = [];
   let size = 0;
@@ -57,7 +60,7 @@ async function bodyOf(response: Response, url: URL): Promise<ArrayBuffer> {
   return new Blob(parts).arrayBuffer();
 }
 
-/** Names of the files that a project stands on, those that the studio drew from among them. */
+/** Returns the names of the files that a project needs, with the files that the studio drew from. */
 function namedBy(bytes: ArrayBuffer): string[] {
   if (bytes.byteLength > most.text) return [];
   let project: unknown;
@@ -81,15 +84,15 @@ function namedBy(bytes: ArrayBuffer): string[] {
   return [...new Set(names.filter((name): name is string => typeof name === 'string' && name !== ''))];
 }
 
-/** Whoever wrote a project must not have the host's site asked for anything else: the file lies in the project's folder or
- * below it, and no query goes with it. */
+/** Resolves a file that a project names, only inside the project's folder and without a query: the project's author
+ * must not make the visitor's browser request anything else from the host's site. */
 function besideProject(name: string, project: URL): URL {
   const short = name.slice(0, 100);
   if (!URL.canParse(name, project)) throw new Error(`${short} is not an address`);
   const url = new URL(name, project);
   if (url.origin !== project.origin) throw new Error(`${short} lies on another site than its project`);
   const folder = project.protocol === 'blob:' ? undefined : new URL('.', project).pathname;
-  // Servers may take a coded slash for one.
+  // Some servers decode %2f and %5c as path separators, which would lead out of the folder.
   const below = folder !== undefined && url.pathname.startsWith(folder) && !/%2f|%5c/i.test(url.pathname);
   if (!below || url.search !== '') {
     throw new Error(`${short} does not lie in the folder of its project or below it`);
@@ -97,7 +100,8 @@ function besideProject(name: string, project: URL): URL {
   return url;
 }
 
-/** @param base  that relative addresses are relative to
+/** Fetches files and, for each project, the files that it names.
+ * @param base  base of relative addresses
  * @throws Error with one sentence for people; the signal's reason */
 export async function fetchFiles(files: readonly Asked[], base: string, signal?: AbortSignal): Promise<Fetched[]> {
   const addressOf = (text: string, from: string | URL): URL => {

@@ -1,30 +1,32 @@
-// How many views may be drawn in a frame, and whose turn it is: the page around them is to stay smooth, without graphics
-// hardware too, where one picture takes longer than a frame.
+// Decides how many views are drawn in each frame, and in what order, so that the page around them stays smooth: without
+// graphics hardware, a single picture takes longer than a frame.
 
-/** A view that wants to be drawn. */
+/** A view that asks to be drawn. */
 export interface Waiting {
-  /** 'led': somebody moves its light; 'stale': it does not show what it should; 'orbits': its light moves by itself. */
+  /** 'led': somebody moves its light; 'stale': it shows an old state; 'orbits': its light moves by itself. */
   readonly why: 'led' | 'stale' | 'orbits';
-  /** When it was drawn last [ms]. */
+  /** Time of its last drawing [ms]. */
   readonly drawnAt: number;
-  /** From the middle of the window [px]; asked for only where not all can orbit. */
+  /** Distance from the middle of the window [px]; computed only if not all views can orbit. */
   fromMiddle(): number;
   draw(): void;
 }
 
-const share = 4; // [ms] of each frame
+const share = 4; // [ms] drawing time in each frame
 const mostOfFrame = 12; // views
-const fluent = 6; // pictures a second below which a light had better not orbit
+const fluent = 6; // pictures per second; a light that would orbit more slowly stays still
 const framesPerSecond = 60;
 const order = ['led', 'stale', 'orbits'] as const;
 
-/** What the page loses by a picture of so many ms: one that outlasts the share costs whole frames. */
+/** Returns the page's loss for a picture of that cost [ms]: a
+ * picture longer than the share makes the page drop whole frames. */
 const lost = (cost: number): number => (cost > share ? 2 * cost : cost);
 
+/** Shares each frame's drawing time among all views of a page. */
 export class FrameBudget {
-  /** What was taken beyond the share, which the next frames do without [ms]. */
+  /** Time taken beyond the share [ms]; the next frames draw less for it. */
   #debt = 0;
-  /** Of a picture, about [ms]. */
+  /** Running mean of the cost of a picture [ms]. */
   #cost = 1;
   readonly #clock: () => number;
 
@@ -32,7 +34,7 @@ export class FrameBudget {
     this.#clock = clock;
   }
 
-  /** Once in each frame. */
+  /** Draws the most urgent views; called once in each frame. */
   spend(waiting: readonly Waiting[]): void {
     this.#debt = Math.max(0, this.#debt - share);
     if (this.#debt > 0) return;
@@ -49,7 +51,7 @@ export class FrameBudget {
     }
   }
 
-  /** As many as can be drawn fluently, but one at least: those in the middle of the window. */
+  /** Returns the orbiting views that can be drawn fluently, at least one: those nearest to the middle of the window. */
   #orbiting(waiting: readonly Waiting[]): Waiting[] {
     const all = waiting.filter(({ why }) => why === 'orbits');
     const most = Math.max(1, Math.floor((framesPerSecond * share) / lost(this.#cost) / fluent));

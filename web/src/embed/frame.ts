@@ -1,5 +1,5 @@
-// The studio's side of a frame: waits for one host, checks who it is, and answers what it asks for, one request after the
-// other. Nothing is done before the handshake, and everything that comes is taken as typed by a stranger.
+// The studio's side of a frame: waits for one host, checks its origin, and answers its requests one after the other.
+// Nothing is done before the handshake, and every message is treated as input from a stranger.
 import { wholeWords } from '../i18n/say-problem.js';
 import { threadsWords } from '../i18n/say-threads.js';
 import { Unfit } from '../model/check.js';
@@ -25,16 +25,17 @@ import {
   type Request,
 } from './protocol.js';
 
-/** What a host may have done; each may reject. */
+/** Actions that a host may request; each may reject. */
 export interface FrameServices {
-  /** Another plate, of these files. @param trusted  the host answers for the printer of a project */
+  /** Shows another plate from these files. @param trusted  the host vouches for the printer of a project */
   load(openings: readonly Opening[], trusted: boolean): Promise<void>;
-  /** From now on plates are made. */
+  /** Starts the making of plates. */
   begin(): void;
   configure(textOf: (attribute: string) => unknown): Promise<void>;
-  /** The whole, measured path of the plate as it is now. */
+  /** Returns the complete, measured path of the current plate. */
   finished(): Promise<PlateResult>;
-  /** The handshake is done. @returns whether work of an earlier visit is shown, which must not be loaded over */
+  /** Called after the handshake.
+   * @returns true if work of an earlier visit is shown, which must not be replaced */
   onHost(origin: string): Promise<boolean>;
 }
 
@@ -43,17 +44,19 @@ interface Answer {
   transfer?: Transferable[];
 }
 
-/** What waits or runs. */
+/** A request that waits or runs. */
 interface Job {
   id: number;
   control: AbortController;
 }
 
+/** Turns a file into an answer whose bytes are transferred. */
 const sent = async ({ blob, name }: { blob: Blob; name: string }): Promise<Answer> => {
   const bytes = await blob.arrayBuffer();
   return { result: { name, type: blob.type, bytes } satisfies FileMessage, transfer: [bytes] };
 };
 
+/** Returns a promise that rejects when the signal aborts. */
 const abortOf = (signal: AbortSignal): Promise<never> =>
   new Promise((_, reject) => {
     signal.addEventListener('abort', () => {
@@ -61,6 +64,7 @@ const abortOf = (signal: AbortSignal): Promise<never> =>
     });
   });
 
+/** The connection to one host: runs its requests in order. */
 class Host {
   readonly #jobs = new Map<number, Job>();
   #last: Promise<unknown> = Promise.resolve();
@@ -72,7 +76,7 @@ class Host {
     private readonly services: FrameServices,
   ) {}
 
-  /** @param restored  resolves when work of an earlier visit has been looked for */
+  /** Starts to take requests. @param restored  resolves once work of an earlier visit was looked for */
   start(restored: Promise<boolean>): void {
     this.#last = restored.then((found) => {
       this.#restored = found;
@@ -84,10 +88,12 @@ class Host {
     this.port.start();
   }
 
+  /** Sends an event to the host. */
   tell(event: EventName, detail: Fields, transfer: Transferable[] = []): void {
     this.port.postMessage({ v: version, event, detail }, transfer);
   }
 
+  /** Checks a request and queues it; `cancel` is done at once. */
   #take(request: Request): void {
     const { id, v, method } = request;
     if (v !== version) {
@@ -106,6 +112,7 @@ class Host {
     }
   }
 
+  /** Answers one request; the signal ends the wait for the answer. */
   async #run({ id, method, params }: Request, { control }: Job): Promise<void> {
     try {
       control.signal.throwIfAborted();
@@ -156,7 +163,7 @@ class Host {
       'generate',
       async () => {
         const { report } = await this.services.finished();
-        await this.studio.make('gcode').catch(() => undefined); // a plate that no file can be made of has no cost
+        await this.studio.make('gcode').catch(() => undefined); // a plate that cannot be exported has no cost
         return { result: { report: { ...report, ...this.#cost() } } };
       },
     ],
@@ -192,7 +199,7 @@ class Host {
     ],
   ]);
 
-  /** Of the file, once it is written. */
+  /** Returns grams and minutes of the G-code file, once it is written. */
   #cost(): { grams?: number; minutes?: number } {
     const { summary } = this.studio.store.state;
     return summary === undefined ? {} : { grams: summary.filamentGrams, minutes: summary.seconds / 60 };
@@ -200,9 +207,9 @@ class Host {
 
   #cancel(id: unknown): void {
     const job = this.#jobs.get(id as number);
-    if (job === undefined) return; // done already
+    if (job === undefined) return; // the request is already answered
     job.control.abort();
-    // Only what runs has work to be stopped: it is the first that waits.
+    // Only the running request has work to stop, and the first in the queue is the one that runs.
     if (this.#jobs.values().next().value === job) this.studio.services.cancel();
   }
 
@@ -223,7 +230,8 @@ function failureOf(error: unknown): Failure {
   return wordsOf(problemOf(error));
 }
 
-/** Shows what a page or its address names. If that fails, the reason is all that is shown until something named is. */
+/** Shows the plate that a page or its address names. If that fails, only the reason is shown, until another named
+ * plate can be. */
 export async function showNamed(studio: Studio, show: () => Promise<void>): Promise<void> {
   try {
     await show();
@@ -234,7 +242,8 @@ export async function showNamed(studio: Studio, show: () => Promise<void>): Prom
   }
 }
 
-/** @param lacking  why what was named cannot be shown; undefined: it is */
+/** Shows the reason in place of the studio.
+ * @param lacking  reason why the named plate cannot be shown; undefined: it can */
 export function setLacking({ store }: Studio, lacking: Failure | undefined): void {
   store.set({ lacking });
   document.querySelector('.lacking')?.remove();
@@ -247,7 +256,7 @@ export function setLacking({ store }: Studio, lacking: Failure | undefined): voi
   document.body.append(words);
 }
 
-/** @throws StudioError */
+/** Applies the host's brand. @throws StudioError */
 function dress(textOf: (attribute: string) => unknown): void {
   try {
     wear(brandFrom(textOf));
@@ -257,7 +266,7 @@ function dress(textOf: (attribute: string) => unknown): void {
   }
 }
 
-/** What the address asks for. @returns what it may not be */
+/** Applies the brand from the address. @returns the value that does not fit, as a problem */
 function dressByAddress(): Problem | undefined {
   const query = new URLSearchParams(location.search);
   try {
@@ -268,11 +277,12 @@ function dressByAddress(): Problem | undefined {
   }
 }
 
-/** The result that hosts may hear of: none while what was named cannot be shown, nor one of the plate before. */
+/** Returns the result that hosts may hear of: none while the
+ * named plate cannot be shown, and none of an earlier plate. */
 const resultOf = ({ lacking, result, plate }: Readonly<Shown>): PlateResult | undefined =>
   lacking === undefined && result?.measured === true && isOf(result, plate) ? result : undefined;
 
-/** Tells the host what happens here. */
+/** Sends the studio's events to the host: ready, progress, result, change and error. */
 function report(host: Host, studio: Studio): void {
   const { store } = studio;
   const ready = (): void => {
@@ -305,7 +315,7 @@ function report(host: Host, studio: Studio): void {
   });
 }
 
-/** Says hello to the page around this one, and takes commands from it alone.
+/** Says hello to the page around this one, and takes commands from that page alone.
  * @param hosts  origins that may command it; '*': any */
 export function waitForHost(hosts: readonly string[], studio: Studio, services: FrameServices): void {
   const { parent } = window;
@@ -316,7 +326,7 @@ export function waitForHost(hosts: readonly string[], studio: Studio, services: 
     const connect = connectFrom(data);
     const [port] = ports;
     if (connect === undefined || port === undefined) return;
-    removeEventListener('message', onMessage); // one host, once
+    removeEventListener('message', onMessage); // the first valid host is the only one
     const host = new Host(port, studio, services);
     if (connect.exports === 'host') {
       studio.deliver = (blob, name) => {
@@ -330,5 +340,5 @@ export function waitForHost(hosts: readonly string[], studio: Studio, services: 
     if (wrong !== undefined) host.tell('error', { ...wordsOf(wrong) });
   };
   addEventListener('message', onMessage);
-  parent.postMessage(hello, '*'); // tells nothing to anybody
+  parent.postMessage(hello, '*'); // safe for any origin: it contains no data
 }

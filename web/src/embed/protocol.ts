@@ -1,36 +1,38 @@
-// What a page and the studio in its frame say to each other: docs/guide/embedding.md. Each side takes the other for a stranger:
-// what is not of these forms is dropped or refused, what is not known is not looked at.
+// Messages between a page and the studio in its frame: docs/guide/embedding.md. Each side treats the other as a
+// stranger: malformed messages are dropped or refused, unknown fields are ignored.
 
 import type { Failure } from '../model/problem.js';
 
-/** Raised by any change that an older side would misunderstand. */
+/** Version of the protocol, raised by each change that an older side would misunderstand. */
 export const version = 1;
 
 export const most = {
   /** Requests that wait for an answer. */
   waiting: 32,
   files: 16,
-  /** Of one file [bytes]. */
+  /** Size of one file [bytes]. */
   file: 64e6,
-  /** Of any text, a project's JSON among them [characters]. */
+  /** Length of any text, including a project's JSON [characters]. */
   text: 1 << 20,
   name: 200,
-  /** A host's sentence about a file that it could not read [characters]. */
+  /** Length of a host's sentence about a file that it could not read [characters]. */
   told: 1000,
 };
 
 export type Fields = Readonly<Record<string, unknown>>;
 
-/** A plain object. Its own fields alone count: `field` reads them. */
+/** Tells whether a value is a plain object. Only own fields count: read them with `field`. */
 export const isFields = (value: unknown): value is Fields => {
   if (typeof value !== 'object' || value === null) return false;
   const kind: unknown = Object.getPrototypeOf(value);
   return kind === Object.prototype || kind === null;
 };
 
+/** Returns an own field; undefined if there is none. */
 export const field = (fields: Fields, name: string): unknown =>
   Object.hasOwn(fields, name) ? fields[name] : undefined;
 
+/** Returns a text field; undefined if it is missing, not text or too long. */
 export const textField = (fields: Fields, name: string, longest: number): string | undefined => {
   const value = field(fields, name);
   return typeof value === 'string' && value.length <= longest ? value : undefined;
@@ -38,10 +40,11 @@ export const textField = (fields: Fields, name: string, longest: number): string
 
 // --- The handshake -------------------------------------------------------------------------------------------------------
 
-/** The frame to its parent, whoever that is: it can be spoken to. */
+/** First message of the frame to its parent, whichever page that is: the frame is ready to connect. */
 export const hello = { sillon: 'hello', v: version } as const;
 
-/** The parent to the frame, with a port: from now on over that. `exports`: files that the visitor downloads go to the host. */
+/** Answer of the parent to the frame, with a port for all further messages. `exports`: files that the visitor
+ * downloads go to the host. */
 export interface Connect {
   sillon: 'connect';
   v: number;
@@ -52,6 +55,7 @@ const isGreeting = (data: unknown, word: string): data is Fields => isFields(dat
 
 export const isHello = (data: unknown): boolean => isGreeting(data, 'hello');
 
+/** Reads the parent's answer; undefined if it is malformed. */
 export function connectFrom(data: unknown): Connect | undefined {
   if (!isGreeting(data, 'connect')) return undefined;
   const v = field(data, 'v');
@@ -97,7 +101,7 @@ export interface Told {
 
 const isId = (id: unknown): id is number => Number.isSafeInteger(id);
 
-/** @returns undefined: nothing that could be answered */
+/** Reads a request. @returns undefined if it is too malformed to be answered */
 export function requestFrom(data: unknown): Request | undefined {
   if (!isFields(data)) return undefined;
   const [v, id, method, params = {}] = [
@@ -116,6 +120,7 @@ function failureFrom(value: unknown): Failure | undefined {
   return { code: text('code'), message: text('message'), hint: text('hint') };
 }
 
+/** Reads a reply; undefined if it is malformed or of another version. */
 export function replyFrom(data: unknown): Reply | undefined {
   if (!isFields(data)) return undefined;
   const [v, id, error] = [field(data, 'v'), field(data, 'id'), failureFrom(field(data, 'error'))];
@@ -123,6 +128,7 @@ export function replyFrom(data: unknown): Reply | undefined {
   return error === undefined ? { v, id, result: field(data, 'result') } : { v, id, error };
 }
 
+/** Reads an event; undefined if it is malformed, unknown or of another version. */
 export function toldFrom(data: unknown): Told | undefined {
   if (!isFields(data)) return undefined;
   const [v, event, detail] = [field(data, 'v'), field(data, 'event'), field(data, 'detail')];
@@ -133,14 +139,14 @@ export function toldFrom(data: unknown): Told | undefined {
 
 // --- Files ---------------------------------------------------------------------------------------------------------------
 
-/** A file as it travels: its bytes are handed over, not copied. */
+/** A file in a message: its bytes are transferred, not copied. */
 export interface FileMessage {
   name: string;
   type: string;
   bytes: ArrayBuffer;
 }
 
-/** The kinds that the studio writes; a stranger's type could make a link run script. */
+/** MIME types that the studio writes; a stranger's type could make a link run a script. */
 const types = [
   'text/x-gcode',
   'model/3mf',
@@ -151,6 +157,7 @@ const types = [
   'application/octet-stream',
 ];
 
+/** Reads a file; control and path characters of its name become '_', an unknown type becomes plain bytes. */
 export function fileFrom(value: unknown): FileMessage | undefined {
   if (!isFields(value)) return undefined;
   const [name, type, bytes] = [textField(value, 'name', most.name), field(value, 'type'), field(value, 'bytes')];

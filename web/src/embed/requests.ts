@@ -1,9 +1,9 @@
-// What a host's requests carry, checked.
+// Checks the parameters of a host's requests.
 import type { Opening } from '../model/file-role.js';
 import { StudioError } from '../model/problem.js';
 import { field, isFields, most, textField, type Fields } from './protocol.js';
 
-/** A request that is answered with a sentence, and with nothing else. */
+/** Error of a request that is refused with one sentence and has no other effect. */
 export class Refused extends Error {
   constructor(
     readonly code: 'BadRequest' | 'UnknownMethod' | 'TooLarge' | 'Busy' | 'Version',
@@ -13,6 +13,7 @@ export class Refused extends Error {
   }
 }
 
+/** Reads one file of a request. @throws Refused */
 function openingFrom(value: unknown, k: number): Opening {
   const name = isFields(value) ? textField(value, 'name', most.name) : undefined;
   const bytes = isFields(value) ? field(value, 'bytes') : undefined;
@@ -26,6 +27,7 @@ function openingFrom(value: unknown, k: number): Opening {
   return { file: new File([bytes], name), role: role.slice(0, most.name) };
 }
 
+/** Turns a project in a request into a file. @throws Refused */
 function projectFile(project: unknown): Opening {
   let text: string;
   try {
@@ -39,8 +41,8 @@ function projectFile(project: unknown): Opening {
   return { file: new File([text], 'project.json'), role: '' };
 }
 
-/** Of `load`: a project as plain JSON, files, or both: what the project names.
- * @throws Refused; StudioError, if the host could not read what it names */
+/** Returns the files of `load`: a project as plain JSON, files, or both if the project names files.
+ * @throws Refused; StudioError if the host could not read a file that it names */
 export function openingsFrom(params: Fields): Opening[] {
   const failed = textField(params, 'failed', most.text);
   if (failed !== undefined) throw new StudioError('GuestFile', {}, failed.slice(0, most.told));
@@ -55,6 +57,7 @@ export function openingsFrom(params: Fields): Opening[] {
   return openings;
 }
 
+/** Reads a number with a default and bounds. @throws Refused */
 function numberIn(params: Fields, name: string, usual: number, min: number, max: number): number {
   const value = field(params, name) ?? usual;
   if (typeof value !== 'number' || !(value >= min && value <= max)) {
@@ -63,11 +66,12 @@ function numberIn(params: Fields, name: string, usual: number, min: number, max:
   return value;
 }
 
+/** Returns the kind of picture that `capture` asks for. @throws Refused */
 export function checkedCapture(params: Fields): 'image' | 'loop' {
   const type = field(params, 'type') ?? 'image';
   if (type === 'image' || type === 'loop') return type;
   throw new Refused('BadRequest', 'type must be image or loop');
 }
 
-/** Width [pixels]. */
+/** Returns the width of a picture [pixels]. @throws Refused */
 export const checkedPicture = (params: Fields): number => Math.round(numberIn(params, 'width', 1600, 16, 4096));

@@ -1,5 +1,5 @@
-// <sillon-studio>: the studio in a frame of any page. It keeps the frame, speaks with it over a port, and turns what it says
-// into events and promises. No dependencies: one file for a script tag.
+// <sillon-studio>: the studio in a frame of any page. It owns the frame, talks to it over a port, and turns its
+// messages into events and promises. No dependencies: one file for a script tag.
 import type { GcodeFinding, GcodeSummary, Project } from 'sillon';
 import type { GcodeFile, StudioFile, StudioInfo, StudioMethods, StudioReport, StudioSource } from 'sillon/elements';
 import { download } from '../files/download.js';
@@ -19,15 +19,17 @@ import {
   type Told,
 } from './protocol.js';
 
-/** What the frame may do that its host may do. */
+/** Features that the frame may use if its host may. */
 const permissions =
   'cross-origin-isolated fullscreen clipboard-write gyroscope accelerometer web-share local-network-access'.split(' ');
 
-/** Chromium's, which tells in its console what a frame is allowed that it knows nothing of, as sharing on Linux. */
+/** Chromium's list of features. Chromium logs a warning for each allowed feature that it does not know, such as
+ * sharing on Linux. */
 interface FeaturePolicy {
   features(): string[];
 }
 
+/** Returns the `allow` attribute of the frame, without features that the browser does not know. */
 function knownPermissions(): string {
   const known = (document as { featurePolicy?: FeaturePolicy }).featurePolicy?.features();
   return permissions.filter((name) => known?.includes(name) ?? true).join('; ');
@@ -35,32 +37,32 @@ function knownPermissions(): string {
 
 /** Attributes that are part of the frame's address. */
 const ofAddress = ['threads', 'autosave'] as const;
-/** Attributes that the running studio takes. */
+/** Attributes that the running studio accepts. */
 const ofStudio = ['mode', 'controls', 'lang', 'theme', 'units', 'printer', 'accent', 'radius', 'font'] as const;
-/** Attributes that name files, and what each is for. */
+/** Attributes that name files, with the role of each file. */
 const ofFiles = { src: '', project: '', shape: 'shape', image: 'image' } as const;
 const others = ['base', 'sandbox'] as const;
-/** A picture that stands in the studio's place until it is there. */
+/** Address of a picture that stands in for the studio until it is loaded. */
 const ofPoster = 'poster';
-/** Not part of the address, which anybody may write: 'printer' lets a project's own printer be used. */
+/** Attribute that is never part of the address, which anybody may write: 'printer' allows a project's own printer. */
 const ofLoads = 'trusted';
 const attributes = [...ofAddress, ...ofStudio, ...Object.keys(ofFiles), ...others, ofLoads, ofPoster];
 
-const patience = 10_000; // [ms] for the frame's first word once it is loaded; one that the browser blocks never says any
-const longest = 60_000; // [ms] for its loading, on the slowest of networks
-const near = '800px'; // around the window: the studio is loaded when the element comes that close
+const patience = 10_000; // [ms] for the frame's hello after it has loaded; a frame that the browser blocks never sends one
+const longest = 60_000; // [ms] for the loading itself, on the slowest networks
+const near = '800px'; // margin around the window: the studio loads when the element comes that close
 
-/** Of every language's file these few words alone, which the bundler finds and puts into this one. */
+/** A few words of each language; the bundler puts only these into this file. */
 const words = import.meta.glob<typeof frame>('../i18n/??.ts', { eager: true, import: 'frame' });
 
 const wordsIn = (language: string): typeof frame | undefined => words[`../i18n/${language}.ts`];
-/** "fr" of "fr-CA" */
+/** Returns the language of a tag: "fr" of "fr-CA". */
 const primary = (tag: string): string => tag.toLowerCase().split('-')[0] ?? '';
 
-/** Of files that the visitor downloads. */
+/** File names that a visitor may download. */
 const extensions = /\.(gcode|bgcode|3mf|stl|svg|png|zip|mp4|webm)$/;
 
-/** What went wrong, for people and programs: docs/guide/embedding.md lists the codes. */
+/** A failure, for people and programs: docs/guide/embedding.md lists the codes. */
 export class StudioFrameError extends Error {
   override readonly name = 'StudioFrameError';
   constructor(
@@ -77,7 +79,7 @@ interface Waiter {
   reject: (error: unknown) => void;
 }
 
-/** A plate on its way to the frame, or why there is none. */
+/** A plate on its way to the frame, or the reason why there is none. */
 interface Sent {
   files?: Fetched[];
   project?: object;
@@ -103,7 +105,7 @@ const style = `
 
 let sheet: CSSStyleSheet | undefined;
 
-/** Not a style element, which a host's policy may forbid. */
+/** Returns the shared style sheet; a host's policy may forbid a style element. */
 function styleSheet(): CSSStyleSheet {
   if (sheet === undefined) {
     sheet = new CSSStyleSheet();
@@ -112,6 +114,7 @@ function styleSheet(): CSSStyleSheet {
   return sheet;
 }
 
+/** The custom element <sillon-studio>: docs/guide/embedding.md. */
 export class SillonStudioElement extends HTMLElement implements StudioMethods {
   static readonly observedAttributes = attributes;
 
@@ -119,26 +122,26 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   readonly #notice = document.createElement('p');
   readonly #poster = document.createElement('img');
   #port: MessagePort | undefined;
-  /** Why there is no port, and there will be none. */
+  /** Reason why there is no port and will be none. */
   #fault: StudioFrameError | undefined;
-  /** Whoever waits for a port. */
+  /** Calls that wait for a port. */
   readonly #callers = new Set<Waiter>();
-  /** What `ready` told last, and whoever waits for it. */
+  /** Last content of `ready`, and the calls that wait for it. */
   #info: StudioInfo | undefined;
   readonly #curious = new Set<Waiter>();
   readonly #waiters = new Map<number, Waiter>();
   #nextId = 1;
   #late: ReturnType<typeof setTimeout> | undefined;
-  /** While the studio is not to be loaded yet. */
+  /** Watches the element until the studio is to be loaded; undefined afterwards. */
   #near: IntersectionObserver | undefined;
-  /** Loaded, or on its way, since the element came into its page. */
+  /** The frame was opened since the element came into its page. */
   #opened = false;
-  /** The page gave this to `load` after the attributes named their files. */
+  /** Plate that the page gave to `load` after the attributes named their files. */
   #source: StudioSource | undefined;
-  /** It is done when the studio shows the plate that the page names, and rejected while it cannot. */
+  /** Resolves when the studio shows the plate that the page names; rejects if it cannot. */
   #loading: Promise<void> = Promise.resolve();
   #loads = 0;
-  /** No plate has been sent to this frame yet: work of an earlier visit that it shows goes on. */
+  /** No plate has been sent to this frame yet, so work of an earlier visit that it shows is kept. */
   #initial = true;
   /** The plate that the page names cannot be shown. */
   #lacking = false;
@@ -156,14 +159,14 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
       if (this.#frame.src !== '' && this.#port === undefined && this.#fault === undefined) this.#wait(patience);
     });
     this.#poster.addEventListener('error', () => {
-      this.#poster.hidden = true; // else it would hide why there is no plate
+      this.#poster.hidden = true; // otherwise it would hide the reason why there is no plate
     });
     root.append(this.#frame, this.#poster, this.#notice);
   }
 
   connectedCallback(): void {
     takeOver(this);
-    this.#fault = undefined; // put into a page again, it opens again
+    this.#fault = undefined; // an element that is put into a page again opens again
     addEventListener('message', this.#onMessage);
     document.addEventListener('securitypolicyviolation', this.#onRefused);
     this.#showPoster();
@@ -194,11 +197,11 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     if (!this.isConnected || name === ofLoads) return;
     if (name === ofPoster) this.#showPoster();
     else if (!this.#opened)
-      return; // all of them are looked at when the studio is loaded
+      return; // all attributes are read when the studio is loaded
     else if ([...ofAddress, ...others].some((one) => one === name)) this.#open();
     else if (name in ofFiles) this.#loadNamed();
     else if (this.#fault === undefined) {
-      // Taken away, an attribute has its default again.
+      // An attribute that is removed gets its default back.
       const plain = { accent: '', radius: '', font: '' };
       const lang = navigator.languages.map(primary).find((tag) => wordsIn(tag) !== undefined) ?? 'en';
       const defaults: Record<string, string> = {
@@ -214,7 +217,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     }
   }
 
-  // --- What a page may ask for ----------------------------------------------------------------------------------------------
+  // --- Methods for the page -------------------------------------------------------------------------------------------------
 
   /** Shows another plate. @throws StudioFrameError */
   async load(source: StudioSource): Promise<void> {
@@ -225,7 +228,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     await loading;
   }
 
-  /** What the event `ready` tells, for those who come later, too. */
+  /** Returns the content of the event `ready`, also to callers that come after it. */
   async info(): Promise<StudioInfo> {
     await this.#connection();
     if (this.#info !== undefined) return this.#info;
@@ -234,23 +237,24 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     return promise;
   }
 
-  /** The plate as a project of the command line (docs/reference/project.md); its pictures are in `exportProject`. */
+  /** Returns the plate as a project of the command line
+   * (docs/reference/project.md); its pictures are in `exportProject`. */
   async getProject(): Promise<Project> {
     return objectIn(await this.#askOfPlate('getProject'), 'project') as Project;
   }
 
-  /** Waits until the plate is whole and measured. @returns its report */
+  /** Waits until the plate is complete and measured. @returns its report */
   async generate({ signal }: { signal?: AbortSignal } = {}): Promise<StudioReport> {
     return objectIn(await this.#askOfPlate('generate', {}, signal), 'report') as StudioReport;
   }
 
-  /** Of the plate that is shown; null while it is not whole. */
+  /** Returns the report of the plate that is shown; null while it is incomplete. */
   async report(): Promise<StudioReport | null> {
     const result = await this.#askOfPlate('report');
     return isFields(result) && isFields(field(result, 'report')) ? (objectIn(result, 'report') as StudioReport) : null;
   }
 
-  /** The file, what it takes (grams, seconds) and what is to be known of it. */
+  /** Returns the G-code file with its summary (grams, seconds) and its findings. */
   async exportGcode({ signal }: { signal?: AbortSignal } = {}): Promise<GcodeFile> {
     const result = await this.#askOfPlate('exportGcode', {}, signal);
     const findings = isFields(result) ? field(result, 'findings') : undefined;
@@ -261,26 +265,27 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     };
   }
 
-  /** The base layers as a solid for other slicers, 3MF. */
+  /** Returns the base layers as a solid for other slicers, 3MF. */
   async exportBody({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
     return this.#file('exportBody', {}, signal);
   }
 
+  /** Returns the beads as an SVG file. */
   async exportSvg({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
     return this.#file('exportSvg', {}, signal);
   }
 
-  /** A zip with the project and its pictures, which studio and command line open. */
+  /** Returns a zip of the project and its pictures, for the studio and the command line. */
   async exportProject({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
     return this.#file('exportProject', {}, signal);
   }
 
-  /** For <sillon-view>. */
+  /** Returns a file for <sillon-view>. */
   async exportView({ signal }: { signal?: AbortSignal } = {}): Promise<StudioFile> {
     return this.#file('exportView', {}, signal);
   }
 
-  /** Its look: a PNG `width` pixels wide, or a small WebP in which the light moves. */
+  /** Returns a picture of the plate: a PNG `width` pixels wide, or a small WebP in which the light moves. */
   async capture({
     signal,
     ...options
@@ -290,7 +295,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
 
   // --- The frame ------------------------------------------------------------------------------------------------------------
 
-  /** Where the studio is: a folder; by default the one that this script's folder lies in. */
+  /** Returns the folder of the studio; by default, the parent of this script's folder. */
   #base(): URL {
     const given = this.getAttribute('base');
     const base = new URL(given ?? new URL(/* @vite-ignore */ '../', import.meta.url), document.baseURI);
@@ -299,12 +304,13 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     return base;
   }
 
-  /** Origin of the frame's messages: an opaque one in a sandbox. */
+  /** Returns the origin of the frame's messages; a sandbox has an opaque one. */
   #origin(): string {
     const { sandbox } = this.#frame;
     return this.hasAttribute('sandbox') && !sandbox.contains('allow-same-origin') ? 'null' : this.#base().origin;
   }
 
+  /** Loads the frame, and closes the connection to an earlier one. */
   #open(): void {
     this.#near?.disconnect();
     this.#near = undefined;
@@ -338,7 +344,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#loadNamed();
   }
 
-  /** The page's own policy forbids the frame: no word of it is waited for. */
+  /** Reports at once that the page's own policy forbids the frame, without waiting for its hello. */
   #onRefused = ({ effectiveDirective, blockedURI }: SecurityPolicyViolationEvent): void => {
     if (effectiveDirective !== 'frame-src' || !blockedURI.startsWith(this.#base().origin)) return;
     if (!this.#opened || this.#port !== undefined || this.#fault !== undefined) return;
@@ -346,7 +352,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#blocked();
   };
 
-  /** A frame that says nothing for so long is blocked, or out of reach [ms]. */
+  /** Reports a frame as blocked or out of reach if it stays silent for so long [ms]. */
   #wait(time: number): void {
     clearTimeout(this.#late);
     this.#late = setTimeout(() => {
@@ -354,6 +360,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     }, time);
   }
 
+  /** Shows a link to the studio in place of the frame, and rejects all calls. */
   #blocked(): void {
     const say = wordsIn(primary(this.lang || document.documentElement.lang)) ?? frame;
     const link = document.createElement('a');
@@ -375,7 +382,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#poster.hidden = address === null || address === '' || (this.#port !== undefined && !this.#lacking);
   }
 
-  /** A port to the frame, which is loaded if it was not yet.
+  /** Returns a port to the frame; loads the frame if necessary.
    * @throws StudioFrameError Blocked, Closed, BadAttribute; the signal's reason */
   #connection(signal?: AbortSignal): Promise<MessagePort> {
     if (this.#port !== undefined) return Promise.resolve(this.#port);
@@ -388,12 +395,12 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     });
   }
 
-  /** Loads the studio now, however far away the element is. */
+  /** Loads the studio now, however far it is from the window. */
   #wake(): void {
     if (this.isConnected && this.#near !== undefined) this.#open();
   }
 
-  /** Nobody is answered any more until the next opening. */
+  /** Rejects all calls, now and until the frame is opened again. */
   #close(fault: StudioFrameError): void {
     this.#fault = fault;
     for (const { reject } of this.#callers) reject(fault);
@@ -401,6 +408,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#drop(fault);
   }
 
+  /** Closes the port and rejects the requests that wait for a reply. */
   #drop(fault: StudioFrameError): void {
     if (this.#port === undefined) return;
     this.#port.close();
@@ -411,13 +419,13 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#waiters.clear();
   }
 
-  /** The frame's hello: from this window of this origin alone. */
+  /** Takes the frame's hello: from its window and its origin alone. */
   readonly #onMessage = ({ source, origin, data }: MessageEvent): void => {
     const frame = this.#frame.contentWindow;
     if (frame === null || source !== frame || origin !== this.#origin() || !isHello(data)) return;
-    const anew = this.#port !== undefined || this.#fault !== undefined; // it has not been told what the page names
+    const anew = this.#port !== undefined || this.#fault !== undefined; // a new frame does not know yet which plate the page names
     this.#drop(new StudioFrameError('Closed', 'The frame was loaded anew.', ''));
-    this.#fault = undefined; // however late it comes
+    this.#fault = undefined; // a late hello still counts
     clearTimeout(this.#late);
     this.#notice.hidden = true;
     this.#poster.hidden = true;
@@ -425,7 +433,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     port1.addEventListener('message', this.#onPortMessage);
     port1.start();
     const connect: Connect = { sillon: 'connect', v: version, exports: 'host' };
-    // An opaque origin cannot be named; whoever is in the sandbox was put there by this page.
+    // An opaque origin cannot be named; the page itself chose the content of the sandbox.
     frame.postMessage(connect, origin === 'null' ? '*' : origin, [port2]);
     this.#port = port1;
     for (const { resolve } of this.#callers) resolve(port1);
@@ -435,6 +443,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#loadNamed();
   };
 
+  /** Takes replies and events of the frame. */
   readonly #onPortMessage = ({ data }: MessageEvent): void => {
     const reply = replyFrom(data);
     if (reply !== undefined) {
@@ -449,6 +458,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     if (told !== undefined) this.#tell(told);
   };
 
+  /** Passes an event of the frame on to the page. */
   #tell({ event, detail }: Told): void {
     if (event === 'export') {
       this.#hand(detail);
@@ -462,7 +472,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.dispatchEvent(new CustomEvent(event, { detail }));
   }
 
-  /** A file that the visitor asked for: the host's, or else a download of this page's. */
+  /** Hands over a file that the visitor asked for: the host takes it, or this page downloads it. */
   #hand(detail: Fields): void {
     const file = fileFrom(detail);
     if (file === undefined) return;
@@ -470,7 +480,8 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     const blob = new Blob([file.bytes], { type });
     const event = new CustomEvent('export', { detail: { name, type, blob }, cancelable: true });
     if (!this.dispatchEvent(event)) return;
-    // In this page's name, so only what a studio writes, and only after the visitor has done something.
+    // The download is made in this page's name: only kinds of
+    // files that a studio writes, and only after a user gesture.
     if (extensions.test(name) && navigator.userActivation.hasBeenActive) download(blob, name);
     else this.#tellError(new StudioFrameError('NoDownload', `${name} was not asked for by the visitor.`, ''));
   }
@@ -480,11 +491,13 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.dispatchEvent(new CustomEvent('error', { detail: { code, message, hint } }));
   };
 
-  /** That there is no frame is told once, or known to whoever took the element out of the page. */
+  /** Reports an error unless the caller knows it already: a missing frame is reported once, and whoever removed the
+   * element needs no report. */
   readonly #tellOwn = (error: unknown): void => {
     if (error !== this.#fault && this.isConnected) this.#tellError(error);
   };
 
+  /** Sends a request to the frame and returns its result. @throws StudioFrameError; the signal's reason */
   async #ask(
     method: Method,
     params: Fields = {},
@@ -501,14 +514,14 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
       port.postMessage({ v: version, id, method, params }, transfer);
     } catch (error) {
       this.#waiters.delete(id);
-      throw new StudioFrameError('BadRequest', errorText(error), ''); // a function, say, which cannot be sent
+      throw new StudioFrameError('BadRequest', errorText(error), ''); // for example a function, which cannot be sent
     }
     return heeding(signal, promise, () => {
-      if (this.#waiters.has(id)) this.#ask('cancel', { id }).catch(() => undefined); // there is nothing left to stop
+      if (this.#waiters.has(id)) this.#ask('cancel', { id }).catch(() => undefined); // a failed cancel leaves nothing to stop
     });
   }
 
-  /** Of the plate that the page names, once it is there. */
+  /** Sends a request about the plate that the page names, once the studio shows it. */
   async #askOfPlate(method: Method, params: Fields = {}, signal?: AbortSignal): Promise<unknown> {
     signal?.throwIfAborted();
     this.#wake();
@@ -526,7 +539,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
 
   // --- Files ----------------------------------------------------------------------------------------------------------------
 
-  /** Files that attributes name. */
+  /** Returns the files that attributes name. */
   #attributed(): Asked[] {
     return Object.entries(ofFiles).flatMap(([name, role]) => {
       const url = this.getAttribute(name);
@@ -534,7 +547,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     });
   }
 
-  /** Attributes have changed, all of one turn at once, or the frame is a new one. */
+  /** Loads the plate that the page names, after all attribute changes of one turn, or into a new frame. */
   #loadNamed(): void {
     const mine = ++this.#loads;
     this.#loading = Promise.resolve().then(async () => {
@@ -552,8 +565,9 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     });
   }
 
-  /** Sends a plate to the studio, or why there is none: then the studio shows that in its place.
-   * @param initial  work of an earlier visit is not loaded over @throws StudioFrameError */
+  /** Sends a plate to the studio, or the reason why there is none, which the studio then shows.
+   * @param initial  work of an earlier visit is not replaced
+   * @throws StudioFrameError */
   async #show(mine: number, gather: () => Promise<Sent>, initial: boolean): Promise<void> {
     const { sent, failure } = await gather().then(
       (sent): Gathered => ({ sent }),
@@ -562,10 +576,10 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
         return { sent: { failed: failure.message }, failure };
       },
     );
-    await this.#connection().catch(() => undefined); // the request below tells why there is none
+    await this.#connection().catch(() => undefined); // the request below reports the reason
     if (mine !== this.#loads) {
       if (failure !== undefined) throw failure;
-      return this.#loading; // another plate was named meanwhile
+      return this.#loading; // another plate was named in the meantime
     }
     const bytes = sent.files?.map((file) => file.bytes);
     const trusted = this.getAttribute(ofLoads) ?? '';
@@ -584,7 +598,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#showPoster();
   }
 
-  /** Reads what `load` was given. @throws StudioFrameError, Error */
+  /** Reads the argument of `load`. @throws StudioFrameError, Error */
   async #given(source: StudioSource): Promise<Sent> {
     const list: readonly unknown[] = Array.isArray(source) ? source : [source];
     const files: Fetched[] = [];
@@ -603,12 +617,13 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     try {
       return { files, project: structuredClone(project) };
     } catch (error) {
-      throw new StudioFrameError('BadRequest', errorText(error), ''); // a function, say, which cannot be sent
+      throw new StudioFrameError('BadRequest', errorText(error), ''); // for example a function, which cannot be sent
     }
   }
 }
 
-/** What a page set before this script had defined the element hides the properties of the class. */
+/** Re-applies properties that the page set before this script
+ * defined the element: they hide the accessors of the class. */
 function takeOver(element: HTMLElement): void {
   for (const name of attributes) {
     if (!Object.hasOwn(element, name)) continue;
@@ -618,7 +633,7 @@ function takeOver(element: HTMLElement): void {
   }
 }
 
-/** A promise, and what settles it. */
+/** Returns a promise with its resolve and reject. */
 function wait<T>(): Waiter & { promise: Promise<T> } {
   let waiter!: Waiter;
   const promise = new Promise<T>((resolve, reject) => {
@@ -627,7 +642,8 @@ function wait<T>(): Waiter & { promise: Promise<T> } {
   return { promise, ...waiter };
 }
 
-/** The promise. Once it is settled nothing is left at the signal, which may outlive many calls. */
+/** Returns the promise, and calls `onAbort` if the signal aborts first. The listener is removed once the promise is
+ * settled, because a signal may outlive many calls. */
 async function heeding<T>(signal: AbortSignal | undefined, promise: Promise<T>, onAbort: () => void): Promise<T> {
   signal?.addEventListener('abort', onAbort);
   try {
@@ -637,26 +653,29 @@ async function heeding<T>(signal: AbortSignal | undefined, promise: Promise<T>, 
   }
 }
 
-/** What is none of the studio's own is a file that was not to be had. */
+/** Wraps an error: any error other than the element's own means that a file could not be loaded. */
 const faultOf = (error: unknown): StudioFrameError =>
   error instanceof StudioFrameError ? error : new StudioFrameError('LoadFailed', errorText(error), '');
 
 const errorText = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
+/** Reads a file from a reply. @throws StudioFrameError BadReply */
 function fileIn(result: unknown): StudioFile {
   const file = fileFrom(result);
   if (file === undefined) throw new StudioFrameError('BadReply', 'The frame sent no file.', '');
   return { name: file.name, blob: new Blob([file.bytes], { type: file.type }) };
 }
 
-/** What the studio gave: from where this script is, too, so taken at its word. */
+/** Reads an object from a reply; its form is trusted, since the studio comes from the same place as this script.
+ * @throws StudioFrameError BadReply */
 function objectIn(result: unknown, name: string): object {
   const value = isFields(result) ? field(result, name) : undefined;
   if (!isFields(value)) throw new StudioFrameError('BadReply', `The frame sent no ${name}.`, '');
   return value;
 }
 
-// Here and not beside the other element: what two entries share becomes a file of its own, and each must be one file.
+// This is repeated in the other element: a module that two entries
+// share becomes a file of its own, and each must be one file.
 for (const name of attributes) {
   Object.defineProperty(SillonStudioElement.prototype, name, {
     configurable: true,

@@ -1,5 +1,5 @@
-// <sillon-view>: a finished plate that shimmers as the light moves. No WebAssembly, no threads, no dependencies: a small
-// picture of directions, and one graphics context for all that are on a page.
+// <sillon-view>: a finished plate that shimmers as the light moves. No WebAssembly, no threads, no dependencies: a
+// small picture of directions, and one graphics context for all views of a page.
 import { lightOfTilt, lightUnder, swayedElevation, swayPeriod } from '../views/light.js';
 import type { Light } from '../model/view.js';
 import { FrameBudget, type Waiting } from './frame-budget.js';
@@ -9,8 +9,8 @@ import { ViewRenderer } from './view-renderer.js';
 const attributes = ['src', 'poster', 'alt', 'light', 'azimuth', 'elevation', 'colour'] as const;
 const ways = ['pointer', 'tilt', 'orbit', 'fixed'] as const;
 type Way = (typeof ways)[number];
-const mostPixels = 2048; // of a side
-const near = '800px'; // around the window: a file is fetched when its element comes that close, and kept decoded while it is
+const mostPixels = 2048; // longest side of a canvas
+const near = '800px'; // margin around the window: a view that close is fetched and kept decoded
 
 const style = `
   :host { display: block; position: relative; aspect-ratio: 1; }
@@ -19,7 +19,7 @@ const style = `
   [hidden] { display: none; }
 `;
 
-// --- What all elements of a page share -------------------------------------------------------------------------------------
+// --- State that all elements of a page share -------------------------------------------------------------------------------
 
 const shown = new Set<SillonViewElement>();
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
@@ -31,12 +31,13 @@ let tilt: Light | undefined;
 
 function styleSheet(): CSSStyleSheet {
   if (sheet === undefined) {
-    sheet = new CSSStyleSheet(); // not a style element, which a page's policy may forbid
+    sheet = new CSSStyleSheet(); // a page's policy may forbid a style element
     sheet.replaceSync(style);
   }
   return sheet;
 }
 
+/** Returns the renderer of all views of the page; undefined without WebGL2. */
 function sharedRenderer(): ViewRenderer | undefined {
   if (renderer !== undefined || noRenderer) return renderer;
   try {
@@ -51,7 +52,7 @@ function sharedRenderer(): ViewRenderer | undefined {
 
 const budget = new FrameBudget();
 
-/** One loop for all; it ends when nothing is to be drawn. */
+/** Draws all views of a page in one loop, which ends when no view asks to be drawn. */
 function nextFrame(): void {
   if (frame !== 0) return;
   frame = requestAnimationFrame((now) => {
@@ -78,7 +79,7 @@ const nearness = watch((element, inside) => {
   element.onNear(inside);
 }, near);
 
-/** One after the other: what a picture takes while it is decoded, many at once would take many times. */
+/** Decodes pictures one after the other: many at once would need many times the memory. */
 let decoding: Promise<unknown> = Promise.resolve();
 function inTurn<T>(decode: () => Promise<T>): Promise<T> {
   const done = decoding.then(decode);
@@ -91,6 +92,7 @@ const sizes = new ResizeObserver((entries) => {
   }
 });
 
+/** Follows the tilt of the device. */
 function watchTilt(): void {
   addEventListener('deviceorientation', ({ beta, gamma }) => {
     if (beta === null || gamma === null) return;
@@ -101,7 +103,7 @@ function watchTilt(): void {
 
 let tiltAsked = false;
 
-/** Phones of one maker ask their owner, and only after a touch. */
+/** Asks for the tilt sensor: iOS asks its owner, and only after a touch. */
 function askForTilt(): void {
   if (tiltAsked || !('DeviceOrientationEvent' in globalThis)) return;
   tiltAsked = true;
@@ -113,7 +115,7 @@ function askForTilt(): void {
         if (answer === 'granted') watchTilt();
       },
       () => {
-        tiltAsked = false; // it was no touch
+        tiltAsked = false; // the call did not follow a touch
       },
     );
   }
@@ -121,6 +123,7 @@ function askForTilt(): void {
 
 // --- The element -----------------------------------------------------------------------------------------------------------
 
+/** The custom element <sillon-view>: docs/guide/embedding.md. */
 export class SillonViewElement extends HTMLElement {
   static readonly observedAttributes = attributes;
 
@@ -188,13 +191,13 @@ export class SillonViewElement extends HTMLElement {
     this.redraw();
   }
 
-  /** Draws anew, in the next frame. */
+  /** Draws anew in the next frame. */
   redraw(): void {
     this.#stale = true;
     if (this.#visible) nextFrame();
   }
 
-  /** @returns what it wants of this frame */
+  /** Returns the view's request for this frame; undefined if it has nothing to draw. */
   onFrame(now: number, tilted: Light | undefined): Waiting | undefined {
     const file = this.#file;
     if (!this.#visible || file === undefined || renderer?.holds(file) !== true) return undefined;
@@ -219,7 +222,7 @@ export class SillonViewElement extends HTMLElement {
     if (visible) nextFrame();
   }
 
-  /** Far from the window a view is but the bytes of its file. */
+  /** Far from the window, a view keeps only the bytes of its file. */
   onNear(near: boolean): void {
     this.#near = near;
     if (!near) this.#release();
@@ -238,13 +241,14 @@ export class SillonViewElement extends HTMLElement {
     return Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : usual;
   }
 
-  /** Moves by itself, slowly, while nobody else moves it. */
+  /** Tells whether the light moves by itself, slowly, while nobody else moves it. */
   #orbits(tilted: Light | undefined): boolean {
     const way = this.#way();
     if (calm.matches || way === 'fixed' || (way === 'tilt' && tilted !== undefined)) return false;
     return way === 'orbit' || this.#pointer === undefined;
   }
 
+  /** Returns the light of this frame, by the attribute `light`. */
   #light(now: number, tilted: Light | undefined): Light {
     const way = this.#way();
     const moved = way === 'tilt' ? (tilted ?? this.#pointer) : way === 'pointer' ? this.#pointer : undefined;
@@ -256,7 +260,7 @@ export class SillonViewElement extends HTMLElement {
     if (!this.#orbits(tilted)) {
       return { azimuth: this.#number('azimuth', 60, -360, 360), elevation: this.#number('elevation', 35, 5, 90) };
     }
-    // From where it was left, without a leap after a pause.
+    // The light goes on from its last place, without a leap after a pause.
     this.#azimuth = (this.#azimuth + (360 * Math.min(50, now - this.#last)) / swayPeriod) % 360;
     this.#last = now;
     return { azimuth: this.#azimuth, elevation: swayedElevation(now) };
@@ -278,7 +282,7 @@ export class SillonViewElement extends HTMLElement {
   #name(): void {
     const alt = this.getAttribute('alt');
     if (alt !== null) this.setAttribute('aria-label', alt);
-    else if (this.#named) this.removeAttribute('aria-label'); // else it is the page's
+    else if (this.#named) this.removeAttribute('aria-label'); // otherwise the label belongs to the page
     this.#named = alt !== null;
   }
 
@@ -290,11 +294,12 @@ export class SillonViewElement extends HTMLElement {
     this.#poster.hidden = !safe || !this.#canvas.hidden;
   }
 
+  /** Draws the view into its canvas, at the size of the element. */
   #draw(file: ViewFile, light: Light): void {
     const { clientWidth, clientHeight } = this;
-    this.#stale = false; // also of one without a box: it is told when it has one
+    this.#stale = false; // also without a box: the observer reports when there is one
     if (clientWidth === 0 || clientHeight === 0) return;
-    // The plate's proportions, within the element's box.
+    // The canvas has the plate's proportions, within the element's box.
     const scale = Math.min(clientWidth / file.page[0], clientHeight / file.page[1]) * devicePixelRatio;
     const fits = Math.min(1, mostPixels / (scale * Math.max(...file.page)));
     const pixels = (length: number): number => Math.max(1, Math.round(length * scale * fits));
@@ -303,13 +308,14 @@ export class SillonViewElement extends HTMLElement {
     if (this.#canvas.height !== height) this.#canvas.height = height;
     const colour = hexColour(this.getAttribute('colour')) ?? file.colour;
     if (renderer?.draw({ file, colour, light }, this.#canvas) !== true) {
-      this.#stale = true; // a lost context: it is told when there is one again
+      this.#stale = true; // the context is lost: `restore` draws again when it is back
       return;
     }
     this.#canvas.hidden = false;
     this.#poster.hidden = true;
   }
 
+  /** Loads the file in `src` and decodes it; dispatches 'load' or 'error'. */
   async #load(): Promise<void> {
     this.#drop();
     const src = this.getAttribute('src');
@@ -332,7 +338,7 @@ export class SillonViewElement extends HTMLElement {
     }
   }
 
-  /** @throws Error with one sentence */
+  /** Decodes the file for the renderer, in turn with other views. @throws Error with one sentence */
   #decode(file: ViewFile): Promise<void> {
     return inTurn(async () => {
       const wanted = (): boolean => this.#near && this.#file === file;
@@ -344,12 +350,12 @@ export class SillonViewElement extends HTMLElement {
     });
   }
 
-  /** Decodes anew what was released, or what a lost context held. */
+  /** Decodes again after a release or a lost context. */
   restore(): void {
     if (this.#near && this.#file !== undefined) void this.#decode(this.#file).catch(() => undefined); // the poster stays
   }
 
-  /** What can be had again from the file. */
+  /** Frees everything that can be decoded from the file again. */
   #release(): void {
     if (this.#file !== undefined) renderer?.forget(this.#file);
     this.#canvas.hidden = true;
@@ -357,6 +363,7 @@ export class SillonViewElement extends HTMLElement {
     this.#showPoster();
   }
 
+  /** Aborts loading and forgets the file. */
   #drop(): void {
     this.#loading?.abort();
     this.#loading = undefined;
@@ -365,7 +372,8 @@ export class SillonViewElement extends HTMLElement {
   }
 }
 
-/** What a page set before this script had defined the element hides the properties of the class. */
+/** Re-applies properties that the page set before this script
+ * defined the element: they hide the accessors of the class. */
 function takeOver(element: HTMLElement): void {
   for (const name of attributes) {
     if (!Object.hasOwn(element, name)) continue;
@@ -375,7 +383,7 @@ function takeOver(element: HTMLElement): void {
   }
 }
 
-/** "#c9942e" */
+/** Reads a colour such as "#c9942e"; undefined if it is malformed. */
 function hexColour(text: string | null): ViewFile['colour'] | undefined {
   const found = /^#([0-9a-f]{2})([0-9a-f]{2})([0-9a-f]{2})$/i.exec(text ?? '');
   if (found === null) return undefined;
@@ -386,7 +394,8 @@ function hexColour(text: string | null): ViewFile['colour'] | undefined {
 const protocolOf = (url: string): string =>
   URL.canParse(url, document.baseURI) ? new URL(url, document.baseURI).protocol : '';
 
-// Here and not beside the other element: what two entries share becomes a file of its own, and each must be one file.
+// This is repeated in the other element: a module that two entries
+// share becomes a file of its own, and each must be one file.
 for (const name of attributes) {
   Object.defineProperty(SillonViewElement.prototype, name, {
     configurable: true,

@@ -1,24 +1,24 @@
-// Reads the picture that a plate's view is: docs/reference/view.md. It may be any file.
+// Reads the picture file of a plate's view: docs/reference/view.md. Any file may be given, so everything is checked.
 
 export interface ViewFile {
-  /** Of the plate [mm]. */
+  /** Sides of the plate [mm]. */
   page: [number, number];
-  /** Of its filament: sRGB 0..255, slopes along and across the bead [degrees]. */
+  /** Colour of the filament, sRGB 0..255, and its slopes along and across the bead [degrees]. */
   colour: [number, number, number];
   slopes: [number, number];
-  /** Its bytes: few, while what they are decoded to is kept only of views that may be seen. */
+  /** Compressed bytes: they are few, while decoded texels are kept only for views near the window. */
   png: Blob;
 }
 
 const mostBytes = 500e3; // the core writes 200 KiB at most
-const mostTexels = 1 << 20; // and a quarter of these
+const mostTexels = 1 << 20; // the core writes at most a quarter as many
 const mostComment = 1000;
-const headerBytes = 33 + 12 + mostComment; // signature, IHDR, and the text behind it
+const headerBytes = 33 + 12 + mostComment; // signature, IHDR, and the text chunk behind it
 const patience = 60_000; // [ms]
 const pattern =
   /^sillon-view 1 page (\d{1,9}) (\d{1,9}) spacing \d{1,9} colour (\d{1,3}) (\d{1,3}) (\d{1,3}) slopes (\d{1,4}) (\d{1,4})$/;
 
-/** Of the chunk of text right behind the header; undefined where there is none. */
+/** Returns the text chunk right behind the header; undefined if there is none. */
 function commentOf(bytes: DataView): string | undefined {
   const header = 33; // signature and IHDR
   if (bytes.byteLength < header + 12 || bytes.getUint32(0) !== 0x89504e47) return undefined;
@@ -28,7 +28,7 @@ function commentOf(bytes: DataView): string | undefined {
   return text.startsWith('tEXtComment\0') ? text.slice(12) : undefined;
 }
 
-/** All but the picture itself. @param start  of the file @throws Error with one sentence */
+/** Reads all fields but the picture. @param start  first bytes of the file @throws Error with one sentence */
 function headerFrom(start: ArrayBuffer, name: string): Omit<ViewFile, 'png'> {
   const bytes = new DataView(start);
   const found = pattern.exec(commentOf(bytes) ?? '');
@@ -46,7 +46,8 @@ function headerFrom(start: ArrayBuffer, name: string): Omit<ViewFile, 'png'> {
   };
 }
 
-/** Stops reading where it is no view or too long: servers need not tell, or not the truth.
+/** Fetches a view, and stops reading if the file is no view
+ * or too long: a server may send no length, or a wrong one.
  * @throws Error with one sentence; the signal's reason */
 export async function fetchView(url: URL, name: string, signal: AbortSignal): Promise<ViewFile> {
   const stop = new AbortController();
@@ -76,11 +77,13 @@ export async function fetchView(url: URL, name: string, signal: AbortSignal): Pr
   } finally {
     clearTimeout(late);
     signal.removeEventListener('abort', give);
-    stop.abort(); // of what is still to come
+    stop.abort(); // cancels the rest of the body
   }
 }
 
-/** Stored values, as they are: they are no colours. Red: direction; green: cover; blue: width. @throws Error */
+/** Decodes the stored values without colour management, since they are no colours: red is the direction, green the
+ * cover, blue the width.
+ * @throws Error with one sentence */
 export async function decodeView({ png }: ViewFile, name: string): Promise<ImageBitmap> {
   try {
     return await createImageBitmap(png, { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });

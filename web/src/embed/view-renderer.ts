@@ -1,4 +1,4 @@
-// Draws views with one WebGL2 context for the whole page: each into the same hidden canvas, from where it is copied.
+// Draws all views of a page with one WebGL2 context: each is drawn into the same hidden canvas and copied from there.
 import { appearance } from '../model/appearance.js';
 import { setLook } from '../views/look.js';
 import { compile, type Program } from '../views/program.js';
@@ -14,7 +14,7 @@ void main() {
 }
 `;
 
-/** The light of the four nearest texels, not that of their mean direction: edges of mosaics stay what they are. */
+/** Mixes the light of the four nearest texels instead of their directions, so that edges of mosaics stay sharp. */
 const fragment = `#version 300 es
 precision highp float;
 in vec2 unit;
@@ -52,45 +52,48 @@ void main() {
 
 export interface Shown {
   file: ViewFile;
-  /** sRGB 0..255. */
+  /** Colour of the filament, sRGB 0..255. */
   colour: ViewFile['colour'];
   light: Light;
-  /** Seen from straight above all over, as pictures are solved for; else from some page widths above. */
+  /** The eye is straight above every point, as pictures are solved for; otherwise some page widths above the plate. */
   fromAfar?: boolean;
 }
 
+/** Converts an sRGB byte to linear 0..1. */
 const linear = (byte: number): number => {
   const x = byte / 255;
   return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
 };
 
+/** Renderer that all views of a page share. */
 export class ViewRenderer {
   readonly canvas: HTMLCanvasElement;
   readonly #gl: WebGL2RenderingContext;
   #program: Program | undefined;
   readonly #textures = new Map<ViewFile, WebGLTexture>();
 
-  /** @throws Error where there is no WebGL2. @param onRestored  the context was lost and is back */
+  /** Creates the context. @param onRestored  called when a lost context is back @throws Error if there is no WebGL2 */
   constructor(onRestored: () => void) {
     this.canvas = document.createElement('canvas');
     const gl = this.canvas.getContext('webgl2', { antialias: false, depth: false, preserveDrawingBuffer: true });
     if (gl === null) throw new Error('this browser has no WebGL2');
     this.#gl = gl;
     this.canvas.addEventListener('webglcontextlost', (event) => {
-      event.preventDefault(); // it shall come back
+      event.preventDefault(); // allows the browser to restore it
       this.#program = undefined;
       this.#textures.clear();
     });
     this.canvas.addEventListener('webglcontextrestored', onRestored);
   }
 
-  /** @returns whether it was drawn: not while the context is lost, and not before its texels are there */
+  /** Draws a view and copies it to its canvas.
+   * @returns false while the context is lost or the texels are missing */
   draw({ file, colour, light, fromAfar = false }: Shown, target: HTMLCanvasElement): boolean {
     const gl = this.#gl;
     const texture = this.#textures.get(file);
     if (gl.isContextLost() || texture === undefined) return false;
     const { width, height } = target;
-    // Never smaller again: another size costs more than what is not used.
+    // The hidden canvas never shrinks: resizing costs more than the unused area.
     if (this.canvas.width < width) this.canvas.width = width;
     if (this.canvas.height < height) this.canvas.height = height;
     this.#program ??= compile(gl, vertex, fragment);
@@ -116,6 +119,7 @@ export class ViewRenderer {
     return true;
   }
 
+  /** Frees the texture of a view. */
   forget(file: ViewFile): void {
     const texture = this.#textures.get(file);
     if (texture !== undefined) this.#gl.deleteTexture(texture);
@@ -126,7 +130,7 @@ export class ViewRenderer {
     return this.#textures.has(file);
   }
 
-  /** What is drawn of them: direction and cover, two bytes a texel. */
+  /** Uploads the texels of a view: direction and cover, two bytes per texel. */
   hold(file: ViewFile, texels: ImageBitmap): void {
     const gl = this.#gl;
     this.forget(file);

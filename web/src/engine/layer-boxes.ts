@@ -1,11 +1,11 @@
-// The boxes that the engine puts a plate's layers in.
+// Asks the engine for the boxes of a plate's layers.
 import type { Engine, LayerInput, PlacedLayer } from 'sillon';
 import { sectionsOf } from '../model/input.js';
 import { completeLayers } from '../model/layers.js';
 import { pageOf, type Plate } from '../model/plate.js';
 
-/** By the layers' ids; layers that lack something have none.
- * @throws what the engine refuses */
+/** Returns the boxes by layer id; incomplete layers have none.
+ * @throws errors of the engine */
 export async function layerBoxes(plate: Plate, engine: Engine): Promise<Map<number, PlacedLayer>> {
   const layers = completeLayers(plate);
   if (layers.length === 0) return new Map();

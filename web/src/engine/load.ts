@@ -1,9 +1,9 @@
-// Fetches and starts the engine, behind the first picture of the page.
+// Loads and starts the engine, after the page's first paint.
 import type { Engine } from 'sillon';
 
-const paintWithin = 500; // [ms]; frames that are out of their page's sight are not drawn, and may be asked for a plate
+const paintWithin = 500; // [ms]; frames out of sight are never painted, but a plate may be requested from them
 
-/** Resolves once the page has been drawn; at once where it is hidden and never will be. */
+/** Resolves once the page has been painted; at once if it is hidden and will not be. */
 function afterPaint(): Promise<void> {
   if (document.visibilityState === 'hidden') return Promise.resolve();
   return new Promise((resolve) => {
@@ -14,14 +14,15 @@ function afterPaint(): Promise<void> {
   });
 }
 
-/** @param threads  as the address asks: `?threads=off`
- * @param first  what is to have the network before */
+/** Loads the engine.
+ * @param threads  from the address: `?threads=off`
+ * @param first  requests that use the network before the engine does */
 export async function loadEngine(threads: 'auto' | 'off' | number, first?: Promise<unknown>): Promise<Engine> {
   await Promise.all([afterPaint(), first]);
   const { createEngine } = await import('sillon');
-  // Set by the build, not by any address (headers.js).
+  // The build sets this, no address can (headers.js).
   const elsewhere = document.querySelector<HTMLMetaElement>('meta[name="sillon-engine"]')?.content;
   const engine = await createEngine({ threads, assetBase: new URL(elsewhere ?? 'engine/', document.baseURI) });
-  engine.warm().catch(() => undefined); // the plate itself will tell
+  engine.warm().catch(() => undefined); // the plate's own job reports the failure
   return engine;
 }

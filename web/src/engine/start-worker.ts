@@ -1,9 +1,9 @@
-// Starts a worker from a script of this site, in sandboxed frames too.
+// Starts a worker from a script of this site, also in sandboxed frames.
 
-/** @param url  of a classic script, or a module without imports */
+/** Starts a worker. @param url  address of a classic script, or of a module without imports */
 export function startWorker(url: string, name: string): Worker {
   if (self.origin !== 'null') return new Worker(url, { type: 'module', name });
-  // An opaque origin is nobody's own: browsers take only a script that the page holds itself, and no module.
+  // For an opaque origin, browsers accept only scripts from a blob of the page itself, and no modules.
   const address = JSON.stringify(new URL(url, document.baseURI).href);
   const script = new Blob([`importScripts(${address})`], { type: 'text/javascript' });
   const held = URL.createObjectURL(script);
@@ -11,7 +11,7 @@ export function startWorker(url: string, name: string): Worker {
   worker.addEventListener(
     'message',
     () => {
-      URL.revokeObjectURL(held); // it has come
+      URL.revokeObjectURL(held); // the script has been loaded
     },
     { once: true },
   );

@@ -1,5 +1,5 @@
-// The one place that talks to the engine. Of plates only the newest counts: a preview while a hand moves, the whole path when
-// it rests, then its measures. One job runs; what it makes stale is stopped.
+// The only module that runs jobs on the engine. Only the newest plate counts: a preview during a drag, the whole path
+// when the drag rests, then its measures. One job runs at a time; jobs that become stale are stopped.
 import type { Engine, EngineInfo, Gcode, GcodeCheck, Toolpath, ViewParams } from 'sillon';
 import { viewLook } from '../model/filaments.js';
 import type { Plate } from '../model/plate.js';
@@ -11,21 +11,21 @@ import { platesFor } from '../model/lamp.js';
 import { sameSolved, sameToolpath } from '../model/result.js';
 import { TimeLeft } from '../model/time-left.js';
 
-const restAfter = 250; // [ms] without an update, after which a hand rests
+const restAfter = 250; // [ms] without an update, after which a drag counts as at rest
 
 export interface EngineEvents {
   onResult(result: PlateResult): void;
-  /** undefined: nothing runs. */
+  /** Reports progress; undefined: nothing runs. */
   onProgress(progress: Progress | undefined): void;
-  /** undefined: the last one is over. */
+  /** Reports a problem; undefined: the last one is over. */
   onProblem(problem: Problem | undefined): void;
   onInfo(info: EngineInfo): void;
 }
 
 export interface EngineHost {
-  /** Called when an engine is first needed, and again after it failed. */
+  /** Loads the engine: called when it is first needed, and again after a failure. */
   load(): Promise<Engine>;
-  /** [ms] */
+  /** Returns the time [ms]. */
   now(): number;
 }
 
@@ -46,10 +46,10 @@ interface Done {
 
 interface Job {
   kind: Kind;
-  /** By how much the spacing grows. */
+  /** Factor by which the spacing is widened. */
   factor: number;
   plate: Plate;
-  /** Begun while a hand moved: short, and an unfinished one would show nothing, so it may end. */
+  /** Started during a drag. It is short, and would show nothing if it were stopped, so it may finish. */
   quick: boolean;
 }
 
@@ -66,7 +66,7 @@ export class StudioEngine {
   #engine: Promise<Engine> | undefined;
   #loaded = false;
   #latest: Plate | undefined;
-  /** undefined: nothing asked for, or cancelled. */
+  /** Plate to make; undefined: none was requested, or the job was cancelled. */
   #wanted: Wanted | undefined;
   #running: Running | undefined;
   #done: Done | undefined;
@@ -81,7 +81,7 @@ export class StudioEngine {
     private readonly events: EngineEvents,
   ) {}
 
-  /** The plate as it is now. @param live  a hand still moves: a preview will do. */
+  /** Requests the current plate. @param live  a drag goes on: a preview is enough */
   update(plate: Plate, { live = false }: { live?: boolean } = {}): void {
     this.#latest = plate;
     this.#wanted = { plate, live };
@@ -96,7 +96,7 @@ export class StudioEngine {
     this.#pump();
   }
 
-  /** Stops what runs and what waits; the next update, or `retry`, begins again. */
+  /** Stops all jobs, running or waiting; the next update, or `retry`, starts again. */
   cancel(): void {
     clearTimeout(this.#rest);
     this.#wanted = undefined;
@@ -107,7 +107,7 @@ export class StudioEngine {
     });
   }
 
-  /** Makes the latest plate once more, after a problem or a cancel. */
+  /** Makes the latest plate again, after a problem or a cancel. */
   retry(): void {
     if (this.#latest === undefined) return;
     if (this.#done?.problem !== undefined) this.#done = undefined;
@@ -115,8 +115,9 @@ export class StudioEngine {
     this.#pump();
   }
 
-  /** @param plate  whose printer and print it is for; the path is that of the last update, whole and measured.
-   * @param unwanted  ends it, since the engine makes no plate meanwhile
+  /** Writes G-code of the last update's path, complete and measured.
+   * @param plate  plate whose printer and print settings are used
+   * @param unwanted  ends the job, because the engine makes no plate in the meantime
    * @throws SillonError, StudioError, AbortError */
   async gcode(plate: Plate, unwanted?: AbortSignal): Promise<{ gcode: Gcode; check: GcodeCheck; result: PlateResult }> {
     return this.#export(async (engine, result, signal) => {
@@ -129,7 +130,7 @@ export class StudioEngine {
     }, unwanted);
   }
 
-  /** The base layers as a solid. @param plate  whose printer and layers count */
+  /** Writes the base layers as a solid. @param plate  plate whose printer and layers are used */
   async body({ printer, print }: Plate): Promise<Blob> {
     return this.#export((engine, { toolpath }, signal) =>
       engine.writeBaseBody(toolpath.shape, printer, print, { signal }),
@@ -140,7 +141,7 @@ export class StudioEngine {
     return this.#export((engine, { toolpath }, signal) => engine.writeSvg(toolpath, { signal }));
   }
 
-  /** The latest plate's path, whole and measured: its measures go into the G-code.
+  /** Returns the path of the latest plate, complete and measured: its measures go into the G-code.
    * @throws SillonError, StudioError, AbortError */
   finished(): Promise<PlateResult> {
     if (this.#latest === undefined) return Promise.reject(new Error('no plate was asked for'));
@@ -151,12 +152,12 @@ export class StudioEngine {
     });
   }
 
-  /** For <sillon-view>. @param look  of the plate's filament */
+  /** Writes a file for <sillon-view>. @param look  look of the plate's filament */
   async view(look: ViewParams): Promise<Blob> {
     return this.#export((engine, { toolpath }, signal) => engine.writeView(toolpath, look, { signal }));
   }
 
-  /** For what needs neither the queue nor a plate: reading shapes, pictures and projects. */
+  /** Returns the engine, for jobs that need neither the queue nor a plate: reading shapes, pictures and projects. */
   async engine(): Promise<Engine> {
     if (this.#engine === undefined) {
       const loading = this.host.load();
@@ -174,14 +175,16 @@ export class StudioEngine {
     return this.#engine;
   }
 
-  // --- Which job comes next -----------------------------------------------------------------------------------------------
+  // --- Choice of the next job ---------------------------------------------------------------------------------------------
 
+  /** Ends a drag: the whole path follows. */
   #settle(): void {
     clearTimeout(this.#rest);
     if (this.#wanted !== undefined) this.#wanted = { ...this.#wanted, live: false };
     this.#pump();
   }
 
+  /** Returns the next job for the wanted plate; undefined: all is done. */
   #nextJob(): Job | undefined {
     const wanted = this.#wanted;
     if (wanted === undefined) return undefined;
@@ -189,21 +192,22 @@ export class StudioEngine {
     const done = this.#done !== undefined && sameToolpath(this.#done.plate, plate) ? this.#done : undefined;
     if (done?.problem !== undefined) return undefined;
     const level = order.indexOf(done?.level ?? 'none');
-    const corrected = platesFor(plate) > 1; // too long for a page that follows the hand
+    const corrected = platesFor(plate) > 1; // too slow for a preview that follows a drag
     if (wanted.live) {
-      // Other directions are seen without beads.
+      // Other directions are shown without beads.
       const made = this.#done?.result !== undefined && sameSolved(this.#done.plate, plate);
       const factor = level > 0 || !made ? undefined : this.#cost.factorFor(plate);
       if (factor === undefined) return undefined;
       return { kind: factor > 1 || corrected ? 'coarse' : 'full', factor, plate, quick: true };
     }
     if (corrected && level === 0) return { kind: 'coarse', factor: 1, plate, quick: false };
-    // Corrections are made once, with the measures: the engine keeps none of the plates before the last.
+    // Corrections are made once, together with the measures, because the engine keeps only the last plate.
     if (!corrected && level < order.indexOf('full')) return { kind: 'full', factor: 1, plate, quick: false };
     if (level < order.indexOf('measured')) return { kind: 'measured', factor: 1, plate, quick: false };
     return undefined;
   }
 
+  /** Starts the next job unless one is running. */
   #pump(): void {
     if (this.#running !== undefined) return;
     const job = this.#nextJob();
@@ -220,6 +224,7 @@ export class StudioEngine {
     });
   }
 
+  /** Runs a job and reports its result or its problem. */
   async #run(job: Job, signal: AbortSignal): Promise<void> {
     const { kind, plate: asked } = job;
     try {
@@ -227,7 +232,7 @@ export class StudioEngine {
       const engine = await this.engine();
       if (signal.aborted) return;
       const result = await this.#make(engine, job, signal);
-      // A change of printer or name while it ran is no other toolpath.
+      // A change of printer or name during the job leaves the toolpath the same.
       const wanted = this.#wanted?.plate;
       const plate = wanted !== undefined && sameToolpath(wanted, asked) ? wanted : asked;
       this.#done = { plate: asked, level: kind, result: { ...result, plate }, problem: undefined };
@@ -237,16 +242,17 @@ export class StudioEngine {
       if (isAbort(error) || signal.aborted) return;
       const problem = problemOf(error);
       this.#done = { plate: asked, level: 'none', result: undefined, problem };
-      // What is said of a plate that is gone already would only confuse.
+      // A problem of a plate that has been replaced would only confuse.
       if (this.#wanted !== undefined && sameToolpath(this.#wanted.plate, asked)) this.#tellProblem(problem);
     }
   }
 
+  /** Makes the toolpath of a job. */
   async #make(engine: Engine, { kind, quick, factor, plate }: Job, signal: AbortSignal): Promise<PlateResult> {
     const begin = this.host.now();
     const timeLeft = new TimeLeft(begin);
     const measure = kind === 'measured';
-    // The same beads as before: views that compare `cycles` need not upload them again.
+    // The beads are the same as before, so `cycles` is kept: views that compare it need not upload them again.
     const made = this.#done;
     const same = measure && made?.level === 'full' && sameToolpath(made.plate, plate);
     const before = same ? made.result?.toolpath : undefined;
@@ -274,6 +280,7 @@ export class StudioEngine {
 
   // --- Exports --------------------------------------------------------------------------------------------------------------
 
+  /** Writes a file of the latest plate once its path is complete; `unwanted` or `cancel` ends it. */
   async #export<Result>(
     write: (engine: Engine, result: PlateResult, signal: AbortSignal) => Promise<Result>,
     unwanted?: AbortSignal,
@@ -297,14 +304,14 @@ export class StudioEngine {
     }
   }
 
-  /** The path of the layer below, where the print asks for one. */
+  /** Returns the path of the layer below, if the print asks for one. */
   async #below(engine: Engine, { print }: Plate, signal: AbortSignal): Promise<{ below?: Toolpath }> {
     if (print.basePattern !== 'across' || print.base === 0 || this.#done === undefined) return {};
     const { input, params } = engineInput(this.#done.plate);
     return { below: (await engine.generateToolpath(input, params, { across: true, signal })).toolpath };
   }
 
-  /** Nothing is left to do for the plate that is wanted. */
+  /** Settles the waiters once nothing is left to do for the wanted plate. */
   #tellFinished(): void {
     const done = this.#done;
     if (this.#wanted === undefined || this.#wanted.live || done === undefined) return;
@@ -321,7 +328,7 @@ export class StudioEngine {
     waiters.forEach(tell);
   }
 
-  // --- Words ----------------------------------------------------------------------------------------------------------------
+  // --- Progress and problems ------------------------------------------------------------------------------------------------
 
   #tellProgress(job: Progress['job'], stage: string, fraction: number, secondsLeft: number | undefined): void {
     this.events.onProgress({ job, stage, fraction, secondsLeft });
@@ -334,7 +341,7 @@ export class StudioEngine {
   }
 }
 
-/** The engine knows the colours of the measured spools alone. */
+/** Sets the colour of the plate's own spool; the engine knows only the measured spools. */
 const inItsColour = (toolpath: Toolpath, plate: Plate): Toolpath =>
   toolpath.look === undefined || plate.spool === undefined
     ? toolpath

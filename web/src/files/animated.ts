@@ -1,9 +1,9 @@
-// Tells whether a picture is an animation, of which everything here takes the first picture.
+// Tells whether a picture is an animation; the studio then uses its first frame only.
 import { startsWith } from './kind.js';
 
 const text = (bytes: Uint8Array, from: number, to: number): string => String.fromCharCode(...bytes.subarray(from, to));
 
-/** Each picture of a GIF comes behind a control block of its own. */
+/** Tells whether a GIF has several frames. Each has a graphic control extension before it. */
 function isMovingGif(bytes: Uint8Array): boolean {
   let pictures = 0;
   for (let k = bytes.indexOf(0x21); k >= 0 && pictures < 2; k = bytes.indexOf(0x21, k + 1)) {
@@ -13,7 +13,7 @@ function isMovingGif(bytes: Uint8Array): boolean {
   return pictures > 1;
 }
 
-/** A PNG says so in a chunk before its pixels. */
+/** Tells whether a PNG is animated: an acTL chunk then comes before its pixels. */
 function isMovingPng(bytes: Uint8Array): boolean {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   for (let k = 8; k + 8 <= bytes.length; k += 12 + view.getUint32(k)) {
@@ -23,6 +23,7 @@ function isMovingPng(bytes: Uint8Array): boolean {
   return false;
 }
 
+/** Tells whether a GIF, PNG, WebP or AVIF file is an animation. */
 export function isAnimated(bytes: Uint8Array): boolean {
   const head = text(bytes, 0, 64);
   if (startsWith(bytes, 0x89, 0x50, 0x4e, 0x47)) return isMovingPng(bytes);

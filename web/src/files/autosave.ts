@@ -1,6 +1,6 @@
-// Keeps plates over reloads, in the browser's own storage: each in a record of its own, which only one tab writes, with the sliced
-// print that is re-brushed over it. Storage may be denied, full, of another version, or shared with other tabs: whatever it does, the page goes on and nothing is
-// overwritten.
+// Keeps plates over reloads in the browser's own storage. Each has a record of its own, together with the sliced print
+// that is re-brushed over it, and only one tab writes it. Storage may be denied, full, written by another version, or
+// shared with other tabs; whatever it does, the page goes on and nothing is overwritten.
 import { createStore, getMany, keys, promisifyRequest } from 'idb-keyval';
 import { fieldsOf, numberIn, textIn, Unfit, type Fields } from '../model/check.js';
 import { isFontFile } from '../model/layer-list.js';
@@ -10,32 +10,34 @@ import type { Steps } from '../model/store.js';
 import { webLocks, type Locks } from './locks.js';
 import { filesOf, nothing, plateOf, projectData, type ProjectEngine } from './plate-project.js';
 
-/** The first kept plates of another form, which only the studio could read. */
+/** Version of the records. Version 1 kept plates in another form, which only the studio could read. */
 const version = 2;
-const settleAfter = 500; // [ms] without a change
-const patience = 10_000; // [ms]: some browsers never answer
-/** What is kept of a plate's history, to either side: steps, points of their strokes, and bytes of files only they use. */
+const settleAfter = 500; // [ms] without a change before work is saved; smaller: more writes; larger: more is lost when the browser crashes
+const patience = 10_000; // [ms] to wait for the storage, since some browsers never answer
+/** Limits of the history that is kept in either direction: steps, points in their strokes, and bytes of files that
+ * only they use. */
 const most = { steps: 60, points: 200_000, bytes: 32e6 };
 
 const recordKey = (id: string): string => `plate/${id}`;
 const aboutKey = (id: string): string => `about/${id}`;
 const filesKey = (id: string): string => `file/${id}/`;
-/** The key of the choices for a sliced print over a plate. Its file, which is large and never changes, is kept by printKey. */
+/** Key of the choices for a sliced print over a plate. The print's file, large and never changed, has a key of its
+ * own (`printKey`). */
 const slicedKey = (id: string): string => `sliced/${id}`;
 const printKey = (id: string): string => `sliced/${id}/file`;
 const idOfKey = (key: string): string | undefined => /^(?:about|plate)\/(.+)$/.exec(key)?.[1];
 
-/** What a browser's storage can do. */
+/** The calls of a browser's storage that the studio uses. */
 export interface Storage {
-  /** undefined for what is not there. */
+  /** Reads values; undefined for keys that are not there. */
   getMany(keys: string[]): Promise<unknown[]>;
-  /** All or nothing. */
+  /** Writes all entries or, where that fails, none. */
   setMany(entries: [string, unknown][]): Promise<void>;
   delMany(keys: string[]): Promise<void>;
   keys(): Promise<string[]>;
 }
 
-/** What a tab remembers over a reload, and no other tab knows. */
+/** Memory that a tab keeps over a reload and shares with no other tab. */
 export interface Session {
   get(): string | undefined;
   set(id: string): void;
@@ -45,80 +47,82 @@ export interface Session {
 export interface Listed {
   id: string;
   name: string;
-  /** [mm] */
+  /** Width of the page [mm]. */
   width: number;
   height: number;
-  /** [ms] since 1970 */
+  /** Time of the last change [ms since 1970]. */
   changed: number;
   picture: Blob | undefined;
-  /** This tab shows it; another tab has it. */
+  /** True where this tab shows the plate; `elsewhere` is true where another tab has it. */
   here: boolean;
   elsewhere: boolean;
-  /** It is of another version, or damaged: it cannot be opened, only handed out and deleted. */
+  /** True for a record of another version, or a damaged one: it cannot be opened, only downloaded and deleted. */
   foreign: boolean;
 }
 
 /** A sliced print that is re-brushed over a plate. */
 export interface KeptPrint {
   file: File;
-  /** The choices for it, unchecked: an older version may have kept them. */
+  /** Choices for the print, unchecked because an older version may have written them. */
   wish: unknown;
-  /** Its view was open, and not left. */
+  /** True where the print's view was still open. */
   open: boolean;
 }
 
-/** A kept plate to go on with; 'copy': it is open in another tab, as it is here. */
+/** A kept plate to go on with. In state 'copy' another tab has the plate, and this one works on a copy. */
 export interface Opened {
   state: 'own' | 'copy';
-  /** Of the record that it goes on in. */
+  /** Id of the record in which the work goes on. */
   id: string;
   steps: Steps;
   print?: KeptPrint | undefined;
 }
 
-/** Of the plate that was left here last: 'elsewhere': it is open in another tab; 'foreign': it is of another version. */
+/** The plate that this tab had before; 'elsewhere': another tab has it open; 'foreign': another version wrote it. */
 export type Kept = Opened | { state: 'elsewhere' } | { state: 'foreign' };
 
-/** What is kept of a plate, whatever version wrote it. */
+/** All values kept for a plate, whichever version wrote them. */
 export interface Stored {
   record: unknown;
   about: unknown;
-  /** By their ids. */
+  /** Contents of the files, by their ids. */
   files: ReadonlyMap<string, unknown>;
 }
 
 export interface Autosave {
-  /** The plate of this tab, else the one that was changed last. @returns undefined where nothing that can be used was kept;
-   * some storages never answer */
+  /** Loads this tab's plate or, if it has none, the one that was changed last. May never resolve, since some storages
+   * do not answer.
+   * @returns undefined where nothing usable was kept */
   load(): Promise<Kept | undefined>;
-  /** From now on this plate is shown, which has a record of its own. @param fresh  nobody has changed it yet: it is not kept
-   * after its tab is gone */
+  /** Shows a plate from now on, with its own record.
+   * @param fresh  nobody has changed the plate yet, so it is not kept after its tab is closed */
   begin(plate: Plate, fresh?: boolean): void;
-  /** The record of the plate that is shown. */
+  /** Id of the record of the plate that is shown. */
   current(): string;
-  /** Soon, when no other has come. */
+  /** Saves the plate and its steps after a short pause without another change. */
   save(steps: Steps): void;
-  /** The same of a sliced print over the plate that is shown; undefined: there is none any more. */
+  /** Saves, likewise, the sliced print over the plate that is shown; undefined: it has none any more. */
   savePrint(print: KeptPrint | undefined): void;
-  /** What waits is saved now. */
+  /** Saves now what `save` and `savePrint` have delayed. */
   flush(): Promise<void>;
-  /** The latest first. */
+  /** Lists the kept plates, the latest first. */
   list(): Promise<Listed[]>;
-  /** @param take  also from another tab, which goes on with a copy; else this tab gets the copy
-   * @returns undefined where it is gone */
+  /** Opens a kept plate. Where another tab has it, one of the two tabs goes on with a copy.
+   * @param take  takes the plate itself and leaves the copy to the other tab; otherwise this tab gets the copy
+   * @returns undefined where the plate is gone */
   open(id: string, take?: boolean): Promise<Opened | undefined>;
   rename(id: string, name: string): Promise<void>;
-  /** @returns the copy's id; undefined where there is nothing to copy */
+  /** Copies a plate under another name. @returns the copy's id; undefined where there is nothing to copy */
   duplicate(id: string, name: string): Promise<string | undefined>;
-  /** @returns what brings it back */
+  /** Deletes a plate. @returns a function that restores it */
   remove(id: string): Promise<() => Promise<void>>;
-  /** What is kept of a plate, as it is, to be handed out. */
+  /** Reads all values kept for a plate as they are, so that they can be downloaded. */
   stored(id: string): Promise<Stored>;
-  /** For the list. */
+  /** Sets the plate's picture in the list. */
   picture(plate: Plate, picture: Blob): Promise<void>;
 }
 
-/** IndexedDB; opened by the first call, which is where it may be denied. */
+/** Storage in IndexedDB. The first call opens it, so that is where access may be denied. */
 function browserStorage(database: string): Storage {
   let opened: ReturnType<typeof createStore> | undefined;
   const store = (): ReturnType<typeof createStore> => (opened ??= createStore(database, 'work'));
@@ -127,7 +131,7 @@ function browserStorage(database: string): Storage {
     setMany: async (entries) =>
       store()('readwrite', (kept) => {
         for (const [name, value] of entries) kept.put(value, name);
-        kept.transaction.commit(); // unasked, it would wait for answers, which a page that is being closed gets none of
+        kept.transaction.commit(); // commits at once; otherwise it would wait for answers, which a closing page never gets
         return promisifyRequest(kept.transaction);
       }),
     delMany: async (names) =>
@@ -140,7 +144,7 @@ function browserStorage(database: string): Storage {
   };
 }
 
-/** In the tab's own storage; where that is denied, reloads begin with the plate that was changed last. */
+/** Session in the tab's own storage. Where that is denied, a reload shows the plate that was changed last. */
 function tabSession(name: string): Session {
   const key = `${name} plate`;
   return {
@@ -155,12 +159,13 @@ function tabSession(name: string): Session {
       try {
         sessionStorage.setItem(key, id);
       } catch {
-        // denied, or full
+        // denied or full
       }
     },
   };
 }
 
+/** Rejects a promise of the storage that is not settled in time. */
 const inTime = <Result>(promise: Promise<Result>): Promise<Result> => {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const late = new Promise<never>((_, reject) => {
@@ -178,16 +183,18 @@ const newId = (): string =>
 
 // --- Records -----------------------------------------------------------------------------------------------------------
 
+/** The data that the list shows for a plate. */
 interface About {
   name: string;
   width: number;
   height: number;
   changed: number;
-  /** Nobody has changed it yet. */
+  /** True while nobody has changed the plate. */
   fresh: boolean;
   picture?: Blob;
 }
 
+/** Reads the data for the list. @returns undefined where any field is missing */
 function aboutFrom(value: unknown): About | undefined {
   const given = value as Partial<About> | null | undefined;
   if (
@@ -203,7 +210,7 @@ function aboutFrom(value: unknown): About | undefined {
   return picture instanceof Blob ? { ...about, picture } : about;
 }
 
-/** What can be read of it. */
+/** The data for the list, as far as they can be read from a record of another version. */
 function aboutLike(value: unknown): About {
   const { name, width, height, changed } = (typeof value === 'object' ? (value ?? {}) : {}) as Record<string, unknown>;
   const number = (given: unknown): number => (typeof given === 'number' && Number.isFinite(given) ? given : 0);
@@ -219,7 +226,8 @@ function aboutLike(value: unknown): About {
 const pointsOf = ({ layers }: Plate): number =>
   layers.reduce((sum, { strokes }) => strokes.reduce((all, { points }) => all + points.length / 2, sum), 0);
 
-/** The steps next to the plate that may be kept. @param plates  the nearest first */
+/** The steps next to the plate, within the limits of `most`. @param plates  all steps in one direction, the nearest
+ * first */
 function nearest(plate: Plate, plates: readonly Plate[], isOf: (plate: Plate) => boolean): Plate[] {
   const files = new Set(filesOf(plate).map(({ id }) => id));
   const kept: Plate[] = [];
@@ -240,23 +248,23 @@ const allFiles = ({ past, plate, future }: Steps): SourceFile[] => [
   ...new Map([...past, plate, ...future].flatMap(filesOf).map((file) => [file.id, file])).values(),
 ];
 
-/** The core knows fonts by the endings of their names. */
+/** Path of a file in a record. Fonts get an ending, because the core recognises them by it. */
 const pathOf = ({ id, name }: SourceFile): string => (isFontFile(name) ? `${id}.ttf` : id);
 
-/** A plate as a project, and the printer that waits beside it. */
+/** A plate as it is kept: a project, and the printer that a design has brought. */
 const told = (plate: Plate): unknown => ({
   project: projectData(plate, pathOf, true),
   ...(plate.brought !== undefined && { brought: plate.brought }),
 });
 
-/** A record under another name. */
+/** A copy of a record with another name for its plate. */
 function renamed(record: object, name: string): object {
   const { plate } = record as { plate?: { project?: { studio?: object } } };
   const studio = { ...plate?.project?.studio, name };
   return { ...record, plate: { ...plate, project: { ...plate?.project, studio } } };
 }
 
-/** Also what can be undone and redone: a change that is undone at once leaves the plate, and one step more to redo. */
+/** Compares the histories, too: undoing a change at once leaves the same plate but one more step to redo. */
 const areSame = (a: Steps, b: Steps | undefined): boolean =>
   b !== undefined && a.plate === b.plate && areEqual(a.past, b.past) && areEqual(a.future, b.future);
 const areEqual = (a: readonly Plate[], b: readonly Plate[]): boolean =>
@@ -268,14 +276,15 @@ const idsIn = (record: unknown): string[] => {
   return files.map((id) => textIn(id, 'files', 1000));
 };
 
-/** @throws Unfit for a record of another version */
+/** Fields of a record. @throws Unfit for a record of another version */
 function fieldsIn(record: unknown): Fields {
   const fields = fieldsOf(record, '', ['version', 'files', 'plate', 'past', 'future']);
   numberIn(fields['version'], 'version', version, version);
   return fields;
 }
 
-/** Reads plates of one record, whose files they share. @param bytesOf  of a file, by its id */
+/** A function that reads the plates of one record, which share their files. @param bytesOf  content of a file, by
+ * its id */
 function plateReader(record: unknown, bytesOf: (id: string) => unknown, engine: ProjectEngine) {
   const ids = new Map(
     idsIn(record).flatMap((id): [string, string][] => [
@@ -290,7 +299,7 @@ function plateReader(record: unknown, bytesOf: (id: string) => unknown, engine: 
     if (path === nothing.id) return Promise.resolve(undefined);
     if (id === undefined || !(bytes instanceof Blob)) return Promise.reject(new Unfit('files', path));
     const known = files.get(`${id} ${name}`) ?? { id, name, bytes };
-    files.set(`${id} ${name}`, known); // steps share what did not change
+    files.set(`${id} ${name}`, known); // steps share files that did not change
     return Promise.resolve(known);
   };
   return async (kept: unknown): Promise<Plate> => {
@@ -304,7 +313,7 @@ function plateReader(record: unknown, bytesOf: (id: string) => unknown, engine: 
   };
 }
 
-/** A list of plates, the nearest first, of which any may be unfit: what lies behind that one is left out. */
+/** Reads plates, the nearest step first, up to the first that cannot be read; the steps beyond it are dropped. */
 async function platesFrom(value: unknown, read: (kept: unknown) => Promise<Plate>): Promise<Plate[]> {
   const plates: Plate[] = [];
   for (const one of Array.isArray(value) ? (value as unknown[]) : []) {
@@ -315,7 +324,8 @@ async function platesFrom(value: unknown, read: (kept: unknown) => Promise<Plate
   return plates;
 }
 
-/** @param bytesOf  of a file, by its id @throws Unfit, errors of the engine */
+/** Reads the plate of a record with its steps. @param bytesOf  content of a file, by its id @throws Unfit, errors of
+ * the engine */
 async function stepsFrom(record: unknown, bytesOf: (id: string) => unknown, engine: ProjectEngine): Promise<Steps> {
   const fields = fieldsIn(record);
   const read = plateReader(record, bytesOf, engine);
@@ -324,11 +334,11 @@ async function stepsFrom(record: unknown, bytesOf: (id: string) => unknown, engi
   return { past: past.reverse(), plate, future: future.reverse() };
 }
 
-/** The plate of a record, without its steps. @throws Unfit, errors of the engine */
+/** Reads the plate of a record without its steps. @throws Unfit, errors of the engine */
 export const keptPlate = (record: unknown, bytesOf: (id: string) => unknown, engine: ProjectEngine): Promise<Plate> =>
   plateReader(record, bytesOf, engine)(fieldsIn(record)['plate']);
 
-/** Whether this version can open the plate of a record. @param has  whether a file is there, by its id */
+/** Tells whether this version can open the plate of a record. @param has  tells whether a file is kept, by its id */
 function isFit(record: unknown, has: (id: string) => boolean): boolean {
   try {
     const { plate } = fieldsIn(record);
@@ -339,16 +349,18 @@ function isFit(record: unknown, has: (id: string) => boolean): boolean {
   }
 }
 
-/** @returns undefined for what is no print */
+/** Reads a kept print. @returns undefined for anything else */
 function printFrom(record: unknown, bytes: unknown): KeptPrint | undefined {
   const { name, wish, open } = (record ?? {}) as Partial<KeptPrint> & { name?: unknown };
   if (!(bytes instanceof Blob) || typeof name !== 'string') return undefined;
   return { file: new File([bytes], name), wish, open: open === true };
 }
 
-/** @param onProblem  is told when work cannot be kept, and again when that comes back
- * @param onTaken  another tab goes on with the plate; this one goes on with a copy
- * @param host  a page that shows the studio, and the name that it gave the work: none sees another's; empty: the studio's own */
+/** Creates the keeper of this tab's plates.
+ * @param onProblem  called when work cannot be kept, and again if that recurs after a success
+ * @param onTaken  called when another tab has taken the plate, and this one goes on with a copy
+ * @param host  a page that shows the studio, and the name that it gave the work, so that no page sees another's;
+ * empty: the studio's own */
 export function createAutosave(
   {
     onProblem,
@@ -366,28 +378,28 @@ export function createAutosave(
   locks: Locks = webLocks(name),
   session: Session = tabSession(name),
 ): Autosave {
-  /** Of every plate that is in a record, or in the history of one. */
+  /** Record id of every plate that is in a record or in the history of one. */
   const idOf = new WeakMap<Plate, string>();
-  /** By id: the plate as it was when nobody had changed it. */
+  /** Plates by record id, as they were when nobody had changed them. */
   const begun = new Map<string, Plate>();
-  /** By id: what was written last, before it was cut. */
+  /** Steps that were written last, by record id, before `cut` shortened them. */
   const saved = new Map<string, Steps>();
   const written = new Map<string, Set<string>>();
-  /** Records that were tried and cannot be opened, though they look like this version's. */
+  /** Records that failed to open although they look like this version's. */
   const unfit = new Set<string>();
-  /** Written by this tab, perhaps before it has read what was kept. */
+  /** Records that this tab has written, perhaps before reading what was kept. */
   const begunHere = new Set<string>();
   let current = newId();
   const before = session.get();
   let waiting: { id: string; steps: Steps } | undefined;
   let waitingPrint: { id: string; print: KeptPrint | undefined } | undefined;
-  /** By id: the files of prints that are there. */
+  /** Files of prints that are already in the storage, by record id. */
   const prints = new Map<string, File>();
-  /** Files for which there was no room: told once. */
+  /** Files that did not fit into the storage, so that this is reported once for each. */
   const tooLarge = new WeakSet<File>();
   let timer: ReturnType<typeof setTimeout> | undefined;
   let failing = false;
-  let turn = 0; // of the last that was written or forgotten
+  let turn = 0; // number of the last write; a later one makes an earlier `tidy` void
   let last = Promise.resolve();
 
   const attempt = (action: Promise<void>): Promise<void> => {
@@ -405,7 +417,7 @@ export function createAutosave(
     return last;
   };
 
-  /** Another tab has the record of the plate that is shown, and this one goes on with a copy. */
+  /** Goes on with a copy after another tab has taken the record of the plate that is shown. */
   const lost = (id: string): void => {
     written.delete(id);
     saved.delete(id);
@@ -416,14 +428,14 @@ export function createAutosave(
     settle();
     onTaken();
   };
-  /** Records that went to other tabs, and the copies that this tab goes on with. */
+  /** Ids of the copies that this tab goes on with, by the records that other tabs have taken. */
   const moved = new Map<string, string>();
   const live = (id: string): string => {
     const next = moved.get(id);
     return next === undefined ? id : live(next);
   };
 
-  /** This tab's record is the current one. */
+  /** Makes the current record this tab's own. */
   function settle(): void {
     session.set(current);
     void locks.take(current, { onLost: lost });
@@ -438,17 +450,17 @@ export function createAutosave(
     (id: string) =>
     (plate: Plate): boolean => {
       const known = idOf.get(plate);
-      return known === undefined || live(known) === id; // of several in one turn only the last is saved
+      return known === undefined || live(known) === id; // without an id: of several plates in one turn, only the last is saved
     };
 
-  /** What is kept of them; the nearest steps first. */
+  /** The steps that are kept, the nearest first. */
   function cut({ past, plate, future }: Steps, id: string): Steps {
     const before = nearest(plate, [...past].reverse(), isOf(id));
     const after = nearest(plate, [...future].reverse(), isOf(id));
     return { past: before, plate, future: after };
   }
 
-  /** Exactly the files of the record are to be there. @param stands  whether it is the last that was written */
+  /** Deletes files that the record no longer uses. @param stands  tells whether no later write has begun */
   async function tidy(id: string, steps: Steps, stands: () => boolean): Promise<void> {
     const wanted = new Set(allFiles(steps).map((file) => filesKey(id) + file.id));
     const unused = (await storage.keys()).filter((key) => key.startsWith(filesKey(id)) && !wanted.has(key));
@@ -488,7 +500,7 @@ export function createAutosave(
     const stands = (): boolean => mine === turn;
     if (stands()) await tidy(id, steps, stands);
   }
-  /** By id: for the list. */
+  /** Pictures for the list, by record id. */
   const pictures = new Map<string, Blob>();
 
   async function writePrint(id: string, print: KeptPrint | undefined): Promise<void> {
@@ -521,8 +533,8 @@ export function createAutosave(
     waiting = waitingPrint = undefined;
     if (sliced !== undefined) void attempt(writePrint(live(sliced.id), sliced.print));
     if (work === undefined || areSame(work.steps, saved.get(work.id))) return last;
-    // At once, also while an earlier plate is being written: the storage does one after the other, and a page that is being
-    // closed hears no answers any more.
+    // A write starts at once, even during an earlier one. The storage does them in order, and a closing page would not
+    // learn of the first one's end.
     begunHere.add(live(work.id));
     return attempt(write(live(work.id), work.steps));
   };
@@ -544,7 +556,7 @@ export function createAutosave(
       .sort((a, b) => b.about.changed - a.about.changed);
   }
 
-  /** Those of these records that this version cannot open. */
+  /** Records, among these, that this version cannot open. */
   async function foreignOf(ids: readonly string[]): Promise<Set<string>> {
     const [names, records] = await Promise.all([storage.keys(), storage.getMany(ids.map(recordKey))]);
     const there = new Set(names);
@@ -556,7 +568,7 @@ export function createAutosave(
     );
   }
 
-  /** @returns undefined where it is gone, or cannot be opened */
+  /** Reads a plate and its steps. @returns undefined where it is gone or cannot be opened */
   async function stepsOf(id: string): Promise<Steps | undefined> {
     const [record, about] = await storage.getMany([recordKey(id), aboutKey(id)]);
     if (record === undefined) return undefined;
@@ -571,16 +583,17 @@ export function createAutosave(
       return steps;
     } catch (error) {
       if (!(error instanceof Unfit || isOfFile(error))) throw error;
-      unfit.add(id); // it stays: another version may open it
+      unfit.add(id); // the record stays, since another version may open it
       return undefined;
     }
   }
 
-  /** All of them are of this record from now on. */
+  /** Assigns all plates of a history to this record. */
   function claim(id: string, steps: Steps): void {
     for (const plate of [...steps.past, steps.plate, ...steps.future]) idOf.set(plate, id);
   }
 
+  /** Opens a record under its lock, or as a copy where another tab holds the lock. */
   async function taken(id: string, wait: boolean, steal = false): Promise<Opened | undefined> {
     const own = await locks.take(id, { wait, steal, onLost: lost });
     const steps = await stepsOf(id);
@@ -606,11 +619,11 @@ export function createAutosave(
       if (before !== undefined && unfit.has(before)) return { state: 'foreign' };
       const newest = (await abouts()).find(({ id }) => !begunHere.has(id));
       if (newest === undefined) return undefined;
-      if (foreign.has(newest.id)) return { state: 'foreign' }; // without its lock: a tab of that version may take it
+      if (foreign.has(newest.id)) return { state: 'foreign' }; // without its lock, so that a tab of that version can take it
       if (!(await locks.take(newest.id, { onLost: lost }))) return { state: 'elsewhere' };
       return (await taken(newest.id, false)) ?? (unfit.has(newest.id) ? { state: 'foreign' } : undefined);
     } catch {
-      return undefined; // of a storage that denies itself, `save` will tell
+      return undefined; // a storage that is denied will be reported by `save`
     }
   }
 
@@ -652,7 +665,7 @@ export function createAutosave(
       const isKept = (id: string): boolean =>
         id === current || held.has(id) || foreign.has(id) || names.includes(slicedKey(id));
       const shown = all.filter(({ id, about }) => !about.fresh || isKept(id));
-      // What nobody ever changed goes with its tab.
+      // A plate that nobody ever changed is deleted once its tab is gone.
       const left = all.filter((one) => !shown.includes(one));
       for (const { id } of left) await storage.delMany(await namesOf(id));
       return shown.map(({ id, about: { name, width, height, changed, picture } }) => ({
@@ -716,7 +729,7 @@ export function createAutosave(
     },
     async picture(plate, picture) {
       const id = live(idOf.get(plate) ?? '');
-      if (id === '') return; // nobody has changed it: it is not kept
+      if (id === '') return; // a plate that nobody has changed is not kept
       pictures.set(id, picture);
       await flush();
       const about = aboutFrom((await storage.getMany([aboutKey(id)]))[0]);

@@ -1,8 +1,9 @@
-// Long work on the page's thread, in pieces: between them the page may draw and answer.
+// Splits long work on the page's thread into pieces, so that the page can draw and answer between them.
 
-const longest = 16; // [ms] without a pause
+const longest = 16; // [ms] without a pause; larger: the page stutters; smaller: the work takes longer
 
-/** @returns a function to be awaited between pieces. */
+/** Starts a piece of long work. @returns a function to await between pieces, which pauses when one has taken too
+ * long */
 export function breathing(): () => Promise<void> {
   let begin = performance.now();
   return async () => {

@@ -1,13 +1,14 @@
-// Refuses drawings that nobody would wait for, before the engine reads them: its time grows faster than they do.
+// Refuses drawings that would take too long, before the engine reads them: its time grows faster than their size.
 import { StudioError } from '../model/problem.js';
 
-/** A plate of 80 mm has room for forty thousand squares as wide as a bead: more elements cannot be told apart. As many outlines
- * of twenty points that overlap take the native program 16 s. */
+/** Most elements of a drawing. A plate of 80 mm has room for forty thousand squares as wide as a bead, so more
+ * elements cannot be told apart. As many overlapping outlines of twenty points take the native program 16 s. */
 const mostElements = 50_000;
-const mostText = 10e6; // [bytes] beside pictures, which are left out: a million points
+const mostText = 10e6; // [bytes] without embedded pictures; about a million points
 
 const lessThan = 0x3c;
 
+/** Number of tags that open an element. */
 function elementsIn(bytes: Uint8Array): number {
   let found = 0;
   for (let k = bytes.indexOf(lessThan); k >= 0; k = bytes.indexOf(lessThan, k + 1)) {
@@ -17,10 +18,11 @@ function elementsIn(bytes: Uint8Array): number {
   return found;
 }
 
+/** Length of a drawing's text without embedded pictures. */
 const textIn = (bytes: Uint8Array): number =>
   new TextDecoder('latin1').decode(bytes).replaceAll(/data:[^"']*/g, '').length;
 
-/** @throws StudioError InvalidFile */
+/** Checks the size of a drawing. @throws StudioError InvalidFile where it has too many elements or too much text */
 export function checkDrawing(name: string, bytes: Uint8Array): void {
   const elements = elementsIn(bytes);
   if (elements > mostElements) {

@@ -1,4 +1,5 @@
-// Pictures and drawings as pixels, which the engine reads and paints: no browser draws a file that may have been made by anybody.
+// Pictures and drawings as pixels. The engine reads and paints them: a file that anybody may have made is never left to
+// the browser to draw.
 import type { ColourAngle, Engine, Picture } from 'sillon';
 import { directionsFor, flatColours } from '../model/flat-colours.js';
 import type { SourceFile } from '../model/plate.js';
@@ -11,24 +12,25 @@ export const isSvg = ({ bytes }: Pick<SourceFile, 'bytes'>): boolean => bytes.ty
 
 const painted = new WeakMap<Blob, Promise<Picture>>();
 
-/** A drawing is painted once. @throws what the engine refuses */
+/** Pixels of a picture or a drawing; each drawing is painted once. @throws errors of the engine */
 function pictureOf(file: Blob, engine: DrawingEngine): Promise<Picture> {
   if (file.type !== svgType) return engine.decodePicture(file);
   const picture = painted.get(file) ?? engine.paintDrawing(file);
   painted.set(file, picture);
-  picture.catch(() => painted.delete(file)); // another time it may be read
+  picture.catch(() => painted.delete(file)); // a later attempt may succeed
   return picture;
 }
 
-/** Draws a file, to be laid over the plate. @throws what the engine refuses; Error where the browser does not decode a picture */
+/** A bitmap of a file, for drawing it over the plate.
+ * @throws errors of the engine; Error where the browser cannot decode a picture */
 export async function bitmapOf(file: Blob, engine: DrawingEngine): Promise<ImageBitmap> {
   if (file.type !== svgType) return createImageBitmap(file);
   const { width, height, samples } = await pictureOf(file, engine);
-  const bytes = Uint8ClampedArray.from(samples, (sample) => sample >> 8); // the engine paints 16 bits
+  const bytes = Uint8ClampedArray.from(samples, (sample) => sample >> 8); // the engine paints with 16 bits
   return createImageBitmap(new ImageData(bytes, width, height));
 }
 
-/** A file as a small picture for an <img>. @throws as bitmapOf */
+/** A small PNG of a file for an <img>. @param side  most pixels of its longer side @throws as `bitmapOf` */
 export async function smallPng(file: Blob, engine: DrawingEngine, side: number): Promise<Blob> {
   const bitmap = await bitmapOf(file, engine);
   const scale = Math.min(1, side / Math.max(bitmap.width, bitmap.height));
@@ -38,11 +40,11 @@ export async function smallPng(file: Blob, engine: DrawingEngine, side: number):
   return canvas.convertToBlob({ type: 'image/png' });
 }
 
-/** The flat colours of a drawing or a picture, from dark to light; none where it cannot be read. */
+/** The flat colours of a drawing or a picture, from dark to light; empty where it cannot be read. */
 export const coloursIn = ({ bytes }: SourceFile, engine: DrawingEngine): Promise<string[]> =>
   pictureOf(bytes, engine).then(flatColours, () => []);
 
-/** A direction for each of them. @param before  as of `directionsFor` */
+/** A direction for each flat colour of a file. @param before  as for `directionsFor` */
 export const coloursOf = async (
   file: SourceFile,
   engine: DrawingEngine,

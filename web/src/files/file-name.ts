@@ -1,4 +1,5 @@
-/** What of a text every system takes as a file's name; empty: nothing. Letters keep their marks, and nothing is hidden. */
+/** Removes everything from a text that some system refuses in a file name; may return ''. Letters keep their
+ * accents, and leading dots go, so that no file is hidden. */
 export const plainName = (text: string): string =>
   text
     .normalize('NFC')

@@ -1,4 +1,4 @@
-// What a picture is probably for, by its name and by a few figures of its pixels.
+// Guesses the roles of pictures from their names and from a few figures about their pixels.
 import type { Picture } from 'sillon';
 import { mostPictures } from '../model/lamp.js';
 import { groundFill, type Fill } from '../model/fills.js';
@@ -8,35 +8,35 @@ import type { Role } from '../model/file-role.js';
 export interface PictureFacts {
   width: number;
   height: number;
-  /** Samples that 8 bits could not tell: as programs write them, not cameras. */
+  /** True where samples have more than 8 bits, as programs write them and cameras do not. */
   deep: boolean;
   coloured: boolean;
-  /** Nothing but the four greys of modes, and one of the middle ones among them. */
+  /** True where all pixels have the four greys of modes, and some have one of the two middle ones. */
   modeGreys: boolean;
-  /** Red and green are a point of the unit circle, blue tells nothing. */
+  /** True where red and green are a point on the unit circle, and blue carries nothing. */
   unitVectors: boolean;
-  /** Next to nothing but two tones. */
+  /** True where two tones explain nearly all of the picture. */
   twoTones: boolean;
-  /** Nothing that could be seen: one tone all over. */
+  /** True where one tone fills the picture, so that nothing would be seen. */
   oneTone: boolean;
-  /** Nothing that could be seen on white paper, as it is drawn in white on a transparent ground. */
+  /** True for white artwork on a transparent ground, which cannot be seen on white paper. */
   whiteOnClear: boolean;
 }
 
 const enoughSamples = 1 << 16;
-const oneToneSpan = 8; // of 255
+const oneToneSpan = 8; // spread of tones, of 255, below which nothing would be seen
 
 interface Sampled {
-  /** Bytes: red, green, blue of each sample. */
+  /** Bytes of red, green and blue of each sample. */
   rgb: Uint8Array;
-  /** On white paper. */
+  /** Tone of each sample on white paper. */
   tones: Uint8Array;
-  /** Opacity of each. */
+  /** Opacity of each sample. */
   covers: Uint8Array;
   deep: boolean;
 }
 
-/** Every `step`th pixel of every `step`th row. */
+/** Samples every `step`th pixel of every `step`th row. */
 function sampled({ width, height, channels, samples }: Picture): Sampled {
   const step = Math.max(1, Math.ceil(Math.sqrt((width * height) / enoughSamples)));
   const scale = samples instanceof Uint16Array ? 1 / 257 : 1;
@@ -49,7 +49,7 @@ function sampled({ width, height, channels, samples }: Picture): Sampled {
   for (let y = 0; y < height; y += step) {
     for (let x = 0; x < width; x += step, ++n) {
       const k = (y * width + x) * channels;
-      if (scale < 1 && (samples[k] as number) % 257 !== 0) deep = true; // 8 bits are told as multiples
+      if (scale < 1 && (samples[k] as number) % 257 !== 0) deep = true; // samples of 8 bits come as multiples of 257
       const byte = (channel: number): number => Math.round((samples[k + channel] as number) * scale);
       const grey = channels < 3;
       const [r, g, b] = [byte(0), byte(grey ? 0 : 1), byte(grey ? 0 : 2)];
@@ -62,13 +62,15 @@ function sampled({ width, height, channels, samples }: Picture): Sampled {
   return { rgb, tones, covers, deep };
 }
 
+/** Share of each of the 256 tones. */
 function histogram(tones: Uint8Array): Float64Array {
   const counts = new Float64Array(256);
   for (const tone of tones) counts[tone] = (counts[tone] as number) + 1 / tones.length;
   return counts;
 }
 
-/** Otsu's threshold parts the tones in two; what variance is then left within both is what two tones cannot tell. */
+/** Tells whether two tones explain the picture. Otsu's threshold splits the tones in two classes; the variance left
+ * within both is what two tones cannot explain. */
 function areTwoTones(counts: Float64Array): boolean {
   let mean = 0;
   let square = 0;
@@ -89,7 +91,7 @@ function areTwoTones(counts: Float64Array): boolean {
   return variance > 100 && between > 0.95 * variance;
 }
 
-/** 99 % of the samples within a few steps of each other. */
+/** Tells whether 99 % of the samples lie within a few steps of each other. */
 function isOneTone(counts: Float64Array): boolean {
   let low = 0;
   let high = 255;
@@ -98,12 +100,14 @@ function isOneTone(counts: Float64Array): boolean {
   return high - low < oneToneSpan;
 }
 
+/** Tells whether nearly all tones are those of modes (0, 85, 170, 255), with some of the middle two. */
 function areModeGreys(counts: Float64Array): boolean {
   const near = (tone: number): number => (counts[tone - 1] ?? 0) + (counts[tone] as number) + (counts[tone + 1] ?? 0);
   const middle = near(85) + near(170);
   return middle > 0.002 && middle + near(0) + near(255) > 0.998;
 }
 
+/** Tells whether red and green are points on the unit circle and blue hardly varies. */
 function areUnitVectors(rgb: Uint8Array): boolean {
   let telling = 0;
   let unit = 0;
@@ -117,13 +121,14 @@ function areUnitVectors(rgb: Uint8Array): boolean {
     const length = Math.hypot(x, y);
     blue += z / count;
     blueSquare += (z * z) / count;
-    if (length < 0.1) continue; // says nothing
+    if (length < 0.1) continue; // too close to the middle to show a direction
     ++telling;
     if (Math.abs(length - 1) < 0.08) ++unit;
   }
   return telling > 0.05 * count && unit > 0.95 * telling && blueSquare - blue * blue < 25;
 }
 
+/** The figures about a picture from which its role is guessed. */
 export function factsOf(picture: Picture): PictureFacts {
   const { width, height } = picture;
   const { rgb, tones, covers, deep } = sampled(picture);
@@ -148,7 +153,7 @@ export function factsOf(picture: Picture): PictureFacts {
   };
 }
 
-/** A word of the name that tells, and the roles that it stands for. */
+/** Words in file names that name a role. */
 const words: readonly [RegExp, Role][] = [
   [/^(?:tangents?|normals?|vectors?|flow)$/, 'tangent'],
   [/^(?:rotations?|rot)$/, 'rotation'],
@@ -157,14 +162,15 @@ const words: readonly [RegExp, Role][] = [
   [/^(?:masks?|shapes?|outlines?|silhouettes?)$/, 'mask'],
 ];
 
-/** "Leaf-lineAngle_02.png" says angle, and no modern house a mode. */
+/** The role that a file's name suggests. "Leaf-lineAngle_02.png" suggests 'angle'; only whole words count, so
+ * "modern" does not suggest 'modes'. */
 function saidBy(name: string): Role | undefined {
   const parts = name
     .replace(/\.[^.]*$/, '')
     .replace(/(\p{Ll})(\p{Lu})/gu, '$1 $2')
     .toLowerCase()
     .split(/[^a-z]+/)
-    .reverse(); // the last word is the noun
+    .reverse(); // the last word is the noun, so it counts first
   for (const part of parts) {
     const found = words.find(([word]) => word.test(part));
     if (found !== undefined) return found[1];
@@ -174,12 +180,13 @@ function saidBy(name: string): Role | undefined {
 
 export interface Guessed {
   name: string;
-  /** undefined: SVG. */
+  /** Figures about the picture; undefined for an SVG. */
   facts: PictureFacts | undefined;
-  /** Of an SVG: how many flat colours it has. */
+  /** Number of flat colours in an SVG. */
   colours?: number;
 }
 
+/** The role of one file for itself: its name decides, then the figures about its pixels. */
 function roleOf({ name, facts }: Guessed): Role {
   if (facts === undefined) return 'shape';
   const said = saidBy(name);
@@ -191,37 +198,39 @@ function roleOf({ name, facts }: Guessed): Role {
   return facts.twoTones ? 'levels' : 'lamp';
 }
 
-/** Directions that nobody chose with care: a drawing's own may take their place. */
+/** Fills that nobody has chosen with care, so that a drawing's own directions may replace them. */
 const plain: readonly (Fill | undefined)[] = [undefined, 'direction', 'radial', 'spiral', 'waves', 'noise', 'colours'];
 
-/** Which part of a plate a role fills; each can be filled once. */
+/** The part of a plate that a role fills; each part can be filled once. */
 const partOf = (role: Role): string =>
   role === 'shape' || role === 'mask' || role === 'colours' ? 'shape' : role === 'modes' ? 'modes' : 'directions';
 
-/** One role for each file; what would fill a part a second time gets none. @param plate  that they will be put into */
+/** Guesses one role for each file. A file that would fill a part a second time gets 'none'.
+ * @param plate  the plate that will use the files */
 export function guessRoles(files: readonly Guessed[], plate: Plate): Role[] {
   const roles = files.map(roleOf);
   const filled = (part: string): number => roles.filter((role) => partOf(role) === part).length;
-  // Nobody draws modes but over angles.
+  // Modes are only drawn to go with a map of angles, so a grey picture beside them is that map.
   files.forEach(({ facts }, k) => {
     const grey = facts?.coloured === false && (roles[k] === 'lamp' || roles[k] === 'levels');
     if (grey && roles.includes('modes')) roles[k] = 'angle';
   });
-  // Beside another picture of directions, black and white is the outline; and so where a map waits for one.
+  // A black-and-white picture is the outline where another picture has the directions, or where the plate's map still
+  // lacks a shape.
   const black = roles.indexOf('levels');
   const awaited = groundFill(plate) === 'map' && plate.shape.kind !== 'file';
   if (black >= 0 && (filled('directions') > 1 || awaited) && filled('shape') === 0) roles[black] = 'mask';
-  // A drawing of several colours has a direction for each, unless something else tells directions.
+  // A drawing of several colours gives each a direction, unless another file has the directions.
   const alone = filled('directions') === 0 && plain.includes(groundFill(plate)) && plate.layers.length < 2;
   const shape = roles.indexOf('shape');
   if (alone && shape >= 0 && (files[shape]?.colours ?? 0) > 1) roles[shape] = 'colours';
-  // Pictures that come together get a lamp each, as long as there is room; one alone takes the place of those on the plate.
+  // Pictures that come together get a lamp each, as far as there is room. A single one replaces those on the plate.
   let pictures = 0;
   const taken = new Set<string>();
   return roles.map((role, k) => {
     const part = partOf(role);
     const seen = role === 'lamp' || (role === 'levels' && pictures > 0);
-    // Nothing of it would be seen beside others.
+    // A picture of one tone would not be seen beside others.
     if (files.length > 1 && files[k]?.facts?.oneTone && seen) return 'none';
     if (seen && pictures > 0 && pictures < mostPictures) {
       ++pictures;
@@ -250,5 +259,6 @@ const pictureRoles = [
   'none',
 ] as const;
 
+/** Roles that a visitor can choose for a file. */
 export const allowedRoles = (isPicture: boolean): readonly Role[] =>
   isPicture ? pictureRoles : ['shape', 'colours', 'none'];

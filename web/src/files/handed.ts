@@ -1,9 +1,9 @@
-// Files that the system hands to the installed page: shared from another app, or opened with it.
+// Files that the system hands to the installed page, shared from another app or opened with it.
 
-/** As service-worker/sw.ts names it. */
+/** Name of the cache, which must be the same in service-worker/sw.ts. */
 const cacheName = (): string => `sillon-shared ${new URL('./', document.baseURI).href}`;
 
-/** What was shared last; once. */
+/** Takes the files that were shared last; a second call returns none. */
 export async function sharedFiles(): Promise<File[]> {
   const cache = await caches.open(cacheName());
   const files: File[] = [];
@@ -25,7 +25,7 @@ interface Queue {
   setConsumer(consume: (launch: Launch) => void): void;
 }
 
-/** Files that the page was started with. @param handles  gets theirs */
+/** Calls `open` with the files that the page was started with. @param handles  receives their handles */
 export function onLaunched(open: (files: File[]) => void, handles: WeakMap<File, FileSystemHandle>): void {
   const { launchQueue } = window as { launchQueue?: Queue };
   launchQueue?.setConsumer(({ files = [] }) => {

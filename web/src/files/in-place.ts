@@ -1,4 +1,4 @@
-// Files that can be written back where they were opened, in browsers that lend their handles.
+// Files that can be written back to where they were opened, in browsers that provide file handles.
 
 interface Picker {
   showOpenFilePicker?(options: { multiple: boolean }): Promise<FileSystemFileHandle[]>;
@@ -9,7 +9,7 @@ interface Writable extends FileSystemFileHandle {
 
 const isAbort = (error: unknown): boolean => error instanceof Error && error.name === 'AbortError';
 
-/** Asks for files; none where the question is dismissed. @param handles  gets theirs */
+/** Asks the visitor for files; empty where the dialog is dismissed. @param handles  receives their handles */
 export async function pickInPlace(handles: WeakMap<File, FileSystemHandle>): Promise<File[]> {
   try {
     const picked = (await (window as Picker).showOpenFilePicker?.({ multiple: true })) ?? [];
@@ -26,11 +26,12 @@ export async function pickInPlace(handles: WeakMap<File, FileSystemHandle>): Pro
   }
 }
 
-/** @returns whether it was written: the visitor may say no, and then it is for the downloads */
+/** Writes a file back. @returns false where the visitor does not allow it, so that the file must be downloaded
+ * instead */
 export async function writeBack(handle: FileSystemFileHandle, bytes: Blob): Promise<boolean> {
   const may = await (handle as Writable).requestPermission?.({ mode: 'readwrite' });
   if (may !== undefined && may !== 'granted') return false;
-  // The file changes when all of it is there, and not at all where that fails.
+  // The file is replaced only when all bytes have been written, so a failure leaves it as it was.
   const stream = await handle.createWritable();
   try {
     await stream.write(bytes);

@@ -1,13 +1,13 @@
-// What a file is: its first bytes decide, never its name alone.
+// Recognises the kind of a file by its first bytes, never by its name alone.
 
 export type Kind = 'svg' | 'picture' | 'font' | 'zip' | 'json' | 'unknown';
 
-/** Of TrueType and OpenType fonts alike, plain or packed. */
+/** MIME type of all TrueType and OpenType fonts, packed or not. */
 export const fontType = 'font/sfnt';
 
 export interface Known {
   kind: Kind;
-  /** For the browser's own decoders. */
+  /** Type for the browser's own decoders. */
   mime: string;
 }
 
@@ -16,7 +16,8 @@ const unknown: Known = { kind: 'unknown', mime: '' };
 export const startsWith = (bytes: Uint8Array, ...magic: readonly number[]): boolean =>
   magic.every((byte, k) => bytes[k] === byte);
 
-/** TGA has no mark at its beginning: its header must make sense, and its name say so. */
+/** Tells whether a file is a TGA picture. That format has no signature, so its header must make sense and its name
+ * must say so. */
 function isTga(bytes: Uint8Array, name: string): boolean {
   const [, mapType = 9, imageType = 0] = bytes;
   const sane = bytes.length >= 18 && mapType <= 1 && [1, 2, 3, 9, 10, 11].includes(imageType);
@@ -25,16 +26,16 @@ function isTga(bytes: Uint8Array, name: string): boolean {
 
 function textOf(bytes: Uint8Array): string {
   const utf16 = startsWith(bytes, 0xff, 0xfe) ? 'utf-16le' : startsWith(bytes, 0xfe, 0xff) ? 'utf-16be' : undefined;
-  return new TextDecoder(utf16 ?? 'utf-8').decode(bytes).replace(/^\ufeff/, ''); // a BOM may come twice
+  return new TextDecoder(utf16 ?? 'utf-8').decode(bytes).replace(/^\ufeff/, ''); // a second BOM may follow
 }
 
-/** The text behind `end`, which begins the search at `from`; undefined where it never ends. */
+/** Position after the next `end` from `from` on; undefined where there is none. */
 function behind(text: string, end: string, from: number): number | undefined {
   const at = text.indexOf(end, from);
   return at < 0 ? undefined : at + end.length;
 }
 
-/** Whether the first element, behind declaration, comments and document type, is svg. */
+/** Tells whether the root element is svg, after any XML declaration, comments and document type. */
 function isSvg(text: string): boolean {
   let at: number | undefined = 0;
   for (;;) {
@@ -44,7 +45,7 @@ function isSvg(text: string): boolean {
     else if (/^<!doctype/i.test(text.slice(at, at + 9))) {
       const subset = text.indexOf('[', at);
       const close = text.indexOf('>', at);
-      // Entities of drawing programs stand in brackets, with '>' of their own.
+      // Drawing programs declare entities in square brackets, which contain '>' themselves.
       at = subset >= 0 && subset < close ? behind(text, ']', subset) : close < 0 ? undefined : close + 1;
       if (at !== undefined && subset >= 0 && subset < close) at = behind(text, '>', at);
     } else return /^<(?:[\w-]{1,40}:)?svg[\s/>]/.test(text.slice(at, at + 50));
@@ -52,7 +53,7 @@ function isSvg(text: string): boolean {
   }
 }
 
-/** Pictures that only browsers read, by their first bytes; empty: none. */
+/** MIME type of a picture that only browsers read, by its first bytes; empty for any other file. */
 export function browserPicture(bytes: Uint8Array): string {
   const text = String.fromCharCode(...bytes.subarray(0, 64));
   if (/^GIF8[79]a/.test(text)) return 'image/gif';
@@ -63,7 +64,8 @@ export function browserPicture(bytes: Uint8Array): string {
   return '';
 }
 
-/** Drawings of other programs, by the endings of their names: their bytes tell less, or what they are built upon. */
+/** Formats of other drawing programs by file extension. Their bytes are less telling, or only show the format they
+ * build on. */
 const drawings: Readonly<Record<string, string>> = {
   ai: 'Illustrator',
   cdr: 'CorelDRAW',
@@ -75,7 +77,7 @@ const drawings: Readonly<Record<string, string>> = {
   xcf: 'GIMP',
 };
 
-/** Files that people take for pictures or drawings; empty: none. */
+/** Name of a format that people take for a picture or drawing but that cannot be read; empty for any other file. */
 export function otherFormat(bytes: Uint8Array, name: string): string {
   const drawing = drawings[/\.(\w+)$/.exec(name)?.[1]?.toLowerCase() ?? ''];
   if (drawing !== undefined) return drawing;
@@ -84,10 +86,10 @@ export function otherFormat(bytes: Uint8Array, name: string): string {
   return Object.entries(formats).find(([, magic]) => magic.test(text))?.[0] ?? '';
 }
 
-/** Bytes that decide. */
+/** Number of bytes that `kindOf` looks at. */
 export const enoughToKnow = 1 << 16;
 
-/** @param bytes  the first `enoughToKnow` of the file */
+/** Kind of a file. @param bytes  the first `enoughToKnow` bytes of the file */
 export function kindOf(bytes: Uint8Array, name: string): Known {
   if (startsWith(bytes, 0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a)) return { kind: 'picture', mime: 'image/png' };
   if (startsWith(bytes, 0xff, 0xd8, 0xff)) return { kind: 'picture', mime: 'image/jpeg' };

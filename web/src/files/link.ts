@@ -1,5 +1,5 @@
-// A plate in the hash of a link: version, then deflated JSON of its project and of the files that are small, or can be made so.
-// A link may have been written by anybody: the core reads its project as it reads every project.
+// A plate in the hash of a link: a version, then deflated JSON of the plate's project and of those files that are small
+// or can be made so. A link may have been written by anybody; the core checks its project like any other.
 import { fieldsOf, textIn, Unfit } from '../model/check.js';
 import { newShape } from '../model/defaults.js';
 import { groundOf } from '../model/fills.js';
@@ -14,33 +14,35 @@ import { shapeTable, table } from '../model/setting-table.js';
 import { filesOf, plateOf, projectData, type ProjectEngine } from './plate-project.js';
 
 const key = 'plate=';
-/** The first told directions and settings in a form of the studio's own. */
+/** Version of links. Version 1 kept directions and settings in a form of the studio's own. */
 const version = 2;
-/** Browsers and chats cut longer ones. An honest link has under 2000 characters. */
+/** Most characters of a link; browsers and chats truncate longer ones. A usual link has under 2000. */
 const mostCharacters = 16_000;
 const mostBytes = 200_000;
-/** All strokes say at most so much [characters]. */
+/** Most characters of JSON that all strokes together may take. */
 const mostStrokes = 20_000;
-/** Most bytes of a link once it is packed: base64 takes a third more, and some room is left. */
+/** Most bytes of a packed link. Base64 adds a third, and some room is left below `mostCharacters`. */
 const mostPacked = 11_000;
 
-/** Most bytes of all pictures of a link together, and of one drawing. */
+/** Most bytes of all pictures in a link together, and below of one drawing. */
 export const mostPictureBytes = 8000;
 const mostDrawingBytes = 4000;
 
-/** A picture made small enough; undefined: it cannot be. @param most  [bytes] */
+/** Makes a picture small enough; undefined where that is impossible. @param most  [bytes] */
 export type Shrink = (file: SourceFile, most: number) => Promise<Uint8Array | undefined>;
-/** A file of a link. */
+/** Turns a link's packed file into one of a plate. */
 export type Unpack = (name: string, bytes: Uint8Array<ArrayBuffer>) => Promise<SourceFile>;
 
 export interface Link {
-  /** Begins with '#'. */
+  /** Hash of the link, with '#'. */
   hash: string;
   untold: Untold[];
 }
 
 // --- Bytes -------------------------------------------------------------------------------------------------------------
 
+/** Reads a stream to its end. @throws StudioError LinkTooLong beyond `most` bytes, so that a small link cannot fill
+ * the memory */
 async function collected(stream: ReadableStream<Uint8Array>, most: number): Promise<Uint8Array<ArrayBuffer>> {
   const pieces: Uint8Array[] = [];
   let length = 0;
@@ -86,20 +88,22 @@ function fromBase64Url(text: string): Uint8Array<ArrayBuffer> {
 
 // --- Out ---------------------------------------------------------------------------------------------------------------
 
-/** Settings that stay at home: they would move and heat the machine of whoever opens the link, and may hold names and passwords
- * of a network. */
+/** Settings that are never put into a link. They would move and heat the machine of whoever opens it, and may
+ * contain names and passwords of a network. */
 const ownAlone: Readonly<Record<string, true>> = { startGcode: true, endGcode: true, generalHeatLimits: true };
 
 const svgType = 'image/svg+xml';
 
-/** Drawings travel as they are, and colours that stand for directions, which grey pictures lack. */
+/** Tells whether a file goes into a link unchanged: drawings do, and so do pictures whose colours stand for
+ * directions, since the small form is grey. */
 const isWhole = ({ kind, by, file }: PlateLayer, one: SourceFile): boolean =>
   one.bytes.type === svgType || (kind === 'tones' && by === 'colours' && one === file);
 
 const whole = async ({ bytes }: SourceFile, most: number): Promise<Uint8Array | undefined> =>
   bytes.size > Math.min(most, mostDrawingBytes) ? undefined : new Uint8Array(await bytes.arrayBuffer());
 
-/** Maps and pictures of modes would tell something else when they are small, and fonts have no small form. */
+/** The small form of a layer's file. Maps and pictures of modes would mean something else when reduced, and fonts
+ * have no small form. */
 async function smallFile(layer: PlateLayer, file: SourceFile, most: number, shrink: Shrink) {
   const exact = file === layer.font || file === layer.modeFile || (file === layer.file && layer.kind === 'map');
   if (exact) return undefined;
@@ -108,13 +112,14 @@ async function smallFile(layer: PlateLayer, file: SourceFile, most: number, shri
 
 const sizeOf = (all: Iterable<Uint8Array>): number => [...all].reduce((sum, { length }) => sum + length, 0);
 
-/** The plate that a link can carry, and its files. */
+/** The parts of a plate that a link can carry, their files, and the parts that it cannot. */
 interface Carried {
   plate: Plate;
   files: Map<string, Uint8Array>;
   untold: Set<Untold>;
 }
 
+/** The plate with its shape, or with a rectangle where the shape's file is too large. */
 async function withShapeOf({ plate, files, untold }: Carried, shrink: Shrink | undefined): Promise<Plate> {
   const { shape } = plate;
   if (shape.kind !== 'file') return plate;
@@ -127,6 +132,7 @@ async function withShapeOf({ plate, files, untold }: Carried, shrink: Shrink | u
   return plate;
 }
 
+/** The plate with those layers that fit into the link. */
 async function withLayersOf({ plate, files, untold }: Carried, shrink: Shrink | undefined): Promise<Plate> {
   const complete = completeLayers(plate);
   const ground = groundOf(plate);
@@ -169,7 +175,7 @@ async function withLayersOf({ plate, files, untold }: Carried, shrink: Shrink | 
 
 type Rows = Readonly<Record<string, { default: unknown }>>;
 
-/** Values that are not the defaults'. */
+/** Values that differ from the defaults. */
 const changed = (section: object, rows: Rows, left: Readonly<Record<string, unknown>> = {}): object =>
   Object.fromEntries(
     Object.entries(section).filter(
@@ -177,10 +183,10 @@ const changed = (section: object, rows: Rows, left: Readonly<Record<string, unkn
     ),
   );
 
-/** A project without what every reader fills in. */
+/** A project without the values that every reader fills in. */
 function sparse(project: object, plate: Plate): object {
   const sections = project as Record<'shape' | keyof typeof table, object>;
-  // The names would bring values that the plate has changed back to the usual ones.
+  // The names of profiles would reset values that the plate has changed.
   const left = { profile: true, filament: true, ...(profileOf(plate.printer) === undefined && ownAlone) };
   return {
     ...project,
@@ -192,7 +198,7 @@ function sparse(project: object, plate: Plate): object {
   };
 }
 
-/** Tells the plate as a link's data. */
+/** A plate in the form of a link's data. */
 function toldOf({ plate, files, untold }: Carried): object {
   const paths = new Map(filesOf(plate).map(({ id, name }, k) => [id, `${k}/${name}`]));
   const project = projectData(plate, ({ id }) => paths.get(id) ?? '');
@@ -207,7 +213,7 @@ function toldOf({ plate, files, untold }: Carried): object {
 
 const packedOf = (told: object): Promise<Uint8Array> => deflated(new TextEncoder().encode(JSON.stringify(told)));
 
-/** @param shrink  left out: pictures do not travel */
+/** Makes a plate's link. @param shrink  makes pictures small; without it no files go into the link */
 export async function writeLink(given: Plate, shrink?: Shrink): Promise<Link> {
   // A body is too large for any link.
   const carried: Carried = { plate: without(given, 'body'), files: new Map(), untold: new Set() };
@@ -222,7 +228,7 @@ export async function writeLink(given: Plate, shrink?: Shrink): Promise<Link> {
 
 // --- In ----------------------------------------------------------------------------------------------------------------
 
-/** @param tell  what the link could not carry */
+/** Reads a link's data. @param tell  called with the parts that the link could not carry */
 async function plateIn(
   value: unknown,
   unpack: Unpack,
@@ -240,7 +246,9 @@ async function plateIn(
   return plate;
 }
 
-/** @returns undefined where the hash is no plate's.
+/** Reads the plate of a link.
+ * @param hash  of the page's address, with or without '#'
+ * @returns undefined where the hash contains no plate
  * @throws StudioError LinkTooLong, LinkTooNew, LinkBroken, LinkValue; errors of the engine */
 export async function readLink(
   hash: string,
@@ -268,6 +276,6 @@ export async function readLink(
   } catch (error) {
     if (error instanceof Unfit) throw new StudioError('LinkValue', { where: error.where, value: error.value });
     if (problemOf(error).code !== 'Internal') throw error;
-    throw new StudioError('LinkBroken'); // files that are no base64, JSON that is nested too deep
+    throw new StudioError('LinkBroken'); // files that are no base64, or JSON that is nested too deeply
   }
 }

@@ -1,34 +1,37 @@
-// Which tab has which plate: never two the same.
+// Locks that keep two tabs from having the same plate.
 
 export interface Locks {
-  /** @param wait  for a moment, while the page that is being reloaded lets go
-   * @param steal  from another tab, which hears of it by `onLost`
-   * @returns whether this tab has it now, until it is closed */
+  /** Takes a plate's lock.
+   * @param wait  waits a moment while the previous page of a reload releases it
+   * @param steal  takes it from another tab, whose `onLost` is then called
+   * @returns true where this tab holds the lock, which it does until it is closed */
   take(id: string, how: { wait?: boolean; steal?: boolean; onLost: (id: string) => void }): Promise<boolean>;
-  /** By any tab. */
+  /** Plates that any tab holds. */
   held(): Promise<ReadonlySet<string>>;
-  /** By this tab. */
+  /** Tells whether this tab holds the plate. */
   mine(id: string): boolean;
 }
 
-/** What tabs tell each other where there are no locks. `since` is when the tab took the plate [ms since 1970]. */
+/** A message between tabs where the browser has no locks. `since` is when the tab took the plate [ms since 1970]. */
 type Word =
   | { kind: 'who'; tab: string }
   | { kind: 'ask' | 'steal'; tab: string; id: string }
   | { kind: 'have'; tab: string; id: string; since: number };
 
-/** What of a BroadcastChannel it takes. */
+/** The part of a BroadcastChannel that is used here. */
 export interface Channel {
   onmessage: ((event: { data: Word }) => void) | null;
   postMessage(word: Word): void;
 }
 
-const answersWithin = 500; // [ms], also from a tab that is busy
+const answersWithin = 500; // [ms], enough for a busy tab to answer
 
-/** Tabs ask each other. A tab that answers too late has the plate nevertheless: of two, the one that took it first keeps it, and
- * the other goes on with a copy.
- * @param open  a channel that all tabs hear, and not the one that speaks
- * @param now  [ms since 1970] @param patience  for answers [ms] */
+/** Locks by messages between tabs. A tab that answers too late still has its plate: of two tabs with the same one, the
+ * first to take it keeps it, and the other goes on with a copy.
+ * @param space  prefix of the channel's name, shared by the tabs of an origin
+ * @param open  opens a channel that all tabs hear except the one that speaks
+ * @param now  [ms since 1970]
+ * @param patience  time to wait for answers [ms] */
 export function askedLocks(
   space: string,
   open: (name: string) => Channel = (name) => new BroadcastChannel(name) as Channel,
@@ -100,14 +103,15 @@ export function askedLocks(
   };
 }
 
-const reloadsWithin = 1000; // [ms]
+const reloadsWithin = 1000; // [ms] within which a reloading page releases its lock
 
-/** @param space  of names, shared by the tabs of an origin */
+/** Locks of the browser, or `askedLocks` where it has none. @param space  prefix of names, shared by the tabs of an
+ * origin */
 export function webLocks(space: string): Locks {
   const mine = new Set<string>();
   const { locks } = (globalThis as { navigator?: { locks?: LockManager } }).navigator ?? {};
   const nameOf = (id: string): string => `${space} plate ${id}`;
-  // Browsers lend no locks to pages without TLS.
+  // Browsers provide no locks to pages without TLS.
   if (locks === undefined) return askedLocks(space);
   return {
     take(id, { wait = false, steal = false, onLost }) {
@@ -117,7 +121,7 @@ export function webLocks(space: string): Locks {
           resolve(lock !== null);
           if (lock === null) return undefined;
           mine.add(id);
-          return new Promise(() => undefined); // until the tab is closed
+          return new Promise(() => undefined); // held until the tab is closed
         };
         const how: LockOptions = steal
           ? { steal: true }

@@ -1,4 +1,4 @@
-// Files as they were opened: what they are, what they are probably for, and the plate that they make.
+// Reads opened files, guesses their roles, and puts them into a plate.
 import type { Engine } from 'sillon';
 import { newFileShape, newShape } from '../model/defaults.js';
 import { changeGround, filledWith, fillOf, groundOf, groundPictures, type Fill } from '../model/fills.js';
@@ -22,10 +22,10 @@ import { sourceFile, stemOf } from './source-file.js';
 const mostBytes = { one: 64e6, project: 256e6, together: 256e6 };
 
 export interface Found {
-  /** Then nothing else counts. */
+  /** The plate of a project; where there is one, the other fields are empty. */
   project: Plate | undefined;
   opened: Opened[];
-  /** Why others of the files cannot be used. */
+  /** Reasons why some of the files cannot be used. */
   refused: StudioError[];
 }
 
@@ -39,6 +39,7 @@ interface Read {
 
 const megabytes = (bytes: number): number => Math.ceil(bytes / 1e6);
 
+/** Limits the size of all files together. @throws StudioError InvalidFile */
 function checkTogether(files: readonly File[]): void {
   const together = files.reduce((sum, { size }) => sum + size, 0);
   if (together > mostBytes.together) {
@@ -47,6 +48,7 @@ function checkTogether(files: readonly File[]): void {
   }
 }
 
+/** Limits the size of one file, which is larger for projects. @throws StudioError InvalidFile */
 function checkSize({ name, size }: File): void {
   const most = /\.zip$/i.test(name) ? mostBytes.project : mostBytes.one;
   if (size > most) {
@@ -54,7 +56,8 @@ function checkSize({ name, size }: File): void {
   }
 }
 
-/** A file as a plate keeps it, and what it is. @throws StudioError InvalidFile, UnknownFile, PrinterFileHere, BrowserPicture */
+/** Reads a file, checks its size and recognises its kind.
+ * @throws StudioError InvalidFile, UnknownFile, BodyHere, PrinterFileHere, BrowserPicture */
 export async function readFile(given: File): Promise<Read> {
   checkSize(given);
   const file = await readable(given);
@@ -62,7 +65,7 @@ export async function readFile(given: File): Promise<Read> {
   try {
     bytes = new Uint8Array(await file.arrayBuffer());
   } catch (error) {
-    // A folder, or a file that has gone since.
+    // The file is a folder, or has been deleted since.
     throw new StudioError('InvalidFile', { name: file.name }, `${file.name}: ${problemOf(error).detail}`);
   }
   const { kind } = kindOf(bytes.subarray(0, enoughToKnow), file.name);
@@ -81,10 +84,10 @@ export async function readFile(given: File): Promise<Read> {
   return { source, kind, notes: kind === 'picture' && isAnimated(own) ? ['animated'] : [] };
 }
 
-// A picture is decoded once, however often its role changes.
+// Figures of pictures, so that each is decoded once however often its role changes.
 const known = new WeakMap<SourceFile, PictureFacts>();
 
-/** With the file's name in what the engine says. */
+/** Adds the file's name to an error of the engine. */
 async function naming<Result>(name: string, promise: Promise<Result>): Promise<Result> {
   try {
     return await promise;
@@ -94,6 +97,7 @@ async function naming<Result>(name: string, promise: Promise<Result>): Promise<R
   }
 }
 
+/** Figures about a picture, which is decoded for them once. */
 async function pictureFacts(source: SourceFile, engine: Pick<Engine, 'decodePicture'>): Promise<PictureFacts> {
   const before = known.get(source);
   if (before !== undefined) return before;
@@ -102,7 +106,7 @@ async function pictureFacts(source: SourceFile, engine: Pick<Engine, 'decodePict
   return facts;
 }
 
-/** A picture as it can be seen, and its figures. */
+/** A picture in a form that can be seen, with its figures: white artwork is put on black. */
 async function seenPicture(
   source: SourceFile,
   notes: readonly FileNote[],
@@ -118,16 +122,17 @@ async function seenPicture(
 
 export const isFont = ({ name }: File): boolean => isFontFile(name);
 
-/** Returns printOf's answer for a single file, '' for none or several. */
+/** Result of `printOf` for a single file; '' for none or several. */
 export const onePrint = (files: readonly File[]): ReturnType<typeof printOf> =>
   files[0] === undefined || files.length > 1 ? Promise.resolve('') : printOf(files[0]);
 
-/** @param plate  that they will be put into
+/** Reads files and guesses their roles.
+ * @param plate  the plate that will use them
  * @throws StudioError where none of them can be used, TooManyFiles, BrokenProject; errors of the engine */
 export async function identify(files: readonly File[], plate: Plate, engine: OpeningEngine): Promise<Found> {
   checkTogether(files);
   const refused: StudioError[] = [];
-  /** Of those that can be used. */
+  /** Results for the files that can be used; the others are added to `refused`. */
   const each = async <From, To>(all: readonly From[], work: (one: From) => Promise<To>): Promise<To[]> => {
     const done: To[] = [];
     for (const one of all) {
@@ -154,8 +159,9 @@ export async function identify(files: readonly File[], plate: Plate, engine: Ope
 
   const guessed = await each(all, async ({ source, kind, notes }) => {
     const { name } = source;
-    if (kind === 'font') throw new StudioError('UnknownFile', { name }); // only layers have letters of their own
-    // One drawing alone is read when it is used; among others it must not take them with it.
+    if (kind === 'font') throw new StudioError('UnknownFile', { name }); // only layers have letters in fonts of their own
+    // A single drawing is read when it is used. Among others it is read here, so that a bad one does not spoil the
+    // rest.
     if (kind === 'svg' && all.length > 1) await naming(name, engine.readShape({ file: source.bytes, unitless: 'px' }));
     return kind === 'svg'
       ? { source, kind, notes, name, facts: undefined, colours: (await coloursIn(source, engine)).length }
@@ -177,17 +183,19 @@ type Size = readonly [number, number];
 
 const tenths = (length: number): number => Math.max(0.1, Math.round(10 * length) / 10);
 
-/** Pages longer than this, by their proportions, are strips, which are as large as others by their area. */
+/** Ratio of the sides above which a page is a strip. Strips are made as large as other pages by area and not by
+ * length. */
 const strip = 3;
-const mostOfBed = 0.9; // what lies around a plate needs room, too
+const mostOfBed = 0.9; // share of the bed; the plate needs room around it, too
 
 export const isStrip = ([wide, tall]: Size): boolean => Math.max(wide / tall, tall / wide) > strip;
 
-/** The longer side of a page; a strip's is that of a page of its area which is none yet. */
+/** The longer side of a page; for a strip, that of a page with the same area and the greatest ratio that is no
+ * strip. */
 const extentOf = ([wide, tall]: Size): number => Math.min(Math.max(wide, tall), Math.sqrt(strip * wide * tall));
 
-/** These proportions, as large as the plate was: as long, and a strip of as much area as the stoutest page that is one. It
- * grows no longer than the bed. */
+/** A page in these proportions, as large as the plate was: equally long or, for a strip, by its area. It grows no
+ * longer than the bed. */
 function proportioned(plate: Plate, page: Size): Pick<Plate, 'width' | 'height'> {
   const [wide, tall] = page;
   const { width: before, height, printer } = plate;
@@ -198,22 +206,22 @@ function proportioned(plate: Plate, page: Size): Pick<Plate, 'width' | 'height'>
   return { width, height: (width * tall) / wide };
 }
 
-/** Whether a drawing says how large it is: pixels tell nothing of millimetres. */
+/** Tells whether a drawing states its size in a physical unit. Pixels say nothing about millimetres. */
 export async function hasUnits({ bytes }: SourceFile): Promise<boolean> {
   const [root = ''] = /<(?:[\w-]{1,40}:)?svg\s[^>]*>/.exec(await bytes.slice(0, enoughToKnow).text()) ?? [];
   return /\s(?:width|height)\s*=\s*["']\s*[\d.eE+-]+\s*(?:mm|cm|in|pt|pc|q)\s*["']/i.test(root);
 }
 
-const smallest = 10; // [mm] what was drawn by mistake in another unit
+const smallest = 10; // [mm]; a smaller drawing was probably made in another unit
 
-/** As it was drawn, where that can be printed. */
+/** The drawing's own size where that can be printed, else one in its proportions. */
 function drawn(plate: Plate, [width, height]: Size): Pick<Plate, 'width' | 'height'> {
   const { bedMin, bedMax } = plate.printer;
   const fits = width <= bedMax[0] - bedMin[0] && height <= bedMax[1] - bedMin[1] && Math.max(width, height) >= smallest;
   return fits ? { width, height } : proportioned(plate, [width, height]);
 }
 
-/** The fill of a role, and what it asks of the fill. */
+/** Fills of roles, and the values that each gives its fill. */
 const fills: Partial<Record<Role, [Fill, Partial<LayerValues>]>> = {
   angle: ['map', { encoding: 'angle' }],
   rotation: ['map', { encoding: 'rotation' }],
@@ -223,13 +231,14 @@ const fills: Partial<Record<Role, [Fill, Partial<LayerValues>]>> = {
   levels: ['levels', {}],
 };
 
-/** The plate filled from a file; what was chosen for the file before it goes on for this one. */
+/** Fills the plate from a file, and keeps the choices made for a file with the same fill. */
 function withFill(plate: Plate, fill: Fill, given: Partial<LayerValues>): Plate {
   const ground = groundOf(plate);
   return ground !== undefined && fillOf(ground) === fill ? changeGround(plate, given) : filledWith(plate, fill, given);
 }
 
-/** Built-in shapes take the picture's proportions, and a disc has none but one to one. */
+/** Gives built-in shapes the picture's proportions. A round shape can only be square, so it becomes a rectangle for
+ * other pictures. */
 function framed(plate: Plate, [wide, tall]: Size): Plate {
   const { shape } = plate;
   const page = proportioned(plate, [wide, tall]);
@@ -239,8 +248,9 @@ function framed(plate: Plate, [wide, tall]: Size): Plate {
   return { ...plate, ...page };
 }
 
-/** The plate with a file put to use. @param size  its page [mm] for a shape, else its pixels
- * @param light  on the screen: pictures are solved for it */
+/** Puts a file to use in the plate.
+ * @param size  the page [mm] for a shape, else the picture's pixels
+ * @param light  the light on the screen, which pictures are solved for */
 export function withFile(
   plate: Plate,
   file: SourceFile,
@@ -253,7 +263,7 @@ export function withFile(
     case 'shape':
     case 'mask': {
       const next = newFileShape(file, shape.unitless);
-      // Put to use once more it keeps the size that a hand has given it.
+      // The same shape again keeps the size that the visitor has given it.
       if (shape.kind === 'file' && shape.file === file) return plate;
       return { ...plate, shape: next, ...(role === 'shape' ? drawn(plate, size) : proportioned(plate, size)) };
     }
@@ -280,10 +290,10 @@ export function withFile(
   }
 }
 
-/** What files change of a plate: a shape and its size are one. */
+/** Parts of a plate that files change. A shape and its size are one part. */
 const parts: readonly (readonly (keyof Plate)[])[] = [['name'], ['layers'], ['shape', 'width', 'height']];
 
-/** The plate with all that a hand has changed since files were put into it, and without what they still are. */
+/** Takes files out of the plate. Parts that the visitor has changed since then stay as they are. */
 export function withoutFiles(plate: Plate, { before, made }: OpenedFiles): Plate {
   const untouched = parts.filter((part) => part.every((key) => plate[key] === made[key])).flat();
   return { ...plate, ...Object.fromEntries(untouched.map((key) => [key, before[key]])) };
@@ -291,9 +301,11 @@ export function withoutFiles(plate: Plate, { before, made }: OpenedFiles): Plate
 
 type Tell = (problem: StudioError) => void;
 
-/** Of what is to be recognised. */
+/** Roles of pictures in which something is to be recognised. */
 const seen: readonly Role[] = ['lamp', 'more', 'tone', 'edges', 'levels', 'colours'];
 
+/** Size of an opened file: the page [mm] for a shape, else its pixels. Calls `tell` with what will not be seen of
+ * it. */
 async function sizeOf(
   plate: Plate,
   { source, role }: Opened,
@@ -319,7 +331,7 @@ async function sizeOf(
   return [width, height];
 }
 
-/** A drawing as shape and directions; of a picture its directions alone. */
+/** Gives each flat colour of a file a direction. A drawing also becomes the shape. */
 async function withColours(
   plate: Plate,
   opened: Opened,
@@ -335,12 +347,12 @@ async function withColours(
   return withFill(made, 'colours', { file, colours: await coloursOf(file, engine, before) });
 }
 
-/** Whether nobody has given the plate a name. */
+/** Tells whether the plate is still named after one of its files, so nobody has given it a name. */
 const isOfFile = (plate: Plate): boolean => filesOf(plate).some(({ name }) => stemOf(name) === plate.name);
 
-/** The plate with all of them put to use: shapes first, as pictures are laid over them.
- * @param tell  what of a file is not in the plate
- * @param light  on the screen
+/** Puts all files to use. Shapes come first, since pictures are laid over them.
+ * @param tell  called with each part of a file that is not in the plate
+ * @param light  the light on the screen
  * @throws errors of the engine */
 export async function withFiles(
   plate: Plate,

@@ -1,10 +1,10 @@
-// A photograph as its pixels, decoded by the browser, which knows more formats than the engine and turns it upright.
+// Photographs as pixels. The browser decodes them, since it knows more formats than the engine and turns them upright.
 import type { Picture } from 'sillon';
 import { StudioError } from '../model/problem.js';
 
 const mostPixels = 16e6; // a coupon that fills half of them has 18 pixels across a bead, where 7 are enough
 
-/** @throws StudioError InvalidFile */
+/** Decodes a photograph. @throws StudioError InvalidFile */
 export async function photograph(file: Blob & { name?: string }): Promise<Picture> {
   const name = file.name ?? '';
   if (file.type === 'image/svg+xml') throw new StudioError('InvalidFile', { name }, 'a drawing is no photograph');

@@ -1,9 +1,10 @@
 // Asks the visitor for files.
 
-/** The questions that are open: a browser may drop an input that nothing holds, and with it the files that were chosen. */
+/** Inputs of open dialogs. A browser may drop an input that nothing refers to, and the chosen files with it. */
 const open = new Set<HTMLInputElement>();
 
-/** @param accept  kinds, as an input has them; empty: any @returns none where the question is dismissed */
+/** Opens a dialog for files. @param accept  kinds as in an input's `accept`; empty: any @returns none where it is
+ * dismissed */
 export const pickFiles = (accept: string): Promise<File[]> =>
   new Promise((resolve) => {
     const input = Object.assign(document.createElement('input'), { type: 'file', multiple: true, accept });

@@ -1,5 +1,6 @@
-// A plate as a project's JSON, and back: in project files, in links and in the browser's storage alike. The core reads and checks
-// it; a section `studio` has what no toolpath needs: names of files as they came, a spool of one's own.
+// Converts a plate to a project's JSON and back, for project files, links and the browser's storage. The core reads and
+// checks the JSON; its section `studio` has what no toolpath needs, such as the files' original names and the visitor's
+// own spool.
 import type { Engine, LampPicture as ToldPicture, Project } from 'sillon';
 import { bodyFrom, toldBody } from '../model/body.js';
 import { numberIn, textIn, type Fields } from '../model/check.js';
@@ -13,13 +14,13 @@ import type { Plate, PlateLayer, ShapeSource, SourceFile } from '../model/plate.
 import { without } from '../model/without.js';
 import { stemOf } from './source-file.js';
 
-/** The first had directions and strokes of the studio's own beside the layers, which told the same. */
+/** Version of the section `studio`. In version 1 it held directions and strokes that repeated the layers. */
 const version = 2;
 
-/** The stand-in for a file. */
+/** Path of a file in a project. */
 export type PathOf = (file: SourceFile) => string;
 
-/** Each once. */
+/** All files of a plate, each once. */
 export function filesOf({ shape, layers, body }: Pick<Plate, 'shape' | 'layers' | 'body'>): SourceFile[] {
   const files = [
     ...(shape.kind === 'file' ? [shape.file] : []),
@@ -31,11 +32,11 @@ export function filesOf({ shape, layers, body }: Pick<Plate, 'shape' | 'layers' 
 
 // --- Out ---------------------------------------------------------------------------------------------------------------
 
-/** Stands for a file that nobody has chosen yet. */
+/** Stand-in for a file that nobody has chosen yet. */
 export const nothing: SourceFile = { id: 'nothing', name: '', bytes: new Blob() };
 const noText = '-';
 
-/** The layer with stand-ins for what it lacks, as the core reads no layer that lacks anything. */
+/** The layer with stand-ins for what it lacks, since the core reads no incomplete layer. */
 function filled(layer: PlateLayer): PlateLayer {
   switch (lackOf(layer)) {
     case 'file':
@@ -53,7 +54,7 @@ function filled(layer: PlateLayer): PlateLayer {
   }
 }
 
-/** project.json as data. @param lacking  with the layers that lack something, which no other program would read */
+/** project.json as data. @param lacking  includes incomplete layers, which no other program would read */
 export function projectData(plate: Plate, pathOf: PathOf, lacking = false): object {
   const { name, width, height, spool, layers } = plate;
   const all = lacking ? { ...plate, layers: layers.map(filled) } : plate;
@@ -77,14 +78,15 @@ export function projectData(plate: Plate, pathOf: PathOf, lacking = false): obje
 
 // --- In ----------------------------------------------------------------------------------------------------------------
 
-/** The engine's calls that reading a project takes. */
+/** The engine's calls needed to read a project. */
 export type ProjectEngine = Pick<Engine, 'readProject' | 'readShape'>;
 
-/** A file by its path as it stands in a project. @returns undefined for what nobody has chosen yet */
+/** Finds a file by its path in a project. @returns undefined for a file that nobody has chosen yet */
 export type FileAt = (path: string, name: string) => Promise<SourceFile | undefined>;
 
 type GivenLayer = NonNullable<Project['layers']>[number];
 
+/** Paths of the files that a project's layer refers to. */
 const pathsIn = ({ file, pictures = [], maskFile, modeFile, font }: GivenLayer): string[] =>
   [file, ...pictures.map((one) => one.file), maskFile, modeFile, font !== undefined && isFontFile(font) && font].filter(
     (path): path is string => typeof path === 'string' && path !== '',
@@ -92,6 +94,7 @@ const pathsIn = ({ file, pictures = [], maskFile, modeFile, font }: GivenLayer):
 
 type Files = ReadonlyMap<string, SourceFile>;
 
+/** A layer of a project as the studio keeps it. Files that nobody has chosen yet are null. */
 function layerFrom(layer: GivenLayer, id: number, files: Files): PlateLayer {
   const usual = layerDefaults();
   const at = (path: string | undefined): SourceFile | null => files.get(path ?? '') ?? null;
@@ -111,6 +114,7 @@ function layerFrom(layer: GivenLayer, id: number, files: Files): PlateLayer {
   };
 }
 
+/** The shape of a project as the studio keeps it; a shape without an outline becomes a rectangle. */
 function shapeFrom(shape: Project['shape'], files: Files): ShapeSource {
   const { builtin, unitless } = shape;
   const file = files.get(shape.file);
@@ -119,16 +123,16 @@ function shapeFrom(shape: Project['shape'], files: Files): ShapeSource {
   return { ...begun, ...without(shape, 'builtin', 'size', 'pageWidth', 'file') };
 }
 
-/** The page as it stood in the studio, unless the project has another size since; else as the core makes it. */
+/** Size of the page: the studio's own where the project still has that size, else the core's. */
 async function pageFrom(
   { shape: told }: Project,
   given: unknown,
   { shape, layers }: Pick<Plate, 'shape' | 'layers'>,
   engine: ProjectEngine,
 ): Promise<[number, number]> {
-  // The page is that without what an offset adds to it.
+  // The size excludes what an offset adds to the page.
   const { builtin, size, radius, corners, points, inner, text, font, pageWidth, unitless } = told;
-  const most = 10_000; // [mm] as the core has it
+  const most = 10_000; // [mm], the core's own limit
   if (
     Array.isArray(given) &&
     JSON.stringify(shape.kind === 'file' ? [pageWidth, given[1] as unknown] : size) === JSON.stringify(given)
@@ -146,7 +150,8 @@ async function pageFrom(
   return [page[0], page[1]];
 }
 
-/** @param name  of the plate, where the project tells none
+/** Reads a plate from a project's JSON.
+ * @param name  file name from which the plate is named where the project gives no name
  * @throws errors of the engine and of `fileAt`; Unfit for the studio's own section */
 export async function plateOf(text: string, name: string, fileAt: FileAt, engine: ProjectEngine): Promise<Plate> {
   const project = await engine.readProject(text);
@@ -181,7 +186,7 @@ export async function plateOf(text: string, name: string, fileAt: FileAt, engine
     ...(await bodyFrom(studio['body'], (path) => fileAt(path, textIn(names[path] ?? path, 'studio.files', 1000)))),
   };
   if (plate.spool === undefined) return plate;
-  // Slopes of one's own spool are the plate's as long as the project has them.
+  // The slopes belong to the visitor's own spool only while the project still has that spool's values.
   const own = { ...plate, pictures: { ...plate.pictures, slopes: null } };
   return String(slopesOf(own)) === String(project.pictures.slopes) ? own : without(plate, 'spool');
 }

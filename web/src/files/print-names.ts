@@ -1,15 +1,16 @@
-// The names of the objects in a packed print, which its G-code has codes for.
+// Reads the names of the objects in a packed print, for which its G-code has only codes.
 import { openZip } from './unzip.js';
 
 const codes: Readonly<Record<string, string>> = { amp: '&', lt: '<', gt: '>', quot: '"', apos: "'" };
 
+/** An attribute of an XML tag with its entities decoded; empty where it is missing. */
 const attributeOf = (tag: string, name: string): string =>
   (new RegExp(`\\s${name}="([^"]*)"`).exec(tag)?.[1] ?? '').replace(
     /&(amp|lt|gt|quot|apos);/g,
     (_, code: string) => codes[code] ?? '',
   );
 
-/** Returns the names of a plate's objects, in the order of their codes. @param info  the package's slice_info.config */
+/** Names of a plate's objects, in the order of their codes. @param info  the package's slice_info.config */
 export function namesIn(info: string, plate: string): string[] {
   const plates = info.match(/<plate>[^]*?<\/plate>/g) ?? [];
   const own = plates.find((one) => new RegExp(`key="index" value="${plate}"`).test(one)) ?? plates[0] ?? '';
@@ -19,7 +20,7 @@ export function namesIn(info: string, plate: string): string[] {
     .map(({ name }) => name);
 }
 
-/** None where the file tells none, or cannot be read: the engine says what is wrong with it. */
+/** Names of the objects in a print; empty where the file has none or cannot be read, which the engine then explains. */
 export async function objectNames(file: File): Promise<string[]> {
   if (!/\.3mf$/i.test(file.name)) return [];
   try {

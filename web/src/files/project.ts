@@ -1,5 +1,5 @@
-// The project file: a zip with project.json, which the command line reads as it is once it is unpacked, and the files that it
-// names.
+// The project file: a zip with project.json, which the command line reads once it is unpacked, and the files named
+// there.
 import { strFromU8, strToU8, zipSync, type Zippable } from 'fflate';
 import { completeLayers } from '../model/layers.js';
 import type { Plate, SourceFile } from '../model/plate.js';
@@ -10,12 +10,12 @@ import { filesOf, plateOf, projectData, type FileAt, type ProjectEngine } from '
 import { sourceFile, stemOf } from './source-file.js';
 import { openZip, ZipError, type Entry } from './unzip.js';
 
-/** Limits of one input, and of a project with its strokes, as the core has them [bytes]. */
+/** Limits of one input and of project.json with its strokes, equal to the core's [bytes]. */
 export const mostBytes = { input: 64e6, project: 16 << 20 };
 
 // --- Out ---------------------------------------------------------------------------------------------------------------
 
-/** Names that every file system takes, each once. */
+/** A unique path for each file, with names that every file system accepts. */
 function pathsFor(files: readonly SourceFile[]): Map<string, string> {
   const taken = new Set<string>();
   const paths = new Map<string, string>();
@@ -36,7 +36,7 @@ function pathsFor(files: readonly SourceFile[]): Map<string, string> {
 
 const json = (value: unknown): Uint8Array<ArrayBuffer> => strToU8(`${JSON.stringify(value, undefined, 2)}\n`);
 
-/** Layers that lack something are left out, and so are their files. */
+/** The plate without incomplete layers and their files. */
 const whole = (plate: Plate): Plate => ({ ...plate, layers: completeLayers(plate) });
 
 /** project.json of the project file, as data. */
@@ -45,7 +45,8 @@ export function projectFileData(plate: Plate): object {
   return projectData(whole(plate), ({ id }) => paths.get(id) ?? '');
 }
 
-/** The same plate gives the same bytes. A printer that nobody has said may be used is left out. */
+/** Writes a project file; the same plate gives the same bytes. A printer not yet accepted by the visitor is left
+ * out. */
 export async function writeProject(plate: Plate): Promise<Blob> {
   const files = filesOf(whole(plate));
   const paths = pathsFor(files);
@@ -58,12 +59,12 @@ export async function writeProject(plate: Plate): Promise<Blob> {
   return zipped({ 'project.json': json(projectFileData(plate)), ...packed });
 }
 
-/** The clock has no part in it. */
+/** Packs files with a fixed date, so that equal contents give equal bytes. */
 const zipped = (content: Zippable): Blob =>
   new Blob([zipSync(content, { level: 6, mtime: new Date(1980, 0, 1) })], { type: 'application/zip' });
 
-/** Packs what was kept of a plate that only another version can read: everything as it is, which that version opens.
- * @param stored  as of `Autosave.stored` */
+/** Packs the data of a plate that only another version can read, unchanged, so that that version can open them.
+ * @param stored  result of `Autosave.stored` */
 export async function packStored({ record, about, files }: Stored): Promise<Blob> {
   const names = new Map<unknown, string>();
   const blobs = new Map<string, Blob>();
@@ -71,7 +72,7 @@ export async function packStored({ record, about, files }: Stored): Promise<Blob
     const { id, name } = (value ?? {}) as { id?: unknown; name?: unknown };
     return typeof id === 'string' && typeof name === 'string' && files.has(id) ? { id, name } : undefined;
   };
-  /** JSON lacks bytes: they stand beside it. */
+  /** A copy without bytes, which JSON cannot hold; they are packed as files. */
   const text = (value: unknown): unknown =>
     JSON.parse(
       JSON.stringify(value ?? null, (_, part: unknown) => {
@@ -110,14 +111,15 @@ async function textOf(entry: Entry, most: number): Promise<string> {
 
 const baseName = (path: string): string => path.split('/').at(-1) ?? path;
 
-/** The archive's file of this name that lies least deep: archives are often packed again with a folder around them. */
+/** The file of this name that is least deep in the archive, since archives are often repacked with a folder around
+ * them. */
 function topmost(entries: Map<string, Entry>, name: string): Entry | undefined {
   const depth = ({ path }: Entry): number => path.split('/').length;
   const found = [...entries.values()].filter(({ path }) => baseName(path) === name && !path.startsWith('__MACOSX/'));
   return found.sort((a, b) => depth(a) - depth(b))[0];
 }
 
-/** Reads what `packStored` has packed. */
+/** Reads a plate that `packStored` has packed. */
 async function storedPlate(
   text: string,
   entryAt: (path: string) => Entry | undefined,
@@ -134,6 +136,7 @@ async function storedPlate(
   return keptPlate(record, (id) => blobs.get(id), engine);
 }
 
+/** Reads the plate of a zip, from project.json or from what `packStored` has packed. */
 async function zippedPlate(name: string, bytes: Uint8Array<ArrayBuffer>, engine: ProjectEngine): Promise<Plate> {
   const entries = openZip(bytes);
   const project = topmost(entries, 'project.json');
@@ -158,9 +161,11 @@ async function zippedPlate(name: string, bytes: Uint8Array<ArrayBuffer>, engine:
 const missing = (name: string, path: string): StudioError =>
   new StudioError('BrokenProject', { name }, `${path} is missing: open it together with the project`);
 
-/** @param file  a zip, or a project's JSON alone
- * @param others  opened together with it: a JSON names files
- * @throws StudioError UnknownFile (an archive of something else), BrokenProject; errors of the engine's own */
+/** Reads the plate of a project.
+ * @param file  a zip, or a project's JSON alone
+ * @param others  files opened with it, which a JSON may refer to
+ * @throws StudioError UnknownFile and PrinterFileHere (archives of something else), BrokenProject; errors of the
+ * engine's own */
 export async function readProject(
   file: SourceFile,
   others: readonly SourceFile[],

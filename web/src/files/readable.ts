@@ -1,10 +1,10 @@
-// Files in a form that the engine reads.
+// Converts files to forms that the engine reads.
 import { problemOf, StudioError } from '../model/problem.js';
 import { browserPicture, enoughToKnow, kindOf, startsWith } from './kind.js';
 
-const mostUnpacked = 64e6; // [bytes], as much as a file may have
+const mostUnpacked = 64e6; // [bytes], the limit of any file
 
-/** A drawing that is packed (.svgz), as it was before; undefined: it is packed, but no drawing that can be read. */
+/** A gzipped drawing (.svgz), unpacked; undefined where it holds no readable drawing. */
 async function unpackedDrawing(file: File): Promise<File | undefined> {
   const pieces: Uint8Array<ArrayBuffer>[] = [];
   let size = 0;
@@ -29,14 +29,14 @@ async function unpackedDrawing(file: File): Promise<File | undefined> {
   return kindOf(head, drawing.name).kind === 'svg' ? drawing : undefined;
 }
 
-/** Pictures of kinds that only the browser reads, as PNG; packed drawings as plain ones; everything else as it is. What it is, its bytes say: files of phones
- * and chats come with wrong types, or with none.
+/** Converts pictures that only the browser reads to PNG, and unpacks gzipped drawings; other files stay as they are.
+ * The bytes decide, because files from phones and chats have wrong types or none.
  * @throws StudioError BrowserPicture */
 export async function readable(file: File): Promise<File> {
   const head = await file
     .slice(0, 64)
     .arrayBuffer()
-    .catch(() => new ArrayBuffer(0)); // a folder, or gone: told when it is read
+    .catch(() => new ArrayBuffer(0)); // a folder, or a deleted file, is reported when it is read
   if (startsWith(new Uint8Array(head), 0x1f, 0x8b)) return (await unpackedDrawing(file)) ?? file;
   const type = browserPicture(new Uint8Array(head));
   if (type === '') return file;

@@ -1,6 +1,7 @@
-// Small choices that outlive a visit. Where storage is denied they just do not.
+// Small choices that outlive a visit, as long as the browser allows storage.
 const prefix = 'sillon.';
 
+/** A kept text; undefined where none was kept or storage is denied. */
 export function recallText(name: string): string | undefined {
   try {
     return localStorage.getItem(prefix + name) ?? undefined;
@@ -13,7 +14,7 @@ export function remember(name: string, value: string): void {
   try {
     localStorage.setItem(prefix + name, value);
   } catch {
-    // denied, or full
+    // denied or full
   }
 }
 
@@ -21,11 +22,11 @@ export function forget(name: string): void {
   try {
     localStorage.removeItem(prefix + name);
   } catch {
-    // denied: it was not kept either
+    // denied, so nothing was kept either
   }
 }
 
-/** @returns undefined where nothing, or something else than one of `values`, was kept. */
+/** The kept choice. @returns undefined where nothing, or none of `values`, was kept */
 export function recall<Value extends string>(name: string, values: readonly Value[]): Value | undefined {
   const kept = recallText(name);
   return values.find((value) => value === kept);

@@ -1,12 +1,12 @@
-// Pictures small enough for a link.
+// Makes pictures small enough for a link.
 import type { SourceFile } from '../model/plate.js';
 
-const sides = [320, 240, 180, 128, 96, 64]; // [pixels] of the longer side
+const sides = [320, 240, 180, 128, 96, 64]; // longer sides [pixels] to try, the largest first
 
-/** Grey JPEG, as large as `most` bytes allow: colour is not the plate's to show.
+/** The largest grey JPEG within `most` bytes. Colour can go, since a plate does not show it.
  * @returns undefined for drawings, and where the browser cannot draw the file */
 export async function shrunk({ bytes }: SourceFile, most: number): Promise<Uint8Array | undefined> {
-  if (bytes.type === 'image/svg+xml') return undefined; // some browsers would draw it, whatever is in it
+  if (bytes.type === 'image/svg+xml') return undefined; // some browsers would draw it, whatever it contains
   let image: ImageBitmap;
   try {
     image = await createImageBitmap(bytes);
@@ -21,7 +21,7 @@ export async function shrunk({ bytes }: SourceFile, most: number): Promise<Uint8
     );
     const context = canvas.getContext('2d');
     if (context === null) return undefined;
-    context.fillStyle = 'white'; // paper, as the engine has it behind what is transparent
+    context.fillStyle = 'white'; // white paper, which the engine also puts behind transparent pixels
     context.fillRect(0, 0, canvas.width, canvas.height);
     context.filter = 'grayscale(1)';
     context.imageSmoothingQuality = 'high';

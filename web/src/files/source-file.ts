@@ -1,11 +1,11 @@
-// A file as the plate keeps it: its bytes in memory, whatever becomes of it on the disk, under an id that follows from them.
+// Files as a plate keeps them: bytes in memory, which do not change with the disk, and an id derived from them.
 import type { SourceFile } from '../model/plate.js';
 import { enoughToKnow, kindOf } from './kind.js';
 
 const hex = (bytes: Uint8Array): string => Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
 
-/** FNV-1a in four lanes, for pages that are served without TLS, where browsers lend no digest. Nobody is kept from making
- * two files of one id, but then it is their own page that mixes them up. */
+/** Digest for pages served without TLS, where browsers offer none: FNV-1a in four lanes. Somebody could make two
+ * files with the same id, but would only confuse their own page. */
 export function plainDigest(bytes: Uint8Array): string {
   const lanes = Uint32Array.of(0x811c9dc5, 0x01000193, 0x9e3779b9, 0x7f4a7c15);
   for (let k = 0; k < bytes.length; ++k) {
@@ -19,11 +19,11 @@ export async function digest(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
   return subtle === undefined ? plainDigest(bytes) : hex(new Uint8Array(await subtle.digest('SHA-256', bytes)));
 }
 
-/** Without folders and control characters; never empty. */
+/** File name without folders and control characters; never empty. */
 export function cleanName(name: string): string {
   const last = name.split(/[\\/]/).at(-1) ?? '';
   const plain = last.replace(/[\p{Cc}\p{Cs}]/gu, '').trim();
-  return Array.from(plain).slice(0, 120).join('') || 'file'; // whole characters
+  return Array.from(plain).slice(0, 120).join('') || 'file'; // cuts between whole characters
 }
 
 export async function sourceFile(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<SourceFile> {
@@ -31,5 +31,5 @@ export async function sourceFile(name: string, bytes: Uint8Array<ArrayBuffer>): 
   return { id: await digest(bytes), name: cleanName(name), bytes: new Blob([bytes], { type: mime }) };
 }
 
-/** "Leaf.final.svg" is "Leaf.final". */
+/** Name without its last extension: "Leaf.final.svg" becomes "Leaf.final". */
 export const stemOf = (name: string): string => name.replace(/\.[^.]*$/, '') || name;

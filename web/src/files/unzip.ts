@@ -1,5 +1,6 @@
-// Zip archives of anybody: the directory is read in full and strictly, contents only when they are asked for, and never
-// more of them than the directory told. (fflate's own unzip goes on inflating what has outgrown its entry.)
+// Reads zip archives that anybody may have made. The whole directory is checked strictly at first; contents are
+// unpacked on demand, and never beyond the size that the directory states. (fflate's own unzip keeps inflating an entry
+// that exceeds its size.)
 import { Inflate } from 'fflate';
 import { breathing } from './breath.js';
 
@@ -18,18 +19,19 @@ function crc32(bytes: Uint8Array): number {
 }
 
 const mostEntries = 1000;
-const pieceLength = 1 << 14; // at most 16 MB when inflated
+const pieceLength = 1 << 14; // bytes; inflates to at most 16 MB
 
 export interface Entry {
   path: string;
-  /** Unpacked. */
+  /** Size when unpacked [bytes]. */
   size: number;
   read(): Promise<Uint8Array<ArrayBuffer>>;
 }
 
-/** What is wrong with an archive, in a sentence. */
+/** Fault of an archive; its message is a sentence. */
 export class ZipError extends Error {}
 
+/** Refuses paths that could leave the archive's folder or confuse a file system. @throws ZipError */
 function checkedPath(path: string): string {
   const parts = path.split('/');
   // eslint-disable-next-line no-control-regex
@@ -39,6 +41,7 @@ function checkedPath(path: string): string {
   return path;
 }
 
+/** Inflates an entry. @throws ZipError where its size is not the one that the directory states */
 async function inflated(packed: Uint8Array, size: number, path: string): Promise<Uint8Array<ArrayBuffer>> {
   const out = new Uint8Array(size);
   let length = 0;
@@ -56,7 +59,7 @@ async function inflated(packed: Uint8Array, size: number, path: string): Promise
   return out;
 }
 
-/** Where the directory's end stands: behind it there is at most a comment. */
+/** Position of the end-of-directory record, after which only a comment may follow. */
 function endOf(view: DataView): number {
   for (let at = view.byteLength - 22; at >= Math.max(0, view.byteLength - 22 - 0xffff); --at) {
     if (view.getUint32(at, true) === 0x06054b50) return at;
@@ -64,7 +67,8 @@ function endOf(view: DataView): number {
   throw new ZipError('its end is missing');
 }
 
-/** @returns the files by their paths. @throws ZipError here and from `read`, RangeError, or fflate's errors */
+/** Opens an archive. @returns the files by their paths @throws ZipError here and from `read`, RangeError, or
+ * fflate's errors */
 export function openZip(bytes: Uint8Array<ArrayBuffer>): Map<string, Entry> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const end = endOf(view);

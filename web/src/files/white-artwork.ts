@@ -1,10 +1,11 @@
-// White artwork on a transparent ground, as it is sold for dark shirts: on the white paper that stands behind pictures nothing of
-// it would be seen, so that it gets a black one.
+// White artwork on a transparent ground, as sold for dark shirts. It would vanish on the white paper behind pictures,
+// so it gets a black ground.
 import type { Picture } from 'sillon';
 import type { SourceFile } from '../model/plate.js';
 import { sourceFile } from './source-file.js';
 
-/** @param picture  the file's, with an alpha channel @throws Error where the browser has no canvas of that size */
+/** The artwork on black. @param picture  the file's pixels, with an alpha channel @throws Error where the browser
+ * has no canvas of that size */
 export async function onBlack({ name }: SourceFile, picture: Picture): Promise<SourceFile> {
   const { width, height, channels, samples } = picture;
   const scale = samples instanceof Uint16Array ? 1 / 257 : 1;

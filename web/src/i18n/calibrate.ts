@@ -1,4 +1,5 @@
-// The words of the calibration page, of own spools and of the first print: no first visit has to fetch them in English.
+// Words of the calibration page, the visitor's own spools and the first print, so that a first visit in English need
+// not load them.
 import { words } from './en/calibrate.js';
 import { sayer } from './text.js';
 

@@ -1,4 +1,4 @@
-// The words for how a drawing is read: no first visit has to fetch them in English.
+// Words of the fields for reading a drawing, so that a first visit in English need not load them.
 import { words } from './en/drawing.js';
 import { sayer } from './text.js';
 

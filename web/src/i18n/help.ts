@@ -1,4 +1,4 @@
-// What settings do, in the page's language.
+// Help on settings, in the page's language.
 import type { AnySetting } from '../model/settings.js';
 import { words } from './en/core/setting-help.js';
 import { say } from './text.js';

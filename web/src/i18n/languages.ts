@@ -1,10 +1,10 @@
-// Every language of the page: a line here, and its words in a file of this folder (docs/guide/translate.md). English is always
-// there; the others are loaded when they are chosen.
+// Languages of the page: each has a line here, and its words in a file of this folder (docs/guide/translate.md).
+// English is always loaded, the others when they are chosen.
 import { en } from './en.js';
 import type { Dictionary } from './text.js';
 
 interface Language {
-  /** As its speakers call it. */
+  /** The language's own name for itself. */
   readonly name: string;
   readonly words: () => Promise<Dictionary>;
 }
@@ -15,5 +15,5 @@ export const languages: Readonly<Record<string, Language>> = {
   de: { name: 'Deutsch', words: async () => (await import('./de.js')).de },
 };
 
-/** Their tags, as of `?lang=`. */
+/** Tags of the languages, as in `?lang=`. */
 export const spoken: readonly string[] = Object.keys(languages);

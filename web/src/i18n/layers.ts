@@ -1,4 +1,4 @@
-// The words about layers, which no first visit has to fetch in English.
+// Words about layers, so that a first visit in English need not load them.
 import { isFontFile } from '../model/layer-list.js';
 import { fillOf, toldFrom } from '../model/fills.js';
 import type { PlateLayer } from '../model/plate.js';
@@ -19,7 +19,7 @@ const shortened = (text: string): string => {
   return line.length > longest ? `${line.slice(0, longest)}…` : line;
 };
 
-/** The name of a layer: by its letters, by its file, else by its kind. */
+/** Name of a layer: its letters, else its file, else its kind. */
 export function layerName(layer: PlateLayer): string {
   const { kind, text } = layer;
   if ((kind === 'text' || kind === 'code') && text.trim() !== '') return shortened(text);
@@ -29,14 +29,14 @@ export function layerName(layer: PlateLayer): string {
   return fill === undefined ? l(`kind.${kind}`) : t(`source.${fill}`);
 }
 
-/** The name of a layer among others, of which several may have the same letters or files. */
+/** Name of a layer among others. Later layers with the same name get a number. */
 export function layerNameIn(layers: readonly PlateLayer[], layer: PlateLayer): string {
   const name = layerName(layer);
   const k = layers.filter((one) => layerName(one) === name).indexOf(layer);
   return k > 0 ? `${name} (${k + 1})` : name;
 }
 
-/** A font file's name without its ending. */
+/** Name of a font, without the extension of its file. */
 export const fontName = (font: PlateLayer['font']): string => {
   if (typeof font === 'string') return font;
   return isFontFile(font.name) ? font.name.replace(/\.\w+$/, '') : font.name;

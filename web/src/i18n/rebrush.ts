@@ -1,4 +1,4 @@
-// The words of the view that re-brushes sliced prints: no first visit has to fetch them in English.
+// Words of the view that re-brushes sliced prints, so that a first visit in English need not load them.
 import { words as faces } from './en/core/faces.js';
 import { words } from './en/rebrush.js';
 import { sayer } from './text.js';

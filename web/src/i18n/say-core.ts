@@ -1,4 +1,4 @@
-// Words for what the engine says, by codes: warnings, findings, notes, reasons.
+// Words for the engine's messages, by their codes: warnings, findings, notes and reasons.
 import type { GcodeFinding, GcodeWarning, ImportNote } from 'sillon';
 import type { Problem } from '../model/problem.js';
 import { settings } from '../model/settings.js';
@@ -10,7 +10,7 @@ import { words as problems } from './en/problems.js';
 import { settingLabel } from './say.js';
 import { formatNumber, say, t, type Text, type Values } from './text.js';
 
-/** Numbers as the language writes them, with three decimals, and settings by their labels, between quotes. */
+/** Values in the page's language: numbers with up to three decimals, settings as their labels in quotes. */
 const shown = (values: Values): Values =>
   Object.fromEntries(
     Object.entries(values).map(([name, value]) => {
@@ -20,29 +20,30 @@ const shown = (values: Values): Values =>
     }),
   );
 
-/** undefined: there is no sentence of this id. */
+/** The sentence of an id; undefined where there is none. */
 const sentence = (english: Readonly<Record<string, Text>>, id: string, values: Values): string | undefined =>
   Object.hasOwn(english, id) ? say(english, id, shown(values)) : undefined;
 
-/** A note of importPrinter in the page's language; one of an unknown code as the engine says it. */
+/** A note of `importPrinter` in the page's language, or the engine's own text for an unknown code. */
 export const importNoteText = ({ code, values, message }: ImportNote): string =>
   sentence(importNotes, `note.${code}`, values) ?? message;
 
-/** A warning of GcodeSummary in the page's language. */
+/** A warning of `GcodeSummary` in the page's language, or the engine's own text for an unknown code. */
 export function warningText({ code, values, message }: GcodeWarning): string {
   const { layer, ...own } = values;
-  // Sentences about drawings do not say whose drawing it is.
+  // Sentences about drawings do not name the layer, so it is added.
   if (layer === undefined || !code.startsWith('Drawing'))
     return sentence(warnings, `warning.${code}`, values) ?? message;
   const what = sentence(warnings, `warning.${code}`, own);
   return what === undefined ? message : say(problems, 'check.ofLayer', { what, layer });
 }
 
-/** A reason why a plate is refused, which may be a warning's; undefined: its sentence is made elsewhere. */
+/** The reason why a plate is refused; some are also warnings. Undefined for reasons whose sentences are made
+ * elsewhere. */
 export const reasonText = (reason: string, values: Values): string | undefined =>
   sentence(reasons, `reason.${reason}`, values) ?? sentence(warnings, `warning.${reason}`, values);
 
-/** A finding of GcodeCheck in the page's language, with its line; one of an unknown code as the engine says it. */
+/** A finding of `GcodeCheck` in the page's language with its line, or the engine's own text for an unknown code. */
 export function findingText({
   code,
   line,
@@ -57,13 +58,13 @@ export function findingText({
 
 export interface StartLine {
   line: number;
-  /** The line as it stands in the start block. */
+  /** The line's text in the start block. */
   code: string;
-  /** In the engine's words. */
+  /** The fault in the engine's words. */
   what: string;
 }
 
-/** The lines of the start block that a problem and warnings name. */
+/** Lines of the start block that a problem or warnings name. */
 export function startLines(
   warnings: readonly GcodeWarning[],
   problem: Problem | undefined,

@@ -1,5 +1,5 @@
-// What is known of a problem beyond its code, loaded with the first problem: why the engine refuses a plate, and what files of
-// no kind that the page knows are.
+// Exact words for a problem beyond its code: why the engine refuses a plate, or what an unknown file is. Loaded with
+// the first problem.
 import type { ErrorReason } from 'sillon';
 import type { Problem } from '../model/problem.js';
 import { settings } from '../model/settings.js';
@@ -10,7 +10,7 @@ import { formatNumber, language, say, t } from './text.js';
 
 export interface ExactWords {
   message: string;
-  /** Left out: that of the code. */
+  /** Advice; left out where that of the code fits. */
   hint?: string;
 }
 
@@ -19,7 +19,7 @@ type Values = Problem['values'];
 const shown = (value: number | string | undefined): string =>
   typeof value === 'number' ? formatNumber(value, 3) : String(value);
 
-/** "“Layer height” is 0.5 mm." */
+/** Words for a value out of its range, such as "“Layer height” is 0.5 mm." */
 function outOfRange({ setting, value, low, high }: Values): ExactWords {
   const known = settings.find(({ id }) => id === setting);
   const unit = known === undefined || !('unit' in known) || known.unit === '' ? '' : `\u00a0${unitText(known.unit)}`;
@@ -35,7 +35,7 @@ function outOfRange({ setting, value, low, high }: Values): ExactWords {
   };
 }
 
-/** On a side each, as much as one has. */
+/** Words for a plate over the edge of the bed, by how much on each side. */
 function overBedEdge(values: Values): ExactWords {
   const sides = (['left', 'right', 'front', 'back'] as const)
     .filter((side) => values[side] !== undefined)
@@ -44,6 +44,7 @@ function overBedEdge(values: Values): ExactWords {
   return { message: say(words, 'reason.OverBedEdge', { sides: list }) };
 }
 
+/** Words for a plate too large for its spacing, with the spacing or the size that would do. */
 function plateTooLarge({ spacing, leastSpacing, percent }: Values): ExactWords {
   const ways = [
     ...(leastSpacing === undefined ? [] : [say(words, 'reason.leastSpacing', { mm: shown(leastSpacing) })]),
@@ -79,7 +80,7 @@ function reasonWords(reason: ErrorReason | 'OffBody', values: Values): ExactWord
   }
 }
 
-/** undefined: the code has all that is known. */
+/** Exact words for a problem; undefined where its code says everything. */
 export function exactWords({ code, values }: Problem): ExactWords | undefined {
   const { name = '', format, reason, elements, megabytes, most = '' } = values;
   if (reason !== undefined) return reasonWords(reason as ErrorReason, values);
@@ -98,7 +99,7 @@ export function exactWords({ code, values }: Problem): ExactWords | undefined {
     : { message: say(words, 'problem.otherFile', { name, format }), hint: say(words, 'problem.otherFile.hint') };
 }
 
-/** All that is known, without a place for details: where the page has no words, the engine's own. */
+/** Words for a place without room for details. Where the page has no exact words, the engine's own are added. */
 export function wholeWords(problem: Problem): Required<ExactWords> {
   const { message, hint, detail } = problemWords(problem);
   return { message: `${message} ${detail}`.trim(), hint, ...exactWords(problem) };

@@ -1,8 +1,8 @@
-// Words for how many threads the engine works with.
+// Words about the number of the engine's threads.
 import type { EngineInfo } from 'sillon';
 import { t } from './text.js';
 
-/** Words of the chip that tells how many threads work. @param asked  what the engine was started with */
+/** Words of the chip that shows the number of threads. @param asked  the setting with which the engine was started */
 export function threadsWords(
   { threads, reasonCode }: EngineInfo,
   asked: 'auto' | 'off' | number,

@@ -1,4 +1,4 @@
-// Words for the data of the model: settings, problems, verdicts, warnings of the engine.
+// Words for the model's data: settings, problems, printers and progress.
 import type { PrinterValues } from 'sillon';
 import { countLines, unusualHeat } from '../model/brought.js';
 import { printerDefaults } from '../model/defaults.js';
@@ -17,12 +17,13 @@ export function choiceLabel({ id }: ChoiceSetting, choice: string): string {
 
 export const unitText = (unit: Unit): string => (unit === 'spacing' ? t('unit.spacing') : unit);
 
-/** What null means. */
+/** Meaning of the value null; empty where it has none. */
 export function nullLabel({ id }: NumberSetting | PairSetting): string {
   const text = `null.${id}`;
   return hasText(text) ? t(text) : '';
 }
 
+/** A value with its unit, in the page's language. */
 export function valueText(setting: Setting, value: SettingValue): string {
   const measured = (number: number, unit: Unit): string =>
     `${formatNumber(number, 3)}${unit === '' ? '' : unit === '°' ? '°' : `\u00a0${unitText(unit)}`}`;
@@ -45,9 +46,9 @@ export function valueText(setting: Setting, value: SettingValue): string {
 
 export interface ProblemWords {
   message: string;
-  /** What to do about it. */
+  /** Advice on how to solve the problem. */
   hint: string;
-  /** In English, from the engine or the browser; may be empty. */
+  /** Message of the engine or the browser in English; may be empty. */
   detail: string;
 }
 
@@ -63,14 +64,14 @@ export const printerLabel = (printer: PrinterChoice | undefined): string => {
   return hasText(text) ? t(text) : printer.label;
 };
 
-/** The name by which somebody knows a machine; empty: it is none in particular. */
+/** Name by which people know a machine; empty where it is no particular one. */
 export function machineName(printer: PrinterValues): string {
   const profile = profileOf(printer);
   if (profile !== undefined) return isGeneric(profile) ? '' : printerLabel(profile);
   return printer.name === printerDefaults.name ? '' : printer.name;
 }
 
-/** Temperatures of a printer, where they are higher than usual. */
+/** A list of the printer's temperatures that are higher than usual. */
 export function heatText(printer: PrinterValues): string {
   const { nozzle, bed } = unusualHeat(printer);
   const list = [
@@ -80,7 +81,7 @@ export function heatText(printer: PrinterValues): string {
   return list.join(', ');
 }
 
-/** What a design from elsewhere brings for the printer, and which printer is used instead. */
+/** Sentence about the printer that a design from elsewhere brings, and the one that is used instead. */
 export function broughtText(brought: PrinterValues, own: PrinterValues): string {
   const start = countLines(brought.startGcode);
   const end = countLines(brought.endGcode);
@@ -102,7 +103,7 @@ export function broughtText(brought: PrinterValues, own: PrinterValues): string 
 export interface ProgressWords {
   job: string;
   stage: string;
-  /** Empty where nothing is known. */
+  /** Time left; empty where it is unknown. */
   left: string;
 }
 

@@ -1,4 +1,4 @@
-// The words for what is done to a shape: no first view has to fetch them in English.
+// Words of the fields that change a shape, so that a first view in English need not load them.
 import { words } from './en/shaping.js';
 import { sayer } from './text.js';
 

@@ -1,4 +1,4 @@
-// The page's words. What a language lacks would be a type error.
+// The page's words. A word that a language lacks is a type error.
 import { en } from './en.js';
 import type { words as about } from './en/about.js';
 import type { words as blocks } from './en/blocks.js';
@@ -31,7 +31,7 @@ import type { words as synonyms } from './en/synonyms.js';
 import type { words as zones } from './en/zones.js';
 import { languages, spoken } from './languages.js';
 
-/** A sentence, or its forms by the number `n` it speaks of. `{name}` stands for a value. */
+/** A sentence, or its forms for one and for several, chosen by the value `n`. `{name}` stands for a value. */
 export type Text = string | { readonly one: string; readonly other: string };
 export type TextId = keyof typeof en;
 export type Dictionary = Readonly<Record<TextId, Text>>;
@@ -67,7 +67,7 @@ type Late =
   | typeof warnings
   | typeof zones;
 type IdOf<Words> = Words extends unknown ? keyof Words : never;
-/** A language but English has all its words in one file. */
+/** Words of a language other than English, which are all in one file. */
 export type Translation = Dictionary & Readonly<Record<IdOf<Late>, Text>>;
 export type Values = Readonly<Record<string, string | number>>;
 
@@ -77,14 +77,14 @@ let plurals = new Intl.PluralRules('en');
 
 export const language = (): string => current;
 
-/** From now on `t` speaks this language. @param next  one of `spoken` */
+/** Switches the page to a language. @param next  one of `spoken` */
 export async function setLanguage(next: string): Promise<void> {
   dictionary = (await languages[next]?.words()) ?? en;
   current = next;
   plurals = new Intl.PluralRules(next);
 }
 
-/** The first of these that the page speaks, else English. @param wanted  as navigator.languages */
+/** The first wanted language that the page speaks, else English. @param wanted  tags as in navigator.languages */
 export function languageFor(wanted: readonly string[]): string {
   for (const tag of wanted) {
     const base = tag.toLowerCase().split('-')[0] ?? '';
@@ -93,22 +93,22 @@ export function languageFor(wanted: readonly string[]): string {
   return 'en';
 }
 
-/** Numbers among the values are written as the language does, with at most two decimals. */
+/** The text of an id. Numbers among the values are written in the language's way, with at most two decimals. */
 export const t = (id: TextId, values: Values = {}): string => filled(dictionary[id], values);
 
-/** Does what `t` does for words that are loaded with what shows them. @param english  the words of one file of en/ */
+/** The text of an id in words that are loaded later. @param english  words of one file of en/ */
 export const say = <Id extends string>(english: Readonly<Record<Id, Text>>, id: Id, values: Values = {}): string =>
   filled((dictionary as Readonly<Record<string, Text>>)[id] ?? english[id], values);
 
 type Rest<Id, Prefix extends string> = Id extends `${Prefix}${infer Name}` ? Name : never;
 
-/** Makes a `say` for words whose ids all begin alike. */
+/** Makes a `say` for words whose ids share a prefix. */
 export const sayer =
   <Prefix extends string, Id extends `${Prefix}${string}`>(prefix: Prefix, english: Readonly<Record<Id, Text>>) =>
   (name: Rest<Id, Prefix>, values: Values = {}): string =>
     say(english, `${prefix}${name}` as Id, values);
 
-/** A text with its values, in the form that their number asks for. */
+/** A text with its values filled in, in the form that `n` requires. */
 function filled(text: Text, values: Values): string {
   const form = typeof text === 'string' ? text : plurals.select(Number(values['n'])) === 'one' ? text.one : text.other;
   return form.replace(/\{(\w+)\}/g, (whole, name: string) => {
@@ -118,14 +118,14 @@ function filled(text: Text, values: Values): string {
   });
 }
 
-/** For names that come from elsewhere, as the engine's stages. */
+/** Tells whether an id that comes from elsewhere, such as a stage of the engine, has a text. */
 export const hasText = (id: string): id is TextId => Object.hasOwn(en, id);
 
 export function formatNumber(value: number, digits = 2): string {
   return new Intl.NumberFormat(current, { maximumFractionDigits: digits }).format(value);
 }
 
-/** "45 s", "12 min", "2 h 05 min" */
+/** A duration such as "45 s", "12 min" or "2 h 05 min". */
 export function formatDuration(seconds: number): string {
   if (seconds < 59.5) return t('duration.seconds', { s: Math.max(1, Math.round(seconds)) });
   const minutes = Math.round(seconds / 60);

@@ -1,4 +1,4 @@
-// New layers: of a kind, or of a file whose bytes tell what it is.
+// Adds layers of a given kind, or from files whose bytes decide on the kind.
 import { words } from '../i18n/en/files.js';
 import { l } from '../i18n/layers.js';
 import { say, t } from '../i18n/text.js';
@@ -30,9 +30,9 @@ export const fontFiles = '.ttf,.otf,.woff,.woff2';
 const newPicture = (plate: Plate, file: SourceFile): LayerValues =>
   newLayer(plate, 'picture', { pictures: [{ file, lamp: null }] });
 
-/** Puts layers on top, as one step of undo, and chooses the last.
- * @param at  where a hand has put the first [mm]; undefined: where there is room
- * @returns whether a plate can have all of them */
+/** Puts layers on top, as one undo step, and chooses the last of them.
+ * @param at  place to which a hand has dragged the first [mm]; undefined: any free place
+ * @returns false where there is nothing to add, or the plate cannot take all of them */
 async function put(studio: Studio, made: (plate: Plate) => readonly LayerValues[], at?: Point): Promise<boolean> {
   const wanted = made(studio.store.state.plate);
   if (wanted.length === 0) return false;
@@ -49,7 +49,7 @@ async function put(studio: Studio, made: (plate: Plate) => readonly LayerValues[
 
 const isDrawing = ({ bytes }: SourceFile): boolean => bytes.type === 'image/svg+xml';
 
-/** A font under a name that the core knows it by. */
+/** A font file whose name has an ending by which the core recognises fonts. */
 export const namedFont = (file: SourceFile): SourceFile =>
   isFontFile(file.name) ? file : { ...file, name: `${file.name}.ttf` };
 
@@ -58,7 +58,8 @@ interface ReadLayerFile {
   isFont: boolean;
 }
 
-/** Files that layers can be made of; of others it is told why not. A project among them is opened instead. */
+/** Reads files that layers can be made of, and reports why others cannot be used. A project among them is opened
+ * instead. */
 async function readAll(studio: Studio, files: readonly File[]): Promise<ReadLayerFile[]> {
   const { readFile } = await import('../files/open.js');
   const found: ReadLayerFile[] = [];
@@ -76,12 +77,13 @@ async function readAll(studio: Studio, files: readonly File[]): Promise<ReadLaye
   return found;
 }
 
-/** One file of those that a hand has chosen. @returns undefined where none of them can be used */
+/** Asks the visitor for one file. @returns undefined where none was chosen, or it cannot be used */
 export async function chosenFile(studio: Studio, accept: string): Promise<SourceFile | undefined> {
   const [given] = await studio.pick(accept);
   return given && oneFile(studio, [given], accept);
 }
 
+/** The first of the files, if it is of an accepted kind. @returns undefined otherwise, after telling the visitor */
 export async function oneFile(studio: Studio, files: readonly File[], accept: string): Promise<SourceFile | undefined> {
   const wanted = accept === fontFiles;
   const [found] = await readAll(studio, files.slice(0, 1));
@@ -91,13 +93,14 @@ export async function oneFile(studio: Studio, files: readonly File[], accept: st
   return undefined;
 }
 
-/** Shows what was handed to the plate, and its frame where the window has room for the panel. */
+/** Shows the panel of layers after files were dropped, where the window has room for it. */
 function showLayers(studio: Studio): void {
   if (studio.store.state.panel !== '') studio.setPanel('layers');
 }
 
-/** A layer for each of the files: drawings, pictures, and texts in fonts of one's own; the text that is chosen takes the first
- * font. @param at  where a hand has put the first layer [mm] */
+/** Makes a layer of each file: a drawing, a picture, or a text in that font. The first font goes to the chosen text, if
+ * there is one.
+ * @param at  place where the first layer was dropped [mm] */
 export async function addFiles(studio: Studio, files: readonly File[], at?: Point): Promise<void> {
   const found = await readAll(studio, files);
   const chosen = chosenLayer(studio.store.state);
@@ -117,7 +120,7 @@ export async function addFiles(studio: Studio, files: readonly File[], at?: Poin
   if (found.length > 0) showLayers(studio);
 }
 
-/** A layer of letters. @param at  where a hand has put it [mm] */
+/** Adds a layer of text. @param at  place where it was dropped [mm] */
 export async function addText(studio: Studio, letters: string, at?: Point): Promise<void> {
   const text = letters.replaceAll('\r\n', '\n').trim();
   const { maxBytes } = layerTable.text;
@@ -126,14 +129,14 @@ export async function addText(studio: Studio, letters: string, at?: Point): Prom
   else if (text !== '' && (await put(studio, (plate) => [newLayer(plate, 'text', { text })], at))) showLayers(studio);
 }
 
-/** A copy of a layer above it, where there is room. */
+/** Puts a copy above a layer, at a free place. */
 export async function duplicate(studio: Studio, layer: PlateLayer): Promise<void> {
   const [values] = await withPlaces(studio, [
     { ...without(layer, 'id'), at: middleOf(studio.store.state.plate, layer) },
   ]);
   const { plate } = studio.store.state;
   const next = nextLayerId(plate);
-  if (values === undefined || layerOf(plate, layer.id) === undefined) return; // it has gone meanwhile
+  if (values === undefined || layerOf(plate, layer.id) === undefined) return; // the layer was deleted meanwhile
   if (plate.layers.length >= mostLayers) {
     studio.notify(l('full', { n: mostLayers }));
     return;
@@ -143,7 +146,7 @@ export async function duplicate(studio: Studio, layer: PlateLayer): Promise<void
   studio.store.set({ layer: next, cropping: false });
 }
 
-/** @returns whether there is one more */
+/** Adds a layer of this kind, and asks for its file where it needs one. @returns false where none was added */
 export async function addLayer(studio: Studio, kind: LayerKind): Promise<boolean> {
   const fresh = newLayer(studio.store.state.plate, kind);
   if (kind !== 'picture' && !needsFile(fresh)) return put(studio, (plate) => [newLayer(plate, kind)]);

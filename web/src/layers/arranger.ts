@@ -1,4 +1,4 @@
-// A hand over the plate moves, scales, turns and crops the layer that is chosen; a click chooses another.
+// Moves, scales, turns and crops the chosen layer by hand; a click chooses another.
 import type { Place } from '../controls/gestures.js';
 import { l } from '../i18n/layers.js';
 import { formatNumber } from '../i18n/text.js';
@@ -14,11 +14,11 @@ import { arranges, chosenLayer, frameIn, isMovable, layerAt } from './arranging.
 import { cursorOf, gripAt, handlesOf, type Grip, type PageView } from './grips.js';
 import { warnedLayers } from '../model/warned.js';
 
-const reachOf = { touch: 24, other: 10 }; // [CSS pixels]
-const snapsWithin = 6; // [CSS pixels]
-const steps = { plain: 1, shift: 10, alt: 0.1 }; // [mm] of an arrow key
+const reachOf = { touch: 24, other: 10 }; // [CSS pixels] within which a grip is taken; fingers need more
+const snapsWithin = 6; // [CSS pixels]; larger: snaps more often, but free places near a line are harder to reach
+const steps = { plain: 1, shift: 10, alt: 0.1 }; // [mm] for each press of an arrow key
 
-/** A hand holds this, as it was when it took hold. */
+/** A grip that a hand holds, with the layer and its frame as they were when it took hold. */
 interface Hold {
   grip: Grip;
   from: Point;
@@ -26,22 +26,23 @@ interface Hold {
   frame: Frame;
 }
 
-/** All that is drawn over the plate. */
+/** Everything that is drawn over the plate. */
 export interface Arranged {
   layer: PlateLayer | undefined;
   frame: Frame | undefined;
   cropping: boolean;
-  /** The frame of a layer that a pointer is over, and that a click would choose. */
+  /** Frame of the layer under the pointer, which a click would choose. */
   over: Frame | undefined;
-  /** Something is wrong with the layer that is chosen. */
+  /** True where the chosen layer has a warning. */
   bad: boolean;
-  /** The frames of other layers that something is wrong with. */
+  /** Frames of other layers that have warnings. */
   warned: readonly Frame[];
   guides: readonly Guide[];
-  /** Beside the frame, while it changes. */
+  /** Text beside the frame while it changes. */
   label: string;
 }
 
+/** Turns pointer and key events into changes of the chosen layer. */
 export class Arranger {
   #hold: Hold | undefined;
   #guides: readonly Guide[] = [];
@@ -57,7 +58,7 @@ export class Arranger {
     return this.studio.store.state;
   }
 
-  /** A layer is held now. */
+  /** True while a hand holds the layer. */
   get holds(): boolean {
     return this.#hold !== undefined;
   }
@@ -77,7 +78,7 @@ export class Arranger {
 
   // --- The pointer ----------------------------------------------------------------------------------------------------------
 
-  /** @returns whether a pointer that goes down there takes hold of the layer, rather than of the view */
+  /** Begins a drag of the layer. @returns false where a pointer that goes down there moves the view instead */
   takes(place: Place, event: PointerEvent): boolean {
     if (event.button !== 0 || event.altKey) return false;
     const grip = this.#gripAt(place, event.pointerType === 'touch');
@@ -93,7 +94,7 @@ export class Arranger {
     const changes = this.#changes(hold, this.view().toPage(place), event);
     const { plate } = this.#state;
     if (layerOf(plate, hold.layer.id) === undefined) {
-      this.release(); // undone meanwhile
+      this.release(); // the layer was undone meanwhile
       return;
     }
     this.studio.change((now) => changeLayer(now, hold.layer.id, () => changes), 'layer');
@@ -153,21 +154,21 @@ export class Arranger {
     return by;
   }
 
-  /** The hand lets go: what it did is one step of undo. */
+  /** Ends a drag, which becomes one undo step. */
   release(): void {
     this.#hold = undefined;
     this.#guides = [];
     this.studio.settle();
   }
 
-  /** The hand has done nothing then. */
+  /** Ends a drag and takes it back. */
   abandon(): void {
     if (this.#hold === undefined) return;
     this.studio.store.abandon();
     this.release();
   }
 
-  /** A pointer floats there; undefined: it has gone. @returns the cursor's name; empty: the usual */
+  /** Handles a pointer that hovers; undefined: it has left. @returns the cursor's name; empty: the usual one */
   hover(place: Place | undefined): string {
     const state = this.#state;
     this.#over = undefined;
@@ -185,7 +186,7 @@ export class Arranger {
     return 'pointer';
   }
 
-  /** A click that was no drag. */
+  /** Handles a click that was no drag. */
   click(place: Place): void {
     const state = this.#state;
     if (!arranges(state)) return;
@@ -200,7 +201,7 @@ export class Arranger {
     if (under?.id !== state.layer) this.studio.store.set({ layer: under?.id });
   }
 
-  /** A picture is cropped where it is. */
+  /** Starts or ends cropping of a picture. */
   doubleClick(place: Place): void {
     const layer = chosenLayer(this.#state);
     if (layer?.kind !== 'picture' || this.#gripAt(place, false)?.kind !== 'box') return;
@@ -209,7 +210,7 @@ export class Arranger {
 
   // --- Keys -----------------------------------------------------------------------------------------------------------------
 
-  /** @returns whether the key meant something */
+  /** Handles a key. @returns false where the key has no meaning here */
   key(event: KeyboardEvent): boolean {
     const state = this.#state;
     const layer = arranges(state) ? chosenLayer(state) : undefined;
@@ -244,7 +245,7 @@ export class Arranger {
     this.studio.change((plate) => changeLayer(plate, layer.id, () => ({ at })), 'layer.key');
   }
 
-  /** A key was let go, or the focus has gone. */
+  /** Ends a nudge when its key is released, or the focus is lost. */
   keyUp(): void {
     if (!this.#nudging) return;
     this.#nudging = false;
@@ -253,7 +254,7 @@ export class Arranger {
 
   // --- To be drawn ------------------------------------------------------------------------------------------------------------
 
-  /** @returns undefined where nothing is */
+  /** Everything to draw. @returns undefined where nothing is drawn */
   shown(): Arranged | undefined {
     const state = this.#state;
     if (!arranges(state)) return undefined;

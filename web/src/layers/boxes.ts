@@ -1,5 +1,5 @@
-// The engine's boxes of the layers, asked for whenever the layers have changed; one question at a time, and of those that
-// wait only the last.
+// Asks the engine for the layers' boxes after each change of the layers. Only one question is open at a time; changes
+// meanwhile lead to a single further question.
 import type { KnownBox } from '../model/layer-frame.js';
 import type { Plate } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
@@ -9,7 +9,7 @@ const followed = new WeakSet<Studio>();
 const samePlaces = (a: Plate, b: Plate): boolean =>
   a.layers === b.layers && a.width === b.width && a.height === b.height && a.shape === b.shape;
 
-/** Keeps `layerBoxes` of the state; once is enough. */
+/** Keeps `layerBoxes` of the state up to date; further calls have no effect. */
 export function followBoxes(studio: Studio): void {
   if (followed.has(studio)) return;
   followed.add(studio);
@@ -30,7 +30,7 @@ export function followBoxes(studio: Studio): void {
       });
       store.set({ layerBoxes: new Map(placed) });
     } catch {
-      // Whatever is wrong with a layer is told where the plate is made; frames are as they can be known without the engine.
+      // Faults of layers are reported where the plate is made. Frames stay as far as they are known without the engine.
     } finally {
       asking = false;
     }

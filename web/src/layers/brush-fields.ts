@@ -1,4 +1,4 @@
-// The brush: what it does, how wide and how soft it is.
+// Fields of the brush: its effect, width and softness.
 import { html, nothing, type TemplateResult } from 'lit';
 import { numberField, select } from '../controls/fields.js';
 import { t } from '../i18n/text.js';
@@ -6,6 +6,7 @@ import { modeChoices, pageOf } from '../model/plate.js';
 import type { Brush } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 
+/** The fields of the brush. Widths are shown in mm, while the brush keeps its radius as a share of the page's width. */
 export function brushFields(studio: Studio): TemplateResult {
   const { tool, brush, plate } = studio.store.state;
   const set = (change: Partial<Brush>): void => {

@@ -1,4 +1,4 @@
-// The flat colours of a drawing, each with the direction of what is painted in it.
+// The flat colours of a drawing, each with the direction of the beads in its areas.
 import type { ColourAngle } from 'sillon';
 import { css, html, type TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';

@@ -1,4 +1,4 @@
-// A card for each fill, which takes the place of the ground that is there.
+// Cards for the fills; choosing one replaces the ground.
 import { html, type TemplateResult } from 'lit';
 import { cards, type Option } from '../controls/fields.js';
 import { t } from '../i18n/text.js';
@@ -22,7 +22,7 @@ import { fillIcons } from './icons.js';
 
 export type FillGroup = 'pictures' | 'patterns';
 
-/** @param pictureOf  address of a picture of the plate with this fill */
+/** A card for each fill, in groups. @param pictureOf  address of a picture of the plate with this fill */
 export function fillCards(
   studio: Studio,
   pictureOf: (fill: Fill) => string | undefined,
@@ -50,7 +50,7 @@ export function fillCards(
   return html`${groups.map(group)}`;
 }
 
-/** Fills the plate with something else; where that needs a file and there is none, it is asked for. */
+/** Fills the plate with something else, and asks for a file where the fill needs one and none is known. */
 export async function chooseFill(studio: Studio, fill: Fill): Promise<void> {
   const { plate } = studio.store.state;
   if (fill === groundFill(plate)) return;
@@ -70,15 +70,16 @@ export async function chooseFill(studio: Studio, fill: Fill): Promise<void> {
   if (opened !== undefined && groundFill(studio.store.state.plate) !== fill) await useFile(studio, fill, opened);
 }
 
-/** The file that may tell such directions. */
+/** A known file from which the directions of this fill can come. */
 function fileFor({ store, left }: Studio, fill: PictureFill): SourceFile | undefined {
   const { plate } = store.state;
   if (fill === 'colours' && plate.shape.kind === 'file') return plate.shape.file;
   const isSvg = ({ bytes }: SourceFile): boolean => bytes.type === 'image/svg+xml';
-  const drawn = fill !== 'picture' && fill !== 'map'; // those take pixels alone
+  const drawn = fill !== 'picture' && fill !== 'map'; // pictures and maps need pixels, all other fills accept drawings
   return filesFor(plate, left).find((file) => drawn || !isSvg(file));
 }
 
+/** Fills the plate from a file, with the values that it had there before, if any. */
 async function useFile(studio: Studio, fill: PictureFill, file: SourceFile): Promise<void> {
   const before = leftOf(studio.left, fill, file);
   if (before !== undefined) use(studio, fill, before);
@@ -92,10 +93,11 @@ async function useFile(studio: Studio, fill: PictureFill, file: SourceFile): Pro
   } else use(studio, fill, { file });
 }
 
+/** Fills the plate, and remembers the ground that is replaced. */
 function use(studio: Studio, fill: Fill, given: Partial<LayerValues> = {}): void {
   const { plate: before } = studio.store.state;
   studio.left = leaving(before, studio.left);
   studio.change((plate) => filledWith(plate, fill, given));
-  // The new ground is chosen, so that the cards stay in sight.
+  // The new ground becomes the chosen layer, so that the cards stay visible.
   if (groundOf(before) === undefined) studio.store.set({ layer: groundOf(studio.store.state.plate)?.id });
 }

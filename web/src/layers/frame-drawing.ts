@@ -1,4 +1,4 @@
-// The frame of the layer that is chosen, its handles, and the lines that it snaps to, over the plate.
+// Draws the chosen layer's frame, its handles, and the lines that it snaps to, over the plate.
 import type { Place } from '../controls/gestures.js';
 import { cornersOf, onPage, placeIn, type Frame, type Point } from '../model/layer-frame.js';
 import { wholePicture } from '../model/layer-changes.js';
@@ -8,12 +8,12 @@ import { anglePlace, handlesOf, knobPlace, sidePlace, sidesOf, type PageView } f
 
 const handle = { pointer: 9, finger: 15 }; // [CSS pixels]
 
-/** The tools of the drawing. */
+/** Everything needed for drawing. */
 interface Pen {
   context: CanvasRenderingContext2D;
   view: PageView;
   styles: CSSStyleDeclaration;
-  /** Fingers need larger handles. */
+  /** True for fingers, which need larger handles. */
   coarse: boolean;
 }
 
@@ -28,7 +28,7 @@ function trace({ context, view }: Pen, points: readonly Point[]): void {
 
 type Colour = '--accent' | '--bad';
 
-/** A line that is seen on bright and on dark beads alike. */
+/** Strokes the path with a lighter rim, so that it is visible on bright and on dark beads. */
 function stroke({ context, styles }: Pen, width: number, colour: Colour = '--accent'): void {
   context.strokeStyle = styles.getPropertyValue('--surface');
   context.lineWidth = width + 2.5;
@@ -44,7 +44,7 @@ function outline(pen: Pen, frame: Frame, width: number, colour?: Colour): void {
   stroke(pen, width, colour);
 }
 
-/** Turned like the frame. */
+/** Draws a handle that is turned like the frame. */
 function square({ context, styles }: Pen, { x, y }: { x: number; y: number }, side: number, turn: number): void {
   context.save();
   context.translate(x, y);
@@ -59,6 +59,7 @@ function square({ context, styles }: Pen, { x, y }: { x: number; y: number }, si
   context.restore();
 }
 
+/** Draws a round handle at the end of a stem. */
 function knob(pen: Pen, from: Place, at: Place, size: number): void {
   const { context, styles } = pen;
   context.beginPath();
@@ -74,6 +75,7 @@ function knob(pen: Pen, from: Place, at: Place, size: number): void {
   context.stroke();
 }
 
+/** Draws a line to which the layer has snapped, dashed and a little longer than the page. */
 function guide(pen: Pen, { axis, at }: Guide, page: Point): void {
   const { context } = pen;
   const beyond = 4 / pen.view.scale + 0.04 * Math.max(...page);
@@ -94,7 +96,7 @@ function guide(pen: Pen, { axis, at }: Guide, page: Point): void {
   context.setLineDash([]);
 }
 
-/** Below the frame, or below its middle where that is out of sight. */
+/** Draws a text below the frame, or at the bottom of the view where that lies lower. */
 function label({ context, view, styles }: Pen, frame: Frame, text: string): void {
   if (text === '') return;
   const places = cornersOf(frame).map(view.toScreen);
@@ -114,7 +116,7 @@ function label({ context, view, styles }: Pen, frame: Frame, text: string): void
   context.textBaseline = 'alphabetic';
 }
 
-/** All of the picture, grey, as colours are not the plate's to show; what is cut off is dimmed. */
+/** Draws the whole picture in grey, since the plate shows no colours, and dims what is cropped. */
 function crop(pen: Pen, frame: Frame, { layer }: Arranged, picture: ImageBitmap | undefined): void {
   const { context, view, styles } = pen;
   if (layer === undefined) return;
@@ -146,7 +148,8 @@ function crop(pen: Pen, frame: Frame, { layer }: Arranged, picture: ImageBitmap 
   context.restore();
 }
 
-/** @param picture  of a layer that is being cropped, once it is there */
+/** Draws frames, handles, guides and the label. @param picture  picture of a layer that is being cropped, once it is
+ * loaded */
 export function drawArranged(pen: Pen, arranged: Arranged, page: Point, picture: ImageBitmap | undefined): void {
   const { frame, layer, cropping, over, bad, warned } = arranged;
   const size = pen.coarse ? handle.finger : handle.pointer;

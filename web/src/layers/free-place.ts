@@ -1,13 +1,13 @@
-// Finds room on a plate for a box, beside the boxes that lie there.
+// Finds a free place on a plate for a box among the boxes that are there.
 import type { FreePlace, Taken, Wanted } from '../model/free-place.js';
 import { boundsOf, contains, type Point } from '../model/layer-frame.js';
 import { pageOf, type Plate } from '../model/plate.js';
 import { adder, placeIn, type Room } from './room.js';
 import { sizeFor } from '../model/raster.js';
 
-const cutOff = 4; // times as bad as lying over another box
+const cutOff = 4; // cost of a texel outside the shape, in texels of another box that is covered
 
-/** Without a strip along the edges. @param reach  its width in texels */
+/** The inside of the shape without a strip along its edges. @param reach  width of the strip in texels */
 function without(room: Room, reach: number): Uint8Array {
   const { width, height, inside } = room;
   if (reach <= 0) return inside;
@@ -20,15 +20,15 @@ function without(room: Room, reach: number): Uint8Array {
   });
 }
 
-/** The place nearest to the page's middle, below it rather than above, where the box lies free; smaller where it must be, and
- * where even the least does not fit, the place where that is cut off and covers others the least.
+/** Finds the free place nearest to the page's middle, the lower of two equal ones. The box is reduced as far as needed.
+ * If even the smallest size does not fit, the place is chosen where the least of it is cut off or covers other boxes.
  * @param page [mm] */
 export function freePlace(room: Room, page: Point, taken: readonly Taken[], wanted: Wanted): FreePlace {
   const { width, height } = room;
   const { size, gap, edge, least } = wanted;
   const texel = page[0] / width;
   const inside = without(room, Math.ceil(edge / texel));
-  // Rows from below, as places on the page are, and so that of two places alike the lower one comes first.
+  // Rows count from below, like places on the page, so that the lower of two equal places comes first.
   const cost = new Uint8Array(width * height);
   for (let row = 0; row < height; ++row) {
     for (let column = 0; column < width; ++column) {
@@ -74,10 +74,10 @@ export function freePlace(room: Room, page: Point, taken: readonly Taken[], want
   return best;
 }
 
-const patience = 1000; // [ms] for the shape, while the engine may be busy with a plate
+const patience = 1000; // [ms] to wait for the shape, since the engine may be busy with a plate
 const roughSide = 160;
 
-/** Stands in for the shape: its page, or of what is not as wide everywhere the ellipse in it. */
+/** A guess at the shape's room: the whole page for shapes that are as wide everywhere, otherwise the ellipse in it. */
 function roughRoom(plate: Plate): Room {
   const size = sizeFor(pageOf(plate), roughSide);
   const { width, height } = size;
@@ -89,7 +89,7 @@ function roughRoom(plate: Plate): Room {
   return { ...size, key: 0, inside };
 }
 
-/** @param room  of the plate's shape; one that cannot be had, or not soon, is guessed */
+/** Finds a free place on the plate. @param room  the shape's room; guessed where it fails or takes too long */
 export async function freePlaceOn(
   plate: Plate,
   room: Promise<Room>,

@@ -1,33 +1,33 @@
-// The parts of a layer's frame that a hand can take hold of. Places on the screen are CSS pixels.
+// The parts of a layer's frame that a hand can hold. Places on the screen are in CSS pixels.
 import type { Place } from '../controls/gestures.js';
 import { contains, corners, onPage, placeIn, type Frame, type Point } from '../model/layer-frame.js';
 import type { PlateLayer } from '../model/plate.js';
 
-/** The page as it lies on the screen. */
+/** The page's position and scale on the screen. */
 export interface PageView {
   toPage: (place: Place) => Point;
   toScreen: (point: Point) => Place;
-  /** CSS pixels per mm. */
+  /** Scale in CSS pixels per mm. */
   scale: number;
 }
 
 export type Grip =
-  /** The box itself: moved, or in a crop the picture under it. */
+  /** The box itself, which is moved; in a crop, the picture under it. */
   | { kind: 'box' }
   | { kind: 'turn' }
-  /** The way that waves run, within the box. */
+  /** The direction of waves within the box. */
   | { kind: 'angle' }
-  /** Signs of the corner, or in a crop of the edges that go. */
+  /** A corner by its signs; in a crop also an edge. */
   | { kind: 'side'; side: Point };
 
-const stem = 26; // [CSS pixels] of the knob that turns
+const stem = 26; // [CSS pixels] from the frame to the knob that turns it
 
 const arm = 44; // [CSS pixels] from the middle to the knob that turns waves
 
-/** Facts beside a layer's frame that decide on its handles. */
+/** Facts that decide which handles a frame has. */
 export interface Handles {
   cropping: boolean;
-  /** The angle of waves, in the frame [degrees]; undefined: there are none. */
+  /** Angle of waves in the frame [degrees]; undefined where there are none. */
   angle: number | undefined;
 }
 
@@ -36,20 +36,20 @@ export const handlesOf = (layer: PlateLayer | undefined, cropping: boolean): Han
   angle: !cropping && layer?.kind === 'pattern' && layer.pattern === 'waves' ? layer.angle : undefined,
 });
 
-/** A crop can be dragged by its edges, too. */
+/** Places of the handles on the box. A crop has them on its edges, too. */
 export const sidesOf = (cropping: boolean): readonly Point[] =>
   cropping ? [...corners, [0, -1], [1, 0], [0, 1], [-1, 0]] : corners;
 
 export const sidePlace = (frame: Frame, view: PageView, side: Point): Place =>
   view.toScreen(onPage(frame, placeIn(frame, side)));
 
-/** The knob turns the frame. @returns its place */
+/** Place of the knob that turns the frame. */
 export function knobPlace(frame: Frame, view: PageView): Place {
   const [x, y] = placeIn(frame, [0, 1]);
   return view.toScreen(onPage(frame, [x, y + stem / view.scale]));
 }
 
-/** The knob that turns waves lies where they run to. */
+/** Place of the knob that turns waves, on the side to which they run. */
 export function anglePlace(frame: Frame, view: PageView, angle: number): Place {
   const along = (angle * Math.PI) / 180;
   const reach = arm / view.scale;
@@ -58,8 +58,9 @@ export function anglePlace(frame: Frame, view: PageView, angle: number): Place {
 
 const distance = (a: Place, b: Place): number => Math.hypot(a.x - b.x, a.y - b.y);
 
-/** @param reach  of a fingertip, or of a pointer
- * @returns what is there to be taken hold of; undefined: nothing */
+/** The grip at a place on the screen.
+ * @param reach  radius of a fingertip, or of a pointer
+ * @returns undefined where there is none */
 export function gripAt(
   frame: Frame,
   view: PageView,
@@ -68,7 +69,7 @@ export function gripAt(
   { cropping, angle }: Handles,
 ): Grip | undefined {
   if (!cropping && distance(knobPlace(frame, view), place) <= reach) return { kind: 'turn' };
-  // On a small box the corners must leave its middle to be dragged.
+  // On a small box the corners must leave its middle free for dragging.
   const room = Math.max(5, (Math.min(...frame.size) * view.scale) / 3);
   const inside = contains(frame, view.toPage(place));
   const near = sidesOf(cropping)
@@ -83,7 +84,7 @@ export function gripAt(
 
 const resizing = ['ew-resize', 'nesw-resize', 'ns-resize', 'nwse-resize'] as const;
 
-/** The cursor's name, by the way that the hand would go. */
+/** The cursor's name, by the direction in which the hand would move. */
 export function cursorOf(grip: Grip | undefined, frame: Frame): string {
   if (grip === undefined) return '';
   if (grip.kind === 'box') return 'move';

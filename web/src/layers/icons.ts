@@ -1,4 +1,4 @@
-// Icons that only the panel of layers has, on the grid of controls/icons.ts.
+// Icons of the panel of layers, on the grid of controls/icons.ts.
 import type { SVGTemplateResult } from 'lit';
 import { icon, lineIcon, type IconName } from '../controls/icons.js';
 import { fillOf, type Fill } from '../model/fills.js';
@@ -34,7 +34,7 @@ export const fillIcons: Readonly<Record<Fill, IconName>> = {
   noise: 'noise',
 };
 
-/** The sign of a layer in lists. */
+/** Icon of a layer in lists. */
 export function kindIcon(layer: PlateLayer, size?: number): SVGTemplateResult {
   const fill = fillOf(layer);
   if (fill !== undefined) return icon(fillIcons[fill], size);

@@ -1,4 +1,4 @@
-// The few values of a layer that count for its kind, and those that are folded away.
+// Fields of a layer: the few that matter for its kind, and those that are folded away.
 import { html, nothing, type TemplateResult } from 'lit';
 import { angleField } from '../controls/angle-field.js';
 import { flag, select } from '../controls/fields.js';
@@ -26,7 +26,7 @@ import { replaceFile } from './replace-file.js';
 
 type Content = TemplateResult | typeof nothing;
 
-/** In the order of a hand that makes one. */
+/** Values shown at once, in the order in which a layer is usually made. */
 const keysOf: Record<LayerKind, readonly LayerKey[]> = {
   text: ['text', 'font', 'weight', 'textSize', 'fill', 'angle', 'circle'],
   picture: ['pictures', 'cropMin'],
@@ -48,7 +48,7 @@ const foldedOf: Partial<Record<LayerKind, readonly LayerKey[]>> = {
   border: ['soft', 'mode'],
 };
 
-/** Tells whether a value changes anything while the others are as they are. */
+/** Tells whether a value has any effect while the other values stay as they are. */
 function counts(key: LayerKey, layer: PlateLayer): boolean {
   const { kind, pattern, fill, by } = layer;
   switch (key) {
@@ -75,15 +75,17 @@ function counts(key: LayerKey, layer: PlateLayer): boolean {
     case 'file':
       return needsFile(layer);
     case 'weight':
-      return typeof layer.font !== 'string'; // those that come with the studio have one weight
+      return typeof layer.font !== 'string'; // the studio's own fonts have a single weight
     default:
       return true;
   }
 }
 
-/** Cards choose these for the ground, and its picture is not cropped: it fills the page. */
+/** Values without a field for the ground: cards choose its pattern and fill, and its picture fills the page
+ * uncropped. */
 const notOfGround: readonly LayerKey[] = ['pattern', 'by', 'cropMin'];
 
+/** The fields shown at once for a layer. */
 export function kindFields(studio: Studio, layer: PlateLayer): Content[] {
   const ground = groundOf(studio.store.state.plate) === layer;
   return keysOf[layer.kind]
@@ -91,6 +93,7 @@ export function kindFields(studio: Studio, layer: PlateLayer): Content[] {
     .map((key) => fieldOf(studio, layer, key));
 }
 
+/** The fields that are folded away for a layer. */
 export const foldedFields = (studio: Studio, layer: PlateLayer): Content[] =>
   (foldedOf[layer.kind] ?? ['mask', 'soft', 'mode']).map((key) => fieldOf(studio, layer, key));
 
@@ -129,6 +132,7 @@ function fieldOf(studio: Studio, layer: PlateLayer, key: LayerKey): Content {
   }
 }
 
+/** Field of a file: a chip that names it, or a button to choose one. */
 function fileField(studio: Studio, layer: PlateLayer, key: 'file' | 'maskFile', accept: string): TemplateResult {
   const file = layer[key];
   const use = async (found: SourceFile | undefined): Promise<void> => {
@@ -153,6 +157,7 @@ function fileField(studio: Studio, layer: PlateLayer, key: 'file' | 'maskFile', 
   </div>`;
 }
 
+/** Field of the font: those of the studio, the layer's own, and a button for a file. */
 function fontField(studio: Studio, layer: PlateLayer): TemplateResult {
   const { font } = layer;
   const setting = layerSettingOf('font');
@@ -180,7 +185,7 @@ function fontField(studio: Studio, layer: PlateLayer): TemplateResult {
     </div>`;
 }
 
-/** Fields of the mode: everywhere, or by a picture. */
+/** Fields of the mode: one for the whole layer, or a picture of modes. */
 export function modeFields(studio: Studio, layer: PlateLayer): TemplateResult {
   const { mode, modeFile } = layer;
   return html`${select({
@@ -217,6 +222,7 @@ function strokesField(studio: Studio, layer: PlateLayer): TemplateResult {
   </div>`;
 }
 
+/** Buttons that start a crop and undo it. */
 function cropField(studio: Studio, layer: PlateLayer): Content {
   const { cropping } = studio.store.state;
   const whole = [...layer.cropMin, ...layer.cropMax].join() === '0,0,1,1';
@@ -246,6 +252,7 @@ function cropField(studio: Studio, layer: PlateLayer): Content {
     ${cropping ? html`<p class="note">${l('crop.help')}</p>` : nothing}`;
 }
 
+/** Field of the ground's direction. Null keeps what lies below; under a code it means across the dark modules. */
 function groundField(studio: Studio, layer: PlateLayer): TemplateResult {
   const { ground } = layer;
   const setting = layerSettingOf('ground');

@@ -1,4 +1,4 @@
-// Pictures under lamps: which, where each lamp stands, and what this spool can show of them.
+// Pictures under lamps: the files, the place of each lamp, and the contrast that the spool can show.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import { formatNumber, t } from '../i18n/text.js';
@@ -30,7 +30,7 @@ import { chosenFile, pictureFiles } from './add-layer.js';
 import { changeIn } from './layer-field.js';
 import { replacePicture } from './replace-file.js';
 
-const mostSteps = 30; // of grey, under the best lamps and spools
+const mostSteps = 30; // grey steps under the best lamps and spools, the end of the gauge
 type SizeName = keyof typeof lampSizes;
 
 @customElement('sillon-lamps')
@@ -131,7 +131,7 @@ export class LampsPanel extends StudioElement {
     `;
   }
 
-  /** Settings that all pictures of the plate share. */
+  /** Fields that all pictures of the plate share. */
   #shared(): TemplateResult {
     const { pictures } = this.state.plate;
     const set = (change: Partial<typeof pictures>, gesture?: string): void => {
@@ -181,7 +181,7 @@ export class LampsPanel extends StudioElement {
     })}`;
   }
 
-  /** Pictures of this layer are those that the light turns to. */
+  /** Tells whether the light turns to the pictures of this layer. */
   #isShown = (): boolean => shownPictures(this.state.plate) === this.layer.pictures;
 
   #picture(picture: LampPicture, k: number, contrast: number | undefined): TemplateResult {

@@ -1,4 +1,4 @@
-// A value of a layer as a control.
+// Controls for the values of a layer.
 import type { TemplateResult } from 'lit';
 import { angleField } from '../controls/angle-field.js';
 import { valueField } from '../controls/setting-field.js';
@@ -11,7 +11,7 @@ import type { PlateLayer } from '../model/plate.js';
 import type { SettingValue } from '../model/settings.js';
 import type { Studio } from '../studio/studio.js';
 
-/** Changes the layer, whatever it has become; @param gesture  as of Studio.change */
+/** Changes the layer in its present state. @param gesture  as for `Studio.change` */
 export function changeIn(
   studio: Studio,
   { id }: PlateLayer,
@@ -21,16 +21,17 @@ export function changeIn(
   studio.change((plate) => changeLayer(plate, id, change), gesture);
 }
 
-/** These take the place of what the key shows everywhere. */
+/** Words and changes that replace a value's usual ones. */
 interface Own {
   label?: string;
   help?: string;
-  /** The name of a choice. */
+  /** Name of a choice. */
   choice?: (name: string) => string;
-  /** The layer's changes with a value. */
+  /** The layer's changes for a value. */
   set?: (value: SettingValue) => Partial<LayerValues>;
 }
 
+/** The control of one value. @param own  words and changes that replace the usual ones */
 export function layerField(studio: Studio, layer: PlateLayer, key: LayerKey, own: Own = {}): TemplateResult {
   const setting = layerSettingOf(key);
   const {
@@ -58,7 +59,7 @@ export function layerField(studio: Studio, layer: PlateLayer, key: LayerKey, own
     help,
     value,
     fallback: 0,
-    nullLabel: '', // what may be null has fields of its own
+    nullLabel: '', // nullable values have fields of their own
     choiceLabel: choice,
     onInput,
     onSettle,

@@ -1,5 +1,5 @@
-// The panel of a plate's layers: cards for the ground, tiles that add on top of it, a list once there is more than one layer, and
-// the fields of the one that is chosen.
+// The panel of layers: cards for the ground, tiles that add layers on top, a list once there are several layers, and
+// the fields of the chosen one.
 import { html, nothing, type PropertyValues, type SVGTemplateResult, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { StudioElement } from '../controls/element.js';
@@ -27,7 +27,7 @@ import { startKinds, startStyle, startTiles } from './start.js';
 import { tile } from './tiles.js';
 import { warnedLayers } from '../model/warned.js';
 
-/** The most wanted first. */
+/** Kinds in the order of the tiles, the most wanted first. */
 const offered: readonly LayerKind[] = [
   'text',
   'code',
@@ -39,7 +39,7 @@ const offered: readonly LayerKind[] = [
   'tones',
   'map',
 ];
-/** These are there unasked. */
+/** Number of tiles shown before `allTiles`. */
 const first = 3;
 
 @customElement('sillon-layers-panel')
@@ -62,7 +62,7 @@ export class LayersPanel extends StudioElement {
   @state() private allTiles = false;
   @state() private locked = true;
   @state() private unfolded = false;
-  /** The layer whose row is being dragged. */
+  /** Id of the layer whose row is being dragged. */
   @state() private held: number | undefined;
   #focus = '';
   readonly #pictures = new DrawnChoices<Fill>(this, () => this.studio.services.fillPictures);
@@ -142,7 +142,7 @@ export class LayersPanel extends StudioElement {
     ${fill === undefined ? nothing : html`<p class="note">${t(`source.${fill}.help`)}</p>`}`;
   }
 
-  /** Tiles would take the room of the fields, where there is a list already. */
+  /** Adds layers behind a button, since tiles would take the room of the fields where there is a list already. */
   #adder(): TemplateResult {
     return html`<button
         type="button"
@@ -256,7 +256,7 @@ export class LayersPanel extends StudioElement {
     </div>`;
   }
 
-  /** The focus goes to what is in its place. */
+  /** Deletes a layer and moves the focus to the row that takes its place. */
   #remove(id: number): void {
     const { layers } = this.state.plate;
     const at = layers.findIndex((layer) => layer.id === id);
@@ -266,7 +266,7 @@ export class LayersPanel extends StudioElement {
     this.#focus = next === undefined ? '.tiles button' : '[aria-pressed=true].row, input[type=radio]:checked';
   }
 
-  /** A change is one step of undo. */
+  /** Changes the plate as one undo step of its own. */
   #change(change: (plate: Plate) => Plate): void {
     this.studio.settle();
     this.studio.change(change);

@@ -1,4 +1,4 @@
-// The look of the list of layers, and of the tiles that add to it.
+// Styles of the list of layers, and of the tiles that add to it.
 import { css } from 'lit';
 
 export const layersStyle = css`

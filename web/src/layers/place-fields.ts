@@ -1,4 +1,4 @@
-// The fields of a layer's place, its size and its turn.
+// Fields of a layer's place, size and rotation.
 import { html, type TemplateResult } from 'lit';
 import { numberInput, type NumberField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
@@ -13,7 +13,7 @@ import { pageOf, type Plate, type PlateLayer } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
 import { changeIn, layerField } from './layer-field.js';
 
-/** @param set  what the layer becomes with that length */
+/** Field of a length in mm. @param set  the layer's changes for a value of the field */
 function lengthField(
   studio: Studio,
   layer: PlateLayer,
@@ -43,7 +43,8 @@ function lengthField(
   </div>`;
 }
 
-/** The layer over all of the page: a picture is cut to its proportions, and what has a form of its own stays whole. */
+/** Stretches the layer over the whole page. A picture is cropped to its proportions; texts, codes and drawings keep
+ * theirs. */
 export function coveringPage(page: Point, layer: PlateLayer, frame: Frame): Partial<LayerValues> {
   const { size } = frame;
   const placed = { at: null, rotation: 0 };
@@ -71,7 +72,7 @@ export function coveringPage(page: Point, layer: PlateLayer, frame: Frame): Part
   }
 }
 
-/** The middle of a pattern that fills the page, about which its rays and waves lie. */
+/** Fields of the middle of a pattern that fills the page, about which its rays and waves lie. */
 export function middleFields(studio: Studio, layer: PlateLayer): TemplateResult {
   const middle = middleOf(studio.store.state.plate, layer);
   const field = (k: 0 | 1): TemplateResult =>
@@ -80,13 +81,13 @@ export function middleFields(studio: Studio, layer: PlateLayer): TemplateResult 
       layer,
       'at',
       { id: k === 0 ? 'layer-x' : 'layer-y', label: l(k === 0 ? 'x' : 'y'), value: middle[k] },
-      // It still covers the page when its middle lies elsewhere.
+      // The mask makes the pattern cover the page wherever its middle lies.
       (value) => ({ at: k === 0 ? [value, middle[1]] : [middle[0], value], mask: 'page' }),
     );
   return html`<div class="size">${field(0)}<span></span>${field(1)}</div>`;
 }
 
-/** @param lock  whether the proportions stay, and what changes that */
+/** Fields of a layer's place. @param lock  state of the proportions' lock, and the function that toggles it */
 export function placeFields(
   studio: Studio,
   layer: PlateLayer,
@@ -160,7 +161,7 @@ export function placeFields(
     ${(['rotation', 'mirror'] satisfies LayerKey[]).map((key) => layerField(studio, layer, key))}`;
 }
 
-/** A letter height that is typed counts: the size is the letters' own then. */
+/** The changes for a height of letters that was typed in: the text then has no other size. */
 export const withTextSize = (value: number): Partial<LayerValues> => ({
   textSize: within('textSize', value),
   size: [0, 0],

@@ -1,4 +1,4 @@
-// New layers come to lie where there is room, or where a hand has put them.
+// Places new layers where there is room, or where a hand has dropped them.
 import type { Taken } from '../model/free-place.js';
 import { boundsOf, frameOf, type Frame, type KnownBox, type Point } from '../model/layer-frame.js';
 import { rounded, scaledLayer } from '../model/layer-changes.js';
@@ -8,15 +8,15 @@ import { pageOf, type Plate, type PlateLayer } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
 import { fillsPage, isMovable } from './arranging.js';
 
-/** Others are meant to lie over what is there, but for copies. */
+/** Kinds that get a free place. The others are meant to lie over what is there, unless they are copies. */
 const placed: readonly LayerKind[] = ['text', 'code', 'drawing', 'picture'];
 
-const patience = 1000; // [ms] for the engine, which may be busy with a plate
-const legible = 10; // beads that capital letters must be high
+const patience = 1000; // [ms] to wait for the engine, which may be busy with a plate
+const legible = 10; // beads; lower capital letters could not be read
 const leastShare = 0.5;
 const mostOfPage = 0.8;
 
-/** Boxes as the engine tells them; where it does not answer soon, as last known. */
+/** Boxes of the layers from the engine, or the last known ones where it takes too long. */
 async function boxesOf(studio: Studio, plate: Plate): Promise<ReadonlyMap<number, KnownBox>> {
   const late = new Promise<undefined>((resolve) => setTimeout(resolve, patience));
   const told = await Promise.race([studio.services.layerBoxes(plate).catch(() => undefined), late]);
@@ -27,12 +27,13 @@ async function boxesOf(studio: Studio, plate: Plate): Promise<ReadonlyMap<number
   return new Map([...studio.store.state.layerBoxes, ...known]);
 }
 
-/** Letters on a circle leave its middle free. */
+/** Radius that letters on a circle leave free about its middle [mm]. */
 function freeWithin({ kind, circle, textSize }: PlateLayer): number {
   if (kind !== 'text' || circle === 0) return 0;
   return Math.max(0, circle > 0 ? circle - 0.3 * textSize : -circle - 1.3 * textSize);
 }
 
+/** Frames that a new layer should not cover; those that cover the page do not count. */
 function takenIn(plate: Plate, layers: readonly PlateLayer[], boxes: ReadonlyMap<number, KnownBox>): Taken[] {
   const page = pageOf(plate);
   return layers
@@ -41,7 +42,7 @@ function takenIn(plate: Plate, layers: readonly PlateLayer[], boxes: ReadonlyMap
     .filter((frame) => !fillsPage(frame, page));
 }
 
-/** Nothing is to be read along the edge under a border or a rim. */
+/** Width of the strip under a border or rim [mm], where nothing could be read. */
 const edgeOf = ({ print, layers }: Plate): number =>
   Math.max(
     print.rim > 0 ? print.rimWidth : 0,
@@ -53,15 +54,16 @@ const spanOf = (frame: Frame): Point => {
   return [high[0] - low[0], high[1] - low[1]];
 };
 
-/** The layers, each where the plate has room for it beside those that are there, and smaller where that must be. The first
- * layer of a plate lies in its middle.
- * @param at  where a hand has put the first of them, on the page [mm] */
+/** Places layers beside those that are there, and reduces them where they must be smaller. The first layer of a plate
+ * goes to the middle.
+ * @param at  place on the page where a hand has dropped the first of them [mm] */
 export async function withPlaces(studio: Studio, values: readonly LayerValues[], at?: Point): Promise<LayerValues[]> {
   const { plate } = studio.store.state;
   const first = nextLayerId(plate);
   const fresh = values.map((value, k): PlateLayer => ({ ...value, id: first + k }));
   const page = pageOf(plate);
-  /** Lies over all of the page or the middle of it, along its edge, or around another layer's drawing. */
+  /** Tells whether a layer stays where it is: over the whole page or its middle, along the edge, or around another
+   * layer's drawing. */
   const stays = (layer: PlateLayer): boolean => {
     if (placed.includes(layer.kind)) return false;
     const echoes = layer.kind === 'pattern' && layer.pattern === 'echo';

@@ -1,14 +1,14 @@
-// A file takes the place of another in a layer.
+// Replaces the files of layers.
 import { refilled, uncropped } from '../model/layer-changes.js';
 import { isExample, type PlateLayer, type SourceFile } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
 import { frameIn } from './arranging.js';
 import { changeIn } from './layer-field.js';
 
-const side = 100; // [mm] wide enough to tell proportions
+const side = 100; // [mm], wide enough to measure proportions
 
-/** Width by height of what the engine finds in the layer's file.
- * @returns undefined where it finds nothing, which is told where the plate is made */
+/** Width divided by height of what the engine finds in the layer's file.
+ * @returns undefined where it finds nothing, which is reported where the plate is made */
 async function proportionOf(studio: Studio, layer: PlateLayer): Promise<number | undefined> {
   const wide: PlateLayer = { ...layer, ...uncropped, size: [side, 0] };
   try {
@@ -20,7 +20,8 @@ async function proportionOf(studio: Studio, layer: PlateLayer): Promise<number |
   }
 }
 
-/** An echo lies around the drawing of another layer: layers of other kinds that have the same file go with it. */
+/** Replaces a layer's file. An echo follows the drawing of another layer, so layers of other kinds with the same
+ * file change, too. */
 export async function replaceFile(studio: Studio, layer: PlateLayer, file: SourceFile): Promise<void> {
   const before = layer.file;
   const proportion = await proportionOf(studio, { ...layer, file });
@@ -31,13 +32,13 @@ export async function replaceFile(studio: Studio, layer: PlateLayer, file: Sourc
     ...one,
     file,
     ...(before === null || proportion === undefined ? uncropped : refilled(one, frameIn(state, one), proportion)),
-    ...(before !== null && isExample(before) && { rotation: 0 }), // it was the example's that stood askew
+    ...(before !== null && isExample(before) && { rotation: 0 }), // the tilt was the example's own
   });
   studio.settle();
   studio.change((plate) => ({ ...plate, layers: plate.layers.map((one) => (goes(one) ? filled(one) : one)) }));
 }
 
-/** A picture takes the place of another of the layer, whose box has the proportions of the first. */
+/** Replaces one picture of a layer. The layer's box has the proportions of its first picture. */
 export async function replacePicture(studio: Studio, layer: PlateLayer, k: number, file: SourceFile): Promise<void> {
   const before = layer.pictures[k]?.file;
   const pictures = layer.pictures.map((one, other) => (other === k ? { ...one, file } : one));

@@ -1,24 +1,25 @@
-// Where a box of letters or modules lies whole inside a shape.
+// Finds where a box of letters or modules fits whole inside a shape.
 import type { Size } from '../model/raster.js';
 
-/** What of the page is inside the shape: rows from the top, 1 inside. */
+/** The inside of a shape on its page, 1 for each texel inside. Rows run from the top. */
 export interface Room extends Size {
-  /** Equal keys, equal rooms. */
+  /** Number of the room: rooms with equal keys are equal. */
   key: number;
   inside: Uint8Array;
 }
 
 export interface Place {
-  /** 0..1: how much smaller the box must be. */
+  /** Factor on the box, 0..1. */
   scale: number;
-  /** Of its middle, shares of the page, from the left and from the top. */
+  /** Middle of the box in shares of the page, from the left and from the top. */
   x: number;
   y: number;
 }
 
-/** Adds up any box of a picture. @returns the sum of so many columns and rows from a place on */
+/** Sums up boxes of a picture by a summed-area table. @returns the sum over a number of columns and rows from a
+ * place on */
 export function adder(values: Uint8Array, { width, height }: Size) {
-  // Sums over all texels above and to the left.
+  // Entry (row, column) holds the sum over all texels above and to the left.
   const stride = width + 1;
   const sums = new Uint32Array(stride * (height + 1));
   for (let row = 0; row < height; ++row) {
@@ -35,10 +36,11 @@ export function adder(values: Uint8Array, { width, height }: Size) {
   };
 }
 
-/** The largest box of these proportions that lies inside, no larger than wanted; where there are several, nearest to the middle
- * of the page. @param wide, tall  as wanted, shares of the page; one texel is left around it */
+/** The largest box of these proportions that fits inside and is no larger than wanted; of several, the one nearest to
+ * the page's middle.
+ * @param wide, tall  wanted size in shares of the page; a margin of one texel stays free around it */
 export function placeIn(wide: number, tall: number, { width, height, inside }: Room): Place {
-  const sum = adder(inside, { width, height }); // a box is inside where its sum is its area
+  const sum = adder(inside, { width, height }); // a box is inside where its sum equals its area
   const find = (scale: number): Place | undefined => {
     const [columns, rows] = [Math.ceil(wide * scale * width) + 2, Math.ceil(tall * scale * height) + 2];
     let best: Place | undefined;
@@ -68,5 +70,5 @@ export function placeIn(wide: number, tall: number, { width, height, inside }: R
       found = place;
     }
   }
-  return found ?? { scale: 1, x: 0.5, y: 0.5 }; // nothing fits: it is cut wherever it lies
+  return found ?? { scale: 1, x: 0.5, y: 0.5 }; // nothing fits, so the box is cut wherever it lies
 }

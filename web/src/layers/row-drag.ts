@@ -1,22 +1,23 @@
-// A row of the list is dragged to another place: the layers take their places as the hand goes, as one step of undo.
+// Drags a row of the list to another place. The layers change places during the drag, which is one undo step.
 import { raised } from '../model/layer-list.js';
 import type { Studio } from '../studio/studio.js';
 
-const begins = 4; // [CSS pixels] before which it is a click
+const begins = 4; // [CSS pixels]; a shorter movement is a click
 const gesture = 'layers.order';
 
-/** A mouse may take any part of a row; a finger takes the handle, as elsewhere it scrolls the panel. @returns the row's layer */
+/** The layer whose row a pointer takes. A mouse can take any part of a row, a finger only the handle, since it
+ * scrolls the panel elsewhere. */
 export function rowTaken({ target, button, pointerType }: PointerEvent): number | undefined {
   const part = (target as Element).closest(pointerType === 'mouse' ? '.grip, .row' : '.grip');
   const id = part?.closest<HTMLElement>('li[data-layer]')?.dataset['layer'];
   return button === 0 && id !== undefined ? Number(id) : undefined;
 }
 
-/** The list that has the rows. */
+/** The list of rows, as a drag sees it. */
 interface RowList {
   /** The rows as they lie now, the topmost layer's first. */
   rows: () => readonly HTMLElement[];
-  /** @param held  the layer whose row a hand drags; undefined: it has let go */
+  /** @param held  layer whose row is being dragged; undefined after the drag */
   hold: (held: number | undefined) => void;
 }
 
@@ -25,6 +26,7 @@ function middleOf(row: HTMLElement): number {
   return (top + bottom) / 2;
 }
 
+/** Follows a drag of a row until it ends; Escape takes it back. */
 export function dragRow(studio: Studio, id: number, down: PointerEvent, list: RowList): void {
   const isOwn = (row: HTMLElement): boolean => Number(row.dataset['layer']) === id;
   const box = list.rows().find(isOwn)?.getBoundingClientRect();
@@ -44,7 +46,7 @@ export function dragRow(studio: Studio, id: number, down: PointerEvent, list: Ro
     const rows = list.rows();
     const own = rows.findIndex(isOwn);
     const top = clientY - grabbed;
-    // A row goes past another once its nearer edge has passed the other's middle, on the way there as on the way back.
+    // A row passes another once its leading edge has passed the other's middle, in both directions.
     const above = rows.filter((row, k) => k !== own && middleOf(row) < (k < own ? top : top + height)).length;
     studio.change((plate) => {
       const from = plate.layers.findIndex((layer) => layer.id === id);
@@ -61,7 +63,7 @@ export function dragRow(studio: Studio, id: number, down: PointerEvent, list: Ro
   };
   const onEnd = ({ pointerId, type }: PointerEvent): void => {
     if (pointerId !== down.pointerId) return;
-    // The click that follows a drag would choose a layer; it comes before anything else does.
+    // The click that follows a drag would choose a layer. It comes before any timer, so a timer ends its suppression.
     setTimeout(() => {
       dragging.abort();
     });

@@ -1,16 +1,16 @@
-// What of a plate's page is inside its shape, for codes and letters that must not be cut.
+// Rasterises the inside of a plate's shape, for codes and letters that must not be cut off.
 import type { Engine } from 'sillon';
 import { shapeInput } from '../model/input.js';
 import type { Plate } from '../model/plate.js';
 import type { Room } from './room.js';
 import { sizeFor } from '../model/raster.js';
 
-const longest = 320; // texels: a box of letters is as large as it may be to within a third of a percent
+const longest = 320; // texels of the longer side; the size of a box of letters is then exact to a third of a percent
 
 let last: { shape: Plate['shape']; width: number; height: number; room: Room } | undefined;
 let key = 0;
 
-/** @throws what reading the shape throws */
+/** The room inside a plate's shape; the last one is kept. @throws errors of reading the shape */
 export async function shapeRoom(plate: Plate, engine: Engine): Promise<Room> {
   const { shape, width, height } = plate;
   if (last?.shape === shape && last.width === width && last.height === height) return last.room;

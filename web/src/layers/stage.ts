@@ -1,4 +1,4 @@
-// Layers on the stage: what the pointer and the keys do with them there, and how they are drawn over the plate.
+// Layers on the stage: handling of the pointer and the keys, and drawing over the plate.
 import { pageOf } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
 import { Arranger } from './arranger.js';
@@ -8,6 +8,7 @@ import type { PageView } from './grips.js';
 
 type View = Pick<PageView, 'toPage' | 'toScreen'> & { scale: () => number };
 
+/** An arranger that also draws, with the picture that is being cropped. */
 export class LayerStage extends Arranger {
   readonly #styles: CSSStyleDeclaration;
   readonly #coarse = matchMedia('(pointer: coarse)');
@@ -26,7 +27,7 @@ export class LayerStage extends Arranger {
     followBoxes(studio);
   }
 
-  /** @returns what draws them, in CSS pixels; undefined: nothing is to be drawn */
+  /** A function that draws the layers' frames, in CSS pixels; undefined where nothing is drawn. */
   drawing(): ((context: CanvasRenderingContext2D) => void) | undefined {
     const arranged = this.shown();
     if (arranged === undefined) return undefined;
@@ -50,7 +51,7 @@ export class LayerStage extends Arranger {
           picture.bitmap = bitmap;
           this.#redraw();
         },
-        () => undefined, // of a kind that browsers do not draw
+        () => undefined, // browsers cannot draw this kind of file
       );
     return undefined;
   }

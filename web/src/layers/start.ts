@@ -1,4 +1,4 @@
-// The tiles that a plate begins with, one for each thing that people come with.
+// The tiles of a new plate, one for each thing that people bring.
 import { css, html, type TemplateResult } from 'lit';
 import { icon } from '../controls/icons.js';
 import { t } from '../i18n/text.js';
@@ -18,7 +18,7 @@ const begins = {
 } as const satisfies Record<string, LayerKind>;
 type Begin = keyof typeof begins;
 
-/** Kinds that these tiles lay on top already. */
+/** Kinds that these tiles put on top. */
 export const startKinds: ReadonlySet<LayerKind> = new Set(['text', 'code']);
 
 export const startStyle = css`
@@ -39,7 +39,10 @@ export const startStyle = css`
   }
 `;
 
-/** @param add  lays a layer on top @param more  unfolds all other ways @param unfolded  whether it did */
+/** The tiles.
+ * @param add  puts a layer on top
+ * @param more  unfolds or folds all other ways to begin
+ * @param unfolded  tells whether those are unfolded */
 export function startTiles(
   studio: Studio,
   add: (kind: LayerKind) => void,
@@ -65,7 +68,7 @@ export function startTiles(
   </div>`;
 }
 
-/** Fills the plate with a pattern, or with what somebody has brought. */
+/** Fills the plate with a pattern, or with a file that the visitor chooses. */
 async function begin(studio: Studio, name: Begin): Promise<void> {
   if (name === 'pattern') {
     const fill = groundFill(studio.store.state.plate);

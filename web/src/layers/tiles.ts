@@ -1,4 +1,4 @@
-// The kinds of layers as small plates: beads that run one way, and another way where the layer lies.
+// Pictures of the layer kinds as small plates. The beads run in one direction, and in another where the layer lies.
 import { svg, type SVGTemplateResult } from 'lit';
 import type { LayerKind } from '../model/layers.js';
 
@@ -24,7 +24,7 @@ const any =
   (x, y) =>
     parts.some((part) => part(x, y));
 
-/** Beads at an angle [degrees], where a place is inside. */
+/** Path of beads at an angle [degrees], wherever a place is inside. */
 function hatch(angle: number, inside: Inside): string {
   const turn = (angle * Math.PI) / 180;
   const [c, s] = [Math.cos(turn), -Math.sin(turn)];
@@ -48,7 +48,7 @@ function hatch(angle: number, inside: Inside): string {
   return parts.join('');
 }
 
-/** Strokes of a capital A, as distances to three lines. */
+/** A capital A: all places near one of its three strokes. */
 const letter: Inside = (x, y) => {
   const away = (ax: number, ay: number, bx: number, by: number): number => {
     const [dx, dy] = [bx - ax, by - ay];
@@ -58,7 +58,7 @@ const letter: Inside = (x, y) => {
   return Math.min(away(19, 36, 30, 6), away(41, 36, 30, 6), away(23, 26, 37, 26)) <= 3.4;
 };
 
-/** Finder squares and a few modules. */
+/** A code with finder squares and a few modules. */
 const modules = ['1110111', '1010101', '1110111', '0001010', '1110110', '1010011', '1110101'];
 const code: Inside = (x, y) => {
   const [column, row] = [Math.floor((x - 12) / 5.14), Math.floor((y - 3) / 5.14)];
@@ -71,7 +71,7 @@ const star: Inside = (x, y) => {
   return Math.hypot(dx, dy) <= 13 + 6 * Math.cos(5 * angle);
 };
 
-/** Hills under a sun. */
+/** A landscape of two hills. */
 const hills: Inside = (x, y) => y > 31 - 13 * Math.exp(-(((x - 20) / 11) ** 2)) - 9 * Math.exp(-(((x - 44) / 9) ** 2));
 
 const rings = Array.from({ length: 12 }, (_, k) => {
@@ -79,7 +79,7 @@ const rings = Array.from({ length: 12 }, (_, k) => {
   return `M${width / 2 + radius} ${height / 2}a${radius} ${radius} 0 1 0 ${-2 * radius} 0a${radius} ${radius} 0 1 0 ${2 * radius} 0`;
 }).join('');
 
-/** Short beads that turn from left to right, as a map tells them. */
+/** Short beads whose directions turn from left to right, as in a map. */
 const fan = Array.from({ length: 11 * 7 }, (_, k) => {
   const [x, y] = [5 + (k % 11) * 5, 4.5 + Math.floor(k / 11) * 5.5];
   const angle = ((x + 0.6 * y) / width) * Math.PI;
@@ -117,6 +117,7 @@ const drawn: Record<LayerKind, () => Tile> = {
 
 const made = new Map<LayerKind, Tile>();
 
+/** The picture of a kind, whose paths are computed once. */
 export function tile(kind: LayerKind): SVGTemplateResult {
   const { below, above } = made.get(kind) ?? drawn[kind]();
   made.set(kind, { below, above });

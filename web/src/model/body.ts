@@ -1,21 +1,21 @@
-// The body that a plate lies on: its shape is a level top face of it, and slicers get both together.
+// The 3D body that a plate lies on. The plate is one of its level top faces, and slicers get both together.
 import { fieldsOf, numberIn, textIn, Unfit } from './check.js';
 import type { Body, Plate, SourceFile } from './plate.js';
 import { StudioError } from './problem.js';
 
-const furthest = 10_000; // [mm] as the core has it
+const furthest = 10_000; // [mm], the core's own limit for coordinates
 
 const same = (a: number, b: number): boolean => Math.abs(a - b) < 0.01;
 
-/** The body and its face for the engine: the plate must still be that face. @throws StudioError InvalidArgument with the
- * reason OffBody */
+/** The body and its face for the engine, in mm.
+ * @throws StudioError InvalidArgument with the reason OffBody where the plate is no longer that face */
 export function bodyInput({ shape, width, height, body }: Plate) {
   if (body === undefined) return undefined;
   const [x, y, z] = body.face;
   const isFace = shape.kind === 'file' && shape.file.id === body.outline;
   if (!isFace || !same(width, body.size[0]) || !same(height, body.size[1]))
     throw new StudioError('InvalidArgument', { reason: 'OffBody', name: body.file.name });
-  const grown = Math.max(0, shape.offset); // the page is that much larger on each side
+  const grown = Math.max(0, shape.offset); // the page is this much larger on each side
   return { body: body.file.bytes, face: [x - grown, y - grown, z] as const };
 }
 
@@ -28,7 +28,9 @@ const pairOf = (value: unknown, where: string): unknown[] => {
   return value as unknown[];
 };
 
-/** @param fileAt  of a project @throws Unfit, errors of `fileAt` */
+/** Reads the body's part of a project; empty where the project has none.
+ * @param fileAt  finds a file of the project by its path
+ * @throws Unfit for values that no plate can have, and the errors of `fileAt` */
 export async function bodyFrom(
   value: unknown,
   fileAt: (path: string) => Promise<SourceFile | undefined>,

@@ -1,5 +1,5 @@
-// A design from elsewhere - a link, a project, a page around this one - may bring a printer of its own: G-code that moves and
-// heats a machine, temperatures, limits. None of it is used before the visitor has said so.
+// A design from elsewhere (a link, a project, a page around this one) may bring a printer of its own: temperatures,
+// limits and G-code that moves and heats a machine. None of it is used before the visitor has agreed.
 import type { PrinterValues } from 'sillon';
 import { filamentProfiles } from './appearance.js';
 import { printerDefaults } from './defaults.js';
@@ -18,7 +18,7 @@ const usual = {
   bed: Math.max(...known.map(({ bedTemperature }) => bedTemperature)),
 };
 
-/** Hotter than any filament of the list is printed [°C]; 0: no hotter. */
+/** Temperatures above those of every listed filament [°C]; 0 where they are not above. */
 export function unusualHeat(heat: Heat): { nozzle: number; bed: number } {
   const nozzle = Math.max(heat.nozzleTemperature, heat.firstLayerNozzleTemperature);
   return { nozzle: nozzle > usual.nozzle ? nozzle : 0, bed: heat.bedTemperature > usual.bed ? heat.bedTemperature : 0 };
@@ -29,17 +29,19 @@ const isHot = (heat: Heat): boolean => {
   return nozzle > 0 || bed > 0;
 };
 
-/** Whether a stranger's printer may be used unasked: one of the profiles, or the visitor's own, no hotter than usual. */
+/** Tells whether a stranger's printer may be used unasked: it is one of the profiles or the visitor's own, and no
+ * hotter than usual. */
 function harmless(printer: PrinterValues, own: PrinterValues): boolean {
   const sameHeat = ofFilament.every((key) => printer[key] === own[key]);
   const known = profileOf(printer) !== undefined || sameMachine(printer, own);
   return known && (!isHot(printer) || sameHeat);
 }
 
+/** The values of a printer that its filament asks for. */
 const filamentIn = (printer: PrinterValues): Pick<PrinterValues, (typeof ofFilament)[number]> =>
   Object.fromEntries(ofFilament.map((key) => [key, printer[key]])) as Pick<PrinterValues, (typeof ofFilament)[number]>;
 
-/** Whether it is a machine that can be named. */
+/** Tells whether the printer is a particular machine, and no generic profile. */
 const namesPrinter = (printer: PrinterValues): boolean => {
   const profile = profileOf(printer);
   return profile === undefined || !isGeneric(profile);
@@ -47,15 +49,15 @@ const namesPrinter = (printer: PrinterValues): boolean => {
 
 /** The plate on the visitor's machine, with the plate's filament and nozzle. */
 export function onMachine(plate: Plate, own: PrinterValues): Plate {
-  const { pressureAdvance, setPressureAdvance } = own; // of that machine
+  const { pressureAdvance, setPressureAdvance } = own; // pressure advance belongs to that machine
   const filament = filamentIn(plate.printer);
   const printer = { ...structuredClone(own), ...filament, pressureAdvance, setPressureAdvance };
   return withAdvance({ ...plate, printer: { ...printer, nozzle: plate.printer.nozzle } }, { ...plate, printer: own });
 }
 
-/** A design from elsewhere on the visitor's own printer; what it brings waits in `brought`. The nozzle stays the design's,
- * and so does what its filament asks for, unless that is hotter than usual. A printer that the design names among the
- * profiles stays, too; a generic one does where the visitor has not chosen any. */
+/** Puts a design from elsewhere on the visitor's own printer and keeps what it brings in `brought`. The design's
+ * nozzle stays, and so do its filament's values unless they are hotter than usual. A printer that the design names
+ * among the profiles stays, too; a generic one stays only where the visitor has not chosen any. */
 export function onOwnPrinter(plate: Plate, own: PrinterValues): Plate {
   const { printer } = plate;
   if (harmless(printer, own)) {
@@ -75,17 +77,19 @@ export function newPlateOn(own: PrinterValues): Plate {
   return withNozzle(onMachine({ ...plate, printer: { ...plate.printer, nozzle: own.nozzle } }, own), own.nozzle);
 }
 
+/** Accepts the printer that a design has brought. */
 export const useBrought = (plate: Plate): Plate =>
   plate.brought === undefined ? plate : withoutBrought(withFilamentOf(plate, plate.brought));
 
+/** Refuses the printer that a design has brought. */
 export const withoutBrought = (plate: Plate): Plate => ('brought' in plate ? without(plate, 'brought') : plate);
 
-/** Lines that are sent to the machine: neither empty nor nothing but a comment. */
+/** Number of lines that are sent to the machine, so neither empty nor only a comment. */
 export const countLines = (block: string): number =>
   block.split('\n').filter((line) => !/^\s*(;.*)?$/.test(line)).length;
 
-/** What is to be seen before the first file is taken with it: blocks that no profile has, and heat without limits. Equal
- * texts: the same was seen. Empty: nothing to see. */
+/** Text of what the visitor must see before downloading the first file for a printer: blocks of G-code that no
+ * profile has, and temperatures without limits. Equal texts need no second look; an empty text needs none at all. */
 export function toReview(printer: PrinterValues): string {
   const { startGcode, endGcode, generalHeatLimits } = printer;
   const { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature } = printer;
@@ -95,7 +99,8 @@ export function toReview(printer: PrinterValues): string {
   return blocks.length + heat.length === 0 ? '' : JSON.stringify([...blocks, ...heat]);
 }
 
-/** The printer without what `toReview` shows. */
+/** The plate's printer without what `toReview` shows: no blocks, no lifted heat limits, and a usual filament where
+ * it was hot. */
 export const withoutBlocks = (plate: Plate): Plate => {
   const printed = isHot(plate.printer) ? withFilament(plate, filamentOf(plate.pictures.spool).key) : plate;
   return { ...printed, printer: { ...printed.printer, startGcode: '', endGcode: '', generalHeatLimits: false } };

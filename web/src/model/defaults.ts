@@ -1,9 +1,9 @@
-// What a plate is before anybody changes it.
+// Values of a plate before anybody changes it.
 import type { PictureParams, PrintParams, PrinterValues, ToolpathParams } from 'sillon';
 import type { ShapeSettings, ShapeSource, SourceFile } from './plate.js';
 import { shapeTable, table } from './setting-table.js';
 
-/** What the core's table of settings says. */
+/** Defaults of a section, read from the core's table of settings. */
 export const defaultsOf = <Section>(rows: Record<string, { default: unknown }>): Readonly<Section> =>
   Object.fromEntries(Object.entries(rows).map(([key, row]) => [key, row.default])) as Readonly<Section>;
 
@@ -14,9 +14,11 @@ export const pictureDefaults = defaultsOf<PictureParams>(table.pictures);
 
 type Unitless = ShapeSettings['unitless'];
 
-/** Millimetres without a unit are the published scenes', which outline what they mean. */
+/** The usual treatment of paint in a drawing. Drawings with unitless millimetres are the published scenes, whose
+ * outlines alone count. */
 export const usualPaint = (unitless: Unitless): ShapeSettings['paint'] => (unitless === 'mm' ? 'ignore' : 'shown');
 
+/** First settings of any shape. */
 const shapeSettings = (unitless: Unitless = 'px'): ShapeSettings => ({
   radius: shapeTable.radius.default,
   corners: shapeTable.corners.default,

@@ -1,9 +1,9 @@
-// A plate to begin with, as data.
+// An example plate, as data.
 import type { FilamentKey } from './filaments.js';
 import type { LayerKind, LayerValues } from './layers.js';
 import type { ShapeSource } from './plate.js';
 
-/** The fields that differ from the core's defaults; files by their names. */
+/** A layer's fields that differ from the core's defaults. Files are given by their names. */
 export type ExampleLayer = Partial<Omit<LayerValues, 'file' | 'pictures' | 'maskFile' | 'modeFile' | 'font'>> & {
   kind: LayerKind;
   file?: string;
@@ -14,14 +14,14 @@ export type ExampleLayer = Partial<Omit<LayerValues, 'file' | 'pictures' | 'mask
 };
 
 export interface Example {
-  /** The dictionary has `example.ID`. */
+  /** Key of the example's name in the dictionary: `example.ID`. */
   id: ExampleId;
   width: number;
   height: number;
   filament: FilamentKey;
-  /** A name is that of a file. */
+  /** A built-in shape, or the name of a drawing's file. */
   shape: ShapeSource | string;
-  /** Bottom first. */
+  /** Layers from the bottom to the top. */
   layers: readonly ExampleLayer[];
   nearest?: boolean;
 }

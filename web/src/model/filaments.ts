@@ -1,10 +1,10 @@
-// A short list of filaments: how they look and how they are printed, by the core's tables of spools and of filaments.
+// The filaments on offer, their looks and their temperatures, from the core's tables of spools and filaments.
 import { appearance, filamentProfiles, spools } from './appearance.js';
 import type { Machine, OwnSpool, Plate } from './plate.js';
 import { filamentFamily, withAdvance } from './printers.js';
 import { without } from './without.js';
 
-/** Along, across. */
+/** RMS slopes of a bead's surface along and across it [degrees]. */
 export type Slopes = readonly [number, number];
 
 interface SideSlopes {
@@ -12,7 +12,7 @@ interface SideSlopes {
   bedSide: Slopes;
 }
 
-/** Measured with nozzles of `appearance.fineNozzle` and `wideNozzle`. */
+/** Slopes measured with nozzles of `appearance.fineNozzle` and `appearance.wideNozzle`. */
 interface Roughness {
   fine: SideSlopes;
   wide: SideSlopes;
@@ -20,11 +20,11 @@ interface Roughness {
 
 export type FilamentKey = keyof typeof spools;
 
-/** Its name is in the dictionary: `filament.KEY`. */
+/** A filament of the list; the dictionary names it in `filament.KEY`. */
 export interface Filament {
   key: FilamentKey;
   printed: (typeof filamentProfiles)[keyof typeof filamentProfiles];
-  /** Of the body, sRGB 0..255; for swatches as well. */
+  /** Colour of the body, sRGB 0..255; also used for swatches. */
   colour: readonly [number, number, number];
   roughness: Roughness;
 }
@@ -42,17 +42,17 @@ export const filaments: readonly Filament[] = [
   withLook('clearPetg', 'petg'),
 ];
 
-/** The first of the list for a key that is not in it: plates come from files, too. */
+/** The filament with this key. Plates come from files, so an unknown key gives the first of the list. */
 export const filamentOf = (key: string): Filament =>
   filaments.find((filament) => filament.key === key) ?? (filaments[0] as Filament);
 
 const ownRoughness = ({ fine, wide }: OwnSpool): Roughness => ({ fine, wide: wide ?? fine });
 
-/** Colour and gloss: of the visitor's own spool, where there is one. */
+/** Colour and gloss of the plate: those of the visitor's own spool where there is one, else the filament's. */
 const looksOf = ({ pictures, spool }: Plate): Pick<Filament, 'colour' | 'roughness'> =>
   spool === undefined ? filamentOf(pictures.spool) : { colour: spool.colour, roughness: ownRoughness(spool) };
 
-/** Looks like a spool of one's own; undefined: as the filament again. */
+/** Gives the plate the look of the visitor's own spool; undefined: the filament's look again. */
 export function withSpool(plate: Plate, spool: OwnSpool | undefined): Plate {
   const changed = { ...without(plate, 'spool'), pictures: { ...plate.pictures, slopes: null } };
   return spool === undefined ? changed : { ...changed, spool };
@@ -64,7 +64,7 @@ export const heatFor = ({ printed }: Filament) => {
   return { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature };
 };
 
-/** The plate of another filament: its look, temperatures and weight. */
+/** The plate in another filament, with that filament's look, temperatures and density. */
 export function withFilament(plate: Plate, key: FilamentKey): Plate {
   const filament = filamentOf(key);
   const plainly = withSpool(plate, undefined);
@@ -76,11 +76,12 @@ export function withFilament(plate: Plate, key: FilamentKey): Plate {
   return withAdvance(changed, plate);
 }
 
+/** The first listed filament of the same family as a printer's `filamentType`. */
 export const filamentLike = (type: string): Filament | undefined =>
   filaments.find(({ printed }) => printed.filamentType === filamentFamily(type));
 
-/** The plate on a printer that has its own filament: where that is of another family, the plate looks as one of the list does
- * that is of this one. */
+/** Puts the plate on a printer that has its own filament. Where the plate looks like another family, it gets the
+ * look of the first listed filament of the printer's family. */
 export function withFilamentOf(plate: Plate, printer: Machine): Plate {
   const family = filamentFamily(printer.filamentType);
   const changed = { ...plate, printer };
@@ -97,34 +98,34 @@ const toLinear = (value: number): number => {
   return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
 };
 
-/** What the views draw with: linear colour, and the slopes for this nozzle, between those measured. */
+/** Look for the views: linear colour, and slopes interpolated for the plate's nozzle [degrees]. */
 export function lookOf(plate: Plate): { colour: [number, number, number]; along: number; across: number } {
   const { colour } = looksOf(plate);
   const [along, across] = slopesOf(plate);
   return { colour: [toLinear(colour[0]), toLinear(colour[1]), toLinear(colour[2])], along, across };
 }
 
-/** The same for files: sRGB 0..255. */
+/** Look for files: colour as sRGB 0..255, slopes as in `lookOf`. */
 export function viewLook(plate: Plate): { colour: [number, number, number]; slopes: [number, number] } {
   return { colour: [...looksOf(plate).colour], slopes: slopesOf(plate) };
 }
 
-/** Along and across the bead, on the side that is seen, for the nozzle [degrees]. */
+/** Slopes along and across the bead, on the side that is seen, for the plate's nozzle [degrees]. */
 export function slopesOf(plate: Plate): [number, number] {
   const { pictures, print, printer } = plate;
   if (pictures.slopes !== null) return pictures.slopes;
   return slopesFor(looksOf(plate).roughness, printer.nozzle, print.showSide === 'bed' ? 'bedSide' : 'nozzleSide');
 }
 
-/** Slopes that a project has to tell; null: they are those of a spool that every program knows. */
+/** Slopes that a project must state; null where they are those of a spool that every program knows. */
 export const givenSlopes = (plate: Plate): [number, number] | null =>
   plate.spool === undefined ? plate.pictures.slopes : slopesOf(plate);
 
-/** Of a spool of one's own, as `slopesOf`. @param nozzle [mm] */
+/** Slopes of the visitor's own spool, as in `slopesOf`. @param nozzle [mm] */
 export const spoolSlopes = (spool: OwnSpool, nozzle: number, side: keyof SideSlopes): [number, number] =>
   slopesFor(ownRoughness(spool), nozzle, side);
 
-/** @param nozzle [mm], between those that were measured */
+/** Interpolates linearly between the two measured nozzles, and clamps outside them. @param nozzle [mm] */
 function slopesFor({ fine, wide }: Roughness, nozzle: number, side: keyof SideSlopes): [number, number] {
   const { fineNozzle, wideNozzle } = appearance;
   const share = Math.min(1, Math.max(0, (nozzle - fineNozzle) / (wideNozzle - fineNozzle)));

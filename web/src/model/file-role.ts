@@ -1,7 +1,7 @@
-// What the files that people open are for.
+// Roles that opened files can have in a plate.
 import type { Plate, SourceFile } from './plate.js';
 
-/** What a file may be for; the dictionary has `role.NAME`. */
+/** Role of a file; the dictionary names it in `role.NAME`. */
 export type Role =
   | 'shape'
   | 'mask'
@@ -18,27 +18,28 @@ export type Role =
   | 'project'
   | 'none';
 
-/** A way in which a picture is not as it came: one of an animation's pictures, or white artwork on a ground that is black now. The
- * dictionary has `files.NAME`. */
+/** Note on how a picture differs from its file: it is one frame of an animation, or white artwork on a ground that
+ * is black now. The dictionary has `files.NAME`. */
 export type FileNote = 'animated' | 'white';
 
-/** A file as it was opened, and what it is used as. */
+/** A file as it was opened, and its role. */
 export interface Opened {
   source: SourceFile;
   notes: readonly FileNote[];
   role: Role;
-  /** What it may be used as. */
+  /** Roles that the file can have. */
   roles: readonly Role[];
 }
 
-/** Files that were opened together, and the plate without them and with them. */
+/** Files that were opened together, with the plate before and after they were used. */
 export interface OpenedFiles {
   before: Plate;
   made: Plate;
   files: readonly Opened[];
 }
 
-/** A file, and what it is for where somebody says so: 'shape', 'image' (its directions), or a role. Empty: as it is guessed. */
+/** A file and the role that somebody has given it: 'shape', 'image' (its directions), or a `Role`. An empty role is
+ * guessed. */
 export interface Opening {
   file: File;
   role: string;

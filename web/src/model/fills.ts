@@ -1,11 +1,12 @@
-// The ground of a plate: its lowest layer, where that fills the page. What it may be filled with, and how each begins.
+// The ground of a plate: its lowest layer, where that fills the page. Lists the fills that it can have and how each
+// begins.
 import { layerDefaults, nextLayerId } from './layer-list.js';
 import { lackOf, type LayerValues } from './layers.js';
 import { mostLayers } from './facts.js';
 import { pageOf, type PageParts, type Plate, type PlateLayer, type SourceFile } from './plate.js';
 import { without } from './without.js';
 
-/** Fills that are told from pictures. */
+/** Fills whose directions come from pictures. */
 export const pictureFills = ['picture', 'brightness', 'edges', 'levels', 'colours', 'map'] as const;
 export const patternFills = ['direction', 'radial', 'spiral', 'waves', 'noise'] as const;
 export type PictureFill = (typeof pictureFills)[number];
@@ -13,7 +14,7 @@ export type Fill = PictureFill | (typeof patternFills)[number];
 
 export const isPictureFill = (fill: Fill): fill is PictureFill => (pictureFills as readonly Fill[]).includes(fill);
 
-/** @returns undefined for layers that have a form of their own */
+/** The fill of a layer. @returns undefined for layers that have a form of their own */
 export function fillOf({ kind, pattern, by }: Pick<PlateLayer, 'kind' | 'pattern' | 'by'>): Fill | undefined {
   switch (kind) {
     case 'picture':
@@ -29,7 +30,7 @@ export function fillOf({ kind, pattern, by }: Pick<PlateLayer, 'kind' | 'pattern
   }
 }
 
-/** @returns undefined where something else lies lowest */
+/** The plate's ground. @returns undefined where the lowest layer does not fill the page */
 export function groundOf({ layers }: Pick<Plate, 'layers'>): PlateLayer | undefined {
   const [lowest] = layers;
   if (lowest === undefined || fillOf(lowest) === undefined) return undefined;
@@ -43,15 +44,16 @@ export const groundFill = (plate: Pick<Plate, 'layers'>): Fill | undefined => {
   return ground && fillOf(ground);
 };
 
-/** There is no layer to choose, to order or to show again: nothing but a ground that is seen, or not even that. */
+/** Tells whether there is no layer to choose, to order or to show again: the plate has nothing but a visible ground,
+ * or no layer. */
 export const isBare = (plate: Pick<Plate, 'layers'>): boolean =>
   plate.layers.length === 0 || (plate.layers.length === 1 && groundOf(plate)?.visible === true);
 
-/** Files that the layer's directions are told from. */
+/** Files that the layer's directions come from. */
 export const toldFrom = ({ file, pictures }: PlateLayer): readonly SourceFile[] =>
   file === null ? pictures.map((one) => one.file) : [file];
 
-/** The pictures of the ground, where it shows any under lamps. */
+/** Pictures of the ground that are solved for lamps; empty where it has none. */
 export function groundPictures(plate: Pick<Plate, 'layers'>): PlateLayer['pictures'] {
   const ground = groundOf(plate);
   return ground?.kind === 'picture' && ground.visible && lackOf(ground) === undefined ? ground.pictures : [];
@@ -59,7 +61,9 @@ export function groundPictures(plate: Pick<Plate, 'layers'>): PlateLayer['pictur
 
 const hundredth = (length: number): number => Math.round(100 * length) / 100;
 
-/** White is bright at these angles under the light from 60°, with which the appearance begins. */
+/** Angles [degrees] for black and white. Under the light from 60°, which the appearance begins with, beads at 150°
+ * are bright. */
+/** First values of each fill, for a page of this width [mm]. */
 const dark = 60;
 const bright = 150;
 
@@ -77,6 +81,7 @@ const first: Record<Fill, (width: number) => Partial<LayerValues>> = {
   noise: (width) => ({ amplitude: 90, waveLength: hundredth(0.2 * width) }),
 };
 
+/** The kind of layer that has this fill, with the value that tells it from other fills of that kind. */
 const kindOf = (fill: Fill): Partial<LayerValues> & Pick<LayerValues, 'kind'> => {
   switch (fill) {
     case 'picture':
@@ -93,7 +98,7 @@ const kindOf = (fill: Fill): Partial<LayerValues> & Pick<LayerValues, 'kind'> =>
   }
 };
 
-/** A layer of this fill as it is first chosen. @param given  its files, above all */
+/** A layer with the first values of this fill. @param given  values to use instead, usually its files */
 export const newFill = (plate: PageParts, fill: Fill, given: Partial<LayerValues> = {}): LayerValues => ({
   ...layerDefaults(),
   ...first[fill](pageOf(plate)[0]),
@@ -101,7 +106,7 @@ export const newFill = (plate: PageParts, fill: Fill, given: Partial<LayerValues
   ...kindOf(fill),
 });
 
-/** The plate with another ground, in the place of the one that it has. */
+/** Replaces the plate's ground, or adds one below the other layers; the same plate where there is no room for it. */
 export function withGround(plate: Plate, values: LayerValues): Plate {
   const ground = groundOf(plate);
   const others = plate.layers.filter((layer) => layer !== ground);
@@ -109,13 +114,15 @@ export function withGround(plate: Plate, values: LayerValues): Plate {
   return { ...plate, layers: [{ ...values, id: ground?.id ?? nextLayerId(plate) }, ...others] };
 }
 
-/** The plate filled with something else; what beads may do beside it stays. @param given  as of newFill */
+/** Fills the plate with something else and keeps the ground's `mode` and its file.
+ * @param given  as for `newFill` */
 export function filledWith(plate: Plate, fill: Fill, given: Partial<LayerValues> = {}): Plate {
   const ground = groundOf(plate);
   const kept = ground && { mode: ground.mode, modeFile: ground.modeFile };
   return withGround(plate, newFill(plate, fill, { ...kept, ...given }));
 }
 
+/** Changes some values of the ground; the same plate where there is none. */
 export const changeGround = (plate: Plate, change: Partial<LayerValues>): Plate => {
   const ground = groundOf(plate);
   return ground === undefined ? plate : withGround(plate, { ...without(ground, 'id'), ...change });

@@ -1,15 +1,15 @@
-// The flat colours of a drawing, and the directions that they begin with.
+// The flat colours of a drawing, and the first directions given to them.
 import type { ColourAngle, Picture } from 'sillon';
 
-/** Of what nobody painted. */
+/** Colour of pixels that nobody painted. */
 export const clear = -1;
-const faintest = 16; // of 255: as in the shape, faint paint is solid
-export const alike = 10; // of 255 from one texel to the next: a gradient, no edge
+const faintest = 16; // alpha, of 255, below which a pixel is unpainted; above it faint paint is solid, as in the shape
+export const alike = 10; // largest difference, of 255, between neighbours in a gradient; beyond it is an edge
 const merged = 36; // distance in RGB below which colours are one
-const leastShare = 0.004; // of what is painted
+const leastShare = 0.004; // share of the painted pixels; rarer colours are left out
 export const mostColours = 12;
 
-/** 0xrrggbb of each pixel, or `clear`. */
+/** Colour 0xrrggbb of each pixel, or `clear`. */
 export function colours({ width, height, channels, samples }: Picture): Int32Array {
   const scale = samples instanceof Uint16Array ? 1 / 257 : 1;
   const out = new Int32Array(width * height);
@@ -29,10 +29,10 @@ const red = (colour: number): number => colour >> 16;
 const green = (colour: number): number => (colour >> 8) & 255;
 const blue = (colour: number): number => colour & 255;
 
-/** In any channel, of 255. */
+/** Largest difference in any one channel, 0..255. */
 export const farthest = (a: number, b: number): number =>
   Math.max(Math.abs(red(a) - red(b)), Math.abs(green(a) - green(b)), Math.abs(blue(a) - blue(b)));
-/** In RGB. */
+/** Euclidean distance in RGB. */
 export const distance = (a: number, b: number): number =>
   Math.hypot(red(a) - red(b), green(a) - green(b), blue(a) - blue(b));
 const tone = (colour: number): number => 0.2126 * red(colour) + 0.7152 * green(colour) + 0.0722 * blue(colour);
@@ -40,8 +40,8 @@ const tone = (colour: number): number => 0.2126 * red(colour) + 0.7152 * green(c
 export const colourOf = (text: string): number => Number.parseInt(text.slice(1), 16);
 const textOf = (colour: number): string => `#${colour.toString(16).padStart(6, '0')}`;
 
-/** The flat colours of a picture as '#rrggbb', from dark to light: those of areas, not of edges between them. Gradients give a
- * few steps. */
+/** The flat colours of a picture as '#rrggbb', from dark to light. Pixels on an edge between two areas are not
+ * counted; gradients give a few steps. */
 export function flatColours(picture: Picture): string[] {
   const { width, height } = picture;
   const all = colours(picture);
@@ -71,8 +71,8 @@ export function flatColours(picture: Picture): string[] {
     .map(({ colour }) => textOf(colour));
 }
 
-/** Directions from dark to light, so that under the usual light the drawing is dark and light in the same places.
- * @param before  what was chosen for colours that are still there */
+/** Spreads directions from dark to light, so that the usual light shows the drawing's dark and light areas as they are.
+ * @param before  directions already chosen, kept for colours that are still there */
 export function directionsFor(found: readonly string[], before: readonly ColourAngle[] = []): ColourAngle[] {
   const [dark, light] = [60, 150];
   const share = (k: number): number => (found.length > 1 ? k / (found.length - 1) : 1);

@@ -1,23 +1,23 @@
-// Question and answer about a free place for one more box on a plate. Lengths are mm.
+// Question and answer types for finding a free place for one more box on a plate. Lengths are mm.
 import type { Frame, Point } from './layer-frame.js';
 
-/** A frame that is in use, but for a disc about its middle: what letters on a circle leave free. */
+/** An occupied frame. Letters on a circle leave a disc of radius `free` about its middle unoccupied. */
 export interface Taken extends Frame {
   free: number;
 }
 
 export interface Wanted {
   size: Point;
-  /** Between boxes, and to the shape's edge. */
+  /** Least distance between boxes, and from a box to the shape's edge. */
   gap: number;
-  /** Along the shape's edge, as of a border. */
+  /** Width of a strip along the shape's edge that is taken, by a border for example. */
   edge: number;
-  /** The box may be made smaller down to this share of its size. */
+  /** Smallest share of its size that the box may be reduced to. */
   least: number;
 }
 
 export interface FreePlace {
   middle: Point;
-  /** 1: as large as it was wanted. */
+  /** Factor on the wanted size; 1: as large as wanted. */
   scale: number;
 }

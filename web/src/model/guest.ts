@@ -1,33 +1,34 @@
-// What another page that shows the studio in a frame may ask of it. It comes as text - attributes, an address - and may
-// have been written by anybody.
+// Settings that another page may ask for when it shows the studio in a frame. They come as text, in attributes or an
+// address, and may have been written by anybody.
 import { oneOf, Unfit } from './check.js';
 import { printers, type PrinterKey } from './printers.js';
 import { settings, type SettingId } from './settings.js';
 import type { Theme } from './state.js';
 
-/** All of the studio; only what `controls` name; nothing but the plate under its light. */
+/** Extent of the studio: 'edit' is all of it, 'customize' only what `controls` name, 'view' only the plate under its
+ * light. */
 export type Mode = 'edit' | 'customize' | 'view';
-/** Of the plate's size; beads, printers and files are in mm everywhere. */
+/** Unit of the plate's size; beads, printers and files are in mm everywhere. */
 export type Units = 'mm' | 'in';
 
 export const sections = ['layers', 'shape', 'print', 'quality'] as const;
 export type Section = (typeof sections)[number];
 
 const parts = ['name', 'size', 'source', 'filament', 'printer', 'download'] as const;
-/** A whole section, one setting, or one part of a plate; `source`: the fields of what fills it. */
+/** A whole section, one setting, or one part of a plate; `source` stands for the fields of the plate's fill. */
 export type Control = Section | SettingId | (typeof parts)[number];
 const controls: readonly Control[] = [...sections, ...parts, ...settings.map(({ id }) => id)];
 
 export interface GuestSettings {
   mode: Mode;
-  /** Of mode 'customize'. */
+  /** Controls that mode 'customize' shows. */
   controls: readonly Control[];
   language: string;
   theme: Theme;
   units: Units;
   printer: PrinterKey;
   threads: 'auto' | 'off' | number;
-  /** Name under which the visitor's changes are kept, for this host alone. */
+  /** Name under which the visitor's changes are kept, separately for each host. */
   autosave: string;
 }
 
@@ -76,9 +77,10 @@ const readers: {
   ],
 };
 
-/** @param textOf  of an attribute; undefined where it is not set
- * @param languages  that the page speaks
- * @returns what was set, and what was set to something that it cannot be */
+/** Reads the settings that a page asks for.
+ * @param textOf  an attribute's text; undefined where it is not set
+ * @param languages  languages that the studio speaks
+ * @returns the valid settings, and an error for each invalid one */
 export function guestSettings(
   textOf: (attribute: string) => unknown,
   languages: readonly string[],

@@ -1,15 +1,15 @@
-// A hand scales a layer's frame and crops its picture; these are the layer's changes.
+// Changes of a layer when a hand scales its frame or crops its picture.
 import { inFrame, onPage, placeIn, type Bounds, type Frame, type Point } from './layer-frame.js';
 import { layerSettingOf } from './layer-settings.js';
 import type { LayerKey, LayerValues } from './layers.js';
 import type { PlateLayer } from './plate.js';
 
-/** Hundredths of a millimetre are finer than any printer. */
+/** Rounds a length to 0.01 mm, which is finer than any printer. */
 export const hundredth = (length: number): number => Math.round(100 * length) / 100;
 
 export const rounded = ([x, y]: Point): [number, number] => [hundredth(x), hundredth(y)];
 
-/** The value nearest to this one that the setting allows. */
+/** The nearest value that the setting allows. */
 export function within(key: LayerKey, value: number): number {
   const setting = layerSettingOf(key);
   return 'min' in setting ? Math.min(setting.max, Math.max(setting.min, value)) : value;
@@ -20,12 +20,12 @@ const sized = (key: LayerKey, [width, height]: Point): [number, number] => [
   within(key, hundredth(height)),
 ];
 
-/** Letters are never stretched. */
+/** Tells whether the layer must keep its proportions: letters are never stretched. */
 export const keepsProportions = ({ kind }: Pick<PlateLayer, 'kind'>): boolean => kind === 'text' || kind === 'code';
 
-/** A text without a size of its own grows with its letters; others get a size, in which a side that follows the content still
- * does.
- * @param scale  of either side; both alike where the proportions are kept */
+/** Scales a layer. A text without a size of its own grows with its letters. Other layers get a size; a side that
+ * follows the content still does where both sides scale alike.
+ * @param scale  factor for each side; equal where the proportions are kept */
 export function scaledLayer(layer: PlateLayer, { size }: Frame, scale: Point): Partial<LayerValues> {
   const alike = scale[0] === scale[1];
   const [wide, tall] = layer.size;
@@ -43,9 +43,9 @@ export function scaledLayer(layer: PlateLayer, { size }: Frame, scale: Point): P
 
 export const uncropped = { cropMin: [0, 0], cropMax: [1, 1] } satisfies Partial<LayerValues>;
 
-/** The layer about as large as it was, with another file: a picture fills the same box, and is cut to its proportions; a drawing
- * gets a box with the same diagonal, so that it stays within the same circle.
- * @param proportion  width by height of what is in the file */
+/** Gives the layer another file at about the same size. A picture fills the same box and is cropped to its proportions.
+ * A drawing gets a box with the same diagonal, so that it stays within the same circle.
+ * @param proportion  width divided by height of the file's content */
 export function refilled(layer: PlateLayer, { size }: Frame, proportion: number): Partial<LayerValues> {
   if (layer.size[0] + layer.size[1] === 0) return uncropped;
   const [width, height] = size;
@@ -53,7 +53,7 @@ export function refilled(layer: PlateLayer, { size }: Frame, proportion: number)
     const diagonal = Math.hypot(width, height);
     return { size: sized('size', [(diagonal * proportion) / Math.hypot(proportion, 1), 0]) };
   }
-  const used = width / height / proportion; // of the picture's width; above 1 of its height, the other way round
+  const used = width / height / proportion; // used share of the picture's width; above 1, its inverse is that of the height
   const cut: [number, number] = used < 1 ? [(1 - used) / 2, 0] : [0, (1 - 1 / used) / 2];
   return { size: sized('size', size), cropMin: cut, cropMax: [1 - cut[0], 1 - cut[1]] };
 }
@@ -62,7 +62,7 @@ export function refilled(layer: PlateLayer, { size }: Frame, proportion: number)
 
 type Cropped = Pick<PlateLayer, 'cropMin' | 'cropMax' | 'mirror'>;
 
-/** All of the picture, of which the box is a part, in the frame. */
+/** Bounds of the whole picture, of which the box is a part, in the frame. */
 export function wholePicture(frame: Frame, { cropMin, cropMax, mirror }: Cropped): Bounds {
   const wide = frame.size[0] / (cropMax[0] - cropMin[0]);
   const tall = frame.size[1] / (cropMax[1] - cropMin[1]);
@@ -75,9 +75,9 @@ const leastShare = 0.02;
 const share = (value: number): number => Math.min(1, Math.max(0, Math.round(1e4 * value) / 1e4));
 const clamped = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
 
-/** The layer with edges of its box elsewhere on the same picture.
- * @param sides  which edges go: -1 the left or lower one, 1 the right or upper one, 0 neither
- * @param to  where a hand has them, on the page */
+/** Moves edges of the layer's box over the picture, which stays in place.
+ * @param sides  edges that move: -1 the left or lower one, 1 the right or upper one, 0 neither
+ * @param to  the hand's place on the page */
 export function croppedTo(frame: Frame, layer: Cropped, sides: Point, to: Point): Partial<LayerValues> {
   const whole = wholePicture(frame, layer);
   const [low, high] = [[...placeIn(frame, [-1, -1])], [...placeIn(frame, [1, 1])]] as [number[], number[]];
@@ -100,7 +100,7 @@ export function croppedTo(frame: Frame, layer: Cropped, sides: Point, to: Point)
   };
 }
 
-/** The layer with its picture moved under its box. @param from, to  where a hand was and is, on the page */
+/** Moves the layer's picture under its box. @param from, to  the hand's places before and now, on the page */
 export function slid(frame: Frame, layer: Cropped, from: Point, to: Point): Partial<LayerValues> {
   const whole = wholePicture(frame, layer);
   const [before, now] = [inFrame(frame, from), inFrame(frame, to)];

@@ -1,29 +1,30 @@
-// Layers lie on the page in boxes that turn about their middles, in mm with y up.
+// Frames of layers: boxes on the page that turn about their middles, in mm with y up.
 import { fillOf } from './fills.js';
 import { middleOf } from './layer-list.js';
 import { pageOf, type PageParts, type PlateLayer } from './plate.js';
 
 export type Point = readonly [number, number];
 
-/** The size of a layer's box as the engine has told it, of the layer as it was then [mm]. */
+/** Size of a layer's box as the engine has last reported it, with the layer as it was then [mm]. */
 export interface KnownBox {
   layer: PlateLayer;
   size: Point;
 }
 
 export interface Frame {
-  /** The box turns about it. */
+  /** Middle of the box, about which it turns. */
   middle: Point;
   size: Point;
-  /** [degrees] counter-clockwise */
+  /** Rotation counter-clockwise [degrees]. */
   turn: number;
 }
 
-/** Layers of these kinds fill the page where nobody has given them a size. */
+/** Tells whether the layer fills the page while nobody has given it a size. */
 const fillsPage = (layer: PlateLayer): boolean =>
   layer.kind === 'strokes' || (fillOf(layer) !== undefined && layer.size[0] + layer.size[1] === 0);
 
-/** A text grows with its capitals, or stays within a size. @returns by how much it has grown */
+/** Growth of a text since its box was reported. A text grows with its capitals, or stays within a given size.
+ * @returns the factor from `then` to `now` */
 function grown(now: PlateLayer, then: PlateLayer): number {
   const sides = [0, 1] as const;
   const given = sides.filter((k) => now.circle === 0 && now.size[k] > 0 && then.size[k] > 0);
@@ -31,7 +32,7 @@ function grown(now: PlateLayer, then: PlateLayer): number {
   return Math.min(...given.map((k) => now.size[k] / then.size[k]));
 }
 
-/** A side that is open follows the other, in the proportions of the content. */
+/** Size of a layer's box. A side without a value follows the other, in the proportions of the content. */
 function sizeOf(layer: PlateLayer, page: Point, known: KnownBox | undefined): Point {
   const [width, height] = layer.size;
   if (layer.kind === 'text') {
@@ -48,7 +49,8 @@ function sizeOf(layer: PlateLayer, page: Point, known: KnownBox | undefined): Po
   return [wide * least, tall * least];
 }
 
-/** @param known  what the engine has told last of this layer, which may have changed since */
+/** Frame of a layer on the page. @param known  the box that the engine has last reported; the layer may have changed
+ * since */
 export function frameOf(page: PageParts, layer: PlateLayer, known: KnownBox | undefined): Frame {
   if (layer.kind === 'border') return { middle: middleOf(page, { at: null }), size: pageOf(page), turn: 0 };
   return { middle: middleOf(page, layer), size: sizeOf(layer, pageOf(page), known), turn: layer.rotation };
@@ -60,13 +62,13 @@ const turned = ([x, y]: Point, degrees: number): Point => {
   return [c * x - s * y, s * x + c * y];
 };
 
-/** A place of the frame, from its middle and before it turns, on the page. */
+/** Converts a place in the frame, relative to its middle and before it turns, to the page. */
 export function onPage({ middle, turn }: Frame, place: Point): Point {
   const [x, y] = turned(place, turn);
   return [middle[0] + x, middle[1] + y];
 }
 
-/** A place of the page, in the frame. */
+/** Converts a place on the page to the frame. */
 export const inFrame = ({ middle, turn }: Frame, [x, y]: Point): Point => turned([x - middle[0], y - middle[1]], -turn);
 
 /** Signs of the corners: lower left, lower right, upper right, upper left. */
@@ -77,12 +79,12 @@ export const corners: readonly Point[] = [
   [-1, 1],
 ];
 
-/** A place of the box by its share of the half sides, in the frame. */
+/** Place in the frame at these shares of the half sides, each from -1 to 1. */
 export const placeIn = ({ size }: Frame, [x, y]: Point): Point => [(x * size[0]) / 2, (y * size[1]) / 2];
 
 export const cornersOf = (frame: Frame): Point[] => corners.map((corner) => onPage(frame, placeIn(frame, corner)));
 
-/** @param reach  so far around it counts, too [mm] */
+/** Tells whether a place on the page lies in the frame. @param reach  margin around it that counts, too [mm] */
 export function contains(frame: Frame, place: Point, reach = 0): boolean {
   const [x, y] = inFrame(frame, place);
   return Math.abs(x) <= frame.size[0] / 2 + reach && Math.abs(y) <= frame.size[1] / 2 + reach;
@@ -99,12 +101,12 @@ export function boundsOf(frame: Frame): Bounds {
   return { low: [Math.min(...xs), Math.min(...ys)], high: [Math.max(...xs), Math.max(...ys)] };
 }
 
-// --- What a hand does with a frame -----------------------------------------------------------------------------------------
+// --- Resizing and turning by hand ------------------------------------------------------------------------------------------
 
-const smallest = 1; // [mm] of a side that a hand makes smaller
+const smallest = 1; // [mm], the least length of a side that a hand makes smaller
 
-/** The factors by which a corner that is dragged scales the box, and where its middle goes: the corner across stays.
- * @param free  either side by itself; else both alike */
+/** Drags a corner of the box; the opposite corner stays. Returns the factors that scale the box, and its new middle.
+ * @param free  scales each side by itself; otherwise both by the same factor */
 export function resized(frame: Frame, corner: Point, to: Point, free: boolean): { scale: Point; middle: Point } {
   const { size } = frame;
   const fixed = placeIn(frame, [-corner[0], -corner[1]]);
@@ -123,8 +125,8 @@ export function resized(frame: Frame, corner: Point, to: Point, free: boolean): 
 const wrapped = (degrees: number): number => ((((degrees + 180) % 360) + 360) % 360) - 180;
 const stepOfTurns = 15; // [degrees]
 
-/** The rotation after a hand that was at one place has gone to another, above -180 and up to 180 degrees.
- * @param steps  at multiples of 15 degrees only */
+/** The rotation after a hand has moved from one place to another, above -180° and up to 180°.
+ * @param steps  rounds to multiples of 15° */
 export function rotated({ middle, turn }: Frame, from: Point, to: Point, steps: boolean): number {
   const towards = ([x, y]: Point): number => (Math.atan2(y - middle[1], x - middle[0]) * 180) / Math.PI;
   const angle = turn + towards(to) - towards(from);

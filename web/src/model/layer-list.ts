@@ -1,4 +1,4 @@
-// The layers of a plate: how each begins, what is told of it, and the list that they make.
+// The layers of a plate: the first values of each kind, the form that projects keep, and changes of the list.
 import { defaultsOf } from './defaults.js';
 import { mostLayers } from './facts.js';
 import { hasFill, layerInput, type LayerKey, type LayerKind, type LayerValues } from './layers.js';
@@ -9,7 +9,7 @@ export { mostLayers };
 
 export const layerKinds: readonly LayerKind[] = layerTable.kind.choices;
 
-/** Font files go by their endings, as the core has it. */
+/** Tells font files by their endings, as the core does. */
 export const isFontFile = (name: string): boolean => /\.(?:ttf|otf|ttc|woff2?)$/i.test(name);
 
 const usual: LayerValues = {
@@ -24,12 +24,13 @@ const usual: LayerValues = {
 
 export const layerKeys = Object.keys(usual) as LayerKey[];
 
-/** The core takes these values where nothing is said. */
+/** A copy of the values that the core uses where none are given. */
 export const layerDefaults = (): LayerValues => structuredClone(usual);
 
 const tenths = (length: number): number => Math.round(10 * length) / 10;
 
-/** A new layer of each kind is seen at once against the directions below, and small enough to be moved. */
+/** First values of each kind, for a page of this size [mm]. A new layer shows at once against the directions below,
+ * and is small enough to be moved. */
 const first: Record<LayerKind, (page: readonly [number, number]) => Partial<LayerValues>> = {
   direction: ([width, height]) => ({ angle: 45, size: [tenths(width / 2), tenths(height / 2)] }),
   map: () => ({}),
@@ -45,6 +46,7 @@ const first: Record<LayerKind, (page: readonly [number, number]) => Partial<Laye
   strokes: () => ({}),
 };
 
+/** A layer with the first values of its kind. @param given  values to use instead */
 export const newLayer = (plate: PageParts, kind: LayerKind, given: Partial<LayerValues> = {}): LayerValues => ({
   ...layerDefaults(),
   kind,
@@ -52,14 +54,16 @@ export const newLayer = (plate: PageParts, kind: LayerKind, given: Partial<Layer
   ...given,
 });
 
-// --- What is told of it --------------------------------------------------------------------------------------------------
+// --- Files and projects --------------------------------------------------------------------------------------------------
 
+/** All files of a layer: content, pictures, mask, modes and font. */
 export const filesOfLayer = ({ file, pictures, maskFile, modeFile, font }: PlateLayer): SourceFile[] =>
   [file, ...pictures.map((one) => one.file), maskFile, modeFile, font].filter(
     (one): one is SourceFile => one !== null && typeof one !== 'string',
   );
 
-/** Values that differ from the defaults; the fill also beside an angle, which the core takes for one otherwise. */
+/** Values that differ from the defaults. The fill is kept beside an angle even at its default, since the core would
+ * otherwise take the fill to be 'angle'. */
 function differing(layer: PlateLayer, whole: Readonly<Record<string, unknown>>): object {
   const differs = (key: LayerKey): boolean => JSON.stringify(layer[key]) !== JSON.stringify(usual[key]);
   const angled = hasFill(layer) && differs('angle');
@@ -68,7 +72,7 @@ function differing(layer: PlateLayer, whole: Readonly<Record<string, unknown>>):
   return Object.fromEntries(Object.entries(whole).filter(([key]) => told(key)));
 }
 
-/** A layer in a project. @param content  as of layerInput */
+/** A layer in the form that projects keep. @param content  as for `layerInput` */
 export const projectLayer = (layer: PlateLayer, content: (file: SourceFile) => unknown): object =>
   differing(layer, layerInput(layer, content));
 
@@ -77,11 +81,11 @@ export const projectLayer = (layer: PlateLayer, content: (file: SourceFile) => u
 export const layerOf = ({ layers }: Pick<Plate, 'layers'>, id: number | undefined): PlateLayer | undefined =>
   layers.find((layer) => layer.id === id);
 
-/** The number of the next new layer. */
+/** The id of the next new layer. */
 export const nextLayerId = ({ layers }: Pick<Plate, 'layers'>): number =>
   1 + layers.reduce((most, { id }) => Math.max(most, id), 0);
 
-/** The plate with one more layer on top, whose id was `nextLayerId`; the same plate where there is no room for it. */
+/** Adds a layer on top, with the id `nextLayerId`; the same plate where there is no room for it. */
 export const withLayer = (plate: Plate, values: LayerValues): Plate =>
   plate.layers.length >= mostLayers
     ? plate
@@ -97,7 +101,7 @@ export const withoutLayer = (plate: Plate, id: number): Plate => ({
   layers: plate.layers.filter((layer) => layer.id !== id),
 });
 
-/** The plate with a layer `by` places further up; the same plate where it cannot go there. */
+/** Moves a layer up by `by` places; the same plate where it cannot go there. */
 export function raised(plate: Plate, id: number, by: number): Plate {
   const from = plate.layers.findIndex((layer) => layer.id === id);
   const layer = plate.layers[from];
@@ -108,13 +112,13 @@ export function raised(plate: Plate, id: number, by: number): Plate {
   return { ...plate, layers };
 }
 
-/** The plate with a copy above a layer, whose id was `nextLayerId`. @param values  of the copy */
+/** Adds a copy above a layer, with the id `nextLayerId`. @param values  the copy's values */
 export const duplicated = (plate: Plate, id: number, values: LayerValues): Plate => ({
   ...plate,
   layers: plate.layers.flatMap((layer) => (layer.id === id ? [layer, { ...values, id: nextLayerId(plate) }] : [layer])),
 });
 
-/** The place that a layer's box, or its circle, lies about. */
+/** The middle of a layer's box or circle on the page [mm]. */
 export function middleOf(plate: PageParts, { at }: Pick<PlateLayer, 'at'>): [number, number] {
   const [width, height] = pageOf(plate);
   return at ?? [width / 2, height / 2];

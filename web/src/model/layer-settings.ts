@@ -1,4 +1,5 @@
-// The values of a layer as rows of data, from which its fields are drawn and layers from elsewhere are checked.
+// The values of a layer as rows of data. Its fields are drawn from them, and layers from elsewhere are checked against
+// them.
 import type { LayerKey } from './layers.js';
 import { layerTable } from './layer-table.js';
 import { settingFrom, type LayerSetting, type LayerSettingId, type Span, type TableRow } from './settings.js';
@@ -6,7 +7,7 @@ import { settingFrom, type LayerSetting, type LayerSettingId, type Span, type Ta
 type Table = typeof layerTable;
 type KeyOf<Type> = { [Key in keyof Table]: Table[Key] extends { type: Type } ? Key : never }[keyof Table];
 
-/** The table lacks these facts about numbers, as it does for `controls` of model/settings.ts. */
+/** Steps and ranges of number fields, which the table lacks; `controls` in model/settings.ts has the others. */
 const controls: Record<KeyOf<'number' | 'integer' | 'pair'>, Span> = {
   at: { step: 0.1 },
   size: { step: 0.1 },

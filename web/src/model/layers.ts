@@ -1,4 +1,4 @@
-// The layers of a plate that the engine draws.
+// The layers that the engine draws, and what each needs for that.
 import type { Layer } from 'sillon';
 import { kindsOf } from './layer-kinds.js';
 import type { Plate, PlateLayer, SourceFile } from './plate.js';
@@ -14,18 +14,18 @@ type Content = Pick<PlateLayer, 'kind' | 'pattern'>;
 export const needsFile = ({ kind, pattern }: Content): boolean =>
   kind === 'map' || kind === 'tones' || kind === 'drawing' || (kind === 'pattern' && pattern === 'echo');
 
-/** An echo without a file follows letters. */
+/** Tells whether the layer is an echo of letters, which needs no file. */
 const echoesText = ({ kind, text }: Pick<PlateLayer, 'kind' | 'text'>): boolean => kind === 'pattern' && text !== '';
 
 export const needsText = ({ kind }: Pick<PlateLayer, 'kind'>): boolean => kind === 'text' || kind === 'code';
 
-/** Tells whether the layer has a fill, as the core's hasFill; the others have their own directions. */
+/** Tells whether the layer has a fill, as the core's `hasFill` does. The others have directions of their own. */
 export const hasFill = ({ kind }: Pick<PlateLayer, 'kind'>): boolean =>
   kind === 'text' || kind === 'drawing' || kind === 'border';
 
 export const needsMask = ({ mask }: Pick<PlateLayer, 'mask'>): boolean => mask === 'inside' || mask === 'outside';
 
-/** The first thing that a layer lacks to be drawn; the core refuses plates with such layers. */
+/** The first thing that a layer lacks before it can be drawn; the core refuses plates with such layers. */
 export function lackOf(layer: PlateLayer): 'file' | 'text' | 'mask' | undefined {
   const lacksFile = layer.kind === 'picture' ? layer.pictures.length === 0 : needsFile(layer) && layer.file === null;
   if (lacksFile && !echoesText(layer)) return 'file';
@@ -33,10 +33,11 @@ export function lackOf(layer: PlateLayer): 'file' | 'text' | 'mask' | undefined 
   return needsMask(layer) && layer.maskFile === null ? 'mask' : undefined;
 }
 
+/** Layers that lack nothing, in the order in which the engine has them. */
 export const completeLayers = ({ layers }: Pick<Plate, 'layers'>): readonly PlateLayer[] =>
   layers.filter((layer) => lackOf(layer) === undefined);
 
-/** These change the path. */
+/** Layers that change the path: complete and visible. */
 export const drawnLayers = (plate: Pick<Plate, 'layers'>): readonly PlateLayer[] =>
   completeLayers(plate).filter(({ visible }) => visible);
 
@@ -46,14 +47,15 @@ export function sameLayers(a: Pick<Plate, 'layers'>, b: Pick<Plate, 'layers'>): 
   return one.length === other.length && one.every((layer, k) => layer === other[k]);
 }
 
-/** Layers whose pictures the engine solves for. */
+/** Layers with pictures that the engine solves for. */
 export const pictureLayers = (plate: Pick<Plate, 'layers'>): readonly PlateLayer[] =>
   drawnLayers(plate).filter(({ kind }) => kind === 'picture');
 
-/** Tells whether layers of a kind have a value of the core's. */
+/** Tells whether layers of this kind have the value `key` in the core. */
 const isOfKind = (kind: LayerKind, key: string): boolean => (kindsOf[key] ?? kind).split(' ').includes(kind);
 
-/** A layer as the core has it: what its kind has. @param content  the stand-in for a file */
+/** A layer in the core's form, with only the values that its kind has. @param content  replaces a file by what
+ * stands for it */
 export function layerInput<Content>(layer: PlateLayer, content: (file: SourceFile) => Content) {
   const { kind, file, maskFile, modeFile, font } = layer;
   const whole = {

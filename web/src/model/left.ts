@@ -1,30 +1,31 @@
-// What a plate was made of before another card was tried: to come back to it asks for no file again.
+// Keeps what a plate was made of before another card was tried, so that going back asks for no file again.
 import { fillOf, groundOf, toldFrom, type Fill } from './fills.js';
 import type { LayerValues } from './layers.js';
 import type { Plate, PlateLayer, SourceFile } from './plate.js';
 
 export interface Left {
-  /** The latest last. */
+  /** Former grounds by their fills; the last one is the most recent. */
   grounds: ReadonlyMap<Fill, PlateLayer>;
-  /** From a file. */
+  /** The last shape that came from a file. */
   shape?: Pick<Plate, 'shape' | 'width' | 'height'>;
 }
 
 export const nothingLeft: Left = { grounds: new Map() };
 
-/** What directions can be told from: the plate's own file, else that which was left last. */
+/** Files that directions can come from: the plate's own first, then those of former grounds, the most recent first. */
 export function filesFor(plate: Plate, left: Left): SourceFile[] {
   const ground = groundOf(plate);
   return [...(ground === undefined ? [] : [ground]), ...[...left.grounds.values()].reverse()].flatMap(toldFrom);
 }
 
-/** The values of a fill that was left, as far as they are of this file. */
+/** Former values of a fill, provided that they come from this file or from none. */
 export function leftOf(left: Left, fill: Fill, file: SourceFile | undefined): LayerValues | undefined {
   const before = left.grounds.get(fill);
   const files = before === undefined ? [] : toldFrom(before);
   return files.length === 0 || (file !== undefined && files.includes(file)) ? before : undefined;
 }
 
+/** Remembers the plate's ground before it is replaced. */
 export function leaving(plate: Plate, left: Left): Left {
   const ground = groundOf(plate);
   const fill = ground && fillOf(ground);

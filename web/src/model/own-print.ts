@@ -1,5 +1,5 @@
-// The printer, filament and thickness that a visitor has named. They are kept as a text on their device, for plates that
-// begin and for the next visit.
+// The printer, filament and thickness that a visitor has chosen. They are kept as text on the visitor's device, for new
+// plates and for the next visit.
 import type { PrinterValues } from 'sillon';
 import { filaments, type FilamentKey } from './filaments.js';
 import { newPlateOn, onMachine } from './brought.js';
@@ -10,11 +10,11 @@ import { accepts, settings } from './settings.js';
 import { withThickness } from './thickness.js';
 
 interface Said {
-  /** With what its filament asks for. */
+  /** The chosen printer, with its filament's values. */
   printer: PrinterValues;
-  /** Colour and gloss of the filament; undefined: no filament was said. */
+  /** Colour and gloss of the filament; undefined: no filament was chosen. */
   spool?: FilamentKey;
-  /** [mm]; undefined: none was said. */
+  /** Thickness [mm]; undefined: none was chosen. */
   thickness?: number;
 }
 
@@ -23,19 +23,20 @@ type Values = Readonly<Record<string, unknown>>;
 const only = (printer: PrinterValues, keys: readonly string[]): Values =>
   Object.fromEntries(Object.entries(printer).filter(([key]) => keys.includes(key)));
 
-/** A printer of the list is told by its key: its values may be set right in a later version. @param thickness  [mm] */
+/** The text to keep. A listed printer is stored by its key only, since a later version may correct its values.
+ * @param thickness  [mm] */
 export function ownPrintText({ printer, pictures, spool }: Plate, thickness: number | undefined): string {
   const profile = profileOf(printer)?.key;
   const look = filaments.find(({ key }) => key === pictures.spool)?.key;
   return JSON.stringify({
     profile,
     printer: only(printer, profile === undefined ? Object.keys(printerDefaults) : ofPrint),
-    ...(spool === undefined && { spool: look }), // spools of one's own are kept elsewhere
+    ...(spool === undefined && { spool: look }), // the visitor's own spools are kept elsewhere
     thickness,
   });
 }
 
-/** The printer of a text; undefined: of another version, where nothing is guessed. */
+/** The printer of a text; undefined where another version wrote it, since its values are never guessed. */
 function printerFrom(profile: unknown, told: Values): PrinterValues | undefined {
   const listed = printers.find(({ key }) => key === profile);
   if (profile !== undefined && listed === undefined) return undefined;
@@ -45,10 +46,11 @@ function printerFrom(profile: unknown, told: Values): PrinterValues | undefined 
   return fits ? (only(values as never, Object.keys(printerDefaults)) as unknown as PrinterValues) : undefined;
 }
 
+/** The print that a visitor has chosen, as it applies to plates. */
 export class OwnPrint {
   constructor(readonly said: Said) {}
 
-  /** @returns undefined where the text is none of `ownPrintText` */
+  /** Reads the text of `ownPrintText`. @returns undefined for any other text */
   static of(text: string): OwnPrint | undefined {
     let told: { profile?: unknown; printer?: Values; spool?: unknown; thickness?: unknown };
     try {
@@ -67,23 +69,24 @@ export class OwnPrint {
     });
   }
 
-  /** Returns whether this is the machine that the visitor has named. */
+  /** Tells whether this is the machine that the visitor has chosen. */
   means = (printer: PrinterValues): boolean => sameMachine(this.said.printer, printer);
 
-  /** The plate on the machine that was said, where its own is for none in particular. */
+  /** Puts a plate that is for no particular machine on the chosen one. */
   on = (plate: Plate): Plate => (isNobodys(plate.printer) ? onMachine(plate, this.said.printer) : plate);
 
-  /** A plate that begins. @param printer  of the one that was shown before */
+  /** A new plate on the visitor's printer. @param printer  printer of the plate that was shown before */
   begin(printer: PrinterValues): Plate {
     const { thickness } = this.said;
     const plate = this.#filled(newPlateOn(isNobodys(printer) ? this.said.printer : printer));
     return thickness === undefined ? plate : withThickness(plate, thickness);
   }
 
+  /** The plate with the chosen filament, where there is one. */
   #filled(plate: Plate): Plate {
     const { printer, spool } = this.said;
     if (spool === undefined) return plate;
-    const { setPressureAdvance, pressureAdvance } = plate.printer; // of the machine
+    const { setPressureAdvance, pressureAdvance } = plate.printer; // pressure advance belongs to the machine
     const filament = { ...only(printer, ofFilament), setPressureAdvance, pressureAdvance };
     const changed = { ...plate, pictures: { ...plate.pictures, spool }, printer: { ...plate.printer, ...filament } };
     return withAdvance(changed, plate);

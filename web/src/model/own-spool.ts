@@ -1,10 +1,11 @@
-// A spool that somebody has measured, from a file, a project or a link: the engine has no call that reads one.
+// Reads a spool that somebody has measured from a file, a project or a link, since the engine has no call for that.
 import { fieldsOf, numberIn, textIn, Unfit } from './check.js';
 import { filaments } from './filaments.js';
 import type { OwnSpool } from './plate.js';
 
 type SpoolSides = OwnSpool['fine'];
 
+/** Reads the slopes of both sides [degrees]. @throws Unfit */
 function sidesFrom(value: unknown, where: string): SpoolSides {
   const sides = fieldsOf(value, where, ['nozzleSide', 'bedSide']);
   const slopes = (side: keyof SpoolSides): [number, number] => {
@@ -16,7 +17,7 @@ function sidesFrom(value: unknown, where: string): SpoolSides {
   return { nozzleSide: slopes('nozzleSide'), bedSide: slopes('bedSide') };
 }
 
-/** Reads an entry of a file of spools, as the engine does. @param value  without the key */
+/** Reads an entry of a file of spools, by the engine's rules. @param value  the entry without its key @throws Unfit */
 export function spoolFrom(key: unknown, value: unknown, where = 'spool'): OwnSpool {
   const name = textIn(key, `${where}.key`, 40);
   if (!/^[\w-]+$/.test(name) || filaments.some((filament) => filament.key === name)) {
@@ -36,7 +37,7 @@ export function spoolFrom(key: unknown, value: unknown, where = 'spool'): OwnSpo
   };
 }
 
-/** @param value  an entry with its key; undefined: none */
+/** Reads the spool of a plate. @param value  an entry with its key; undefined: none @throws Unfit */
 export function plateSpoolFrom(value: unknown): { spool?: OwnSpool } {
   if (value === undefined) return {};
   const { key, ...entry } = fieldsOf(value, 'spool', ['key', 'colour', 'fine', 'wide', 'source']);

@@ -1,4 +1,4 @@
-// The printers that come with the engine, from the same table; what a filament asks for is in filaments.ts.
+// The printers that come with the engine, read from its table. filaments.ts has the values that filaments ask for.
 import type { PrinterValues } from 'sillon';
 import table from 'sillon/printers.json' with { type: 'json' };
 import { printerDefaults } from './defaults.js';
@@ -16,15 +16,15 @@ export const ofFilament = [
 ] as const;
 
 export type Machine = Omit<PrinterValues, (typeof ofFilament)[number]>;
-/** As in the table: `sillon printers` lists them. */
+/** Key of a printer in the table, as listed by `sillon printers`. */
 export type PrinterKey = string;
 
 export interface PrinterChoice {
   key: PrinterKey;
-  /** Maker and model; the dictionary may have a better one (`printer.KEY`). */
+  /** Maker and model. The dictionary may have a better name in `printer.KEY`. */
   label: string;
   machine: Machine;
-  /** Pressure advance as the maker's own slicer sets it, by filament family and nozzle. */
+  /** Pressure advance [s] that the maker's own slicer sets, by filament family and nozzle. */
   advance: Advance;
 }
 
@@ -34,7 +34,7 @@ const usual = Object.fromEntries(
   Object.entries(printerDefaults).filter(([key]) => !(ofFilament as readonly string[]).includes(key)),
 ) as unknown as Machine;
 
-/** A row of the table: what differs from the usual printer, and whose it is. */
+/** A row of the table: the values that differ from the usual printer, its maker and its source. */
 interface Row extends Partial<Machine> {
   maker?: string;
   models?: string[];
@@ -42,6 +42,7 @@ interface Row extends Partial<Machine> {
   advance?: Advance;
 }
 
+/** A row of the table as a choice, whose label begins with the maker. */
 function choice(
   key: PrinterKey,
   { maker = '', models: _models, source: _source, advance = {}, ...values }: Row,
@@ -50,30 +51,32 @@ function choice(
   return { key, advance, label: machine.name.startsWith(maker) ? machine.name : `${maker} ${machine.name}`, machine };
 }
 
-/** Stands for no machine in particular. */
+/** Tells whether a profile stands for no particular machine. */
 export const isGeneric = ({ key }: PrinterChoice): boolean => key.startsWith('generic');
 
-/** Generic ones first, then by name. */
+/** All profiles: generic ones first, then by name. */
 const all: readonly PrinterChoice[] = Object.entries(table.printers as unknown as Record<string, Row>)
   .map(([key, values]) => choice(key, values))
   .sort((a, b) => Number(isGeneric(b)) - Number(isGeneric(a)) || a.label.localeCompare(b.label, 'en'));
 
-/** Bambu's need a start block of the owner's own, which comes from a file that their slicer made. */
+/** Tells whether a printer needs its owner's start block. Bambu's do, and read it from a file that their slicer
+ * made. */
 const needsFile = ({ machine }: PrinterChoice): boolean => machine.flavor === 'bambu';
 
 export const printers = all.filter((one) => !needsFile(one));
 export const printersByFile = all.filter(needsFile);
 
-/** As the core's `filamentFamily`: "PLA" for "PLA Silk" and "pla-cf". */
+/** Family of a filament type, as in the core's `filamentFamily`: "PLA" for "PLA Silk" and "pla-cf". */
 export const filamentFamily = (type: string): string => /^[A-Za-z]*/.exec(type)?.[0].toUpperCase() ?? '';
 
-/** Pressure advance as the printer's maker sets it for the filament and the nozzle; off where none is known. */
+/** The maker's pressure advance for the filament and the nozzle; off where none is known. */
 function makersAdvance(printer: PrinterValues): Pick<PrinterValues, 'pressureAdvance' | 'setPressureAdvance'> {
   const value = profileOf(printer)?.advance[filamentFamily(printer.filamentType)]?.[printer.nozzle];
   return { setPressureAdvance: value !== undefined, pressureAdvance: value ?? printerDefaults.pressureAdvance };
 }
 
-/** As `followAdvance` of the core: after a change of filament or nozzle, unless it was the visitor’s own. */
+/** Follows a change of filament or nozzle with the maker's pressure advance, unless the visitor had set another. As
+ * in the core's `followAdvance`. */
 export function withAdvance(plate: Plate, before: Plate): Plate {
   const { setPressureAdvance, pressureAdvance } = makersAdvance(before.printer);
   const own =
@@ -81,7 +84,7 @@ export function withAdvance(plate: Plate, before: Plate): Plate {
   return own ? plate : { ...plate, printer: { ...plate.printer, ...makersAdvance(plate.printer) } };
 }
 
-/** The plate on another printer; the nozzle and what the filament asks for stay. */
+/** Puts the plate on another printer; its nozzle and its filament's values stay. */
 export function withPrinter(plate: Plate, key: PrinterKey): Plate {
   const chosen = printers.find((one) => one.key === key);
   if (chosen === undefined) throw new Error(`there is no printer ${key}`);
@@ -90,21 +93,21 @@ export function withPrinter(plate: Plate, key: PrinterKey): Plate {
   return { ...plate, printer: { ...printer, ...makersAdvance(printer) } };
 }
 
-/** Chosen for a print, not what a machine is. */
+/** Values that are chosen for each print and do not identify a machine. */
 export const ofPrint: readonly string[] = ['nozzle', 'speed', 'firstLayerSpeed', ...ofFilament];
 
-/** By all values of the machine: a name is quickly written. */
+/** Tells whether all values of the machine agree. The name alone would prove nothing. */
 export const sameMachine = (a: Machine, b: Machine): boolean =>
   Object.keys(usual).every(
     (key) =>
       ofPrint.includes(key) || JSON.stringify(a[key as keyof Machine]) === JSON.stringify(b[key as keyof Machine]),
   );
 
-/** undefined: of its own making, as from a project file. */
+/** The profile of a printer; undefined where it has none, for example from a project file. */
 export const profileOf = (printer: Machine): PrinterChoice | undefined =>
   printers.find(({ machine }) => sameMachine(machine, printer));
 
-/** Returns whether these are the values of no machine in particular. */
+/** Tells whether these are the values of a generic profile. */
 export function isNobodys(printer: Machine): boolean {
   const profile = profileOf(printer);
   return profile !== undefined && isGeneric(profile);

@@ -1,58 +1,59 @@
-// What went wrong, as plain data: the dictionary has a sentence (`problem.CODE`) and what to do about it (`hint.CODE`).
+// Problems as plain data. The dictionary has a sentence for each (`problem.CODE`) and advice (`hint.CODE`).
 import type { ErrorCode, SillonError } from 'sillon';
 
 export type ProblemCode =
   | ErrorCode
-  /** A file of no kind that the page knows. */
+  /** The file is of no kind that the page knows. */
   | 'UnknownFile'
-  /** A printer's file among those for a plate. */
+  /** A printer's file was given among those for a plate. */
   | 'PrinterFileHere'
   | 'NotSliced'
   | 'BodyHere'
-  /** A picture of a kind that this browser cannot read. */
+  /** The picture is of a kind that this browser cannot read. */
   | 'BrowserPicture'
-  /** A picture of one tone: nothing of it could be seen. */
+  /** The picture has a single tone, so that nothing of it would show. */
   | 'OneTone'
-  /** A drawing's text and pictures are not in its shape. */
+  /** The drawing has text or pictures, which are left out of the shape. */
   | 'LeftOut'
-  /** A drawing's text is set in fonts that stand in for its own. */
+  /** The drawing's text is set in substitutes for its own fonts. */
   | 'OtherFont'
-  /** A project whose zip, or whose studio.json, cannot be read. */
+  /** The project's zip, or the studio.json in it, cannot be read. */
   | 'BrokenProject'
-  /** More than one project among files that were dropped together. */
+  /** Several projects were dropped together. */
   | 'TooManyFiles'
-  /** A file that tells no printer. */
+  /** The file contains no printer. */
   | 'PrinterFile'
   | 'LinkBroken'
   | 'LinkTooLong'
   | 'LinkTooNew'
-  /** A value in a link that no control could set. */
+  /** A value in the link is one that no control could set. */
   | 'LinkValue'
-  /** A page that shows the studio asks for something that is not allowed. */
+  /** The page that shows the studio asks for something that is not allowed. */
   | 'GuestValue'
-  /** A file of an address that could not be fetched. */
+  /** A file could not be fetched from its address. */
   | 'GuestFile'
   | 'TextTooLong'
   | 'NoWebGl'
   | 'StorageFull'
-  /** A part of the page that could not be fetched: a newer version has taken its place, or there is no network. */
+  /** A part of the page could not be fetched: a newer version has replaced it, or there is no network. */
   | 'PartMissing';
 
 export interface Problem {
   code: ProblemCode;
-  /** For the placeholders of the sentences; of what the engine refuses, its `reason` with the values of that. */
+  /** Values for the placeholders of the sentences; for the engine's refusals also its `reason`. */
   values: Readonly<Record<string, string | number>>;
-  /** What the engine or the browser said, in English; may be empty. */
+  /** The engine's or the browser's own message, in English; may be empty. */
   detail: string;
 }
 
-/** A problem in words, for another page. */
+/** A problem in words, for the page that shows the studio. */
 export interface Failure {
   code: string;
   message: string;
   hint: string;
 }
 
+/** A problem that is thrown as an error. */
 export class StudioError extends Error implements Problem {
   constructor(
     readonly code: ProblemCode,
@@ -65,10 +66,10 @@ export class StudioError extends Error implements Problem {
 
 const unfetched = new WeakSet();
 
-/** From now on the error is known to be that of a part of the page which could not be fetched. */
+/** Marks an error as one of a part of the page that could not be fetched. */
 export const markUnfetched = (error: Error): void => void unfetched.add(error);
 
-/** Any error as a problem. An abort is none: ask `isAbort` first. */
+/** Any error as a problem. An abort is no problem: check `isAbort` first. */
 export function problemOf(error: unknown): Problem {
   if (error instanceof StudioError) return { code: error.code, values: error.values, detail: error.detail };
   if (error instanceof Error && error.name === 'SillonError') {
@@ -81,10 +82,10 @@ export function problemOf(error: unknown): Problem {
 
 export const isAbort = (error: unknown): boolean => error instanceof Error && error.name === 'AbortError';
 
-/** Whether it is the engine's or the page's word on what it was given; of anything else the file has no fault. */
+/** Tells whether the engine or the page rejects the file itself. Any other error is not the file's fault. */
 export const isOfFile = (error: unknown): boolean =>
   ['InvalidArgument', 'InvalidFile', 'EmptyShape', 'TooLarge'].includes(problemOf(error).code);
 
-/** Whether both would be told in the same words. */
+/** Tells whether both problems would be told in the same words. */
 export const same = (a: Problem, b: Problem): boolean =>
   a.code === b.code && a.detail === b.detail && JSON.stringify(a.values) === JSON.stringify(b.values);

@@ -1,9 +1,9 @@
-// Layers as the engine draws them for the canvas: a direction and a mode per texel.
+// Layers drawn by the engine for the canvas, with a direction and a mode for each texel.
 import type { DirectionRaster, Shape } from 'sillon';
 
 export type { DirectionRaster };
 
-/** Stretched over the page of a shape. */
+/** Directions, stretched over the page of a shape. */
 export interface Directions {
   raster: DirectionRaster;
   shape: Shape;
@@ -14,12 +14,12 @@ export interface Size {
   height: number;
 }
 
-/** @param page  [any unit] @param longest  texels of the longer side */
+/** Size of a raster in the page's proportions. @param page  [any unit] @param longest  texels of the longer side */
 export function sizeFor([width, height]: readonly [number, number], longest: number): Size {
   const texels = (side: number): number => Math.max(1, Math.round((longest * side) / Math.max(width, height)));
   return { width: texels(width), height: texels(height) };
 }
 
-/** Texels of the longer side, for a plate that rests and for what must keep up with a hand. */
+/** Texels of the longer side: fine for a plate at rest, coarse for what must keep up with a hand. */
 export const fineResolution = 1024;
 export const coarseResolution = 256;

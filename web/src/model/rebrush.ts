@@ -1,4 +1,4 @@
-// What a visitor wants of a sliced print, as plain data, and how the engine is asked for it.
+// A visitor's choices for a sliced print, as plain data, and the engine's options that follow from them.
 import type { DirectionMode, RebrushOptions, SlicedSurface, Stroke } from 'sillon';
 import { fieldsOf, numberIn, oneOf, textIn, Unfit } from './check.js';
 import { engineInput } from './input.js';
@@ -11,26 +11,26 @@ export type Way = (typeof ways)[number];
 export type Fit = RebrushOptions['fit'];
 export const fits: readonly Fit[] = ['face', 'object', 'bed', 'all'];
 
-/** Which surfaces are meant: of the first layer, the bottoms. */
+/** The surfaces to replace: tops, bottoms (those of the first layer), or both. */
 export type Side = NonNullable<RebrushOptions['sides']>;
 export const sides: readonly Side[] = ['top', 'bottom', 'both'];
 
 export interface Wish {
   side: Side;
-  /** Places in the engine's list. */
+  /** Indices of the chosen surfaces in the engine's list. */
   chosen: ReadonlySet<number>;
   way: Way;
-  /** Degrees, counter-clockwise from the right. */
+  /** Direction in degrees, counter-clockwise from the right. */
   angle: number;
   picture: SourceFile | undefined;
-  /** Azimuth and elevation [degrees]. */
+  /** Azimuth and elevation of the lamp [degrees]. */
   lamp: readonly [number, number];
-  /** Key of the filament: pictures are solved for its gloss. */
+  /** Key of the filament, whose gloss the pictures are solved for. */
   spool: FilamentKey;
-  /** Instead of it, a spool of one's own. */
+  /** The visitor's own spool, used instead of `spool`. */
   own: OwnSpool | undefined;
   fit: Fit;
-  /** Strokes of the way 'hand': points in mm on the bed. */
+  /** Strokes of the way 'hand', with points in mm on the bed. */
   strokes: readonly Stroke[];
 }
 
@@ -47,6 +47,7 @@ const keys: readonly (keyof Wish)[] = [
   'strokes',
 ];
 
+/** Reads a picture of an earlier visit. @throws Unfit */
 function pictureFrom(value: unknown): SourceFile | undefined {
   if (value === undefined) return undefined;
   const { id, name, bytes } = fieldsOf(value, 'picture', ['id', 'name', 'bytes']);
@@ -59,7 +60,8 @@ const isStroke = (value: unknown): value is Stroke => {
   return Array.isArray(points) && points.length % 2 === 0 && points.every(Number.isFinite);
 };
 
-/** Reads the choices of another visit; undefined: this version cannot. The engine checks the strokes' own values. */
+/** Reads the choices of an earlier visit; undefined where this version cannot. The engine checks the values in the
+ * strokes. */
 export function wishFrom(value: unknown): Wish | undefined {
   try {
     const { side, chosen, way, angle, picture, lamp, spool, own, fit, strokes } = fieldsOf(value, 'wish', keys);
@@ -88,25 +90,25 @@ export function wishFrom(value: unknown): Wish | undefined {
   }
 }
 
-/** What a hand draws with on a print. */
+/** The tool with which a hand draws on a print. */
 export interface HandBrush {
   tool: 'pan' | NonNullable<Stroke['tool']>;
-  /** [mm] */
+  /** Width of the brush [mm]. */
   across: number;
-  /** As a stroke's. */
+  /** Width of the soft edge, as in a stroke. */
   soft: number;
-  /** What the tool 'mode' paints. */
+  /** Mode that the tool 'mode' paints. */
   mode: DirectionMode;
 }
 
-/** A surface and its place in the engine's list. */
+/** A surface and its index in the engine's list. */
 export interface Face extends SlicedSurface {
   index: number;
 }
 
 const models = /\.(?:stl|3mf|obj|step|stp|amf|ply)$/i;
 
-/** Places of the ones in a mask of 64 bits or more, as M624 has it. */
+/** Indices of the bits that are set in a mask of 64 bits or more, as M624 has it. */
 function placesIn(mask: string): number[] {
   const bytes = Array.from(atob(mask), (one) => one.charCodeAt(0));
   return bytes.flatMap((byte, k) =>
@@ -114,8 +116,8 @@ function placesIn(mask: string): number[] {
   );
 }
 
-/** An object as people know it, by the label that the G-code has for it; a number, from 1, where nothing tells its name.
- * @param names  that the package tells, in the order of their codes */
+/** Name of an object, from its label in the G-code; its number, from 1, where nothing gives a name.
+ * @param names  names from the package, in the order of their codes */
 export function objectOf(label: string, names: readonly string[]): string | number {
   const text = label.replace(/^(['"])(.*)\1$/, '$2');
   if (text === '') return '';
@@ -124,29 +126,29 @@ export function objectOf(label: string, names: readonly string[]): string | numb
     return objectOf(names[place] ?? '', []) || place + 1;
   }
   if (/^\d+$/.test(text)) return Number(text) + 1;
-  // "part.stl id:0 copy 1", and as Klipper has it
+  // PrusaSlicer writes "part.stl id:0 copy 1"; for Klipper the spaces and colons are underscores.
   const [, name = text, copy = '0'] = /^(.*?)[ _]id[:_]\d+[ _]copy[ _](\d+)$/.exec(text) ?? [];
   const plain = (name.split(/[\\/]/).at(-1) ?? '').replace(models, '') || name;
   return copy === '0' ? plain : `${plain} (${Number(copy) + 1})`;
 }
 
-/** Largest first. */
+/** The surfaces of one side, the largest first. */
 export const facesOf = (surfaces: readonly SlicedSurface[], wanted: Side): Face[] =>
   surfaces
     .map((surface, index) => ({ ...surface, index }))
     .filter(({ side }) => wanted === 'both' || side === wanted)
     .sort((a, b) => b.areaMm2 - a.areaMm2 || a.index - b.index);
 
-/** [mm²] */
+/** Sum of the surfaces' areas [mm²]. */
 export const areaOf = (faces: readonly SlicedSurface[]): number => faces.reduce((sum, { areaMm2 }) => sum + areaMm2, 0);
 
-/** On the bed [mm]. */
+/** A box on the bed [mm]. */
 export interface Box {
   corner: readonly [number, number];
   size: readonly [number, number];
 }
 
-/** Around all chosen faces, as the engine takes it for the fit 'all'. */
+/** Bounding box of all chosen faces, as the engine uses it for the fit 'all'. */
 export function boxOf({ chosen }: Wish, faces: readonly Face[]): Box {
   const boxes = faces.filter(({ index, left }) => left === '' && chosen.has(index));
   const least = (k: 0 | 1): number => Math.min(...boxes.map(({ corner }) => corner[k]));
@@ -155,15 +157,16 @@ export function boxOf({ chosen }: Wish, faces: readonly Face[]): Box {
   return { corner, size: [most(0) - corner[0], most(1) - corner[1]] };
 }
 
-/** What is missing before the engine can be asked; empty: nothing. */
+/** The lack that prevents the engine from being asked; empty where nothing is missing. */
 export const lackOf = ({ chosen, way, picture }: Wish): '' | 'nothing' | 'noPicture' =>
   chosen.size === 0 ? 'nothing' : way === 'picture' && picture === undefined ? 'noPicture' : '';
 
-/** Of one's own spool, those of the side that is seen; of the others the engine knows them. */
+/** Slopes of the visitor's own spool for the visible side. The engine knows those of the other spools. */
 const slopesFor = (spool: OwnSpool | undefined, side: Side, nozzle: number): { slopes?: [number, number] } =>
   spool === undefined ? {} : { slopes: spoolSlopes(spool, nozzle, side === 'bottom' ? 'bedSide' : 'nozzleSide') };
 
-/** Strokes on the page that the chosen faces share. Bottoms are seen from below there, and painted as they lie on the bed. */
+/** Converts strokes from the bed to the page that the chosen faces share. There, bottoms are seen from below, while
+ * strokes lie as on the bed. */
 const strokesOn = ({ corner, size }: Box, { side, strokes }: Wish): Stroke[] =>
   strokes.map((stroke) => ({
     ...stroke,
@@ -173,8 +176,9 @@ const strokesOn = ({ corner, size }: Box, { side, strokes }: Wish): Stroke[] =>
     }),
   }));
 
-/** @param faces  all that can be replaced; where all are chosen, none is named
- * @param nozzle  of the file [mm] */
+/** The engine's options for these choices.
+ * @param faces  all faces that can be replaced; none is named where all of them are chosen
+ * @param nozzle  the file's nozzle [mm] */
 export function howOf(wish: Wish, faces: readonly Face[], plate: Plate, nozzle: number): Partial<RebrushOptions> {
   const all = faces.every(({ index }) => wish.chosen.has(index));
   const sides = wish.side === 'top' ? {} : { sides: wish.side };

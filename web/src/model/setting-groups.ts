@@ -1,8 +1,8 @@
-// The settings that the Print section shows at once, and the folded groups that hold the others.
+// The settings that the Print section shows at first, and the folded groups that hold the others.
 import { expertSettings, settings, type Setting, type SettingId } from './settings.js';
 
-/** At most 15 fields are seen at first, with the printer's, the filament's, the thickness and the quality: what people change
- * for a plate. Nozzle and beads have controls of their own. */
+/** Settings shown at first, which people change for a plate. With the printer, the filament, the thickness and the
+ * quality there are at most 15 fields. Nozzle and beads have controls of their own. */
 export const settingsAtFirst = [
   'printer.nozzle',
   'printer.nozzleTemperature',
@@ -16,7 +16,7 @@ export const settingsAtFirst = [
   'toolpath.perimeters',
 ] as const satisfies readonly SettingId[];
 
-/** Keys in the order of their fields. */
+/** Keys of each group, in the order of their fields. */
 const keysOf = {
   bed: 'place rotate mirror showSide copies copyGap startHeight',
   layers: 'rim rimWidth firstLayerHeight basePattern basePerimeters brim skirt elephantFoot strict',
@@ -27,7 +27,7 @@ const keysOf = {
 } as const;
 
 type Listed = keyof typeof keysOf;
-/** 'path': all of the toolpath's; 'machine': what is in no other. */
+/** Name of a group: 'path' holds all settings of the toolpath, 'machine' those of no other group. */
 export type GroupName = 'path' | Listed | 'machine';
 
 const groupOf = ({ section, key }: Setting): GroupName => {
@@ -39,7 +39,7 @@ const groupOf = ({ section, key }: Setting): GroupName => {
 export const isAtFirst = (id: SettingId): boolean => (settingsAtFirst as readonly SettingId[]).includes(id);
 const folded = settings.filter(({ id }) => !isAtFirst(id) && !expertSettings.has(id));
 
-/** Settings that are folded away. */
+/** Groups of the settings that are folded away. */
 export const settingGroups = (['bed', 'layers', 'path', 'flow', 'heat', 'speed', 'machine'] as const).map(
   (name): { name: GroupName; rows: readonly Setting[] } => {
     const order = name === 'path' || name === 'machine' ? [] : keysOf[name].split(' ');

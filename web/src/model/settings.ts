@@ -1,5 +1,5 @@
-// The engine's settings as rows of data, from which the panels are drawn and links are checked: the core's table, and what
-// a control needs besides.
+// The engine's settings as rows of data: the core's table, and what a control needs besides. The panels are drawn from
+// them, and links are checked against them.
 import type { Layer, PictureParams, PrintParams, PrinterValues, ToolpathParams } from 'sillon';
 import presetTable from 'sillon/presets.json' with { type: 'json' };
 import { toolpathDefaults } from './defaults.js';
@@ -17,22 +17,23 @@ export interface Sections {
 }
 export type SectionName = keyof Sections;
 
-/** Ids of all settings but those of pictures, which have controls of their own. */
+/** Ids of all settings, except those of pictures, which have controls of their own. */
 export type SettingId = {
   [Name in Exclude<SectionName, 'pictures'>]: `${Name}.${keyof Sections[Name] & string}`;
 }[Exclude<SectionName, 'pictures'>];
 
-/** Ids of the values of one layer, but for its lists; a plate has many of each (model/layer-settings.ts). */
+/** Ids of the values of one layer, without its lists. A plate has several layers with each of them
+ * (model/layer-settings.ts). */
 export type LayerSettingId = `layers.${Exclude<keyof Layer, 'pictures' | 'colours' | 'strokes'>}`;
 
-/** 'spacing': multiples of the spacing. */
+/** Unit of a value; 'spacing' means multiples of the spacing. */
 export type Unit = '' | 'mm' | 'mm/s' | 'mm/s²' | 'mm³/s' | 'g/cm³' | '°' | '°C' | 's' | '1/s' | '%' | 'spacing';
 
 interface Row<Id> {
   id: Id;
   section: Id extends LayerSettingId ? 'layers' : SectionName;
   key: string;
-  /** Folded away at first. */
+  /** True for settings that are folded away at first. */
   advanced: boolean;
 }
 
@@ -41,11 +42,11 @@ export interface NumberSetting<Id = SettingId> extends Row<Id> {
   unit: Unit;
   min: number;
   max: number;
-  /** Of a control; the engine takes any value between. */
+  /** Step of the control; the engine accepts any value in between. */
   step: number;
-  /** What a slider spans where min to max is too much. */
+  /** Range of the slider, where min to max would be too wide. */
   usual: [number, number];
-  /** The value may be null, which has a meaning of its own, in the dictionary: `null.ID`. */
+  /** True where the value may be null, whose meaning the dictionary gives in `null.ID`. */
   nullable: boolean;
   default: number | null;
 }
@@ -63,9 +64,9 @@ export interface FlagSetting<Id = SettingId> extends Row<Id> {
 
 export interface TextSetting<Id = SettingId> extends Row<Id> {
   kind: 'text';
-  /** In UTF-8. */
+  /** Most bytes of the text in UTF-8. */
   maxBytes: number;
-  /** Several lines. */
+  /** True for a text of several lines. */
   long: boolean;
   default: string;
 }
@@ -95,7 +96,7 @@ type TypeOf<Id extends SettingId> = Id extends `${infer Section extends SectionN
   : never;
 type IdOf<Type> = { [Id in SettingId]: TypeOf<Id> extends Type ? Id : never }[SettingId];
 
-/** What the table does not tell of numbers: the step of a control, and what a slider spans. */
+/** Facts about a number that the table lacks: the step of its control and the range of its slider. */
 export interface Span {
   step: number;
   usual?: [number, number];
@@ -192,11 +193,11 @@ export interface TableRow {
   choices?: readonly string[];
   nullable?: boolean;
   maxBytes?: number;
-  /** Kinds of layers that have it; left out: all. */
+  /** Kinds of layers that have the value; all where left out. */
   kinds?: readonly string[];
 }
 
-/** A row of the table as a setting. @param control  of a number */
+/** Turns a row of the table into a setting. @param control  step and range, for a number */
 export function settingFrom<Id extends SettingId | LayerSettingId>(
   section: Row<Id>['section'],
   key: string,
@@ -240,14 +241,14 @@ const rows = sections.flatMap(([section, entries]) =>
 
 const everySetting: readonly Setting[] = rows.map(({ setting }) => setting);
 
-/** Settings of one section of the core. */
+/** All settings of one section of the core. */
 export const settingsOf = (section: SectionName): readonly Setting[] =>
   everySetting.filter((setting) => setting.section === section);
 
-/** Settings with controls of this kind; pictures have their own. */
+/** Settings that have controls made from these rows; pictures have their own. */
 export const settings: readonly Setting[] = everySetting.filter(({ section }) => section !== 'pictures');
 
-/** Constants of the method, in files and presets only. */
+/** Constants of the method, which only files and presets can change. */
 export const expertSettings: ReadonlySet<SettingId> = new Set(
   rows
     .filter(({ level, setting }) => level === 'expert' && setting.section !== 'pictures')
@@ -265,7 +266,7 @@ export function settingOf(id: SettingId): Setting {
 export const valueOf = (plate: Plate, { section, key }: Setting): SettingValue =>
   (plate[section] as unknown as Record<string, SettingValue>)[key] as SettingValue;
 
-/** The plate with another value, which `accepts` has let through; the same plate where nothing changes. */
+/** The plate with another value, already checked by `accepts`; the same plate where nothing changes. */
 export function withValue(plate: Plate, setting: Setting, value: SettingValue): Plate {
   const { section, key } = setting;
   if (Object.is(valueOf(plate, setting), value)) return plate;
@@ -275,11 +276,11 @@ export function withValue(plate: Plate, setting: Setting, value: SettingValue): 
 const within = (value: unknown, { min, max }: { min: number; max: number }): value is number =>
   typeof value === 'number' && value >= min && value <= max;
 
-// As the engine: one line, and what G-code comments may hold is its business.
+// A text is one line, as in the engine. Characters that are special in G-code comments are left to the engine.
 // eslint-disable-next-line no-control-regex
 const controlCharacter = /[\u0000-\u001f\u007f]/;
 
-/** Whether a value is of the setting's kind and in its range. */
+/** Tells whether a value is of the setting's kind and in its range. */
 export function accepts(setting: AnySetting, value: unknown): value is SettingValue {
   switch (setting.kind) {
     case 'number':
@@ -307,14 +308,14 @@ export function accepts(setting: AnySetting, value: unknown): value is SettingVa
 }
 
 type Preset = Partial<ToolpathParams>;
-/** The method as published in 2023 is there for comparisons by command line, not as a quality to choose. */
+/** The method as published in 2023 serves comparisons on the command line and is no quality to choose here. */
 type Offered = Exclude<keyof typeof presetTable.presets, 'paper-2023'>;
 const presets = Object.fromEntries(
   Object.entries(presetTable.presets).filter(([name]) => name !== 'paper-2023'),
 ) as Record<Offered, Preset>;
 
-/** What any preset changes, as it is without one. The border and the seed are the person's own choice, which only
- * presets that name them change. */
+/** Defaults of every parameter that any preset changes. The border and the seed are left out: they are the visitor's
+ * own choice, and only presets that name them change them. */
 const neutral: Preset = Object.fromEntries(
   Object.values(presetTable.presets as Record<string, Preset>)
     .flatMap((preset) => Object.keys(preset) as (keyof ToolpathParams)[])
@@ -322,8 +323,8 @@ const neutral: Preset = Object.fromEntries(
     .map((key) => [key, toolpathDefaults[key]]),
 );
 
-/** Ways to make a plate, from the engine's own table. Measured on the examples: draft halves the points, fine leaves
- * fewer U-turns and next to no kinks for up to twice the time. */
+/** Qualities to choose from, taken from the engine's presets. Measured on the examples, draft halves the points,
+ * while fine leaves fewer U-turns and next to no kinks for up to twice the time. */
 export const qualities = Object.fromEntries(
   Object.entries(presets).map(([name, preset]) => [name, { ...neutral, ...preset }]),
 ) as Record<keyof typeof presets, Preset>;
@@ -335,7 +336,7 @@ export const withQuality = (plate: Plate, quality: Quality): Plate => ({
   toolpath: { ...plate.toolpath, ...qualities[quality] },
 });
 
-/** undefined: set by hand. */
+/** The quality whose parameters these are; undefined where they were set by hand. */
 export function qualityOf(toolpath: ToolpathParams): Quality | undefined {
   const names = Object.keys(qualities) as Quality[];
   return names.find((name) =>
@@ -343,11 +344,11 @@ export function qualityOf(toolpath: ToolpathParams): Quality | undefined {
   );
 }
 
-/** What suits a nozzle: beads between 0.6 and 1.6 nozzles wide can be laid, and the path's own widths vary around the
- * spacing. */
+/** Values that suit a nozzle. Beads can be between 0.6 and 1.6 nozzles wide, and the path's own widths vary around
+ * the spacing. */
 export interface NozzleAdvice {
   nozzle: number;
-  /** Closest, usual, widest. */
+  /** Closest, usual and widest spacing [mm]. */
   spacing: [number, number, number];
   layerHeight: number;
 }
@@ -363,7 +364,7 @@ export const nozzleAdvice: readonly NozzleAdvice[] = [
 
 const cents = (value: number): number => Math.round(value * 100) / 100;
 
-/** Of the nozzle nearest to this one, scaled to it. */
+/** Advice for the nearest listed nozzle, scaled to this one. */
 export function adviceFor(nozzle: number): NozzleAdvice {
   const away = (advice: NozzleAdvice): number => Math.abs(Math.log(advice.nozzle / nozzle));
   const nearest = nozzleAdvice.reduce((best, advice) => (away(advice) < away(best) ? advice : best));
@@ -376,7 +377,7 @@ export function adviceFor(nozzle: number): NozzleAdvice {
   };
 }
 
-/** Another nozzle, with the spacing and the layers that suit it. */
+/** The plate with another nozzle, and the spacing and layer height that suit it. */
 export function withNozzle(plate: Plate, nozzle: number): Plate {
   const { spacing, layerHeight } = adviceFor(nozzle);
   const changed = {

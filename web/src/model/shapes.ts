@@ -1,9 +1,9 @@
-// The built-in shapes, and the holes that things need.
+// The built-in shapes, and holes that objects often need.
 import type { BuiltinShape, RoundHole } from 'sillon';
 import { newShape } from './defaults.js';
 import { isRoundKind, pageOf, type Plate, type ShapeSource } from './plate.js';
 
-/** In the order of the panel. */
+/** Names of the shapes, in the order of the panel. */
 export const builtinShapes = [
   'disc',
   'rectangle',
@@ -17,19 +17,20 @@ export const builtinShapes = [
   'text',
 ] as const satisfies readonly BuiltinShape[];
 
-/** Heights of shapes, as shares of their widths, as the engine makes them where it is told none. */
+/** Heights as shares of the widths, which the engine uses where it is given no height. */
 export const ownHeight: Partial<Record<ShapeSource['kind'], number>> = {
   hexagon: Math.sqrt(3) / 2,
   heart: 0.914214,
   shield: 1.199359,
   star: 0.951057,
   tag: 0.4,
-  text: 0.3, // of its page: letters keep their own
+  text: 0.3, // height of the text's page; the letters keep their own proportions
 };
 
 const hundredth = (value: number): number => Math.round(value * 100) / 100;
 
-/** The plate in another shape, in its own proportions where it has any. Holes stay behind: they may lie outside now. */
+/** Gives the plate another shape, in that shape's own proportions where it has any. Holes are dropped, since they
+ * may lie outside. */
 export function withShape(plate: Plate, kind: BuiltinShape): Plate {
   const { width, shape: before } = plate;
   const height = plate.height || width;
@@ -46,23 +47,24 @@ export function withShape(plate: Plate, kind: BuiltinShape): Plate {
     : { ...plate, shape, width: longest, height: hundredth(longest * share) };
 }
 
-/** Diameters of holes [mm]: for a screw M4, the ring of a key, and a magnet of 8 mm. */
+/** Diameters of holes [mm]: for an M4 screw, a key ring, and a magnet of 8 mm. */
 export const usualHoles = { screw: 4.5, keyring: 5, magnet: 8.2 } as const;
 export type HoleName = keyof typeof usualHoles;
 
 const wall = 4; // [mm] between a key ring's hole and the upper edge of the page
 
-/** The place where a new hole is most likely meant: near the upper edge for a key ring, else in the middle. */
+/** The likely place for a new hole: near the upper edge for a key ring, otherwise in the middle. */
 function placeFor(plate: Plate, name: HoleName): Pick<RoundHole, 'x' | 'y'> {
   const [width, height] = pageOf(plate);
   const { shape } = plate;
   const y = name === 'keyring' ? Math.max(height / 2, height - wall - usualHoles.keyring / 2) : height / 2;
   if (shape.kind !== 'ring') return { x: hundredth(width / 2), y: hundredth(y) };
-  // In the middle of a ring there is nothing to cut.
+  // The middle of a ring is empty, so the hole goes into the ring itself.
   const solid = (plate.width - (shape.inner || plate.width / 2)) / 2;
   return { x: hundredth(width / 2), y: hundredth(height - Math.max(0, shape.offset) - solid / 2) };
 }
 
+/** Adds a hole at its likely place. */
 export const withHole = (plate: Plate, name: HoleName): Plate => ({
   ...plate,
   shape: {

@@ -1,7 +1,7 @@
-// Lines of the page and of other layers that a layer which is moved or resized comes to lie on.
+// Snaps a layer that is moved or resized to lines of the page and of other layers.
 import type { Bounds, Point } from './layer-frame.js';
 
-/** A line across the page: where `axis` 0 is upright, at this x; else level, at this y [mm]. */
+/** A line across the page: upright at x = `at` where `axis` is 0, otherwise level at y = `at` [mm]. */
 export interface Guide {
   axis: 0 | 1;
   at: number;
@@ -9,17 +9,17 @@ export interface Guide {
 
 const near = 1e-6;
 
-/** The page's edges and its middle line. */
+/** Edges and middle line of a page side. */
 const linesOf = (length: number): number[] => [0, length / 2, length];
 
-/** The shortest of some ways in either sense; Infinity where there is none. */
+/** The offset with the smallest absolute value; Infinity where there are none. */
 const leastOf = (ways: readonly number[]): number =>
   ways.reduce((least, one) => (Math.abs(one) < Math.abs(least) - near ? one : least), Infinity);
 
-/** A layer that is moved has an outline and a middle: edges snap to the page's edges and middle lines, its middle to the page's middle
- * and to those of others.
- * @param within  farther away nothing happens [mm]
- * @returns how far it goes, and the lines that it then lies on */
+/** Snaps a layer that is moved: its edges to the page's edges and middle lines, its middle to the page's middle and to
+ * the middles of other layers.
+ * @param within  greatest distance that snaps [mm]
+ * @returns the offset to add, and the lines that the layer then lies on */
 export function snapped(
   { low, high }: Bounds,
   page: Point,
@@ -45,9 +45,10 @@ export function snapped(
   return { by, guides };
 }
 
-/** The corner of a layer that is resized snaps to the page's edges and middle lines.
- * @param fixed  where the proportions are kept, the corner across: the other goes straight away from it, or towards it
- * @param within  farther away nothing happens [mm] */
+/** Snaps the corner of a layer that is resized to the page's edges and middle lines.
+ * @param fixed  the opposite corner, where the proportions are kept: the corner then moves only straight away from it
+ * or towards it
+ * @param within  greatest distance that snaps [mm] */
 export function cornerSnapped(
   corner: Point,
   page: Point,

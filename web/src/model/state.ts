@@ -1,4 +1,4 @@
-// All that the page shows, but for the cameras, which move too often.
+// All state that the page shows, except the cameras, which move too often.
 import type { Conflict, GcodeCheck, GcodeSummary, Report, Toolpath } from 'sillon';
 import type { Directions } from './raster.js';
 import type { ColourBy, Light, ViewName } from './view.js';
@@ -9,14 +9,14 @@ import type { Problem } from './problem.js';
 export type Theme = 'auto' | 'light' | 'dark';
 export type Tool = 'pan' | 'comb' | 'mode' | 'erase';
 
-/** What the engine does now. */
+/** Progress of the engine's current job. */
 export interface Progress {
   job: 'loading' | 'making' | 'measuring' | 'writing';
-  /** As the engine names it; the dictionary has `stage.NAME`. Empty: not begun. */
+  /** Stage as the engine names it; the dictionary has `stage.NAME`. Empty: not begun. */
   stage: string;
-  /** 0..1, never falling within a job. */
+  /** Share of the job that is done, 0..1; it never falls within a job. */
   fraction: number;
-  /** Estimate; undefined while there is nothing to estimate from. */
+  /** Estimated time left [s]; undefined while there is nothing to estimate from. */
   secondsLeft: number | undefined;
 }
 
@@ -24,16 +24,16 @@ export interface Progress {
 export interface PlateResult {
   plate: Plate;
   toolpath: Toolpath;
-  /** With measures, once those are there. */
+  /** The engine's report, which includes the measures once `measured` is set. */
   report: Report;
-  /** Of two pictures and more: what they take from each other. */
+  /** Conflict between two or more pictures: how much they take from each other. */
   conflict?: Conflict | undefined;
-  /** A quick preview: made with a larger spacing, or without the corrections of its pictures. */
+  /** True for a quick preview, made with a larger spacing or without the corrections of its pictures. */
   coarse: boolean;
   measured: boolean;
 }
 
-/** The directions of a plate, before and beside its beads. */
+/** Directions of a plate, shown before and beside its beads. */
 export interface PlateDirections extends Directions {
   plate: Plate;
 }
@@ -45,18 +45,18 @@ export interface State {
   compare: boolean;
   light: Light;
   theme: Theme;
-  /** One of those in i18n/languages.ts. */
+  /** Code of a language in i18n/languages.ts. */
   language: string;
-  /** Which section of settings is open; empty: none. */
+  /** Name of the open section of settings; empty: none. */
   panel: string;
   advanced: boolean;
   tool: Tool;
 
-  // What follows from the plate.
+  // The following fields are computed from the plate.
   directions: PlateDirections | undefined;
   result: PlateResult | undefined;
   summary: GcodeSummary | undefined;
-  /** Of the same file, read back as a printer would. */
+  /** Check of the same file, read back as a printer would. */
   check: GcodeCheck | undefined;
   progress: Progress | undefined;
   problem: Problem | undefined;

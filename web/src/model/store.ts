@@ -1,10 +1,10 @@
-// One object holds all that the page shows, and who draws hears of its changes once per turn. Of every change to the plate
-// the plate before it is kept: plates share what did not change, so a step costs little.
+// Holds all state that the page shows, and tells listeners of changes once per turn. Each change of the plate keeps the
+// plate before it; plates share what did not change, so a step costs little.
 import type { Plate } from './plate.js';
 
 const mostSteps = 200;
 
-/** A plate and what undo and redo go to, the nearest last. */
+/** A plate and the steps of undo and redo, the nearest last. */
 export interface Steps {
   past: readonly Plate[];
   plate: Plate;
@@ -17,6 +17,7 @@ export interface HasPlate {
 
 export type Listener<State> = (state: Readonly<State>, before: Readonly<State>) => void;
 
+/** The state, its listeners and the steps of undo and redo. */
 export class Store<State extends HasPlate> {
   #state: Readonly<State>;
   #told: Readonly<State>;
@@ -25,7 +26,7 @@ export class Store<State extends HasPlate> {
   #past: Plate[] = [];
   #future: Plate[] = [];
   #gesture: string | undefined;
-  /** Before the gesture. */
+  /** Steps from before the current gesture. */
   #before: Steps | undefined;
 
   constructor(state: State) {
@@ -45,13 +46,13 @@ export class Store<State extends HasPlate> {
     return this.#future.length > 0;
   }
 
-  /** Everything but the plate; cannot be undone. */
+  /** Changes any part of the state except the plate. Such changes cannot be undone. */
   set(patch: Partial<Omit<State, 'plate'>>): void {
     this.#become({ ...this.#state, ...patch });
   }
 
-  /** Changes the plate, as one step of undo. Changes with the same `gesture` that follow each other are one step, until
-   * `settle`: a drag that is still going on. */
+  /** Changes the plate as one undo step. Consecutive changes with the same `gesture`, such as those of a drag, stay
+   * one step until `settle`. */
   change(change: (plate: Plate) => Plate, gesture?: string): void {
     const { plate } = this.#state;
     const next = change(plate);
@@ -66,12 +67,12 @@ export class Store<State extends HasPlate> {
     this.#become({ ...this.#state, plate: next });
   }
 
-  /** Ends a gesture: what comes next is another step. */
+  /** Ends a gesture, so that the next change is another step. */
   settle(): void {
     this.#gesture = undefined;
   }
 
-  /** Takes back the gesture that goes on, as if it had never begun: what could be redone still can. */
+  /** Takes back the current gesture as if it had never begun; what could be redone still can. */
   abandon(): void {
     if (this.#gesture !== undefined && this.#before !== undefined) this.restore(this.#before);
   }
@@ -80,7 +81,7 @@ export class Store<State extends HasPlate> {
     return { past: [...this.#past], plate: this.#state.plate, future: [...this.#future] };
   }
 
-  /** Another plate with the steps that led to it; those of the plate before are forgotten. */
+  /** Shows another plate with its own steps, and drops those of the plate before. */
   restore({ past, plate, future }: Steps): void {
     this.settle();
     this.#past = [...past];
@@ -88,7 +89,7 @@ export class Store<State extends HasPlate> {
     this.#become({ ...this.#state, plate });
   }
 
-  /** What was before the plate cannot be had back. */
+  /** Forgets all steps, so that nothing before the current plate can be restored. */
   forgetSteps(): void {
     this.settle();
     this.#past = [];
@@ -103,7 +104,7 @@ export class Store<State extends HasPlate> {
     this.#step(this.#future, this.#past);
   }
 
-  /** The listener is called once per turn in which anything changed. @returns what ends that. */
+  /** Calls the listener once per turn in which anything changed. @returns a function that ends the subscription */
   subscribe(listener: Listener<State>): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);

@@ -1,17 +1,20 @@
-// Time left of a job that tells its progress.
+// Estimates the time left of a job that reports its progress.
 
-const firstWord = 700; // [ms] before which an estimate would be a guess
+const firstWord = 700; // [ms]; any earlier, an estimate would be a guess
 const smallestFraction = 0.03;
-const trust = 0.25; // in the newest figure against what was said before
+const trust = 0.25; // weight of the newest estimate; smaller: steadier; larger: sooner right when the pace changes
 
+/** Exponentially smoothed estimate of a job's remaining time. */
 export class TimeLeft {
   #told: number | undefined;
   #at = 0;
 
   constructor(private readonly begin: number) {}
 
-  /** @param now  [ms]
-   * @returns seconds; undefined while there is nothing to estimate from. */
+  /** Estimates the time left.
+   * @param fraction  share of the job that is done, 0..1
+   * @param now  [ms]
+   * @returns seconds; undefined while there is nothing to estimate from */
   estimate(fraction: number, now: number): number | undefined {
     const elapsed = now - this.begin;
     if (fraction >= 1) return 0;

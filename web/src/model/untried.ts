@@ -1,14 +1,15 @@
-// Plates that came from somewhere else, and have not been made yet. One that stops the page must not come back by itself, so that
-// it is kept only once it has been made.
+// Plates from elsewhere that have not been made yet. One that makes the page hang must not come back with the next
+// visit, so such plates are kept only after they have been made.
 import type { Plate } from './plate.js';
 import { isOf } from './result.js';
 import type { State } from './state.js';
 
+/** Knows which plates have come from elsewhere and have not been made yet. */
 export class Untried {
   #arriving = 0;
   readonly #plates = new WeakSet<Plate>();
 
-  /** What `work` puts into the plate comes from somewhere else. */
+  /** Runs `work`, and treats every plate that it sets as one from elsewhere. */
   async during<Result>(work: () => Promise<Result>): Promise<Result> {
     ++this.#arriving;
     try {
@@ -18,8 +19,8 @@ export class Untried {
     }
   }
 
-  /** To be asked after each change of plate or result. @param before  the plate before that
-   * @returns whether the plate may be kept */
+  /** Decides whether the plate may be kept; call it after each change of plate or result.
+   * @param before  the plate before the change */
   mayKeep({ plate, result }: Pick<State, 'plate' | 'result'>, before: Plate): boolean {
     if (plate !== before && (this.#arriving > 0 || this.#plates.has(before))) this.#plates.add(plate);
     if (result !== undefined && isOf(result, plate)) this.#plates.delete(plate);

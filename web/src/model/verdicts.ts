@@ -1,5 +1,5 @@
-// What a report means to somebody who is about to print. Limits are by eye, from rendered examples; the sentences are
-// in the dictionary: `verdict.TEXT`, see i18n/say-verdict.ts.
+// Judges a report for somebody who is about to print. Limits were set by eye from rendered examples. The sentences are
+// in the dictionary as `verdict.TEXT`, see i18n/say-verdict.ts.
 import type { NeighbourDelay, Report } from 'sillon';
 
 export type Measure =
@@ -35,7 +35,7 @@ export interface Verdict {
   values: Readonly<Record<string, number>>;
 }
 
-/** The usual verdict, whose sentence goes by its level. */
+/** A verdict whose sentence follows from its level. */
 const judged = <M extends Measure, L extends Level>(measure: M, level: L, values: Verdict['values']) => ({
   measure,
   level,
@@ -43,20 +43,20 @@ const judged = <M extends Measure, L extends Level>(measure: M, level: L, values
   values,
 });
 
-/** @param rising  whether more is worse */
+/** Level of a value between two limits. @param rising  true where larger values are worse */
 const levelBetween = (value: number, good: number, fair: number, rising: boolean): Level => {
   const sign = rising ? 1 : -1;
   if (sign * value <= sign * good) return 'good';
   return sign * value <= sign * fair ? 'fair' : 'poor';
 };
 
-/** Light at the brightest places by that at the darkest, below which a picture is not to be seen, however like it is: far
- * below `appearance.weakContrast`, from which on it is only faint. */
+/** Contrast, the brightest places' light divided by the darkest', below which a picture cannot be seen however alike
+ * it is. From here up to `appearance.weakContrast` it is only faint. */
 const unseenContrast = 2;
 
 const round = (value: number, digits: number): number => Number(value.toFixed(digits));
 
-/** Empty for a report without measures. */
+/** All verdicts on a report; empty for one without measures. */
 export function verdictsOf(report: Report): Verdict[] {
   const { spacing, width, coverage, overlap, uTurns, kinks, crossings, fillRatio, lostAreaMm2, lengthMm } = report;
   const { alignmentConstrained, turnBound } = report;
@@ -75,7 +75,7 @@ export function verdictsOf(report: Report): Verdict[] {
   ) {
     return [];
   }
-  const area = Math.max(1e-6, lengthMm * spacing); // [mm²], near enough for a density
+  const area = Math.max(1e-6, lengthMm * spacing); // [mm²], accurate enough for a density
   const perCm2 = (count: number): number => round((100 * count) / area, 1);
   const verdicts: Verdict[] = [
     {
@@ -98,7 +98,7 @@ export function verdictsOf(report: Report): Verdict[] {
   if (alignmentConstrained === 0) {
     verdicts.push({ measure: 'alignment', level: 'good', text: 'alignment.free', values: {} });
   } else {
-    // -1 is perfect, -0.5 chance.
+    // An alignment of -1 is perfect, -0.5 what chance gives.
     const percent = Math.max(0, (-alignmentConstrained - 0.5) * 200);
     verdicts.push(judged('alignment', levelBetween(percent, 90, 70, false), { percent: round(percent, 1) }));
   }
@@ -114,7 +114,7 @@ export function verdictsOf(report: Report): Verdict[] {
   const lostShare = (100 * lostAreaMm2) / area;
   const lost = lostAreaMm2 < 0.005 ? 'good' : lostShare < 1 ? 'fair' : 'poor';
   const turns = levelBetween(perCm2(uTurns), 6, 15, true);
-  // Where no path turns less often, it is the directions that are to be looked at.
+  // If no path could turn less often, the directions are the cause and not the path.
   const needed = turns !== 'good' && uTurns <= turnBound;
   verdicts.push(
     needed
@@ -128,7 +128,7 @@ export function verdictsOf(report: Report): Verdict[] {
   return verdicts;
 }
 
-const plainTop = 0.03; // of the length, that PrusaSlicer's monotonic top of a disc of 60 mm lays over two minutes apart
+const plainTop = 0.03; // share of the length laid over two minutes apart on PrusaSlicer's monotonic top of a disc of 60 mm
 
 const mostSqueezed = 0.04; // a slicer's monotonic top has 1 to 2 %
 

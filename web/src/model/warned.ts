@@ -1,4 +1,4 @@
-// Warnings of the engine that are about one layer, whatever they are about: they name its number.
+// Finds the layers that the engine's warnings name by number.
 import type { Report } from 'sillon';
 import { completeLayers } from './layers.js';
 import type { PlateLayer } from './plate.js';
@@ -6,8 +6,8 @@ import type { State } from './state.js';
 
 type Warning = Report['warnings'][number];
 
-/** By the layers as they were when the plate was made, so that nothing is said of one that has changed since. A preview says
- * nothing: at its spacing letters are thin that are not on the plate. */
+/** Warnings by layer, as the layers were when the plate was made, so that layers changed since then have none.
+ * Previews have none either: at their larger spacing, letters look too thin that are not. */
 export function warnedLayers({ result }: Pick<State, 'result'>): ReadonlyMap<PlateLayer, readonly Warning[]> {
   const warned = new Map<PlateLayer, Warning[]>();
   if (result === undefined || result.coarse) return warned;

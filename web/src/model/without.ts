@@ -1,4 +1,4 @@
-/** A copy that lacks some of the fields. */
+/** A copy of an object without some of its fields. */
 export const without = <Whole extends object, Key extends keyof Whole>(
   whole: Whole,
   ...keys: readonly Key[]

@@ -1,8 +1,8 @@
-// Plates to begin with: layers as data, and pictures of our own that lie beside the page.
+// Example plates: layers as data, with pictures of our own that are served beside the page.
 import { newShape } from '../model/defaults.js';
 import type { Example } from '../model/example.js';
 
-/** Two pictures in one plate, on a spool with contrast: what the studio opens with, too. */
+/** Two pictures in one plate, on a spool with good contrast. The studio opens with it. */
 export const opening: Example = {
   id: 'sunMoon',
   width: 80,
@@ -20,7 +20,7 @@ export const opening: Example = {
   ],
 };
 
-/** Also a first print: nothing can go wrong with it that the coupon does not show. */
+/** A plate that also suits a first print: all that can go wrong with it shows on the coupon as well. */
 export const coaster: Example = {
   id: 'whirl',
   width: 80,

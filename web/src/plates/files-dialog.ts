@@ -1,4 +1,4 @@
-// What the files that were opened last are for: the page's guess, to be changed.
+// Dialog with the roles of the files that were opened last. The page has guessed them, and the visitor can change them.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { words } from '../i18n/en/files.js';
@@ -6,7 +6,7 @@ import { formatBytes, say, t } from '../i18n/text.js';
 import { DialogElement } from '../controls/dialog.js';
 import type { Opened, Role } from '../model/file-role.js';
 
-const pictureSide = 192; // [pixels] of 64 on a screen of three to one
+const pictureSide = 192; // [pixels] for 64 CSS pixels on a screen with a pixel ratio of 3
 
 @customElement('sillon-files')
 export class Files extends DialogElement {
@@ -121,7 +121,7 @@ export class Files extends DialogElement {
       this.#pictures.set(id, URL.createObjectURL(png));
       this.requestUpdate();
     } catch {
-      // It stays blank: it is not drawn.
+      // The picture stays blank when the drawing cannot be painted.
     }
   }
 }

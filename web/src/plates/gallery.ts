@@ -1,4 +1,4 @@
-// Plates to begin with.
+// Dialog with the plates to begin with.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
@@ -73,7 +73,7 @@ export class Gallery extends DialogElement {
   async #open(example: Example): Promise<void> {
     this.close();
     const opened = await this.studio.attempt(() => this.studio.services.openExample(example));
-    // The words and pictures that a visitor puts their own in the place of are there.
+    // The Layers section has the words and pictures that visitors replace with their own.
     if (opened && example.layers.length > 1 && this.studio.store.state.panel !== '') this.studio.setPanel('layers');
   }
 }

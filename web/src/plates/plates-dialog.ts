@@ -1,4 +1,4 @@
-// Every plate that is kept in this browser: to open, rename, duplicate and delete.
+// Dialog with all plates kept in this browser, to open, rename, duplicate and delete.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { repeat } from 'lit/directives/repeat.js';
@@ -131,9 +131,9 @@ export class Plates extends DialogElement {
   ];
 
   @state() private plates: readonly Listed[] | undefined;
-  /** A plate that another tab has was asked for. */
+  /** Plate that the visitor wants to open although another tab has it. */
   @state() private asked: Listed | undefined;
-  /** One that cannot be opened here was asked for. */
+  /** Plate that the visitor wants to open although this version cannot. */
   @state() private foreign: Listed | undefined;
   @state() private deleted: { name: string; undo: () => Promise<void> } | undefined;
 
@@ -305,7 +305,7 @@ export class Plates extends DialogElement {
     </button>`;
   }
 
-  /** What may fail, and the list as it is after that. */
+  /** Runs an action that may fail, and then reads the list again. */
   async #then(action: () => Promise<void>): Promise<void> {
     await this.studio.attempt(action);
     this.#read();
@@ -322,11 +322,11 @@ export class Plates extends DialogElement {
     await this.#then(async () => {
       if (plate.here) this.studio.change((now) => ({ ...now, name }));
       else await this.studio.services.plates().rename(plate.id, name);
-      await Promise.resolve(); // by now the change is waiting to be kept
+      await Promise.resolve(); // by now the change is queued for saving
     });
   }
 
-  /** As it is kept, for the version that can open it. */
+  /** Downloads a plate as it is kept, for the version that can open it. */
   async #download(plate: Listed): Promise<void> {
     await this.studio.attempt(async () => {
       const { packStored } = await import('../files/project.js');
@@ -346,6 +346,6 @@ export class Plates extends DialogElement {
       this.deleted = { name: this.#nameOf(plate), undo };
     });
     await this.updateComplete;
-    this.renderRoot.querySelector<HTMLElement>('.told button')?.focus(); // its own button has gone, or will
+    this.renderRoot.querySelector<HTMLElement>('.told button')?.focus(); // the focused button has gone, or will
   }
 }

@@ -1,4 +1,5 @@
-// A link that carries the settings, and what it cannot carry; and a moving picture for messengers.
+// Dialog with a link to the plate and a text about what the link cannot carry, and with a moving picture for
+// messengers.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { words } from '../i18n/en/export.js';
@@ -68,7 +69,7 @@ export class Share extends DialogElement {
     this.#dropLoop();
     void this.studio.attempt(async () => {
       const { url, told } = await this.studio.services.link(plate);
-      if (plate !== this.state.plate) return; // another is on its way
+      if (plate !== this.state.plate) return; // the plate has changed, so another link is being made
       this.url = url;
       this.told = told;
     });
@@ -89,7 +90,7 @@ export class Share extends DialogElement {
             ? html`<button
                 type="button"
                 @click=${() => {
-                  // Closed without choosing: nothing went wrong.
+                  // Closing the browser's dialog without a choice is no error.
                   navigator.share({ title: say(linksWords, 'app.name'), url: this.url }).catch(() => undefined);
                 }}
               >
@@ -116,7 +117,8 @@ export class Share extends DialogElement {
     `;
   }
 
-  /** Browsers share a file only right after a press, which the making of it would outlast: it is shown first. */
+  /** Shows the finished picture with a button to share it. Browsers share a file only right after a press, and
+   * making the picture takes longer than that. */
   #moving({ file, url }: { file: File; url: string }): TemplateResult {
     const shares = 'canShare' in navigator && navigator.canShare({ files: [file] });
     return html`<img src=${url} alt=${t('export.loop')} />
@@ -174,7 +176,7 @@ export class Share extends DialogElement {
       await navigator.clipboard.writeText(this.url);
       this.copied = true;
     } catch {
-      // Not allowed here: the link stands selected, ready for Ctrl C.
+      // If copying is not allowed, the link is selected, ready for Ctrl C.
       this.renderRoot.querySelector<HTMLInputElement>('.link input')?.focus();
     }
   };

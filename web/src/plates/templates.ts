@@ -1,4 +1,4 @@
-// Plates to put one's own words and pictures into: projects of examples/, as the command line makes them.
+// Plates for the visitor's own words and pictures: projects from examples/, which the command line can make as well.
 import keychain from '../../../examples/keychain.json' with { type: 'json' };
 import logoCoaster from '../../../examples/logo-coaster.json' with { type: 'json' };
 import nameSign from '../../../examples/name-sign.json' with { type: 'json' };
@@ -9,14 +9,14 @@ import type { Example, ExampleId, ExampleLayer } from '../model/example.js';
 import { shapeTable } from '../model/setting-table.js';
 import type { ShapeSource } from '../model/plate.js';
 
-/** The parts of a project that these files have. */
+/** The parts of these project files that are used here. */
 interface Template {
   shape: { builtin: string; size: number[]; radius?: number };
   layers: readonly object[];
   toolpath: { spacing: number; mapFilter?: string };
 }
 
-/** Files lie beside the page by their bare names. */
+/** Name of a file without its folder, under which it is served beside the page. */
 const bare = (path: string): string => path.replace(/^.*\//, '');
 
 const layerOf = ({ file, pictures, maskFile, modeFile, ...values }: ExampleLayer): ExampleLayer => ({
@@ -27,6 +27,7 @@ const layerOf = ({ file, pictures, maskFile, modeFile, ...values }: ExampleLayer
   ...(modeFile !== undefined && { modeFile: bare(modeFile) }),
 });
 
+/** A project of examples/ as an example of the gallery. */
 function exampleOf(id: ExampleId, { shape, layers, toolpath }: Template): Example {
   const [width = 0, height = 0] = shape.size;
   const kind = shape.builtin as Exclude<ShapeSource['kind'], 'file'>;

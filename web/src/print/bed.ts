@@ -1,4 +1,4 @@
-// The printer's bed from above, with the plate where it will be printed; it can be dragged.
+// The printer's bed from above, with the plate where it will be printed. The plate can be dragged.
 import { css, html, svg, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
@@ -55,7 +55,7 @@ export class Bed extends StudioElement {
     const box = this.studio.boxOnBed();
     const [px, py] = print.place ?? this.studio.centredPlace();
     const corners = [px, px + box[0]].flatMap((x) => [py, py + box[1]].map((y) => [x, y] as const));
-    const round = isRoundKind(shape.kind) ? [] : corners; // a disc's corners are empty
+    const round = isRoundKind(shape.kind) ? [] : corners; // the corners of a disc are empty
     const outside =
       px < x0 ||
       py < y0 ||

@@ -1,5 +1,5 @@
-// What a printer's start and end G-code does, line by line, and how a printer differs from the visitor's: to be seen before it
-// is used, and before the first file is taken with it.
+// Dialog that shows a printer's start and end G-code line by line, and how a printer from elsewhere differs from the
+// visitor's. It comes before such a printer is used, and before the first file for it is downloaded.
 import type { GcodeFinding, PrinterValues } from 'sillon';
 import { css, html, nothing, type PropertyValues, type TemplateResult } from 'lit';
 import { customElement, property, state } from 'lit/decorators.js';
@@ -14,7 +14,7 @@ import { icon } from '../controls/icons.js';
 
 type Block = 'startGcode' | 'endGcode';
 
-/** Characters that are not seen, or that turn the order of those beside them, by their numbers. */
+/** Replaces invisible characters, and those that reverse the text around them, by their code points. */
 const visible = (text: string): string =>
   text.replace(/[\p{Cc}\p{Cf}\u2028\u2029]/gu, (letter) =>
     letter === '\t' ? ' ' : `\\u${(letter.codePointAt(0) ?? 0).toString(16).padStart(4, '0')}`,
@@ -106,7 +106,7 @@ export class Blocks extends DialogElement {
   ];
 
   @property() purpose: 'brought' | 'blocks' = 'brought';
-  /** Undefined: not looked at yet, or not to be looked at. */
+  /** The engine's findings; undefined for a block that is not examined yet, or that is empty. */
   @state() private findings: Partial<Record<Block, readonly GcodeFinding[]>> = {};
   #examined: PrinterValues | undefined;
 
@@ -134,7 +134,7 @@ export class Blocks extends DialogElement {
       const found = await engine.examineBlock(printer[block], printer.flavor);
       if (printer === this.#examined) this.findings = { ...this.findings, [block]: found };
     } catch {
-      // The lines stay "not checked".
+      // The lines stay marked as not checked.
     }
   }
 

@@ -1,4 +1,4 @@
-// A design from elsewhere brings printer settings of its own: said before anything of them is used.
+// Bar that announces the printer settings of a design from elsewhere before any of them is used.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { broughtText } from '../i18n/say.js';

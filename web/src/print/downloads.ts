@@ -1,4 +1,4 @@
-// What can be downloaded, and before it what speaks against it.
+// Menu of the files that can be downloaded, below the reasons why the plate may disappoint.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { words } from '../i18n/en/export.js';
@@ -53,7 +53,7 @@ export class Downloads extends StudioElement {
     const { plate, result } = this.state;
     const { print } = plate;
     const known = result !== undefined && !result.coarse && isOf(result, plate) ? result.report.warnings : [];
-    // Letters, codes and pictures that nobody will see.
+    // Warnings about layers: letters, codes and pictures that nobody will see.
     const unseen = known.filter(({ values }) => 'layer' in values);
     return html`<sillon-doubts .studio=${this.studio}></sillon-doubts>
       ${unseen.map((warning) => html`<p role="status">${icon('warn', 16)} <span>${warningText(warning)}</span></p>`)}

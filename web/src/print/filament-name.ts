@@ -6,14 +6,15 @@ import type { Plate } from '../model/plate.js';
 
 export const filamentLabel = ({ key }: Filament): string => say(words, `filament.${key}`);
 
-/** The filament of the list that the plate is printed with; undefined: another, as from a file, or a spool of one's own. */
+/** The listed filament that the plate is printed with; undefined for a filament from a file or a spool of the
+ * visitor's own. */
 export const listedFilament = ({ pictures, printer, spool }: Plate): Filament | undefined =>
   filaments.find(
     ({ key, printed }) =>
       spool === undefined && key === pictures.spool && printed.filamentType === printer.filamentType.toUpperCase(),
   );
 
-/** The filament that is printed, in words that a temperature other than its usual one is a part of. */
+/** Name of the plate's filament, with the temperature where it is not the usual one. */
 export function filamentName(plate: Plate): string {
   const { filamentType: type, nozzleTemperature } = plate.printer;
   if (plate.spool !== undefined) return [plate.spool.key, type].filter((word) => word !== '').join(', ');

@@ -1,4 +1,4 @@
-// Which printer, which filament.
+// Fields for the printer and the filament.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { printerLabel } from '../i18n/say.js';
@@ -21,14 +21,14 @@ import { spoolColour } from './spool.js';
 import { select, type ChoiceField } from '../controls/fields.js';
 import type { Studio } from '../studio/studio.js';
 
-/** Those that are kept here, and that of the plate, which may have come with a project. */
+/** The visitor's spools that are kept here, and the plate's own, which may have come with a project. */
 export function ownSpools(studio: Studio): readonly OwnSpool[] {
   const { plate, spools = [] } = studio.store.state;
   const { spool } = plate;
   return spool === undefined || spools.some(({ key }) => key === spool.key) ? spools : [...spools, spool];
 }
 
-/** For the panel that shows `filamentField`. */
+/** Styles for panels that show `filamentField`. */
 export const swatchStyle = css`
   .swatches {
     display: flex;
@@ -54,7 +54,7 @@ export const swatchStyle = css`
   }
 `;
 
-/** Machines that have a name first: they are what a question for somebody's printer is about. */
+/** Printers in the order in which a visitor is asked for theirs: particular machines first, then generic ones. */
 const asked: readonly PrinterChoice[] = [
   ...[...printers.filter((one) => !isGeneric(one)), ...printersByFile].sort((a, b) =>
     a.label.localeCompare(b.label, 'en'),
@@ -62,6 +62,7 @@ const asked: readonly PrinterChoice[] = [
   ...printers.filter(isGeneric),
 ];
 
+/** The choice of one printer; those that need a file can be chosen only where the printer is asked for. */
 function optionOf(printer: PrinterChoice, asks: boolean): ChoiceField['options'][number] {
   const { key, label } = printer;
   if (printersByFile.includes(printer))
@@ -71,12 +72,13 @@ function optionOf(printer: PrinterChoice, asks: boolean): ChoiceField['options']
 }
 
 export interface PrinterQuestion {
-  /** The printer that waits for its file; '': nobody has said which it is; undefined: the plate's own. */
+  /** The printer whose file is awaited; '': none chosen yet; undefined: the plate's own. */
   value: PrinterKey | undefined;
   onChoose: (key: PrinterKey) => void;
 }
 
-/** @param question  where the printer is asked for; left out: it is one of many settings */
+/** Field for the printer. @param question  given where the page asks for the printer; left out where it is one of
+ * many settings */
 export function printerField(studio: Studio, question?: PrinterQuestion): TemplateResult {
   const { plate } = studio.store.state;
   const { name, startGcode } = plate.printer;
@@ -107,6 +109,7 @@ export function printerField(studio: Studio, question?: PrinterQuestion): Templa
     ${question?.value === undefined ? startNote(studio, startGcode, current) : nothing}`;
 }
 
+/** Note about the printer's start block. */
 function startNote(
   studio: Studio,
   startGcode: string,
@@ -128,18 +131,19 @@ function startNote(
   </p>`;
 }
 
-/** Asks for a file of another program that tells a printer. */
+/** Asks for another program's file that contains a printer, and takes the printer from it. */
 export async function pickPrinter(studio: Studio): Promise<void> {
   const [file] = await studio.pick('.gcode,.bgcode,.gz,.ini,.json,.orca_printer,.3mf');
   if (file !== undefined) await takePrinter(studio, file);
 }
 
-/** Takes the printer from G-code or settings of another program. */
+/** Takes the printer from another program's G-code or settings. @returns false where that failed */
 export const takePrinter = (studio: Studio, file: File): Promise<boolean> =>
   studio.attempt(async () => {
     await (await import('./printer-file.js')).importPrinter(studio, file);
   });
 
+/** Field for the filament: the listed ones and the visitor's own spools. */
 export function filamentField(studio: Studio): TemplateResult {
   const { plate } = studio.store.state;
   const { spool } = plate;

@@ -1,21 +1,22 @@
-// The visitor's own spools, in this browser's storage: the text of a file of spools.
+// The visitor's own spools, kept in this browser's storage as the text of a file of spools.
 import type { OwnSpool } from '../model/plate.js';
 import { readSpools, spoolsText } from './spools.js';
 import type { Studio } from '../studio/studio.js';
 
-/** Puts them into the state, where they are not yet. */
+/** Loads the spools into the state, unless they are there already. */
 export function loadSpools(studio: Studio): void {
   if (studio.store.state.spools !== undefined) return;
   let spools: readonly OwnSpool[] = [];
   try {
     spools = readSpools(studio.recall('spools') ?? spoolsText([]));
   } catch {
-    // of a later version: left alone until another one is kept
+    // A later version wrote the text. It stays as it is until another spool is kept.
   }
   studio.store.set({ spools });
 }
 
-/** Those of another tab since then are kept, too. @param change  of the list as it is in the storage */
+/** Changes the kept spools, including those that another tab has added since. @param change  receives the list from
+ * the storage */
 export function changeSpools(studio: Studio, change: (spools: readonly OwnSpool[]) => readonly OwnSpool[]): void {
   studio.store.set({ spools: undefined });
   loadSpools(studio);

@@ -1,4 +1,4 @@
-// All that makes the print: printer, filament, layers and path; what it will take; what to know before; the file.
+// Section of the print: printer, filament, layers and path, with what the print will take, warnings, and the file.
 import type { GcodeWarning } from 'sillon';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
@@ -35,7 +35,7 @@ import { settingField } from '../controls/setting-field.js';
 import { thicknessField } from '../shape/thickness-field.js';
 import { settingGroups, type GroupName } from '../model/setting-groups.js';
 
-const mostSeeds = 1e6; // that chance chooses from
+const mostSeeds = 1e6; // seeds to choose from at random
 
 @customElement('sillon-print-panel')
 export class PrintPanel extends StudioElement {
@@ -175,7 +175,7 @@ export class PrintPanel extends StudioElement {
     });
   }
 
-  /** The beads: how wide, and what they do at the outline. */
+  /** Fields for the beads: their width, and their course along the outline. */
   #lines(): TemplateResult {
     const { toolpath, printer } = this.state.plate;
     const { nozzle, spacing } = adviceFor(printer.nozzle);
@@ -222,13 +222,13 @@ export class PrintPanel extends StudioElement {
       </p>`;
   }
 
-  /** Without fields that do nothing now. */
+  /** The rows without fields that have no effect now. */
   #wanted(rows: readonly Setting[]): readonly Setting[] {
     const { rim } = this.state.plate.print;
     return rim > 0 ? rows : rows.filter(({ id }) => id !== 'print.rimWidth');
   }
 
-  /** After the fields of a group. */
+  /** Elements after the fields of a group. */
   #more(name: GroupName): TemplateResult | undefined {
     if (name !== 'path') return undefined;
     return html`<div class="buttons">
@@ -293,7 +293,7 @@ export class PrintPanel extends StudioElement {
     before?.focus({ preventScroll: true });
   };
 
-  /** Warnings and findings to read before the print is started; they stand below the choices. */
+  /** Warnings and findings to read before the print is started; they come after the choices. */
   #before(): TemplateResult {
     const { summary } = this.state;
     return html`<section aria-labelledby="before-title">
@@ -313,7 +313,7 @@ export class PrintPanel extends StudioElement {
     return html`<li title=${title || nothing}>${icon('warn', 16)}<span>${linked(this.studio, text)}</span></li>`;
   }
 
-  /** What reading the file back as a printer would has found. */
+  /** Findings from reading the file back as a printer would. */
   #findings(): TemplateResult | typeof nothing {
     const { check } = this.state;
     if (check === undefined) return nothing;
@@ -324,7 +324,7 @@ export class PrintPanel extends StudioElement {
       </ul>`;
   }
 
-  /** Faults of the start block, each with the line that has it. */
+  /** Faults of the start block, each with its line. */
   #startLines(): TemplateResult | typeof nothing {
     const { summary, problem, plate } = this.state;
     const lines = startLines(summary?.warnings ?? [], problem, plate.printer.startGcode);

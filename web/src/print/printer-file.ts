@@ -1,4 +1,4 @@
-// A printer out of another program's file, with the filament that the file is for.
+// Imports a printer from another program's file, with the filament that the file was made for.
 import type { ImportedPrinter, PrinterValues } from 'sillon';
 import { words } from '../i18n/en/printer.js';
 import { importNoteText } from '../i18n/say-core.js';
@@ -12,7 +12,7 @@ import type { Studio } from '../studio/studio.js';
 
 type Heat = Pick<PrinterValues, 'nozzleTemperature' | 'firstLayerNozzleTemperature' | 'bedTemperature'>;
 
-/** Keys of slicers, Cura and project files that tell a filament. */
+/** Keys of slicers, Cura and project files that state a filament. */
 const names = {
   type: ['filament_type', 'material_type', 'filamentType'],
   nozzle: ['temperature', 'nozzle_temperature', 'material_print_temperature', 'nozzleTemperature'],
@@ -29,7 +29,7 @@ type Read = Pick<ImportedPrinter, 'printer' | 'read'>;
 
 const tells = ({ read }: Read, keys: readonly string[]): boolean => keys.some((key) => read.includes(key));
 
-/** The temperatures of the file; undefined: it tells none. */
+/** The temperatures of the file; undefined where it has none. */
 function heatIn(file: Read): Heat | undefined {
   const heat = heatOf(file.printer);
   if (tells(file, names.nozzle)) return heat;
@@ -37,9 +37,10 @@ function heatIn(file: Read): Heat | undefined {
   return { ...heat, nozzleTemperature: heat.firstLayerNozzleTemperature }; // a start block alone heats for the first layer
 }
 
-/** The plate on the printer of a file. Type and temperatures of a filament come together, and the plate looks like it; a file
- * that tells but one of them leaves the plate's filament as it is.
- * @returns the temperatures of such a file, as `other`, where they differ from the plate's */
+/** Puts the plate on the printer of a file. Where the file has both a filament's type and temperatures, the plate takes
+ * both and looks like that filament. Where it has only one of them, a known type brings its usual temperatures;
+ * otherwise the plate's filament stays.
+ * @returns `other`: temperatures in the file that were not taken and differ from the plate's */
 export function withImported(plate: Plate, file: Read): { plate: Plate; other: Heat | undefined } {
   const { printer } = file;
   const heat = heatIn(file);
@@ -63,9 +64,9 @@ function ask(studio: Studio, file: File, names: readonly string[]): void {
   studio.tell({ text: say(words, 'printer.which', { name: file.name, n: names.length }), actions, stays: true });
 }
 
-/** Takes the printer of a file, and tells which filament is printed at which temperatures from now on.
- * @param printer  of a bundle; empty: the chosen or only one, else it is asked for
- * @throws StudioError PrinterFile; what the engine refuses */
+/** Takes the printer of a file, and tells the visitor which filament and temperatures apply from now on.
+ * @param printer  name of a printer in a bundle; empty: the bundle's chosen or only one, or a question to the visitor
+ * @throws StudioError PrinterFile; errors of the engine */
 export async function importPrinter(studio: Studio, file: File, printer = ''): Promise<void> {
   const engine = await studio.services.engine();
   const imported = await engine.importPrinter(file, printer).catch((error: unknown) => {

@@ -1,4 +1,4 @@
-// The visitor's own spools: to use, rename, delete, and to exchange as a file.
+// List of the visitor's own spools, to use, rename, delete, import and export.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { repeat } from 'lit/directives/repeat.js';

@@ -1,4 +1,4 @@
-// A spool as a round swatch: its colour, `--colour`, under the shine of what is wound on it.
+// A spool as a round swatch, in its colour `--colour` and with the shine of wound filament.
 import { css } from 'lit';
 
 export const spoolColour = css`

@@ -1,4 +1,5 @@
-// Spools that the visitor has measured, as a plain file: the format of docs/reference/spools.md, which the command line reads.
+// Files of spools that the visitor has measured, in the format of docs/reference/spools.md, which the command line
+// reads, too.
 import { fieldsOf, numberIn, Unfit } from '../model/check.js';
 import { filaments } from '../model/filaments.js';
 import { spoolFrom } from '../model/own-spool.js';
@@ -8,7 +9,7 @@ const version = 1;
 const mostSpools = 1000;
 const mostBytes = 2 ** 20;
 
-/** @throws Unfit: which spool, and what of it */
+/** Reads a file of spools. @throws Unfit with the spool and the field that is wrong */
 export function readSpools(text: string): OwnSpool[] {
   if (text.length > mostBytes) throw new Unfit('', text.length);
   let json: unknown;
@@ -26,13 +27,13 @@ export function readSpools(text: string): OwnSpool[] {
   return entries.map(([key, entry]) => spoolFrom(key, entry, key));
 }
 
-/** As `sillon calibrate read` writes them. */
+/** Text of a file of spools, in the form that `sillon calibrate read` writes. */
 export function spoolsText(spools: readonly OwnSpool[]): string {
   const entries = spools.map(({ key, ...entry }) => [key, entry] as const);
   return `${JSON.stringify({ version, spools: Object.fromEntries(entries) }, undefined, 2)}\n`;
 }
 
-/** A name that a file of spools may have. @param taken  names of others */
+/** Turns a name into a key that a file of spools may have and no other spool has. @param taken  keys of other spools */
 export function spoolKey(wanted: string, taken: readonly string[]): string {
   const plain = wanted
     .normalize('NFD')
@@ -48,6 +49,6 @@ export function spoolKey(wanted: string, taken: readonly string[]): string {
   }
 }
 
-/** With another one, which takes the place of one of its name. */
+/** Adds a spool, or replaces the one of the same name. */
 export const withOne = (spools: readonly OwnSpool[], spool: OwnSpool): OwnSpool[] =>
   [...spools.filter(({ key }) => key !== spool.key), spool].sort((a, b) => a.key.localeCompare(b.key, 'en'));

@@ -1,4 +1,4 @@
-// What speaks against printing the plate as it is, each in one sentence with the way out; and how a code is read.
+// Reasons not to print the plate as it is, each in one sentence with a remedy, and how well its QR code can be read.
 import type { PictureReport } from 'sillon';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
@@ -15,7 +15,7 @@ import './scan-note.js';
 
 type Cycles = PlateResult['toolpath']['cycles'];
 
-/** Computed once, wherever it is shown. */
+/** Results by path, so that each is computed once although several sections show it. */
 const answers = new WeakMap<Cycles, Promise<Seen>>();
 
 const words = (doubt: Doubt, pictures: readonly PictureReport[] | undefined): string =>
@@ -57,7 +57,7 @@ export class Doubts extends StudioElement {
     ${this.state.scan === undefined ? nothing : html`<sillon-scan-note .studio=${this.studio}></sillon-scan-note>`}`;
   }
 
-  /** While nobody looks, nothing is computed. */
+  /** True while the element can be seen; nothing is computed otherwise. */
   #visible = false;
   readonly #watch = new IntersectionObserver((entries) => {
     this.#visible = entries.some(({ isIntersecting }) => isIntersecting);
@@ -85,7 +85,8 @@ export class Doubts extends StudioElement {
     return seenOf(result, directions);
   }
 
-  /** Asked for while somebody looks; draws again once it is known. */
+  /** Measures of the finished plate. They are computed while somebody looks; the element is drawn again once they
+   * are known. */
   #seen(result: PlateResult): Seen | undefined {
     const { cycles } = result.toolpath;
     if (this.#known?.of === cycles) return this.#known.how;

@@ -1,4 +1,4 @@
-// What the colours of a view mean.
+// Legend of a view's colours.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { words } from '../i18n/en/quality.js';
@@ -72,7 +72,7 @@ export class Legend extends StudioElement {
     }
     if (view === 'directions' || colourBy === 'direction') {
       return html`<canvas class="fan" width="112" height="60" aria-hidden="true"></canvas>
-        ${view === 'directions' ? html`<span>${say(words, 'legend.direction')}</span>` : nothing}`; // else it says "by" beside it
+        ${view === 'directions' ? html`<span>${say(words, 'legend.direction')}</span>` : nothing}`; // elsewhere the choice beside it explains
     }
     if (colourBy === 'lean') {
       return html`<canvas class="fan" width="112" height="112" aria-hidden="true"></canvas>
@@ -101,6 +101,7 @@ export class Legend extends StudioElement {
   }
 }
 
+/** Draws the ramp of colours from left to right. */
 function drawRamp({ width }: HTMLCanvasElement, context: CanvasRenderingContext2D): void {
   for (let x = 0; x < width; ++x) {
     const [r, g, b] = rampColour(x / (width - 1));
@@ -109,12 +110,12 @@ function drawRamp({ width }: HTMLCanvasElement, context: CanvasRenderingContext2
   }
 }
 
-/** Half a turn of directions, or a whole one of sides, each as a spoke of its colour. */
+/** Draws each direction as a spoke in its colour: half a turn for directions, a whole one for sides. */
 function drawFan(canvas: HTMLCanvasElement, context: CanvasRenderingContext2D): void {
   canvas.style.width = `${canvas.width / 2}px`;
   const palette = directionPalette();
   const middle = canvas.width / 2;
-  const turns = canvas.height > middle * 1.5 ? 2 : 1; // half turns
+  const turns = canvas.height > middle * 1.5 ? 2 : 1; // in half turns
   const bottom = turns === 2 ? middle : canvas.height - 4;
   context.clearRect(0, 0, canvas.width, canvas.height);
   context.lineWidth = 3;

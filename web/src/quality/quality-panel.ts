@@ -1,4 +1,4 @@
-// What to know before printing: one sentence per measure, how wide the beads are, and places to look at.
+// Section of the quality: one sentence per measure, a histogram of the beads' widths, and places worth a look.
 import { css, html, nothing, svg, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { layerNameIn } from '../i18n/layers.js';
@@ -21,7 +21,7 @@ import { panelStyle } from '../controls/panel-style.js';
 const icons: Record<Verdict['level'], IconName> = { good: 'check', fair: 'info', poor: 'warn' };
 const mostListed = 60;
 
-/** Which places a measure speaks of. */
+/** Kinds of places that each measure refers to. */
 const placesOf: Partial<Record<Verdict['measure'], readonly Mark['kind'][]>> = {
   path: ['lost'],
   coverage: ['gap', 'lost'],
@@ -117,7 +117,7 @@ export class QualityPanel extends StudioElement {
   override render(): TemplateResult {
     const { result, check, engine } = this.state;
     const verdicts = result === undefined || !result.measured ? [] : verdictsOf(result.report);
-    const delay = check?.neighbourDelay ?? undefined; // once the file is written
+    const delay = check?.neighbourDelay ?? undefined; // known once the file has been written
     if (verdicts.length > 0 && delay !== undefined) verdicts.push(...orderVerdicts(delay));
     return html`
       <section aria-labelledby="quality-title">
@@ -154,7 +154,7 @@ export class QualityPanel extends StudioElement {
     `;
   }
 
-  /** Layers that do not show, or not as they are meant to. */
+  /** Layers that are not visible, or not as they should be. */
   #layers(): TemplateResult | typeof nothing {
     const warned = [...warnedLayers(this.state)];
     if (warned.length === 0) return nothing;
@@ -184,7 +184,7 @@ export class QualityPanel extends StudioElement {
     </section>`;
   }
 
-  /** The measure, and of several pictures the file that it speaks of. */
+  /** Name of a measure; where several pictures have it, also the file that it judges. */
   #name(verdict: Verdict, verdicts: readonly Verdict[]): string {
     const label = say(words, `measure.${verdict.measure}`);
     const same = verdicts.filter(({ measure }) => measure === verdict.measure);
@@ -195,7 +195,7 @@ export class QualityPanel extends StudioElement {
     return t('setting.value', { label, value: file?.name ?? '' });
   }
 
-  /** The first place that the verdict speaks of. */
+  /** Button that shows the first place to which the verdict refers. */
   #look({ measure, level }: Verdict): TemplateResult | typeof nothing {
     const kinds = placesOf[measure] ?? [];
     const at = this.state.marks.findIndex(({ kind }) => kinds.includes(kind));

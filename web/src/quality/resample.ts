@@ -1,12 +1,12 @@
-// Values of a grid on another grid.
+// Resamples the values of a grid to another grid.
 import type { Size } from '../model/raster.js';
 
-/** The source texels that each texel of a stretched row covers, and the share of each. */
+/** Source texels that each texel of a resized row covers, and the weight of each. */
 function spans(from: number, to: number): { first: Int32Array; weights: Float32Array[] } {
   const first = new Int32Array(to);
   const weights: Float32Array[] = [];
   const step = from / to;
-  const half = Math.max(step, 1) / 2; // enlarged: a box as wide as a source texel, which interpolates
+  const half = Math.max(step, 1) / 2; // enlarged rows use a box as wide as a source texel, which interpolates
   for (let k = 0; k < to; ++k) {
     const middle = (k + 0.5) * step;
     const begin = Math.max(0, middle - half);
@@ -22,7 +22,8 @@ function spans(from: number, to: number): { first: Int32Array; weights: Float32A
   return { first, weights };
 }
 
-/** Values on other texels: means of what each covers. The same array where nothing changes. */
+/** Resamples by area: each new texel is the mean of what it covers. Returns the same array where the size does not
+ * change. */
 export function resampled(values: Float32Array, from: Size, to: Size): Float32Array {
   if (from.width === to.width && from.height === to.height) return values;
   const columns = spans(from.width, to.width);

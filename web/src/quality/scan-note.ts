@@ -1,4 +1,4 @@
-// Under which lamp the QR code of the plate can be read, or that it cannot, and what helps.
+// Note on the lamps under which the plate's QR code can be read or, where there are none, on what helps.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { words } from '../i18n/en/doubts.js';

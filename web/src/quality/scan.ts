@@ -1,4 +1,5 @@
-// Tells whether a phone would read the topmost QR code of the plate: a decoder looks at its computed look under lamps all around.
+// Tells whether a phone would read the topmost QR code of the plate: a decoder looks at the plate's computed appearance
+// under lamps from all sides.
 import type { Engine } from 'sillon';
 import { layerBoxes } from '../engine/layer-boxes.js';
 import { startWorker } from '../engine/start-worker.js';
@@ -12,13 +13,14 @@ import type { ScanRequest } from '../views/scan.worker.js';
 import './scan-note.js';
 import { step } from './stretches.js';
 
-/** As a phone sees it from so far that single beads are no longer seen [pixels]. */
+/** Pixels per module, as a phone sees a code from so far away that single beads blur. */
 const pixelsPerModule = 5;
 
-/** Modules along a side of a code that says so many bytes, about: the least has 21, and each larger size 4 more for some 16. */
+/** Approximate number of modules along a code's side for this many bytes: 21 for the smallest code, and 4 more for
+ * about every 16 bytes. */
 const modulesFor = (bytes: number): number => 21 + 4 * Math.ceil(Math.max(0, bytes - 14) / 16);
 
-/** Width of a picture of the plate in which the modules are large enough [pixels]. */
+/** Width of a picture of the plate that shows the modules at that size [pixels]. */
 async function widthFor(plate: Plate, id: number, text: string, engine: Engine): Promise<number> {
   const side = (await layerBoxes(plate, engine)).get(id)?.size[0] ?? pageOf(plate)[0];
   const modules = modulesFor(new TextEncoder().encode(text).length);
@@ -26,6 +28,7 @@ async function widthFor(plate: Plate, id: number, text: string, engine: Engine):
   return Math.round(Math.min(1024, Math.max(64, pixels)));
 }
 
+/** Asks the worker whether its decoder reads the text in a picture. */
 const asked = (worker: Worker, request: ScanRequest): Promise<boolean> =>
   new Promise((resolve, reject) => {
     worker.onmessage = ({ data }: MessageEvent<boolean>) => {
@@ -37,7 +40,9 @@ const asked = (worker: Worker, request: ScanRequest): Promise<boolean> =>
     worker.postMessage(request);
   });
 
-/** @returns azimuths under which the code is read [degrees], 0 to 165; undefined where another plate came meanwhile */
+/** Finds the lamps under which the code is read.
+ * @param wanted  false when another plate has come meanwhile
+ * @returns azimuths [degrees], 0 to 165; undefined where the plate has no code, or is no longer wanted */
 export async function scan(
   { plate, toolpath }: PlateResult,
   engine: Engine,

@@ -1,5 +1,6 @@
-// How well a finished plate shows what its directions ask for: how bright its beads are under its own light, against how bright
-// beads of exactly these directions would be. In cells of two beads: an eye at arm's length tells no beads apart.
+// Measures how well a finished plate shows what its directions ask for. The brightness of its beads under its own light
+// is compared with that of beads with exactly these directions, in cells two beads wide, since an eye at arm's length
+// cannot see single beads.
 import type { Cycle } from 'sillon';
 import type { Seen } from '../model/doubts.js';
 import { homeLight } from '../model/lamp.js';
@@ -11,19 +12,20 @@ import { pageOf } from '../model/plate.js';
 import { resampled } from './resample.js';
 
 const beadsPerCell = 2;
-/** Of the bead that a cell has room for: less is no part of the plate. */
+/** Share of a cell's room that beads must fill; a cell with less is no part of the plate. */
 const leastCover = 0.5;
-/** Of the range of what is asked for: what counts as bright, and as dark. */
+/** Share of the range of wanted brightness at either end that counts as bright, or as dark. */
 const end = 0.25;
 
 interface Cells {
   width: number;
   height: number;
-  /** [mm] */
+  /** Width and height of a cell [mm]. */
   side: readonly [number, number];
 }
 
-/** Returns the brightness of a direction under the light, 0..1: the most across it, whatever the filament. */
+/** A function that gives the brightness, 0..1, of a bead's direction under the light. Beads across the light are
+ * brightest, whatever the filament. */
 const shinesUnder =
   ({ azimuth }: Light) =>
   (alongX: number, alongY: number): number => {
@@ -32,7 +34,7 @@ const shinesUnder =
     return 0.16 + 0.84 * across ** 4;
   };
 
-/** Length of beads in each cell [mm], and their brightness times that. Row 0 on top. */
+/** Length of the beads in each cell [mm], and that length times their brightness. Row 0 is at the top. */
 function beadsIn(cycles: readonly Cycle[], { width, height, side }: Cells, light: Light) {
   const lengths = new Float32Array(width * height);
   const bright = new Float32Array(width * height);
@@ -59,7 +61,8 @@ function beadsIn(cycles: readonly Cycle[], { width, height, side }: Cells, light
   return { lengths, bright };
 }
 
-/** Cells that beads fill, and so do those around them: along the rim beads run as they must. */
+/** Cells that are filled with beads and have only filled neighbours. Along the rim, beads cannot choose their
+ * direction. */
 function inner(lengths: Float32Array, { width, height, side }: Cells, spacing: number): number[] {
   const full = (side[0] * side[1]) / spacing;
   const filled = (column: number, row: number): boolean =>
@@ -84,7 +87,7 @@ function variance(values: Float32Array): number {
   return Math.max(0, squares / values.length - (sum / values.length) ** 2);
 }
 
-/** Of pairs. */
+/** Pearson's correlation of wanted and seen brightness, and the contrast between the places wanted bright and dark. */
 function compared(wanted: readonly number[], seen: readonly number[]): Pick<Seen, 'r' | 'contrast'> {
   const [ma, mb] = [mean(wanted), mean(seen)];
   let [aa, bb, ab] = [0, 0, 0];
@@ -105,7 +108,7 @@ function compared(wanted: readonly number[], seen: readonly number[]): Pick<Seen
   return { r: aa * bb > 0 ? ab / Math.sqrt(aa * bb) : 0, contrast };
 }
 
-/** @param raster  the plate's directions */
+/** Compares a finished plate with its directions. @param raster  the plate's directions */
 export function seenOf({ plate, toolpath }: Pick<PlateResult, 'plate' | 'toolpath'>, raster: DirectionRaster): Seen {
   const { spacing } = plate.toolpath;
   const page = pageOf(plate);

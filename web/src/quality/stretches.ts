@@ -1,9 +1,10 @@
-// Lamps under which a plate shows something, as stretches of a circle.
+// Joins the lamps under which a plate shows something into ranges of azimuths.
 
-/** Between two lamps that are tried [degrees]. From the opposite side, beads look the same. */
+/** Angle between two lamps that are tried [degrees]. Only 180° are needed, since beads look the same from the
+ * opposite side. */
 export const step = 15;
 
-/** Neighbours as one: `[from, to]`, in order; a stretch may go on over 180°. */
+/** Joins neighbouring azimuths into ranges `[from, to]`, in order. A range may continue beyond 180°. */
 export function stretches(azimuths: readonly number[]): [number, number][] {
   const found: [number, number][] = [];
   for (const azimuth of azimuths) {

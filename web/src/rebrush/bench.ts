@@ -1,5 +1,5 @@
-// A sliced print from above: its relief, the outlines of its faces, and the new beads under the light. Moved by hand, wheel
-// and keys; a click chooses a face, a brush draws.
+// A sliced print from above: its relief, the outlines of its faces, and the new beads under the light. It is moved by
+// pointer, wheel and keys; a click chooses a face, a brush draws.
 import { css, html, nothing, type PropertyValues, type TemplateResult } from 'lit';
 import type { PrintRelief, Toolpath } from 'sillon';
 import { customElement, property, query } from 'lit/decorators.js';
@@ -18,7 +18,7 @@ import { drawBrush } from '../stage/overlay.js';
 import { Pen } from '../stage/pen.js';
 import { closest, margin, PrintBench } from './print-bench.js';
 
-const beyond = 0.4; // of the page, by which the view may leave it
+const beyond = 0.4; // share of the page by which the view may leave it
 
 @customElement('sillon-rebrush-bench')
 export class RebrushBench extends PrintBench {
@@ -35,11 +35,11 @@ export class RebrushBench extends PrintBench {
   ];
 
   @property({ attribute: false }) relief: PrintRelief | undefined;
-  /** Where the light rests. */
+  /** Light while no pointer moves it. */
   @property({ attribute: false }) home: Light = { azimuth: 60, elevation: 35 };
-  /** Pictures are solved for an eye far above. */
+  /** Pictures are shown, which are solved for an eye far above. */
   @property({ type: Boolean }) lit = false;
-  /** Whether the print can be seen from aside. */
+  /** The print can also be shown at an angle. */
   @property({ type: Boolean }) tilts = false;
   @query('.ground') private ground!: HTMLCanvasElement;
   @query('.beads') private beads!: HTMLCanvasElement;
@@ -54,7 +54,7 @@ export class RebrushBench extends PrintBench {
     },
     { most: closest, across: 8 },
   );
-  /** On the page. */
+  /** Pen of the brush, on the page [mm]. */
   readonly #pen = new Pen(
     () => this.#page.size,
     () => {
@@ -81,7 +81,7 @@ export class RebrushBench extends PrintBench {
     try {
       this.#renderer = createRenderer(this.beads);
     } catch {
-      this.#renderer = undefined; // outlines and relief are there without it
+      this.#renderer = undefined; // outlines and relief are drawn without it
     }
     this.watch(this.overlay, {
       draws: () => this.#draws(),
@@ -121,19 +121,21 @@ export class RebrushBench extends PrintBench {
     this.#renderer?.dispose();
   }
 
-  // --- What is shown ------------------------------------------------------------------------------------------------------
+  // --- Drawing ------------------------------------------------------------------------------------------------------------
 
-  /** Places the page, and the outlines on it. */
+  /** Places the page and the outlines on it. */
   #lay(): void {
     this.#page = pageOf(this.relief, this.faces);
     this.outlines = outlinesOf(this.faces, this.relief, this.#page);
     if (this.#camera.fitted) this.fit();
   }
 
+  /** Draws the relief for `draw`. */
   #shade(): void {
     this.#picture = this.relief === undefined ? undefined : reliefPicture(this.relief, this.dark);
   }
 
+  /** Collects the beads of the chosen faces. */
   #join(): void {
     const chosen = this.faces.filter(({ index }) => this.chosen.has(index));
     this.#toolpath = joinedBeads(chosen, this.laid, this.relief, this.#page);
@@ -164,7 +166,7 @@ export class RebrushBench extends PrintBench {
     this.#drawStrokes();
   }
 
-  /** Device pixels of a place on the page, y up. */
+  /** Returns the page's lower left corner in device pixels, and the scale in pixels per mm. */
   #place(): { left: number; bottom: number; scale: number } {
     const { x, y, scale } = this.#camera.now;
     return { left: this.overlay.width / 2 - x * scale, bottom: this.overlay.height / 2 + y * scale, scale };
@@ -205,7 +207,7 @@ export class RebrushBench extends PrintBench {
     );
   }
 
-  /** Strokes that are not beads yet, and the brush. */
+  /** Draws strokes without beads, and the brush. */
   #drawStrokes(): void {
     const context = this.overlay.getContext('2d');
     if (context === null || this.brush === undefined) return;
@@ -253,7 +255,7 @@ export class RebrushBench extends PrintBench {
     this.redraw();
   }
 
-  /** Also beside the print. */
+  /** Returns the place on the page [mm], also beside the print. */
   protected override pageAt(x: number, y: number): [number, number] {
     const at = this.#camera.toPage({ x, y });
     return [at.x, at.y];
@@ -288,12 +290,13 @@ export class RebrushBench extends PrintBench {
     };
   }
 
+  /** Highlights the face under the pointer, and moves the light with it. */
   #hover(place: { x: number; y: number } | undefined): void {
     const { width, height } = this.getBoundingClientRect();
     const draws = this.#draws();
     this.#pen.cursor = place === undefined || !draws ? undefined : this.#camera.toPage(place);
     this.#pointed = place === undefined || draws ? undefined : this.faceAt(place.x, place.y);
-    // It stands still under a brush.
+    // The light stands still under a brush.
     this.#light =
       place === undefined || draws
         ? undefined

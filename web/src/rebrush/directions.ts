@@ -1,4 +1,4 @@
-// Which way the new beads of a sliced print lie: the choices, and under which lamp they are looked at.
+// Chooses the directions of the new beads of a sliced print, and the lamp under which they are shown.
 import { html, nothing, type TemplateResult } from 'lit';
 import { r } from '../i18n/rebrush.js';
 import { fits, type HandBrush } from '../model/rebrush.js';
@@ -10,16 +10,17 @@ import { pictureFields } from './picture-fields.js';
 import { standField } from './stand-field.js';
 import type { PrintWork } from './work.js';
 
-/** Facts that the page knows beside the work. */
+/** State of the page beside the work. */
 interface PageFields {
   brush: HandBrush;
-  /** Under which the beads are looked at. */
+  /** Light under which the beads are shown. */
   light: Light;
   onBrush: (change: Partial<HandBrush>) => void;
   onLight: (light: Light) => void;
   onPickPicture: () => void;
 }
 
+/** Returns the section of the directions. */
 export function directionFields(work: PrintWork, page: PageFields): TemplateResult {
   const { way, fit } = work.wish;
   return html`<section>
@@ -78,7 +79,7 @@ function angleField(work: PrintWork): TemplateResult {
   </div>`;
 }
 
-/** Of the picture: it is solved for it. */
+/** Edits the picture's lamp, for which the beads are solved. */
 function lampField(work: PrintWork): TemplateResult {
   const [azimuth, elevation] = work.wish.lamp;
   return standField('lamp', azimuth, elevation, 15, 80, (lamp) => {
@@ -86,7 +87,7 @@ function lampField(work: PrintWork): TemplateResult {
   });
 }
 
-/** Only to look at the beads. */
+/** Edits the light in the view alone; the beads stay as they are. */
 function lightField({ light, onLight }: PageFields): TemplateResult {
   return standField('light', light.azimuth, light.elevation, 5, 90, ([azimuth, elevation]) => {
     onLight({ azimuth, elevation });

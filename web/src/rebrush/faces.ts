@@ -1,4 +1,4 @@
-// The faces of a sliced print as a list, and why others are left.
+// Lists the faces of a sliced print, with the reasons why some are left as they are.
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { words as faceWords } from '../i18n/en/core/faces.js';
@@ -10,7 +10,7 @@ import { segments } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import type { PrintWork } from './work.js';
 
-/** @param onMark  a face is pointed at; undefined: none is */
+/** Returns the section of the faces. @param onMark  called with the face under the pointer; undefined: none */
 export function faceList(work: PrintWork, onMark: (index: number | undefined) => void): TemplateResult {
   const { side } = work.wish;
   const free = work.free();
@@ -65,6 +65,7 @@ export function faceList(work: PrintWork, onMark: (index: number | undefined) =>
   </section>`;
 }
 
+/** Returns the row of a face: its checkbox, layer, area and result. */
 function faceRow(
   { index, side, layer, z, areaMm2, object }: Face,
   work: PrintWork,
@@ -104,12 +105,12 @@ function objectText(label: string, { known }: PrintWork): string {
   return typeof object === 'string' ? object : r('object', { n: object });
 }
 
-/** By its code; the engine's own words are English. */
+/** Returns the sentence of a reason's code; undefined: the page has none, and the engine's own words are English. */
 export const reasonText = (reason: string): string | undefined =>
   Object.hasOwn(faceWords, `rebrush.left.${reason}`) ? r(`left.${reason}` as RebrushTextId) : undefined;
 const whyText = ({ reason, left }: SlicedSurface): string => reasonText(reason) ?? left;
 
-/** One line for each reason. */
+/** Returns one line per reason. */
 export function leftReasons(faces: readonly SlicedSurface[]): TemplateResult | typeof nothing {
   if (faces.length === 0) return nothing;
   const groups = new Map<SlicedSurface['reason'], SlicedSurface[]>();

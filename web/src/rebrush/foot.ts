@@ -1,4 +1,4 @@
-// Of the re-brushing page: what goes on at the foot of its panel, and what is told where there is nothing to work on.
+// The foot of the re-brushing panel with progress and download, and the message for files without work to do.
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Rebrushed, SlicedFile } from 'sillon';
 import { r } from '../i18n/rebrush.js';
@@ -12,7 +12,7 @@ import { brushedName } from '../files/sliced.js';
 import { leftReasons, reasonText } from './faces.js';
 import type { PrintWork, Progress } from './work.js';
 
-/** @param fraction  undefined: nobody knows */
+/** Returns a progress bar with a cancel button. @param fraction  undefined: unknown */
 export function progressBar(
   what: string,
   fraction: number | undefined,
@@ -37,7 +37,8 @@ export function progressBar(
   </div>`;
 }
 
-/** The page's, or else the engine's own, which are English: in another language they are for those who ask. */
+/** Returns the page's words about a problem. If there are none, the engine's own follow; they are English, so other
+ * languages fold them. */
 function engineWords(problem: Problem): TemplateResult | typeof nothing {
   const { values } = problem;
   if ('mb' in values) return html`<p>${r('tooLarge', values)}</p>`;
@@ -52,7 +53,7 @@ function engineWords(problem: Problem): TemplateResult | typeof nothing {
   </details>`;
 }
 
-/** Where nothing can be done with a file. */
+/** Returns the message for a file that offers nothing to do. */
 export function noWork(name: string, { print, faces, problem }: PrintWork['known']): TemplateResult {
   const message =
     print === undefined ? r('unreadable', { name }) : r(print.surfaces.length === 0 ? 'noTops' : 'noFaces', { name });
@@ -66,6 +67,7 @@ export function noWork(name: string, { print, faces, problem }: PrintWork['known
   </div>`;
 }
 
+/** Returns progress, problems, and the download button. */
 export function foot(work: PrintWork, print: SlicedFile, name: string): TemplateResult {
   const { wish } = work;
   const { progress, problem, cancelled, done, saved } = work.known;

@@ -1,4 +1,4 @@
-// The brush of a hand that draws new beads, and its strokes.
+// Edits the brush for new beads, and its strokes.
 import { html, nothing, type TemplateResult } from 'lit';
 import { r } from '../i18n/rebrush.js';
 import { t } from '../i18n/text.js';
@@ -8,6 +8,7 @@ import { numberField, segments, select } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import type { PrintWork } from './work.js';
 
+/** Returns the fields of the brush, and buttons to undo or clear its strokes. */
 export function handFields(
   work: PrintWork,
   brush: HandBrush,

@@ -1,4 +1,4 @@
-// Strokes of a hand on a sliced print: told on the bed, drawn on the page that a view shows.
+// Strokes on a sliced print: stored relative to the bed, drawn on the page of a view.
 import type { Stroke } from 'sillon';
 import type { HandBrush } from '../model/rebrush.js';
 import { usualRadius, type DrawnStroke } from '../views/print-drawing.js';
@@ -10,7 +10,10 @@ const moved = (points: readonly number[], [dx, dy]: Corner): number[] =>
 
 export const draws = (brush: HandBrush | undefined): boolean => brush !== undefined && brush.tool !== 'pan';
 
-/** @param points  on the page [mm]. @param corner  of the page, on the bed [mm]. @returns undefined: it draws nothing */
+/** Returns a stroke on the bed.
+ * @param points  points on the page [mm]
+ * @param corner  corner of the page on the bed [mm]
+ * @returns undefined if the brush draws nothing */
 export function strokeOf(brush: HandBrush, points: readonly number[], corner: Corner): Stroke | undefined {
   if (brush.tool === 'pan' || points.length === 0) return undefined;
   return {
@@ -22,7 +25,7 @@ export function strokeOf(brush: HandBrush, points: readonly number[], corner: Co
   };
 }
 
-/** What is not beads yet. @param points  of the stroke that is being drawn, on the page */
+/** Returns the strokes that have no beads yet, on the page. @param points  the stroke being drawn, on the page */
 export function strokesOnPage(
   strokes: readonly Stroke[],
   corner: Corner,

@@ -1,12 +1,13 @@
-// Work on a sliced print that is left, and taken up again: at once, or at another visit.
+// Keeps work on a sliced print that was left, and resumes it at once or at another visit.
 import type { KeptPrint } from '../files/autosave.js';
 import { r } from '../i18n/rebrush.js';
 import { wishFrom, type Wish } from '../model/rebrush.js';
 import type { Studio } from '../studio/studio.js';
 
-/** The choices for prints whose work was left. */
+/** Choices of prints whose work was left. */
 export const left = new WeakMap<File, Wish>();
 
+/** Offers to resume the work on a print. */
 export function offer(studio: Studio, file: File): void {
   const goOn = {
     label: r('goOn'),
@@ -17,7 +18,7 @@ export function offer(studio: Studio, file: File): void {
   studio.tell({ text: r('kept', { name: file.name }), actions: [goOn], stays: true });
 }
 
-/** Goes on with the print of an earlier visit: at once where its view was open, else it offers to. */
+/** Resumes the print of an earlier visit: at once if its view was open, otherwise by an offer. */
 export function takeUp(studio: Studio, { file, wish, open }: KeptPrint): void {
   const wanted = wishFrom(wish);
   if (wanted !== undefined) left.set(file, wanted);

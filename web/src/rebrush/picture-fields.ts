@@ -1,4 +1,4 @@
-// The picture that new beads are solved for, how well it is seen, and the filament.
+// Edits the picture that new beads are solved for, and the filament; tells how well the picture can be seen.
 import { html, nothing, type TemplateResult } from 'lit';
 import { r } from '../i18n/rebrush.js';
 import { t } from '../i18n/text.js';
@@ -10,9 +10,10 @@ import { icon } from '../controls/icons.js';
 import { thumbnail } from '../controls/thumbnail.js';
 import type { PrintWork } from './work.js';
 
-/** Least share of a picture cut off that is worth a word. */
+/** Least cropped share of a picture that is worth a note. */
 const leastCut = 0.03;
 
+/** Returns the fields of the picture, or a button that chooses one. */
 export function pictureFields(work: PrintWork, onPick: () => void): TemplateResult {
   const { wish } = work;
   const { picture } = wish;

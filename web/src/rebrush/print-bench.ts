@@ -1,4 +1,4 @@
-// What both views of a sliced print share: what they are told, their pointers and keys, their size and their frames.
+// Base class of both views of a sliced print: properties, pointers and keys, size and frames.
 import { html, LitElement, nothing, type CSSResultGroup, type TemplateResult } from 'lit';
 import type { Cycle } from 'sillon';
 import { property } from 'lit/decorators.js';
@@ -22,14 +22,14 @@ export abstract class PrintBench extends LitElement {
 
   @property({ attribute: false }) faces: readonly Face[] = [];
   @property({ attribute: false }) chosen: ReadonlySet<number> = new Set();
-  /** New beads of a face, on its page. */
+  /** New beads of each face, on its own page. */
   @property({ attribute: false }) laid: ReadonlyMap<number, readonly Cycle[]> = new Map<number, readonly Cycle[]>();
-  /** The face that is pointed at elsewhere. */
+  /** Face that is highlighted from outside, by the list. */
   @property({ attribute: false }) marked: number | undefined;
   @property({ attribute: false }) filament!: FilamentLook;
-  /** What a hand draws with, on what is chosen; undefined: it moves the view and chooses faces. */
+  /** Brush for the chosen faces; undefined: the pointer moves the view and chooses faces. */
   @property({ attribute: false }) brush: HandBrush | undefined;
-  /** Of which no beads are laid yet, on the bed. */
+  /** Strokes without beads yet, on the bed. */
   @property({ attribute: false }) strokes: readonly Stroke[] = [];
   @property({ type: Boolean }) dark = false;
 
@@ -39,16 +39,17 @@ export abstract class PrintBench extends LitElement {
   #frame = 0;
 
   protected abstract draw(): void;
-  /** @param width, height  [CSS pixels] */
+  /** Sets the size of the canvases. @param width, height  [CSS pixels] */
   protected abstract resize(width: number, height: number): void;
   protected abstract zoom(factor: number, x?: number, y?: number): void;
   protected abstract fit(): void;
-  /** What keys do besides those of every view. */
+  /** Returns the keys of this view, in addition to those of every view. */
   protected abstract keys(shift: boolean): Record<string, () => void>;
-  /** On the page [mm]; undefined: beside the print. */
+  /** Returns the place on the page [mm]; undefined: beside the print. */
   protected abstract pageAt(x: number, y: number): readonly [number, number] | undefined;
   protected abstract release(): void;
 
+  /** Listens to gestures, clicks and keys on a canvas. */
   protected watch(canvas: HTMLCanvasElement, events: GestureEvents): void {
     this.#gestures = new Gestures(canvas, events);
     onStillClick(canvas, (x, y) => {
@@ -72,7 +73,7 @@ export abstract class PrintBench extends LitElement {
     this.release();
   }
 
-  /** With the next frame, once. */
+  /** Draws with the next frame, once. */
   protected redraw(): void {
     if (this.#frame !== 0 || !this.isConnected) return;
     this.#frame = requestAnimationFrame(() => {
@@ -81,7 +82,7 @@ export abstract class PrintBench extends LitElement {
     });
   }
 
-  /** The highest of those that lie there, one above the other. */
+  /** Returns the uppermost face at a place. */
   protected faceAt(x: number, y: number): number | undefined {
     const place = this.pageAt(x, y);
     const context = new OffscreenCanvas(1, 1).getContext('2d');
@@ -111,7 +112,7 @@ export abstract class PrintBench extends LitElement {
     </button>`;
   }
 
-  /** @param more  buttons of this view */
+  /** Returns the zoom buttons. @param more  further buttons of the view */
   protected buttons(more: unknown): TemplateResult {
     return html`<div class="zoom" role="group" aria-label=${t('section.view')}>
       ${this.button('minus', t('verb.zoomOut'), () => {
@@ -127,6 +128,7 @@ export abstract class PrintBench extends LitElement {
     </div>`;
   }
 
+  /** Handles the keys of this view and those that zoom. */
   #onKey = (event: KeyboardEvent): void => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const keys: Record<string, () => void> = {

@@ -1,11 +1,12 @@
-// The place of a lamp or a light, in degrees.
+// Edits the place of a lamp or a light, in degrees.
 import { html, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { r } from '../i18n/rebrush.js';
 import { t } from '../i18n/text.js';
 import '../controls/dial.js';
 
-/** @param lowest, highest  of its height [degrees] */
+/** Returns a dial for the azimuth and a slider for the elevation.
+ * @param lowest, highest  limits of the elevation [degrees] */
 export function standField(
   name: 'lamp' | 'light',
   azimuth: number,

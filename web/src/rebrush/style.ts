@@ -269,7 +269,7 @@ export const rebrushStyle = css`
   }
 `;
 
-/** Of the buttons over the print. */
+/** Styles of the buttons over the print. */
 export const zoomButtons = css`
   .zoom {
     position: absolute;

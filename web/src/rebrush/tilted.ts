@@ -1,5 +1,5 @@
-// A sliced print from aside, as its layers stand, or from below: turned and moved by hand, wheel and keys; a click chooses a
-// face, a brush draws.
+// A sliced print at an angle, with its layers, or from below. It is turned and moved by pointer, wheel and keys; a
+// click chooses a face, a brush draws.
 import { css, html, type PropertyValues, type TemplateResult } from 'lit';
 import type { PrintRelief, Toolpath } from 'sillon';
 import { customElement, property, query, state } from 'lit/decorators.js';
@@ -14,7 +14,7 @@ import type { Place } from '../controls/gestures.js';
 import { draws, strokeOf, strokesOnPage } from './hand-strokes.js';
 import { closest, margin, PrintBench } from './print-bench.js';
 
-const perPixel = Math.PI / 500; // [radians] of a drag
+const perPixel = Math.PI / 500; // [radians] per pixel of a drag
 const perKey = Math.PI / 24;
 const moveKey = 40; // [CSS pixels]
 const start = { turn: -Math.PI / 7, tilt: Math.PI / 3.4 };
@@ -34,21 +34,21 @@ export class RebrushTilted extends PrintBench {
   ];
 
   @property({ attribute: false }) relief!: PrintRelief;
-  /** Which faces can be chosen: bottoms alone are first seen from below. */
+  /** Side whose faces can be chosen; bottoms alone are shown from below at first. */
   @property() side: Side = 'top';
   @property({ attribute: false }) light: Light = { azimuth: 60, elevation: 35 };
-  /** Of the stroke that is being drawn, on the page [mm]. */
+  /** Stroke being drawn, on the page [mm]. */
   @state() private points: readonly number[] | undefined;
   @state() private below = false;
 
   @query('.print') private canvas!: HTMLCanvasElement;
 
   #renderer: TiltedRenderer | undefined;
-  /** In CSS pixels. */
+  /** View, in CSS pixels. */
   #orbit: Orbit = { ...start, scale: 1, x: 0, y: 0 };
-  /** Nobody has moved or magnified the print: it fits whatever size the view gets. */
+  /** The user has neither moved nor zoomed the print: it fits whatever size the view gets. */
   #fitted = true;
-  /** Where the pointer that turns the print was last. */
+  /** Last place of the pointer that turns the print. */
   #held: Place | undefined;
   #picture: OffscreenCanvas | undefined;
   #beads: Toolpath | undefined;
@@ -70,11 +70,11 @@ export class RebrushTilted extends PrintBench {
     try {
       this.#renderer = createTilted(this.canvas);
     } catch {
-      this.dispatchEvent(new CustomEvent('tilt')); // there is the view from above
+      this.dispatchEvent(new CustomEvent('tilt')); // the view from above stands in
       return;
     }
     this.watch(this.canvas, {
-      // Held otherwise, and by two fingers, it moves.
+      // With other buttons or with Shift, and by two fingers, the print is moved instead.
       draws: ({ button, shiftKey }) => button === 0 && !shiftKey,
       pan: (dx, dy) => {
         this.#move(dx, dy);
@@ -168,6 +168,7 @@ export class RebrushTilted extends PrintBench {
     this.redraw();
   }
 
+  /** Shows the print from the other side. */
   #turnOver = (): void => {
     this.#orbit = turnedOver(this.#orbit);
     this.below = isBelow(this.#orbit);

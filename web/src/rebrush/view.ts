@@ -1,5 +1,5 @@
-// A sliced print, to be re-brushed: all over the page, above the plate, which stays as it is. Its top faces are listed and
-// seen from above; new beads are laid as soon as something is chosen, and the same kind of file is downloaded.
+// Re-brushes a sliced print, in a sheet over the whole page; the plate below stays as it is. The top faces are listed
+// and shown from above, new beads are laid as soon as something is chosen, and a file of the same kind is downloaded.
 import { html, type PropertyValues, type TemplateResult } from 'lit';
 import type { SlicedFile } from 'sillon';
 import { customElement, query, state } from 'lit/decorators.js';
@@ -42,7 +42,7 @@ export class RebrushView extends StudioElement {
 
   work!: PrintWork;
   #closed?: () => void;
-  /** The plate's own problem is told beside the plate. */
+  /** Problem of the plate, which is shown beside the plate. */
   #known: Partial<Pick<Shown, 'problem'>> = {};
   readonly #end = new AbortController();
 
@@ -59,7 +59,7 @@ export class RebrushView extends StudioElement {
     });
     this.#closed = closesByBack(this.#close);
     const { signal } = this.#end;
-    // Before the page below hears of them.
+    // Capturing listeners run before those of the page below.
     for (const name of ['dragover', 'drop', 'paste'] as const) {
       addEventListener(name, this.#onFiles, { signal, capture: true });
     }
@@ -96,7 +96,7 @@ export class RebrushView extends StudioElement {
     if (event.type !== 'dragover') void this.#take([...transfer.files]);
   };
 
-  /** Another print, or a picture. */
+  /** Takes another print, or a picture. */
   async #take(files: readonly File[]): Promise<void> {
     const [file] = files;
     if (file === undefined) return;
@@ -117,7 +117,7 @@ export class RebrushView extends StudioElement {
     this.work.undoStroke();
   };
 
-  /** The view from aside is fetched when it is wanted. */
+  /** Switches between the views; the view at an angle is loaded on first use. */
   #tilt = async (): Promise<void> => {
     if (!this.tilted)
       await this.work.attempt(async () => {
@@ -130,7 +130,7 @@ export class RebrushView extends StudioElement {
     this.dialog.close();
   };
 
-  // --- What is shown ----------------------------------------------------------------------------------------------------------
+  // --- Content ----------------------------------------------------------------------------------------------------------------
 
   override render(): TemplateResult {
     const name = this.state.sliced?.name ?? '';
@@ -153,7 +153,7 @@ export class RebrushView extends StudioElement {
     </dialog>`;
   }
 
-  /** While it is read, and where nothing can be done with it. */
+  /** Returns the page while a file is read, or if it offers nothing to do. */
   #alone(name: string): TemplateResult {
     const { progress } = this.work.known;
     if (progress !== undefined) {
@@ -171,7 +171,7 @@ export class RebrushView extends StudioElement {
   #another = (): TemplateResult =>
     html`<button type="button" @click=${() => void this.#pick('')}>${icon('open', 16)} ${r('another')}</button>`;
 
-  /** The print and, beside it, all that can be wanted of it. */
+  /** Returns the print and, beside it, all choices. */
   #both(print: SlicedFile): TemplateResult {
     const work = this.work;
     return html`${this.#bench()}
@@ -203,6 +203,7 @@ export class RebrushView extends StudioElement {
       </div>`;
   }
 
+  /** Returns the print, from above or at an angle. */
   #bench(): TemplateResult {
     const { wish, known } = this.work;
     const { relief, faces, shown, laid, done } = known;

@@ -1,4 +1,4 @@
-// The work on a sliced print: it is read, beads are laid as is wished, and the file with them is saved.
+// The work on a sliced print: it reads the file, lays beads by the user's choices, and saves the new file.
 import type { Cycle, PrintRelief, Rebrushed, SlicedFile, SlicedSurface } from 'sillon';
 import { download } from '../files/download.js';
 import { smallPng, type DrawingEngine } from '../files/drawn.js';
@@ -17,10 +17,10 @@ import type { Light } from '../model/view.js';
 import type { Studio } from '../studio/studio.js';
 import { left, offer } from './kept.js';
 
-const mostBytes = 256e6; // as the engine reads of text
-const reliefSide = 1600; // cells: a few per bead of a print of 200 mm
+const mostBytes = 256e6; // most bytes of text that the engine reads
+const reliefSide = 1600; // cells along the longer side: a few per bead on a print of 200 mm
 const restAfter = 350; // [ms] without a change, after which beads are laid
-const drawingSide = 1024; // [pixels] of a drawing that becomes a picture
+const drawingSide = 1024; // [pixels] longer side of a drawing that becomes a picture
 
 export interface Progress {
   fraction: number;
@@ -33,16 +33,16 @@ interface Known {
   names: readonly string[];
   relief?: PrintRelief | undefined;
   faces: readonly Face[];
-  /** The faces that are shown from above: bottoms where no top is meant. */
+  /** Faces shown from above: bottoms if only they can be chosen, otherwise tops. */
   shown: readonly Face[];
-  /** The result of the choices as they are now. */
+  /** Result of the current choices. */
   done?: Rebrushed | undefined;
-  /** The latest beads of each face. */
+  /** Latest beads of each face. */
   laid: ReadonlyMap<number, readonly Cycle[]>;
   progress?: Progress | undefined;
   cancelled: boolean;
   problem?: Problem | undefined;
-  /** The sentence about a saved file; empty: none was saved. */
+  /** Sentence about a saved file; empty: none was saved. */
   saved: string;
 }
 
@@ -56,7 +56,7 @@ const nothing: Known = {
 };
 const begun: Progress = { fraction: 0, secondsLeft: undefined };
 
-/** A drawing as the picture that lamps show. */
+/** Turns a drawing into a picture for lamps. */
 async function paintedPicture({ name, bytes }: SourceFile, engine: DrawingEngine): Promise<SourceFile> {
   const png = await smallPng(bytes, engine, drawingSide);
   return sourceFile(name, new Uint8Array(await png.arrayBuffer()));
@@ -95,7 +95,7 @@ export class PrintWork {
     this.changed();
   }
 
-  /** Another job takes the place of the one that goes on. */
+  /** Starts a job and aborts the previous one. @returns the signal of the new job */
   #begin(): AbortSignal {
     clearTimeout(this.#rest);
     this.#job.abort();
@@ -112,7 +112,7 @@ export class PrintWork {
     void this.#read(file);
   }
 
-  /** Strokes take long: they are kept, and one may go on. */
+  /** Leaves the print. Strokes take long to draw, so they are kept, and an offer leads back to them. */
   leave(): void {
     this.#begin();
     const file = this.#file;
@@ -123,12 +123,14 @@ export class PrintWork {
     offer(this.studio, file);
   }
 
-  /** Keeps the print and its choices with the plate, so that a reload does not lose them. @param keeps  false: forgets them */
+  /** Keeps the print and its choices with the plate, so that a reload does not lose them.
+   * @param keeps  false: forgets them */
   #keep(keeps: boolean, open: boolean): void {
     const file = this.#file;
     this.studio.services.keepPrint(keeps && file !== undefined ? { file, wish: this.wish, open } : undefined);
   }
 
+  /** Reads a print: its faces, its relief and the names of its objects. */
   async #read(file: File): Promise<void> {
     const signal = this.#begin();
     this.wish = { ...this.wish, strokes: [] };
@@ -139,7 +141,7 @@ export class PrintWork {
         throw new StudioError('TooLarge', { name: file.name, mb: Math.ceil(file.size / 1e6), most: mostBytes / 1e6 });
       }
       const engine = await this.studio.services.engine();
-      // One after the other in one worker, which reads the file once. Each takes about half of the time.
+      // Both jobs run one after the other in one worker, which reads the file once. Each takes about half of the time.
       const told = (begin: number) => ({
         signal,
         onProgress: ({ fraction }: { fraction: number }): void => {
@@ -148,7 +150,7 @@ export class PrintWork {
       });
       const print = await engine.listSurfaces(file, told(0));
       if (signal.aborted) return;
-      // A print whose picture fails is not refused.
+      // A print is usable even if its relief fails.
       const relief = await engine.printRelief(file, reliefSide, told(0.5)).catch(() => undefined);
       if (signal.aborted as boolean) return;
       const names = await objectNames(file);
@@ -170,23 +172,23 @@ export class PrintWork {
     }
   }
 
-  // --- What is wanted -----------------------------------------------------------------------------------------------------
+  // --- Choices ------------------------------------------------------------------------------------------------------------
 
   free = (): Face[] => this.known.faces.filter((face) => face.left === '');
 
-  /** Chosen faces that stay as they were, once beads are laid. */
+  /** Returns the chosen faces that stay as they were after beads were laid. */
   staying(): SlicedSurface[] {
-    const made = this.known.done?.surfaces ?? []; // with those that nobody could choose, where all are asked for
+    const made = this.known.done?.surfaces ?? []; // if all faces were requested, those that nobody could choose are listed, too
     return made.filter(({ replaced, index }) => !replaced && this.wish.chosen.has(index));
   }
 
-  /** The sides that the file has. */
+  /** Returns the sides that the file has. */
   sides(): readonly Side[] {
     const has = (side: Side): boolean => this.known.print?.surfaces.some((surface) => surface.side === side) === true;
     return sides.filter((side) => (side === 'both' ? has('top') && has('bottom') : has(side)));
   }
 
-  /** All faces of a side that can be replaced. */
+  /** Chooses all faces of a side that can be replaced. */
   #all(side: Side): Pick<Wish, 'side' | 'chosen'> {
     const faces = facesOf(this.known.print?.surfaces ?? [], side);
     this.#know({ faces, shown: side === 'bottom' ? faces : faces.filter((face) => face.side === 'top') });
@@ -204,7 +206,7 @@ export class PrintWork {
     this.want({ chosen });
   }
 
-  /** For the way 'picture'. @throws what the engine cannot read */
+  /** Uses a file as the picture. @throws StudioError if the engine cannot read it */
   async wantPicture(file: File, light: Light): Promise<void> {
     const [{ source, kind }, engine] = await Promise.all([readFile(file), this.studio.services.engine()]);
     const { name } = source;
@@ -222,7 +224,7 @@ export class PrintWork {
     this.want({ strokes: this.wish.strokes.slice(0, -1) });
   }
 
-  /** Beads follow. */
+  /** Changes the choices; beads follow after a pause. */
   want(change: Partial<Wish>): void {
     this.#begin();
     this.wish = { ...this.wish, ...change };
@@ -235,6 +237,7 @@ export class PrintWork {
 
   // --- Beads --------------------------------------------------------------------------------------------------------------
 
+  /** Lays beads by the current choices. */
   async lay(): Promise<void> {
     const { wish, studio } = this;
     const { print } = this.known;
@@ -272,11 +275,11 @@ export class PrintWork {
     const { done } = this.known;
     if (done === undefined || this.#file === undefined) return;
     const name = brushedName(this.#file.name);
-    download(done.blob, name); // the visitor's own file: no page around this one is given it
+    download(done.blob, name); // the file is the visitor's own: it is not handed to a surrounding page
     this.#know({ saved: r('saved', { name }) });
   };
 
-  /** Runs what may fail; a failure is told beside the print. */
+  /** Runs an action and shows its failure beside the print. */
   async attempt(action: () => Promise<void>): Promise<void> {
     try {
       await action();

@@ -1,14 +1,14 @@
-// The service worker: the studio opens without a network after the first visit, with the parts that were used, and with threads
-// on hosts that send no headers. All parts are kept when a page asks for that (app/offline.ts). A version is taken whole or not
-// at all: it comes with a successor of every file that is kept of the one before, and files whose bytes are not those that
-// were built fail the installation; the next visit tries again.
+// The service worker: after the first visit, the studio opens without a network, with the parts that were used, and has
+// threads even if the host sends no headers. All parts are kept if a page asks for that (app/offline.ts). A version is
+// installed completely or not at all: each kept file of the previous version must have a successor, and a file whose
+// bytes differ from the build fails the installation; the next visit tries again.
 
 export {};
 
-/** Put in front of this file by the build (vite.config.js). */
+/** The build puts this in front of the file (vite.config.js). */
 declare const build: {
   version: string;
-  /** SHA-256 in base64, by address relative to this file; '': whatever comes. */
+  /** SHA-256 in base64, by address relative to this file; '': any content. */
   files: Record<string, string>;
   /** Names of the files that every visit needs. */
   first: string[];
@@ -17,12 +17,12 @@ declare const build: {
 
 const worker = self as unknown as ServiceWorkerGlobalScope;
 const { scope } = worker.registration;
-const ours = `sillon ${scope} `; // caches are shared by all that an origin hosts
+const ours = `sillon ${scope} `; // caches are shared by everything that an origin hosts
 const cacheName = ours + build.version;
 const known = new Map(Object.entries(build.files).map(([name, hash]) => [new URL(name, scope).href, hash]));
 const first = build.first.map((name) => new URL(name, scope).href);
 
-/** The name under which a file is kept. */
+/** Returns the address under which a file is kept. */
 function addressOf(asked: string | URL): string {
   const url = new URL(asked, scope);
   url.search = '';
@@ -37,8 +37,8 @@ interface Brands {
   brands: { brand: string; version: string }[];
 }
 
-/** Chromium on desktops isolates single documents. The older pair of headers cuts a page off from those that opened it, so
- * it is for other browsers only. */
+/** Tells whether single documents can be isolated, as in Chromium on desktops. The older pair of headers separates a
+ * page from its opener, so it is only for other browsers. */
 function knowsDocumentIsolation(): boolean {
   const { userAgentData } = navigator as { userAgentData?: Brands };
   if (userAgentData === undefined || userAgentData.mobile) return false;
@@ -49,7 +49,7 @@ const added = knowsDocumentIsolation()
   ? ['Document-Isolation-Policy', 'Cross-Origin-Resource-Policy']
   : ['Cross-Origin-Opener-Policy', 'Cross-Origin-Embedder-Policy', 'Cross-Origin-Resource-Policy'];
 
-/** With the headers that let threads share memory. What the host says goes first. */
+/** Returns a response with the headers that let threads share memory; headers of the host take precedence. */
 function isolated(response: Response): Response {
   if (response.type !== 'basic' && response.type !== 'default') return response;
   const headers = new Headers(response.headers);
@@ -57,13 +57,14 @@ function isolated(response: Response): Response {
     const value = build.isolation[name];
     if (value !== undefined && !headers.has(name)) headers.set(name, value);
   }
-  // Made anew, it is also no longer "redirected", which browsers refuse as a page.
+  // A new response is no longer "redirected"; browsers refuse redirected responses as pages.
   const { status, statusText } = response;
   return new Response(status === 204 || status === 304 ? null : response.body, { status, statusText, headers });
 }
 
-// --- A version's life ----------------------------------------------------------------------------------------------------
+// --- Installing a version ------------------------------------------------------------------------------------------------
 
+/** Tells whether the content is the one that was built. */
 async function isOfThisVersion(response: Response, url: string): Promise<boolean> {
   const hash = known.get(url);
   if (hash === '') return true;
@@ -78,8 +79,8 @@ const olderCaches = async (): Promise<Cache[]> => {
   );
 };
 
-/** Keeps a file of this version: as an older version or the browser has it, and fetched only if it has changed.
- * @throws Error if it cannot be had */
+/** Keeps a file of this version: from an older version or the browser's cache; it is fetched only if it has changed.
+ * @throws Error if no source has it */
 async function keep(cache: Cache, url: string, older: readonly Cache[]): Promise<void> {
   if ((await cache.match(url)) !== undefined) return;
   const ask = (how: RequestCache) => () => fetch(url, { cache: how, credentials: 'same-origin' });
@@ -93,9 +94,10 @@ async function keep(cache: Cache, url: string, older: readonly Cache[]): Promise
   throw new Error(`${url} is not to be had as of version ${build.version}`);
 }
 
-/** The address without the hash of its content. */
+/** Returns the address without the hash of its content. */
 const lasting = (url: string): string => url.replace(/(?<=\/engine\/)[\da-f]{12}\/|-[\w-]{8}(?=\.\w+$)/, '');
 
+/** Installs this version, or nothing at all. */
 async function install(): Promise<void> {
   try {
     const cache = await caches.open(cacheName);
@@ -109,8 +111,8 @@ async function install(): Promise<void> {
   }
 }
 
-/** Keeps files that a page names, or all, one after another: what a page fetches meanwhile goes first.
- * @returns whether all of them are kept now */
+/** Keeps named files, or all of them, one after another, so that the page's own requests go first.
+ * @returns true if all of them are kept now */
 async function keepMore(names: string[] | 'all'): Promise<boolean> {
   const cache = await caches.open(cacheName);
   const wanted = names === 'all' ? [...known.keys()] : names.map(addressOf).filter((url) => known.has(url));
@@ -118,10 +120,11 @@ async function keepMore(names: string[] | 'all'): Promise<boolean> {
     for (const url of wanted) await keep(cache, url, []);
     return true;
   } catch {
-    return false; // no network, no room, or another version lies there
+    return false; // no network, no space, or the server has another version
   }
 }
 
+/** Deletes older versions and takes over their pages. */
 async function activate(): Promise<void> {
   const names = await caches.keys();
   await Promise.all(
@@ -130,25 +133,25 @@ async function activate(): Promise<void> {
   await worker.clients.claim();
 }
 
-/** Headers as the host sends them now, who may frame the page among them; the page itself of the version that is kept, as the
- * engine's files beside it are. */
+/** Returns the kept page with the host's current headers, which also say who may frame it. The page itself is of the
+ * kept version, like the engine's files beside it. */
 async function page(request: Request, url: string): Promise<Response> {
   const kept = await (await caches.open(cacheName)).match(url);
   const fresh = await fetch(request).catch(() => undefined);
   if (kept === undefined) return fresh === undefined ? Response.error() : isolated(fresh);
   if (fresh?.ok !== true) return isolated(kept);
   const headers = new Headers(fresh.headers);
-  for (const name of ['Content-Encoding', 'Content-Length']) headers.delete(name); // of the body that is not used
+  for (const name of ['Content-Encoding', 'Content-Length']) headers.delete(name); // they describe the body that is not used
   void fresh.body?.cancel();
   return isolated(new Response(kept.body, { headers }));
 }
 
-/** The page for frames is never kept: who may frame it is the host's to say, every time. */
+/** Fetches the page for frames, which is never kept: the host decides each time who may frame it. */
 const frames = (request: Request): Promise<Response> => fetch(request).then(isolated, () => Response.error());
 
-/** A file that is kept, or that is from now on. One with other bytes is passed on as it came: names of scripts, and of the
- * engine's folder, hold hashes of what is in them, so that it is no other version's code.
- * @param lasts  tells the browser to wait for something */
+/** Returns a kept file, or fetches and keeps it. A file with other bytes is passed on unchanged: names of scripts,
+ * and of the engine's folder, contain hashes of their content, so it cannot be code of another version.
+ * @param lasts  makes the browser wait for a promise */
 async function answer(request: Request, url: string, lasts: (done: Promise<unknown>) => void): Promise<Response> {
   const cache = await caches.open(cacheName);
   const kept = await cache.match(url);
@@ -167,11 +170,12 @@ async function keepFresh(cache: Cache, url: string, fresh: Response): Promise<vo
   try {
     if (await isOfThisVersion(fresh, url)) await cache.put(url, fresh);
   } catch {
-    // It broke off, or there is no room: it is asked for again.
+    // The transfer broke off, or there is no space: the file is fetched again next time.
   }
 }
 
-/** Files that another app shares with the installed page (manifest): kept until that page takes them (files/handed.ts). */
+/** Keeps files that another app shares with the installed page
+ * (manifest), until that page takes them (files/handed.ts). */
 async function share(request: Request): Promise<Response> {
   const cache = await caches.open(`sillon-shared ${scope}`);
   const form = await request.formData();
@@ -190,7 +194,7 @@ worker.addEventListener('install', (event) => {
   event.waitUntil(install());
 });
 
-// Pages of an older version keep theirs: the new one waits until they are closed, or say so.
+// Pages of an older version keep their files: the new version waits until those pages are closed, or activate it.
 worker.addEventListener('message', (event) => {
   const asked = event.data as 'activate' | { keep: string[] | 'all' };
   if (asked === 'activate') void worker.skipWaiting();
@@ -214,7 +218,7 @@ worker.addEventListener('fetch', (event) => {
     event.respondWith(frames(request));
     return;
   }
-  if (!known.has(asked)) return; // neither another site's nor another page's below this one
+  if (!known.has(asked)) return; // files of other sites, and of other pages below this one, are not handled
   const lasts = event.waitUntil.bind(event);
   event.respondWith(asked === scope ? page(request, asked) : answer(request, asked, lasts));
 });

@@ -1,4 +1,4 @@
-// Fields for what is done to a shape: its corners, an offset and holes.
+// Fields for changes of a shape: its corners, an offset and holes.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import type { RoundHole } from 'sillon';
@@ -13,10 +13,10 @@ import { icon } from '../controls/icons.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { lengthField } from './size-fields.js';
 
-const widest = 1000; // [mm] that a plate may be here
-const leastHole = 0.5; // [mm], as the engine has it
+const widest = 1000; // [mm], largest plate in these fields
+const leastHole = 0.5; // [mm], the engine's own limit
 
-/** Shapes whose corners can be set. */
+/** Shapes with adjustable corners. */
 const cornered: readonly ShapeSource['kind'][] = ['rounded', 'hexagon', 'shield', 'star', 'tag'];
 
 @customElement('sillon-shape-fields')

@@ -1,4 +1,4 @@
-// The shape, and how large it is.
+// Section of the shape and its size.
 import { html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { a } from '../i18n/shaping.js';

@@ -1,4 +1,4 @@
-// How large the plate is, in millimetres or inches.
+// Fields of the plate's size, in millimetres or inches.
 import { css, html, type TemplateResult } from 'lit';
 import { a } from '../i18n/shaping.js';
 import type { Units } from '../model/guest.js';
@@ -12,7 +12,7 @@ const smallest = 1; // [mm]
 const largest = 1000;
 const hundredth = (value: number): number => Math.round(value * 100) / 100;
 
-/** A field of millimetres, shown in the visitor's units. */
+/** Converts a field in millimetres to the visitor's units. */
 export function lengthField(field: NumberField, units: Units): NumberField {
   if (units === 'mm') return { ...field, unit: 'mm' };
   const shown = (value: number): number => Math.round((value / inch) * 1000) / 1000;
@@ -30,7 +30,7 @@ export function lengthField(field: NumberField, units: Units): NumberField {
   };
 }
 
-/** For the panel that shows `sizeFields`. */
+/** Styles for panels that show `sizeFields`. */
 export const sizeStyle = css`
   .size {
     display: grid;
@@ -48,7 +48,7 @@ export const sizeStyle = css`
   }
 `;
 
-/** @param sizes  what the plate gets with another side */
+/** Field of one side. @param sizes  the plate's changes for another length of that side */
 function sideField(
   studio: Studio,
   side: 'width' | 'height',
@@ -76,13 +76,13 @@ function sideField(
   );
 }
 
-/** The fields of the plate's size: one where the other side follows from it. */
+/** The fields of the plate's size: one for round shapes, otherwise width and height. */
 export function sizeNumbers(studio: Studio): readonly NumberField[] {
   const { keepRatio, plate } = studio.store.state;
   const { kind } = plate.shape;
   if (isRoundKind(kind))
     return [sideField(studio, 'width', a('size.diameter'), (_, value) => ({ width: value, height: value }))];
-  const locked = keepRatio || kind === 'file'; // a file's proportions are its own
+  const locked = keepRatio || kind === 'file'; // a file's proportions are fixed
   return [['width', 'height'] as const, ['height', 'width'] as const].map(([side, other]) =>
     sideField(studio, side, a(`size.${side}`), (now, value) => ({
       [side]: value,
@@ -98,6 +98,7 @@ export const stacked = (field: NumberField): TemplateResult =>
     <p class="error" id="${field.id}-error" role="status" hidden></p>
   </div>`;
 
+/** The fields of the plate's size, with a lock for its proportions between them. */
 export function sizeFields(studio: Studio): TemplateResult {
   const { keepRatio, plate } = studio.store.state;
   const [first, second] = sizeNumbers(studio);

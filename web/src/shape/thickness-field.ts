@@ -1,4 +1,4 @@
-// The field of the plate's thickness: a number, and buttons for those that people ask for.
+// Field of the plate's thickness: a number, and buttons for common thicknesses.
 import { html, type TemplateResult } from 'lit';
 import { numberField, type NumberField } from '../controls/fields.js';
 import { a } from '../i18n/shaping.js';
@@ -7,13 +7,14 @@ import { thicknessOf, usualThicknesses, withThickness } from '../model/thickness
 import type { Studio } from '../studio/studio.js';
 import { lengthField } from './size-fields.js';
 
-const largest = 50; // [mm] of a plate; settings of the print go further
+const largest = 50; // [mm], limit of this field; the print's own settings go further
 const rounded = (length: number): number => Math.round(1000 * length) / 1000;
 
 const setThickness = (studio: Studio, value: number, gesture?: string): void => {
   studio.change((now) => withThickness(now, value), gesture);
 };
 
+/** The number field, whose steps are layers. */
 export function thicknessNumber(studio: Studio): NumberField {
   const { plate, units } = studio.store.state;
   const { layerHeight } = plate.print;
@@ -38,6 +39,7 @@ export function thicknessNumber(studio: Studio): NumberField {
   );
 }
 
+/** The number field, and buttons for the usual thicknesses. */
 export function thicknessField(studio: Studio): TemplateResult {
   const { plate } = studio.store.state;
   return html`${numberField(thicknessNumber(studio))}

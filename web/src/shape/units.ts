@@ -1,4 +1,4 @@
-// Lengths in the visitor's units.
+// Converts lengths to the visitor's units.
 import type { Units } from '../model/guest.js';
 
 export const inch = 25.4; // [mm]

@@ -1,4 +1,4 @@
-// The brush over the plate: a pen whose strokes are a layer of the plate, on top of the others.
+// The brush over the plate: a pen whose strokes form a layer of the plate, above all others.
 import type { Stroke } from 'sillon';
 import { hundredth } from '../model/layer-changes.js';
 import { changeLayer, newLayer, withLayer } from '../model/layer-list.js';
@@ -8,13 +8,13 @@ import type { Shown } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 import { Pen } from './pen.js';
 
-/** The layer that takes the next stroke; undefined: it begins one. */
+/** Returns the layer that takes the next stroke; undefined: a new layer is needed. */
 function strokesLayer({ layers }: Plate): PlateLayer | undefined {
   const top = layers.at(-1);
   return top?.kind === 'strokes' && top.visible && top.strokes.length < mostEntries.strokes ? top : undefined;
 }
 
-/** The plate with one more stroke, or with another in the place of the last. */
+/** Returns the plate with one more stroke, or with the last stroke replaced. */
 function withStroke(plate: Plate, stroke: Stroke, more: boolean): Plate {
   const layer = strokesLayer(plate);
   if (layer === undefined) return more ? withLayer(plate, newLayer(plate, 'strokes', { strokes: [stroke] })) : plate;
@@ -23,7 +23,7 @@ function withStroke(plate: Plate, stroke: Stroke, more: boolean): Plate {
 }
 
 export class Brush extends Pen {
-  /** The stroke being drawn, as it lies in the plate. */
+  /** Stroke being drawn, as it is in the plate. */
   #stroke: Stroke | undefined;
   readonly #studio: Studio;
 
@@ -40,6 +40,7 @@ export class Brush extends Pen {
     this.#studio = studio;
   }
 
+  /** Puts the stroke so far into the plate. */
   #draw(points: readonly number[]): void {
     const { tool, brush, plate } = this.#studio.store.state;
     if (tool === 'pan') return;
@@ -59,7 +60,7 @@ export class Brush extends Pen {
     this.lift();
   }
 
-  /** Undone, cleared, or another tool: what is drawn next must not take the place of an earlier stroke. */
+  /** Ends the stroke after an undo, a clear or a change of tool: the next point must not replace an earlier stroke. */
   follow({ plate, tool }: Readonly<Shown>, before: Readonly<Shown>): void {
     if (strokesLayer(plate)?.strokes.at(-1) !== this.#stroke || tool !== before.tool) this.lift();
   }

@@ -1,4 +1,4 @@
-// The plate on its bench: an element that listens to hands, wheels and keys, and has the plate drawn.
+// The plate on its bench: an element that handles pointers, wheels and keys, and has the plate drawn.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { Shape } from 'sillon';
 import { customElement, query } from 'lit/decorators.js';
@@ -27,15 +27,15 @@ import { Pace } from './pace.js';
 import { PlateCamera } from './plate-camera.js';
 import { isRuled, overOf, sceneOf, shownPlate } from './plate-scene.js';
 
-const longestShadow = 18; // [CSS pixels]: of a low lamp; longer ones look like a second plate
+const longestShadow = 18; // [CSS pixels] under a low lamp; longer shadows look like a second plate
 
 const loadDivider = (): Promise<unknown> => import('../controls/divider.js');
 const loadFlat = () => import('../views/flat-renderer.js');
 const loadAhead = () => import('../views/ahead.js');
 const loadConflict = () => import('../views/conflict.js');
 
-const restsAfter = 180; // [ms] without a move of light or camera
-const halved = 0.5; // pixels per pixel of the screen, one way, while something moves where that is hard to draw
+const restsAfter = 180; // [ms] without a move of light or camera, after which the drawing is at rest
+const halved = 0.5; // pixels drawn per screen pixel, in one direction, while something moves on a slow machine
 
 @customElement('sillon-canvas')
 export class PlateCanvas extends StudioElement implements Stage {
@@ -72,7 +72,7 @@ export class PlateCanvas extends StudioElement implements Stage {
   #brush!: Brush;
   #picture!: FileBitmap;
   #motion!: MovingLight;
-  /** Once there are any to arrange. */
+  /** Tools to arrange layers, loaded with the panel of layers. */
   #layers: LayerStage | undefined;
   #gestures: Gestures | undefined;
   #observer: ResizeObserver | undefined;
@@ -196,11 +196,11 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   protected override updated(): void {
     if (this.#renderer === undefined) this.#drawFlat();
-    this.#told = ''; // what is drawn may ask anew for a part that could not be fetched
+    this.#told = ''; // the next drawing may again request a part that could not be loaded
     this.#redraw();
   }
 
-  /** Without WebGL2, once what draws so is there. */
+  /** Uses the renderer without WebGL2, once it is loaded. */
   #drawFlat(): void {
     this.#renderer = this.lazy(loadFlat)?.createFlatRenderer(this.drawing);
     if (this.#renderer !== undefined) this.#resize();
@@ -215,6 +215,7 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   // --- Layers -----------------------------------------------------------------------------------------------------------
 
+  /** Loads the tools that arrange layers on the plate. */
   #loadLayers = async (): Promise<void> => {
     const { LayerStage } = await import('../layers/stage.js');
     const view = {
@@ -238,6 +239,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     });
   };
 
+  /** Draws the plate and its overlay, and moves the light. */
   #draw(now: number): void {
     if (this.state.panel === 'layers') this.lazy(this.#loadLayers);
     const wait = this.#motion.move(now);
@@ -270,8 +272,8 @@ export class PlateCanvas extends StudioElement implements Stage {
     else if (wait !== undefined) this.#flipTimer = setTimeout(this.#redraw, wait);
   }
 
-  /** The plate lies on the bench: its shadow falls away from the lamp, as far as its thickness throws it. Where it is hard to draw
-   * there is none: browsers blur it anew for each frame. */
+  /** Casts the shadow of the plate on the bench: it falls away from the lamp, as far as the plate's thickness throws
+   * it. Slow machines get none, because browsers blur it again for each frame. */
   #castShadow(): void {
     const { plate, light, view } = this.state;
     const [x, y, z] = lampOf(light);
@@ -289,7 +291,8 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   #cast = '';
 
-  /** What is drawn already stays as it is: a brush that hovers must not wait for beads, which take long without a GPU. */
+  /** Draws the scene unless nothing in it has changed: a hovering brush must not wait for beads, which take long
+   * without a GPU. */
   #drawScene(now: number): void {
     const renderer = this.#renderer;
     if (renderer === undefined) return;
@@ -316,10 +319,10 @@ export class PlateCanvas extends StudioElement implements Stage {
   readonly #pace = new Pace(() => {
     this.#redraw();
   });
-  /** It is hard to draw, as without a graphics card. */
+  /** Tells whether drawing is slow, as without a graphics card. */
   #isSlow = (): boolean => this.#pace.slow || this.#renderer?.stepwise === true;
 
-  /** Pixels drawn per pixel of the screen, one way. */
+  /** Pixels drawn per screen pixel, in one direction. */
   #fineness = 1;
   #movedAt = -Infinity; // [ms]
   #restTimer: ReturnType<typeof setTimeout> | undefined;
@@ -331,23 +334,23 @@ export class PlateCanvas extends StudioElement implements Stage {
     this.#renderer?.resize(Math.round(this.overlay.width * fineness), Math.round(this.overlay.height * fineness));
   }
 
-  /** Strokes of brushes that the shown beads do not follow yet; undefined: there are none. */
+  /** Returns a function that draws brush strokes which the shown beads do not follow yet; undefined: there are none. */
   #strokes(): Overlay['strokes'] {
     const { plate, view } = this.state;
     const shown = shownPlate(this.state);
     if (shown === undefined || shown.layers === plate.layers) return undefined;
-    if (view === 'directions' && pictureLayers(plate).length === 0) return undefined; // they are seen there
+    if (view === 'directions' && pictureLayers(plate).length === 0) return undefined; // the directions already show them
     return this.lazy(loadAhead)?.strokesAhead(plate, shown);
   }
 
-  /** Until there are beads. */
+  /** Returns the light that stands in for beads, until there are some. */
   #shimmer(): Overlay['shimmer'] {
     const { shimmer, result, light, view } = this.state;
     if (shimmer === undefined || result !== undefined || view !== 'appearance') return undefined;
     return (width, height) => shimmer(light, width, height);
   }
 
-  /** The picture whose lamp shines, or what that picture cannot have, once what draws it is there. */
+  /** Returns the picture whose lamp shines, or the conflict of that picture; undefined until its code is loaded. */
   #laidOver(): Overlay['picture'] {
     const { plate, result, lamp } = this.state;
     const over = overOf(this.state);
@@ -357,7 +360,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     return bytes && this.#picture.of(bytes);
   }
 
-  /** The shape that the engine read last; undefined: it is no longer the plate's. */
+  /** Returns the shape that the engine read last; undefined: the plate has another one by now. */
   #shapeOf({ shape, width, height }: Plate): Shape | undefined {
     const { directions, result } = this.state;
     const isSame = (of: Plate | undefined): boolean =>
@@ -373,6 +376,7 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   #appearance = (): Scene => ({ ...this.#scene(), view: 'appearance', progress: 1 });
 
+  /** Adapts both canvases to the size of the element. */
   #resize(): void {
     const { width, height } = this.getBoundingClientRect();
     if (width === 0 || height === 0) return;
@@ -395,18 +399,19 @@ export class PlateCanvas extends StudioElement implements Stage {
     this.studio.store.set({ light: lightOfTilt(beta, gamma) });
   };
 
+  /** Passes the pointer's place to the brush, the layers and the light. */
   #hover(point: Place | undefined, leads: boolean): void {
     this.#brush.cursor = point && this.#camera.toPage(point);
     this.overlay.style.cursor = this.#layers?.hover(point) ?? '';
     this.#redraw();
-    if (this.#layers?.holds === true) return; // the light stays where it is
+    if (this.#layers?.holds === true) return; // the light stays in place while a layer is dragged
     const { width, height } = this.getBoundingClientRect();
     this.#motion.hover(
       leads && point !== undefined ? [(2 * point.x) / width - 1, 1 - (2 * point.y) / height] : undefined,
     );
   }
 
-  // --- What it lends to others --------------------------------------------------------------------------------------------
+  // --- Methods for other parts --------------------------------------------------------------------------------------------
 
   get camera(): Camera {
     return this.#camera.now;
@@ -446,6 +451,7 @@ export class PlateCanvas extends StudioElement implements Stage {
 
   // --- Keys ---------------------------------------------------------------------------------------------------------------
 
+  /** Handles keys of the layers, the camera and the brush. */
   #onKey = (event: KeyboardEvent): void => {
     if (this.#layers?.key(event) === true) {
       event.preventDefault();
@@ -475,7 +481,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     event.stopPropagation();
   };
 
-  /** As a pointer leads it. */
+  /** Moves the brush by keys. */
   #moveBrush(dx: number, dy: number): void {
     this.#brush.move(-dx / this.#camera.cssScale, dy / this.#camera.cssScale);
     this.#redraw();

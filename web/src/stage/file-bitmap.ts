@@ -1,17 +1,17 @@
-// A picture as a browser draws it, once that has been done.
+// Decodes a picture file for drawing, and keeps the last one.
 import type { Studio } from '../studio/studio.js';
 
 export class FileBitmap {
   #of: Blob | undefined;
   #bitmap: ImageBitmap | undefined;
 
-  /** @param drawn  called once there is another one */
+  /** Creates an empty cache. @param drawn  called when another picture is ready */
   constructor(
     private readonly studio: Studio,
     private readonly drawn: () => void,
   ) {}
 
-  /** @returns undefined: there is none yet, or it is of a kind that browsers do not draw */
+  /** Returns the picture of a file. @returns undefined: not ready yet, or a kind that browsers do not draw */
   of(bytes: Blob): ImageBitmap | undefined {
     if (this.#of !== bytes) void this.#draw(bytes).catch(() => undefined);
     return this.#bitmap;

@@ -1,4 +1,4 @@
-// The lamp that stands around the plate: a hand drags it, keys turn and raise it.
+// The handle of the lamp around the plate: dragging moves the lamp, keys turn and raise it.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
@@ -8,10 +8,10 @@ import { elevations } from '../views/light.js';
 
 const [lowest, highest] = elevations;
 const inner = 0.58; // place of a lamp straight above, as a share of the way to the bench's edge; smaller: it hides the plate
-const step = 5; // [degrees] of a key
-const leap = 15; // [degrees] with Shift
+const step = 5; // [degrees] per key press
+const leap = 15; // [degrees] per key press with Shift
 
-/** Place of a lamp of this elevation [degrees], as a share of the way to the bench's edge. */
+/** Returns the place of a lamp of this elevation [degrees], as a share of the way to the bench's edge. */
 const reach = (elevation: number): number => 1 - ((1 - inner) * elevation) / highest;
 
 @customElement('sillon-lamp')
@@ -96,6 +96,7 @@ export class LampHandle extends StudioElement {
     this.studio.store.set({ lampHeld: false });
   }
 
+  /** Places the lamp under the pointer that drags it. */
   #onMove = (event: PointerEvent): void => {
     const lamp = event.currentTarget as HTMLElement;
     if (!lamp.hasPointerCapture(event.pointerId)) return;
@@ -111,12 +112,13 @@ export class LampHandle extends StudioElement {
     });
   };
 
-  /** The lamp follows the pointer, and lies under it now and then: a wheel means the plate all the same. */
+  /** Passes a wheel event on to the plate: the lamp follows the pointer and sometimes lies under it. */
   #onWheel = (event: WheelEvent): void => {
     event.preventDefault();
     this.studio.stage?.wheel(event);
   };
 
+  /** Turns the lamp by the left and right arrow keys, and raises or lowers it by the others. */
   #onKey = (event: KeyboardEvent): void => {
     const by = event.shiftKey ? leap : step;
     const { azimuth, elevation } = this.state.light;

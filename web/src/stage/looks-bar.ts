@@ -1,4 +1,4 @@
-// Under the plate: which picture's lamp shines, and the turn from one to the other.
+// The bar under the plate: it tells which picture's lamp shines, and turns from one picture to the next.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
@@ -76,6 +76,7 @@ export class LooksBar extends StudioElement {
     return html`<div class="bar">${this.#pictures(pictures)}</div>`;
   }
 
+  /** Returns a button for each picture, and one that turns the lamp from one to the next. */
   #pictures(pictures: readonly LampPicture[]): TemplateResult {
     const { lamp, aimed, flipping } = this.state;
     return html`<div class="pictures" role="group" aria-label=${t('lamp.shown')}>

@@ -1,4 +1,4 @@
-// A short seamless loop of the moving light, at a size for messengers: the same on a plate that nobody sees.
+// Makes a short seamless loop of the moving light, at a size for messengers, with a renderer of its own.
 import encoder from '@jsquash/webp/codec/enc/webp_enc_simd.js';
 import { defaultOptions } from '@jsquash/webp/meta.js';
 import { animatedWebp, type WebpFrame } from '../files/webp.js';
@@ -8,17 +8,18 @@ import { loopLights } from '../views/loop-lights.js';
 import { createRenderer } from '../views/renderer.js';
 import { captureHeight, type Renderer, type Scene } from '../views/scene.js';
 
-/** The plate's ground: WebP keeps what shines through apart, which would cost as much again. */
+/** Colour of the ground: WebP stores transparency apart, which would cost as much again. */
 const ground = '#262422';
 
-/** libwebp's: the package's types name others that it does not bring. */
+/** Starts libwebp; the package's own types name files that it does not contain. */
 const startEncoder = encoder as unknown as () => Promise<{
   encode(data: BufferSource, width: number, height: number, options: typeof defaultOptions): Uint8Array | null;
 }>;
 
+/** Lets other tasks of the page run. */
 const turnOfOthers = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-/** Takes pictures of the scene under one light after another. */
+/** Returns a function that takes a picture of the scene under a light. */
 function camera(renderer: Renderer, scene: Scene): (light: Light) => Promise<ImageData> {
   const { side } = loop;
   const tall = captureHeight(scene, side) / side;
@@ -36,7 +37,8 @@ function camera(renderer: Renderer, scene: Scene): (light: Light) => Promise<Ima
   };
 }
 
-/** The best quality whose files are small enough together; the lowest, if none is. All have the same: others would flicker. */
+/** Encodes all pictures with the highest quality whose files together are small enough, or with the lowest. They
+ * share one quality, since different ones would flicker. */
 async function encoded(pictures: readonly ImageData[], signal?: AbortSignal): Promise<Uint8Array[]> {
   const { bytes: most, qualityStep } = loop;
   const libwebp = await startEncoder();
@@ -55,9 +57,11 @@ async function encoded(pictures: readonly ImageData[], signal?: AbortSignal): Pr
   }
 }
 
-/** @param lamps  of the plate's pictures; of a plate without any, one light. @throws StudioError NoWebGl; the signal's reason */
+/** Makes the loop.
+ * @param lamps  lamps of the plate's pictures; without pictures, one light
+ * @throws StudioError NoWebGl; the signal's reason */
 export async function makeLoop(scene: Scene, lamps: readonly Light[], signal?: AbortSignal): Promise<Blob> {
-  const renderer = createRenderer(document.createElement('canvas')); // the page's own goes on as it is
+  const renderer = createRenderer(document.createElement('canvas')); // the page's own renderer stays as it is
   try {
     const take = camera(renderer, scene);
     const lights = loopLights(lamps);

@@ -1,18 +1,18 @@
-// How the light over the plate moves by itself: it sways, circles, or turns from one picture's lamp to the next.
+// Moves the light over the plate by itself: it sways, circles, or turns from one picture's lamp to the next.
 import { homeLight, lampsOf, shownPictures } from '../model/lamp.js';
 import type { Light } from '../model/view.js';
 import { Aim, between, lightUnder, near, swayed, swayPeriod, turned } from '../views/light.js';
 import type { Shown } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
 
-const leap = 15; // [degrees] farther than that, the light springs to where it turns
+const leap = 15; // [degrees] from its target; nearer, a turning lamp jumps onto it
 const flipEach = 2600; // [ms] for each picture while the lamp turns
-const crossing = 0.3; // share of that in which it moves: slower, two pictures are seen over each other for long
-const swayFor = 90_000; // [ms] without anybody touching anything, after which the light rests
-const longestStep = 50; // [ms] of a frame: after a pause the light does not leap
+const crossing = 0.3; // share of that time in which the lamp moves; larger: two pictures overlap for longer
+const swayFor = 90_000; // [ms] without any activity, after which the light rests
+const longestStep = 50; // [ms] for one frame: the light does not leap after a pause
 
 export class MovingLight {
-  /** Whether a pointer floats above the plate. */
+  /** A pointer floats above the plate. */
   #hovered = false;
   readonly #aim = new Aim();
   #lastTouch = performance.now();
@@ -22,18 +22,19 @@ export class MovingLight {
 
   constructor(
     private readonly studio: Studio,
-    /** It is hard to draw, as without a graphics card: then the light keeps still unless it is asked to move. */
+    /** Tells whether drawing is slow, as without a graphics card:
+     * the light then stands still unless it is asked to move. */
     private readonly isSlow: () => boolean,
   ) {}
 
-  /** Somebody is there. @returns whether the light had come to rest */
+  /** Notes activity of the user. @returns true if the light was at rest */
   touch(): boolean {
     const rested = this.#rests(performance.now());
     this.#lastTouch = performance.now();
     return rested;
   }
 
-  /** A pointer floats there, ±1 at the edges and y up; undefined: it has gone, or draws. */
+  /** Takes the pointer's place, ±1 at the edges and y up; undefined: it has left, or draws. */
   hover(place: readonly [number, number] | undefined): void {
     const now = performance.now();
     const { lightMode, view, tool, flipping, plate } = this.#state;
@@ -50,10 +51,12 @@ export class MovingLight {
     }
   }
 
-  /** Moves the light to where it is now. @returns [ms] until it moves again: 0 with the next frame, undefined not by itself */
+  /** Moves the light to its place at this time.
+   * @returns time until its next move [ms]; 0: next frame; undefined: none */
   move(now: number): number | undefined {
     const { lightMode, view, light, aimed, tool, flipping, lampHeld } = this.#state;
-    // It keeps still under a brush, else nobody could tell what a stroke changes, and under a hand, which could not take it.
+    // It stands still under a brush, so that the effect of a stroke
+    // can be seen, and under a pointer that wants to take the lamp.
     if (view !== 'appearance' || document.hidden || tool !== 'pan' || lampHeld) return undefined;
     const resting = this.#rests(now) || this.#calm.matches;
     const orbits = lightMode === 'orbit' && !this.#calm.matches;
@@ -64,25 +67,25 @@ export class MovingLight {
     const elapsed = now - (this.#lastFrame || now);
     this.#lastFrame = now;
     const wait = this.#steps() ? flipEach : 0;
-    const step = Math.min(longestStep, Math.max(0, elapsed)); // a frame's time may lie before that of a drawing between frames
+    const step = Math.min(longestStep, Math.max(0, elapsed)); // a frame's time may lie before that of a drawing between two frames
     if (orbits) {
       const azimuth = (light.azimuth + (360 * step) / swayPeriod) % 360;
       this.studio.store.set({ light: { azimuth, elevation: light.elevation } });
       return wait;
     }
-    // Back to where the plate looks as it is meant to, and a little around it.
+    // The light returns to where the plate looks as intended, and sways a little around it.
     const home = aimed ?? this.#home(now);
     const aim = sways && !flipping ? swayed(home, now) : home;
     const jumps = this.#calm.matches || slow || (flipping && near(light, aim, leap));
     const way = jumps ? aim : turned(light, aim, step);
     const arrives = near(way, aim, 0.05);
     const next = arrives ? aim : way;
-    // The last steps of a fast screen are small: left out, the light would never arrive.
+    // Steps may be small on a fast screen: if they were skipped, the light would never arrive.
     if (!near(next, light, 1e-6)) this.studio.store.set({ light: next });
     return sways || (flipping && !resting) || !arrives ? wait : undefined;
   }
 
-  /** Whether the light is where the pointer is: over the plate, unless somebody has asked for the lamp to turn. */
+  /** Tells whether the light follows the pointer: over the plate, unless the lamp was asked to turn. */
   #leads(): boolean {
     const { flipping, welcome } = this.#state;
     return this.#hovered && (!flipping || welcome);
@@ -94,10 +97,10 @@ export class MovingLight {
 
   #rests = (now: number): boolean => now - this.#lastTouch > swayFor;
 
-  /** Whether the lamp turns from picture to picture without a way between. */
+  /** Tells whether the lamp jumps from picture to picture, without a move in between. */
   #steps = (): boolean => this.#state.flipping && this.isSlow();
 
-  /** Of the picture that is shown; while the lamp turns, between two. */
+  /** Returns the lamp of the shown picture; while the lamp turns, a place between two lamps. */
   #home(now: number): Light {
     const { plate, result, lamp, flipping } = this.#state;
     const look = result?.toolpath.look;

@@ -1,4 +1,4 @@
-// What lies above the plate: what is outside of the shape, places to look at, the brush, rulers in millimetres.
+// Draws all that lies above the plate: a veil outside its shape, marks, the brush, and rulers in millimetres.
 import type { Shape } from 'sillon';
 import { fillShape } from '../views/outline.js';
 import { markColours } from '../views/palette.js';
@@ -16,26 +16,26 @@ export interface Overlay {
   pixels: number;
   page: readonly [number, number];
   cursor: Cursor | undefined;
-  /** [mm] */
+  /** Radius of the brush [mm]. */
   radius: number;
   softness: number;
   marks: readonly Mark[];
-  /** Which of the marks is looked at. */
+  /** Index of the mark in focus. */
   mark: number;
-  /** Stands in for the plate. */
+  /** Light that stands in for the plate. */
   shimmer: ((width: number, height: number) => CanvasImageSource) | undefined;
-  /** Draws what beads are to follow yet. @param context  transformed to millimetres of the page */
+  /** Draws strokes that the beads do not follow yet. @param context  transformed to millimetres of the page */
   strokes: ((context: CanvasRenderingContext2D, styles: CSSStyleDeclaration) => void) | undefined;
-  /** Draws what lies over all of the plate. @param context  in CSS pixels */
+  /** Draws above everything else on the plate. @param context  in CSS pixels */
   above: ((context: CanvasRenderingContext2D) => void) | undefined;
-  /** Veils the page outside of it. */
+  /** Shape outside of which the page is veiled. */
   shape: Shape | undefined;
-  /** Laid over the page from the left, up to the share `wipe`. */
+  /** Picture over the page from the left, up to the share `wipe`. */
   picture: ImageBitmap | OffscreenCanvas | undefined;
-  /** Colours are not the plate's to show. */
+  /** The picture is drawn in grey, since the plate cannot show its colours. */
   grey: boolean;
   wipe: number;
-  /** Rulers stand at its edges. */
+  /** Rulers stand at the edges. */
   ruled: boolean;
   styles: CSSStyleDeclaration;
 }
@@ -43,12 +43,13 @@ export interface Overlay {
 export const rulerWidth = 20; // [CSS pixels]
 const leastBetweenNumbers = 56;
 
-/** 1, 2 or 5 times a power of ten. */
+/** Returns the smallest 1, 2 or 5 times a power of ten that is not below `least`. */
 function roundStep(least: number): number {
   const power = 10 ** Math.floor(Math.log10(least));
   return power * ([1, 2, 5].find((factor) => factor * power >= least) ?? 10);
 }
 
+/** Clears the canvas and draws the overlay. */
 export function drawOverlay(canvas: HTMLCanvasElement, overlay: Overlay): void {
   const context = canvas.getContext('2d');
   if (context === null) return;
@@ -85,6 +86,7 @@ export function drawOverlay(canvas: HTMLCanvasElement, overlay: Overlay): void {
   if (overlay.ruled) drawRulers(context, overlay, width, height, scale, toX, toY);
 }
 
+/** Draws the picture over the left part of the page. */
 function drawPicture(
   context: CanvasRenderingContext2D,
   { picture, grey, wipe, page }: Overlay,
@@ -99,7 +101,7 @@ function drawPicture(
   context.filter = 'none';
 }
 
-/** @param radius  in the context's unit */
+/** Draws the outline of a brush. @param radius  in the context's unit */
 export function drawBrush(context: CanvasRenderingContext2D, { x, y }: Cursor, radius: number, softness: number): void {
   const ring = (size: number, dashes: number[]): void => {
     for (const [colour, line] of [
@@ -121,6 +123,7 @@ export function drawBrush(context: CanvasRenderingContext2D, { x, y }: Cursor, r
   context.fillRect(x - 0.75, y - 0.75, 1.5, 1.5);
 }
 
+/** Veils the page outside the shape. */
 function drawVeil(context: CanvasRenderingContext2D, shape: Shape, { page, styles }: Overlay): void {
   context.save();
   context.globalAlpha = 0.82;
@@ -132,6 +135,7 @@ function drawVeil(context: CanvasRenderingContext2D, shape: Shape, { page, style
   context.restore();
 }
 
+/** Draws a circle for each mark, and cross-hairs around the mark in focus. */
 function drawMarks(
   context: CanvasRenderingContext2D,
   { marks, mark: looked, styles }: Overlay,
@@ -164,6 +168,7 @@ function drawMarks(
   context.stroke();
 }
 
+/** Draws rulers at the top and left edges, with the sides of the plate and the place of the brush. */
 function drawRulers(
   context: CanvasRenderingContext2D,
   { camera, page, cursor, styles }: Overlay,
@@ -179,7 +184,7 @@ function drawRulers(
   context.fillStyle = styles.getPropertyValue('--surface');
   context.fillRect(0, 0, width, rulerWidth);
   context.fillRect(0, 0, rulerWidth, height);
-  // The plate's own sides, on the rulers.
+  // The plate's own sides are tinted on the rulers.
   context.fillStyle = styles.getPropertyValue('--tint');
   context.fillRect(toX(0), 0, page[0] * scale, rulerWidth);
   context.fillRect(0, toY(page[1]), rulerWidth, page[1] * scale);
@@ -194,7 +199,7 @@ function drawRulers(
     const long = Math.abs(k * tick - Math.round((k * tick) / step) * step) < tick / 2;
     context.moveTo(x, rulerWidth);
     context.lineTo(x, rulerWidth - (long ? 9 : 4));
-    // One that begins in the corner would lose its sign or first digit to it.
+    // A number that began in the corner would lose its sign or first digit there.
     if (long && x >= rulerWidth) context.fillText((k * tick).toFixed(digits), x + 3, 10);
   }
   const tall = height / scale / 2;

@@ -1,16 +1,16 @@
-// Tells where it is hard to draw, as without a graphics card. There no frame is drawn before the last one is to be seen: they would
-// queue up behind each other.
+// Detects machines on which drawing is slow, as without a graphics card. On those, each frame waits until the last one
+// is visible: otherwise frames would queue up.
 
-const ease = 40; // [ms] for a frame
-const enough = 3; // frames in a row that tell a slow machine from a moment of work
+const ease = 40; // [ms] per frame that is still fast
+const enough = 3; // frames in a row that tell a slow machine from a short moment of other work
 
 export class Pace {
   #slow = false;
-  /** In a row, of the other kind. */
+  /** Frames in a row that contradict `slow`. */
   #frames = 0;
   #flying = false;
 
-  /** @param again  is called when a frame has come for which another has waited */
+  /** Starts as fast. @param again  called when a frame has come for which another one waited */
   constructor(private readonly again: () => void) {}
 
   /** True once several frames in a row took longer than `ease`. */
@@ -20,15 +20,18 @@ export class Pace {
 
   #waits = false;
 
-  /** @returns whether there must not be another frame yet */
+  /** Tells whether the next frame must wait. @returns true: the last frame is not visible yet */
   holds(): boolean {
     this.#waits = this.#slow && this.#flying;
     return this.#waits;
   }
 
-  /** A frame is drawn. @param began  when [ms] @param there  when it is to be seen @param now  the time [ms] */
+  /** Measures a frame.
+   * @param began  start of the drawing [ms]
+   * @param there  resolves when the frame is visible
+   * @param now  current time [ms] */
   async follow(began: number, there: Promise<void>, fineness: number, now: () => number): Promise<void> {
-    if (this.#flying) return; // of several one is measured
+    if (this.#flying) return; // if frames overlap, one of them is measured
     this.#flying = true;
     await there;
     this.#flying = false;
@@ -38,7 +41,7 @@ export class Pace {
     this.again();
   }
 
-  /** Half as fine a frame that would be slow if it were whole says that this is no machine for more. */
+  /** Counts frames; a frame at half fineness is judged by the cost that it would have at full fineness. */
   #learn(ms: number): void {
     const other = ms > ease !== this.#slow;
     this.#frames = other ? this.#frames + 1 : 0;

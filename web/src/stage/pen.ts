@@ -1,14 +1,14 @@
-// A pen over a page, in millimetres: led by a pointer or by keys, it draws while it is down.
+// A pen over a page, in millimetres, moved by a pointer or by keys; it draws while it is down.
 import type { Cursor } from './overlay.js';
 
 export class Pen {
-  /** undefined: it is not over the page. */
+  /** Place of the pen; undefined: it is not over the page. */
   cursor: Cursor | undefined;
-  /** What is being drawn: x and y in turn; undefined: it is up. */
+  /** Line being drawn, x and y alternately; undefined: the pen is up. */
   points: number[] | undefined;
 
   constructor(
-    /** Sides of the page. */
+    /** Sides of the page [mm]. */
     private readonly page: () => readonly [number, number],
     private readonly drawn: (points: readonly number[]) => void,
     private readonly lifted: (points: readonly number[]) => void,
@@ -33,7 +33,7 @@ export class Pen {
 
   #middle = (): Cursor => ({ x: this.page()[0] / 2, y: this.page()[1] / 2 });
 
-  /** By keys. */
+  /** Moves the pen by keys [mm]. */
   move(dx: number, dy: number): void {
     const { x, y } = this.cursor ?? this.#middle();
     const [width, height] = this.page();
@@ -41,7 +41,7 @@ export class Pen {
     this.draw(this.cursor);
   }
 
-  /** The space bar puts it down and takes it up. */
+  /** Puts the pen down or up, for the space bar. */
   toggle(): void {
     if (this.points !== undefined) this.lift();
     else this.begin((this.cursor ??= this.#middle()));

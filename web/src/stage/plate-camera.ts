@@ -1,4 +1,4 @@
-// The camera above the plate, moved by hand, or placed so that all of the plate is seen between the buttons over it.
+// The camera above the plate, moved by hand, or placed so that the whole plate is visible between the buttons over it.
 import type { StudioElement } from '../controls/element.js';
 import { pageOf } from '../model/plate.js';
 import type { Shown } from '../studio/shown.js';
@@ -7,20 +7,21 @@ import { freeOf, seenIn, type Box } from '../views/fit.js';
 import { rulerWidth } from './overlay.js';
 import { blends, compares, isRuled } from './plate-scene.js';
 
-const gap = 0.08; // between plate and zigzag, share of the page's width
+const gap = 0.08; // between plate and zigzag, as a share of the page's width
 const margin = 40; // around the plate [CSS pixels]
 const toolsWidth = 60;
-const narrow = 640; // [CSS pixels] where buttons lie over the plate
+const narrow = 640; // [CSS pixels] up to this width, buttons lie over the plate
 const clear = 4;
-const lowest = 440; // [CSS pixels] as in the stage's style: below, views stand beside the plate
-const armLength = 600; // [mm]
-const handLength = 350; // of a phone
-const mostBlended = 2048; // [pixels] of a side: a larger canvas is not drawn finer
+const lowest = 440; // [CSS pixels] the stage's style has the same; in a lower bench, the views stand beside the plate
+const armLength = 600; // [mm] from the eye to the print
+const handLength = 350; // [mm] from the eye to a phone
+const mostBlended = 2048; // [pixels] longest side up to which a canvas is drawn at twice the fineness
 
 export class PlateCamera extends PageCamera {
   readonly #coarse = matchMedia('(pointer: coarse)');
 
-  /** @param watch  tells of changes of a button's size, after which the camera is to be placed again */
+  /** Places the camera over the plate.
+   * @param watch  calls back when a button's size changes, since the camera must move then */
   constructor(
     private readonly canvas: StudioElement,
     redraw: () => void,
@@ -33,32 +34,34 @@ export class PlateCamera extends PageCamera {
     return this.canvas.state;
   }
 
-  /** The page, and with it the zigzag that stands beside it [mm]. */
+  /** Returns the size of the page, with the zigzag beside it if there is one [mm]. */
   #shown(): [number, number] {
     const [width, height] = this.page();
     return [compares(this.#state) ? width * (2 + gap) : width, height];
   }
 
-  /** The place of the page on the canvas [CSS pixels]. */
+  /** Returns the place of the page on the canvas [CSS pixels]. */
   plateBox(): { left: number; top: number; width: number; height: number } {
     const [width, height] = this.page();
     const { x: left, y: top } = this.toScreen({ x: 0, y: height });
     return { left, top, width: width * this.cssScale, height: height * this.cssScale };
   }
 
-  /** Pixels drawn per pixel of the screen, one way: what is finer than the eye must be drawn to be blended. */
+  /** Returns the pixels drawn per screen pixel, in one direction:
+   * details must be drawn finer to blend as they do in the eye. */
   fineness(): number {
     const { width, height } = this.size;
     return blends(this.#state) && Math.max(width, height) * devicePixelRatio <= mostBlended ? 2 : 1;
   }
 
+  /** Moves the camera if the plate, its size on the screen or the buttons over it have changed. */
   follow(now: Readonly<Shown>, before: Readonly<Shown>): void {
     const sized = now.sizing !== before.sizing;
     if (sized && now.sizing !== 'free') this.fitted = true;
     const resized = String(pageOf(now.plate)) !== String(pageOf(before.plate));
     if (sized || resized || compares(now) !== compares(before)) this.keepFitted();
     if (now.view === before.view || !this.fitted) return;
-    // Other buttons lie over it.
+    // Other views have other buttons over the plate.
     const { host } = this.#root;
     void (host as HTMLElement & { updateComplete: Promise<boolean> }).updateComplete.then(() => {
       if (this.size.width <= narrow) this.keepFitted();
@@ -85,7 +88,7 @@ export class PlateCamera extends PageCamera {
     super.letGo();
   }
 
-  /** All of it, or as large as in life, in the middle of what is free. */
+  /** Shows the whole plate, or its real size, in the middle of the free area. */
   keepFitted(): void {
     if (!this.fitted) return;
     const { width, height } = this.size;
@@ -96,24 +99,24 @@ export class PlateCamera extends PageCamera {
     this.redraw();
   }
 
-  /** CSS pixels per mm, as large as it will be; at arm's length for somebody who looks at the screen from nearer. */
+  /** Returns CSS pixels per mm at real size; for arm's length, smaller on phones, which are held closer. */
   #lifeScale = (): number => (blends(this.#state) && this.#coarse.matches ? handLength / armLength : 1) * (96 / 25.4);
 
   get #root(): ShadowRoot {
     return this.canvas.getRootNode() as ShadowRoot;
   }
 
-  /** The room that the buttons leave on a narrow or low canvas. */
+  /** Returns the area that the buttons of a narrow or low canvas leave free. */
   #amongButtons(): Box {
     const { left: x, top: y, width, height } = this.size;
     const ruler = isRuled(this.#state) ? rulerWidth : 0;
     const area = { left: ruler, top: ruler, right: width, bottom: height };
-    // A notice lifts the bars under the plate for a while: the plate stays where it is.
+    // A notice lifts the bars under the plate for a while; the plate stays in place.
     const lift = this.#root.querySelector('sillon-notices')?.clientHeight ?? 0;
-    // The buttons at the foot of a low bench are narrow and lie beside the plate: they take no height from it.
+    // On a low bench, the buttons at the foot are narrow and lie beside the plate, so they take no height from it.
     const over = height < lowest ? '.views, sillon-tools' : '.views, sillon-tools, .bottom > *';
     const buttons = [...this.#root.querySelectorAll(over)].map((one) => {
-      this.watch(one); // it may not be drawn yet
+      this.watch(one); // the button may not be laid out yet
       const { left, top, right, bottom } = one.getBoundingClientRect();
       const down = (one.matches('.bottom > *') ? lift : 0) - y;
       return { left: left - x, top: top + down, right: right - x, bottom: bottom + down };
@@ -124,7 +127,7 @@ export class PlateCamera extends PageCamera {
     return { left: left + clear, top: top + clear, right: right - clear, bottom: bottom - clear };
   }
 
-  /** The room between the bars of a wide one. */
+  /** Returns the area between the bars of a wide canvas. */
   #betweenBars(): Box {
     const { width, height } = this.size;
     const side = isRuled(this.#state) ? toolsWidth + margin : toolsWidth;

@@ -1,4 +1,4 @@
-// Plays the print: how much of the path is shown.
+// Plays the print by showing a growing share of the path.
 import { css, html, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
@@ -6,7 +6,7 @@ import { formatNumber, t } from '../i18n/text.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
 
-const duration = 14_000; // [ms] of a whole print
+const duration = 14_000; // [ms] for a whole print
 
 @customElement('sillon-player')
 export class Player extends StudioElement {

@@ -1,4 +1,4 @@
-// The plate and all that lies around it on the bench.
+// The plate and everything around it on the bench.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
@@ -13,12 +13,12 @@ import { isRuled } from './plate-scene.js';
 import './status-bar.js';
 import './tool-palette.js';
 
-/** The directions are seen in the place of the beads that follow them. */
+/** Tabs of the views; the directions belong to the tab of the beads that follow them. */
 const tabs = ['appearance', 'toolpath', 'quality'] as const;
 const tabOf = (view: ViewName): (typeof tabs)[number] => (view === 'directions' ? 'toolpath' : view);
 const colours: readonly ColourBy[] = ['direction', 'width', 'speed', 'order', 'delay', 'lean'];
 
-/** Parts that the first view does not need at once. */
+/** Loads bars that the first view does not need at once. */
 const loadBars = (): Promise<unknown> =>
   Promise.all([import('./looks-bar.js'), import('../quality/legend.js'), import('./player.js')]);
 const loadOptions = (): Promise<unknown> => import('./view-options.js');
@@ -396,7 +396,8 @@ export class StageElement extends StudioElement {
 
   @state() private unfolded = false;
 
-  /** The settings of the view that are rarely changed; their element is loaded when it is first asked for. */
+  /** Returns the button and panel of rarely changed view settings;
+   * the panel's element is loaded when it is first opened. */
   #options(): TemplateResult {
     return html`<button
         type="button"

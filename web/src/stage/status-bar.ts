@@ -1,4 +1,4 @@
-// The line below the plate: what it measures and takes, and what the engine does.
+// The line below the plate: its size, cost and time, and the progress of the engine.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { progressWords } from '../i18n/say.js';
@@ -8,7 +8,7 @@ import { StudioElement } from '../controls/element.js';
 import { inUnits } from '../shape/units.js';
 import { pageOf } from '../model/plate.js';
 
-/** Shorter work is over before anybody could hear of it [ms]. */
+/** Shortest job that is announced to screen readers [ms]; a shorter one ends before it could be heard. */
 const worthSaying = 1000;
 
 @customElement('sillon-status')
@@ -130,7 +130,7 @@ export class StatusBar extends StudioElement {
     `,
   ];
 
-  /** Words for those who hear the page: that it works, that the plate is ready, or that the work was cancelled. */
+  /** Announcement for screen readers: the engine works, the plate is ready, or the job was cancelled. */
   @state() private said = '';
   #busyTimer: ReturnType<typeof setTimeout> | undefined;
   #busy = false;
@@ -179,6 +179,7 @@ export class StatusBar extends StudioElement {
     });
   }
 
+  /** Returns the progress of a job, with a button that cancels it. */
   #job(what: string, fraction: number, left: string, cancel: () => void): TemplateResult {
     const percent = Math.floor(100 * fraction);
     return html`<div
@@ -198,10 +199,11 @@ export class StatusBar extends StudioElement {
       </div>`;
   }
 
+  /** Returns the size of the plate and, once known, length, time and weight of its print. */
   #figures(): TemplateResult {
     const { plate, result, cancelled, units } = this.state;
     const size = pageOf(plate).map((length) => formatNumber(inUnits(length, units), units === 'in' ? 2 : 1));
-    // Figures of another plate - the last one that could be made - would be taken for this one's.
+    // Results of another plate, such as the last one that could be made, would be mistaken for this plate's.
     const own = result !== undefined && isOf(result, plate);
     const length = own ? result.report.lengthMm : undefined;
     const summary = own ? this.state.summary : undefined;

@@ -1,4 +1,4 @@
-// Rarely changed settings of the view: what the plate is compared with, its size on the screen, how the light moves, captures.
+// Rarely changed settings of the view: comparison, size on the screen, motion of the light, and captures.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { live } from 'lit/directives/live.js';
@@ -56,6 +56,7 @@ export class ViewOptions extends StudioElement {
       </div>`;
   }
 
+  /** Returns the settings of the view of the finished look. */
   #look(): TemplateResult {
     const { plate, result, lamp, over, compare, sizing, lightMode, light } = this.state;
     const besides: Beside[] = [
@@ -116,7 +117,8 @@ export class ViewOptions extends StudioElement {
       </div>`;
   }
 
-  /** The lamp may turn by itself, and a finger does not float above the plate. */
+  /** Returns the name of a light mode: 'pointer' differs while the
+   * lamp turns, and on touch screens, where no pointer floats. */
   #label(mode: LightMode): string {
     if (mode === 'pointer' && this.state.flipping) return t('light.turns');
     if (mode !== 'pointer' || !matchMedia('(hover: none)').matches) return t(`light.${mode}`);

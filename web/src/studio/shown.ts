@@ -1,4 +1,4 @@
-// What only the panels know, beside the state that others share.
+// State of the panels alone, in addition to the state that other parts share.
 import type { EngineInfo, DirectionMode } from 'sillon';
 import { newState, type State } from '../model/state.js';
 import { sections, type Control, type Mode, type Units } from '../model/guest.js';
@@ -9,15 +9,15 @@ import type { OwnPrint } from '../model/own-print.js';
 import type { OwnSpool, Plate } from '../model/plate.js';
 import type { Light, Mark, Shimmer } from '../model/view.js';
 
-/** What lies over the plate, from the left up to a line. */
+/** Layer over the plate, from its left edge up to a line. */
 export type Over = 'picture' | 'zigzag' | 'conflict';
-/** 'life': as large as it will be; 'arm': as an eye at arm's length sees it, which tells no beads apart. */
+/** 'life': at the size of the print; 'arm': as seen at arm's length, where beads blend into each other. */
 export type Sizing = 'whole' | 'life' | 'arm' | 'free';
 export type LightMode = 'pointer' | 'tilt' | 'orbit' | 'fixed';
-/** 'brought': what a design brings for the printer; 'blocks': the same of what is about to be downloaded; 'rebrush': a sliced
- * print, all over the page; 'zones': a body, whose faces are listed; 'spools': that of 'calibrate', at the visitor's own spools;
- * 'printer': printer, filament, thickness; 'firstFile': the same before the first file; 'card': where the lamp must stand, to be
- * printed. */
+/** 'brought': settings that a design brings for the printer; 'blocks': the same for the file about to be downloaded;
+ * 'rebrush': a sliced print, over the whole page; 'zones': a body, with a list of its faces; 'spools': the sheet of
+ * 'calibrate', at the visitor's own spools; 'printer': printer, filament, thickness; 'firstFile': the same before
+ * the first file; 'card': the place of the lamp, to be printed. */
 export type Dialog =
   | 'gallery'
   | 'palette'
@@ -45,7 +45,7 @@ export interface Brush {
 
 export interface Reading {
   name: string;
-  /** 0..1 */
+  /** Share that is read, 0..1. */
   fraction: number;
   cancel: () => void;
 }
@@ -55,74 +55,75 @@ export interface NoticeAction {
   run: () => void;
 }
 
-/** Something to tell, that goes away by itself unless it is a problem or stays. */
+/** A message that disappears by itself, unless it is a problem or stays. */
 export interface Notice {
   id: number;
   text: string;
   problem?: Problem;
   actions?: readonly NoticeAction[];
-  /** Of the files that were opened last: goes with them. */
+  /** About the files that were opened last: it disappears with them. */
   ofFiles?: boolean;
-  /** Until it is answered or closed: what it offers is offered nowhere else. */
+  /** Stays until it is answered or closed, because nothing else offers its action. */
   stays?: boolean;
 }
 
 export interface Shown extends State {
   mode: Mode;
-  /** Of mode 'customize'. */
+  /** Controls that a visitor has in mode 'customize'. */
   controls: readonly Control[];
   units: Units;
   /** Origin of the page that shows this one in a frame and may command it; empty: none. */
   host: string;
-  /** The reason for which the plate that the page around this one, or the address, names cannot be shown. */
+  /** Reason why the plate named by the surrounding page or the address cannot be shown. */
   lacking: Failure | undefined;
   brush: Brush;
-  /** 0..1: how much of the print is shown. */
+  /** Share of the print that is shown, 0..1. */
   played: number;
   playing: boolean;
   lightMode: LightMode;
-  /** Of pictures under lamps: whose lamp shines. */
+  /** Index of the picture whose lamp shines. */
   lamp: number;
-  /** The light as a pointer has left it over pictures under lamps; undefined: it belongs where the picture's lamp stands. */
+  /** Light that a pointer left over pictures under lamps; undefined: the light belongs at the picture's lamp. */
   aimed: Light | undefined;
-  /** The lamp turns from one picture to the next, and on. */
+  /** The lamp moves from one picture to the next until it is stopped. */
   flipping: boolean;
   over: Over | undefined;
-  /** 0..1: how much of the plate lies under that. */
+  /** Share of the plate that `over` covers, 0..1. */
   wipe: number;
   sizing: Sizing;
   marks: readonly Mark[];
-  /** Lamps under which the code of that plate is read [degrees], 0 to 180. */
+  /** Lamp azimuths under which the code of that plate can be read [degrees], 0 to 180. */
   scan: { plate: Plate; azimuths: readonly number[] } | undefined;
-  /** Index of the mark that is looked at; -1: none. */
+  /** Index of the mark in focus; -1: none. */
   mark: number;
-  /** The proportions that `width` and `height` keep while one of them changes. */
+  /** Proportions that `width` and `height` keep while one of them changes. */
   keepRatio: boolean;
-  /** Id of the layer that is worked on; undefined: none. */
+  /** Id of the layer in work; undefined: none. */
   layer: number | undefined;
-  /** The cut part of its picture is shown, to be cut elsewhere. */
+  /** The cropped-away part of its picture is shown, to crop it differently. */
   cropping: boolean;
-  /** As the engine has placed the layers, by their ids; where one has changed since, its box may be another. */
+  /** Boxes of the layers by id, as the engine placed them; the
+   * box of a layer that has changed since may be out of date. */
   layerBoxes: ReadonlyMap<number, KnownBox>;
   /** A drag that changes the plate is going on. */
   live: boolean;
   dialog: Dialog | undefined;
-  /** The files that were opened last, for as long as what they are for can be changed. */
+  /** Files that were opened last, as long as their roles can be changed. */
   opened: OpenedFiles | undefined;
-  /** The print that dialog 'rebrush' is about, or the body of dialog 'zones'. */
+  /** Print of the dialog 'rebrush', or body of the dialog 'zones'. */
   sliced: File | undefined;
-  /** The visitor's own; undefined: not looked for yet. */
+  /** Spools of the visitor; undefined: not read yet. */
   spools: readonly OwnSpool[] | undefined;
-  /** The printer, filament and thickness that the visitor has named; undefined: none. */
+  /** Printer, filament and thickness that the visitor has named; undefined: none. */
   own: OwnPrint | undefined;
   dropping: boolean;
-  /** Files that are being read. */
+  /** File that is being read. */
   reading: Reading | undefined;
   recording: boolean;
   notices: readonly Notice[];
-  /** Stands in for the beads of the first plate. */
+  /** Light that stands in for the beads of the first plate. */
   shimmer: Shimmer | undefined;
-  /** A first visit, before anything was done: what comes later would only be in the way. */
+  /** A first visit, before the visitor has done anything: controls for later steps are hidden. */
   welcome: boolean;
   /** A pointer is on the lamp, which must not move away from it. */
   lampHeld: boolean;
@@ -131,14 +132,14 @@ export interface Shown extends State {
   cancelled: boolean;
 }
 
-/** Whether a visitor may have this part: all of it is there for editing, and what a host names for customizing. */
+/** Tells whether a visitor has this part: all of them for editing, those that the host names for customizing. */
 export const offers = ({ mode, controls }: Readonly<Shown>, control: Control): boolean =>
   mode === 'edit' || (mode === 'customize' && controls.includes(control));
 
-/** Layers are in use: files and texts that come in are more of them. */
+/** Tells whether layers are in use, so that new files and texts become layers. */
 export const composes = (state: Readonly<Shown>): boolean => offers(state, 'layers') && state.plate.layers.length > 1;
 
-/** Settings and parts that a host names one by one. */
+/** Returns the settings and parts that a host names one by one. */
 export const ownControls = ({ mode, controls }: Readonly<Shown>): Control[] =>
   mode === 'customize'
     ? controls.filter((control) => control !== 'download' && !(sections as readonly Control[]).includes(control))

@@ -1,4 +1,4 @@
-// Actions of the elements. They know the state and this; main.ts puts together what it takes.
+// Actions of the elements. They depend on the state and this class alone; main.ts connects the rest.
 import { download } from '../files/download.js';
 import { plainName } from '../files/file-name.js';
 import { pickFiles } from '../files/pick.js';
@@ -22,17 +22,17 @@ import { offers, type Dialog, type LightMode, type Notice, type NoticeAction, ty
 
 export type Product = 'gcode' | 'body' | 'zones' | 'svg' | 'png' | 'loop' | 'view' | 'project';
 
-/** What the canvas lends to others. */
+/** Functions of the canvas that other parts use. */
 export interface Stage {
-  /** For keys: also where a button has gone that had the focus. */
+  /** Takes the keyboard focus, also after a focused button has disappeared. */
   focus(): void;
   fit(): void;
   zoom(factor: number): void;
-  /** Takes a wheel that turned over something that lies above the plate. */
+  /** Handles a wheel event of an element that lies above the plate. */
   wheel(event: WheelEvent): void;
-  /** Millimetres of the page. */
+  /** Centres a place of the page and shows a width around it; all in mm. */
   lookAt(x: number, y: number, across: number): void;
-  /** The box of the plate's page, from the canvas's own corner [CSS pixels]. */
+  /** Returns the box of the plate's page, relative to the canvas's corner [CSS pixels]. */
   plateBox(): { left: number; top: number; width: number; height: number };
   getBoundingClientRect(): DOMRect;
   capture(width: number): Promise<Blob>;
@@ -42,8 +42,9 @@ export interface Stage {
 const ownPrintName = 'print';
 const loadOwnPrint = () => import('../model/own-print.js');
 const noticeFor = 7000; // [ms]
-const offerFor = 30_000; // [ms] of a notice with a button: time to read, decide, and reach it by keys
+const offerFor = 30_000; // [ms] for a notice with a button: time to read, decide, and reach it by keyboard
 
+/** Tells whether a product is packed into a .gcode.3mf, as Bambu printers need it. */
 export const isPacked = (product: Product, plate: Plate): boolean =>
   product === 'gcode' && plate.printer.flavor === 'bambu';
 const endings: Record<Product, string> = {
@@ -59,7 +60,7 @@ const endings: Record<Product, string> = {
 
 const fileName = (plate: Plate, product: string): string => `${plainName(plate.name) || 'plate'}${product}`;
 
-/** What tells one G-code file from another on a printer's screen: `_0.4mm_PLA_1h05m`. */
+/** Returns the part of a G-code file's name that tells files apart on a printer's screen: `_0.4mm_PLA_1h05m`. */
 export function gcodeMark({ printer }: Plate, seconds: number): string {
   const minutes = Math.max(1, Math.round(seconds / 60));
   const hours = Math.floor(minutes / 60);
@@ -68,7 +69,8 @@ export function gcodeMark({ printer }: Plate, seconds: number): string {
   return words.map((word) => (word === '' ? '' : `_${word}`)).join('');
 }
 
-/** Phones ask their owner, and only after a touch; computers have no tilt to tell. */
+/** Tells whether the device's tilt can be used: phones ask
+ * their owner, and only after a touch; computers have no tilt. */
 async function mayTilt(): Promise<boolean> {
   if (!('DeviceOrientationEvent' in window)) return false;
   const { requestPermission } = DeviceOrientationEvent as { requestPermission?: () => Promise<string> };
@@ -80,43 +82,45 @@ async function mayTilt(): Promise<boolean> {
   return matchMedia('(pointer: coarse)').matches;
 }
 
+/** The state of the studio with all actions that elements call. */
 export class Studio {
   stage: Stage | undefined;
   services!: Services;
   /** Gives a file to the visitor, or to the page that shows this one. */
   deliver: (blob: Blob, name: string) => void = download;
-  /** Of opened files, to save them back in their place. */
+  /** Handles of opened files, to save them back in place. */
   readonly handles = new WeakMap<File, FileSystemHandle>();
-  /** Of the plate that is shown. */
+  /** Former grounds and shape of the shown plate, so that going back asks for no file again. */
   left: Left = nothingLeft;
   #nextNotice = 1;
-  /** What of printers was seen before a file was taken with it, as `toReview` has it. */
+  /** Printer texts of `toReview` that were seen before a file was made with them. */
   readonly #seen = new Set<string>();
-  /** Takes a file to the printer, once a sheet is answered. */
+  /** Makes the file once an open sheet is answered. */
   #waiting: (() => void) | undefined;
 
   constructor(
     readonly store: Store<Shown>,
-    /** What the engine is asked for. */
+    /** Threads that the engine is started with. */
     readonly threads: 'auto' | 'off' | number,
-    /** Whether this is shown in a frame of another page. */
+    /** The studio is shown in a frame of another page. */
     readonly framed: boolean,
   ) {}
 
-  /** A small choice of an earlier visit; frames have none, as other pages set theirs. */
+  /** Returns a small choice of an earlier visit; frames have none, because their hosts set these choices. */
   recall = (name: string): string | undefined => (this.framed ? undefined : recallText(name));
 
   remember(name: string, text: string): void {
     if (!this.framed) remember(name, text);
   }
 
-  /** Puts what the visitor has said to print with into the state. */
+  /** Puts the visitor's own printer and filament into the state. */
   async recallOwnPrint(): Promise<void> {
     const text = this.recall(ownPrintName);
     if (text !== undefined) this.store.set({ own: (await loadOwnPrint()).OwnPrint.of(text) });
   }
 
-  /** @param thickness  [mm] of plates that follow; undefined: none was said */
+  /** Remembers the printer and filament of the plate.
+   * @param thickness  thickness of later plates [mm]; undefined: none was named */
   async keepOwnPrint(thickness: number | undefined): Promise<void> {
     if (this.framed) return;
     const { OwnPrint, ownPrintText } = await loadOwnPrint();
@@ -125,7 +129,7 @@ export class Studio {
     this.store.set({ own: OwnPrint.of(text) });
   }
 
-  /** Their own choice of printer or filament, which plates that follow have, too. */
+  /** Applies the visitor's own choice of printer or filament, which later plates get, too. */
   choosePrint(change: (plate: Plate) => Plate): void {
     this.change(change);
     void this.attempt(() => this.keepOwnPrint(this.store.state.own?.said.thickness));
@@ -133,18 +137,19 @@ export class Studio {
 
   // --- The plate ----------------------------------------------------------------------------------------------------------
 
-  /** @param gesture  names a drag that goes on until `settle`. */
+  /** Changes the plate. @param gesture  name of a drag that goes on until `settle` */
   change(change: (plate: Plate) => Plate, gesture?: string): void {
     this.store.change(change, gesture);
     if (gesture !== undefined && !this.store.state.live) this.store.set({ live: true });
   }
 
+  /** Ends a drag. */
   settle(): void {
     this.store.settle();
     if (this.store.state.live) this.store.set({ live: false });
   }
 
-  /** At a plate that nobody has looked at yet. */
+  /** Resets the view for a new plate. */
   look(): void {
     this.store.set({ mark: -1, played: 1, playing: false, tool: 'pan', layer: undefined, cropping: false });
     this.setOpened(undefined);
@@ -152,7 +157,7 @@ export class Studio {
     this.stage?.fit();
   }
 
-  /** Lower left corner of a plate in the middle of the bed. */
+  /** Returns the lower left corner of a plate in the middle of the bed [mm]. */
   centredPlace(): [number, number] {
     const { bedMin, bedMax } = this.store.state.plate.printer;
     const [width, height] = this.boxOnBed();
@@ -160,7 +165,7 @@ export class Studio {
     return [middle(0, width), middle(1, height)];
   }
 
-  /** The page's box as it lies turned. */
+  /** Returns the bounding box of the turned page [mm]. */
   boxOnBed(): [number, number] {
     const { plate } = this.store.state;
     const [width, tall] = pageOf(plate);
@@ -172,10 +177,10 @@ export class Studio {
 
   // --- The page -----------------------------------------------------------------------------------------------------------
 
-  /** The section that was open before the list of what was found. */
+  /** Section that was open before the list of findings. */
   #before = '';
 
-  /** The list of what was found comes with the view that shows its places, and goes with it. */
+  /** Sets the view; the list of findings opens and closes with the view that shows its places. */
   setView(view: ViewName): void {
     const { state } = this.store;
     const lists = view === 'quality' && offers(state, 'quality');
@@ -184,7 +189,7 @@ export class Studio {
     this.store.set({ view, panel });
   }
 
-  /** The section that is open at first; '': none. */
+  /** Returns the section that is open at first; '': none. */
   firstPanel(): string {
     const { mode } = this.store.state;
     if (!matchMedia('(min-width: 721px) and (min-height: 480px)').matches) return '';
@@ -198,7 +203,7 @@ export class Studio {
 
   setTool(tool: Tool): void {
     this.store.set({ tool });
-    // In the shimmer strokes are seen as they will be; elsewhere they are seen as directions.
+    // In the shimmer, strokes are seen as they will be printed; all other views switch to directions.
     if (tool !== 'pan' && this.store.state.view !== 'appearance') this.setView('directions');
   }
 
@@ -208,27 +213,28 @@ export class Studio {
     this.store.set(playing ? { playing: false } : { playing: true, played: played >= 1 ? 0 : played });
   }
 
-  /** Where the plate looks as it is meant to; the light comes back to it. */
+  /** Returns the light under which the plate looks as intended; the light returns to it. */
   homeLight(): Light {
     const { plate, result, light, lightMode } = this.store.state;
     return lightMode === 'fixed' ? light : homeLight(plate, result?.toolpath.look);
   }
 
-  /** Of the plate's pictures. */
+  /** Returns the lamps of the plate's pictures. */
   lamps(): Light[] {
     const { plate, result } = this.store.state;
     return lampsOf(plate, result?.toolpath.look);
   }
 
-  /** The light moves to a picture's lamp and stays near it. */
+  /** Moves the light to a picture's lamp; it stays near it. */
   showLamp(lamp: number): void {
     this.store.set({ lamp, aimed: undefined, flipping: false, lightMode: 'pointer', view: 'appearance' });
   }
 
-  /** Whether the visitor asks for little motion. */
+  /** Tells whether the visitor asks for reduced motion. */
   calm = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
-  /** The light stands still while nobody moves it: somebody's own picture would be lost beside its lamp. */
+  /** Tells whether the light stands still while nobody moves it:
+   * away from its lamp, a visitor's own picture would be lost. */
   keepsStill(): boolean {
     const { plate, lamp } = this.store.state;
     return (
@@ -236,7 +242,7 @@ export class Studio {
     );
   }
 
-  /** The lamp turns from each picture to the next until it is told to stop. */
+  /** Moves the lamp from each picture to the next until it is stopped; with reduced motion, by one picture. */
   flip(): void {
     const { flipping, lamp } = this.store.state;
     const next = (lamp + 1) % Math.max(1, this.lamps().length);
@@ -244,7 +250,7 @@ export class Studio {
     else this.store.set({ flipping: !flipping, aimed: undefined, lightMode: 'pointer', view: 'appearance' });
   }
 
-  /** By hand: whatever moved the light before leaves it alone. */
+  /** Sets the light by hand, which ends all other motion of the light. */
   setLight(change: Partial<Light>): void {
     const light = { ...this.store.state.light, ...change };
     this.store.set({ light, aimed: undefined, lightMode: 'fixed', flipping: false });
@@ -259,6 +265,7 @@ export class Studio {
     this.store.set({ lightMode, aimed: undefined, flipping: false });
   }
 
+  /** Zooms in on a mark in the view of findings. */
   lookAtMark(index: number): void {
     const mark = this.store.state.marks[index];
     if (mark === undefined) return;
@@ -270,7 +277,7 @@ export class Studio {
     this.store.set({ theme });
   }
 
-  /** Not to be said again on this device. */
+  /** Ends the welcome, for good on this device. */
   endWelcome(): void {
     this.store.set({ welcome: false, flipping: false });
     this.remember('welcomed', 'yes');
@@ -287,20 +294,20 @@ export class Studio {
     });
   }
 
-  /** For this visit alone. */
+  /** Sets the language for this visit alone. */
   async speak(language: string): Promise<void> {
     await setLanguage(language);
     document.documentElement.lang = language;
     this.store.set({ language });
   }
 
-  // --- Words --------------------------------------------------------------------------------------------------------------
+  // --- Notices ------------------------------------------------------------------------------------------------------------
 
   notify(text: string, ...actions: NoticeAction[]): void {
     this.tell({ text, actions });
   }
 
-  /** @returns the number of what stands there now */
+  /** Reports a problem. @returns the id of the notice */
   fail(problem: Problem): number {
     return this.tell({ text: '', problem });
   }
@@ -309,7 +316,7 @@ export class Studio {
     this.store.set({ notices: this.store.state.notices.filter((notice) => notice.id !== id) });
   }
 
-  /** Runs what may fail; a failure is told. @returns whether it went well. */
+  /** Runs an action and reports its failure. @returns true if it went well */
   async attempt(action: () => Promise<void> | void): Promise<boolean> {
     try {
       await action();
@@ -320,14 +327,14 @@ export class Studio {
     }
   }
 
-  /** @returns the number of the notice, by which it is dismissed; 0: the plate's problem says it */
+  /** Shows a notice. @returns its id, to dismiss it; 0: the plate's problem already says the same */
   tell(words: Omit<Notice, 'id'>): number {
     const { problem: told } = words;
     const { problem, notices, dialog } = this.store.state;
     if (told !== undefined) {
       if (problem !== undefined && same(problem, told)) return 0;
       const standing = notices.find((notice) => notice.problem !== undefined && same(notice.problem, told));
-      // Sheets show only what is told while they are open.
+      // An open sheet shows only notices that were made after it opened.
       if (standing !== undefined && dialog === undefined) return standing.id;
     }
     const id = this.#nextNotice++;
@@ -343,32 +350,35 @@ export class Studio {
     return id;
   }
 
-  /** @param opened  undefined: another plate, of other files; what was offered for those before would be done to these */
+  /** Sets the files that were opened last.
+   * @param opened  undefined: the plate comes from other files,
+   * and offers about the earlier files would act on the wrong ones */
   setOpened(opened: OpenedFiles | undefined): void {
     this.store.set({ opened, notices: this.store.state.notices.filter(({ ofFiles }) => !ofFiles) });
   }
 
   // --- Files --------------------------------------------------------------------------------------------------------------
 
-  /** @param role  of all of them, where it is known */
+  /** Opens files. @param role  role of all of them, if it is known */
   async open(files: readonly File[], role?: Role): Promise<void> {
     if (files.length > 0) await this.attempt(() => this.services.open(files, role));
   }
 
-  /** Asks for files; the plate is as before where none is chosen. @param accept  empty: any; then a project among them can be
-   * saved back in its place */
+  /** Asks for files; none chosen: the plate stays as it is.
+   * @param accept  accepted types; empty: any, and a project among them can be saved back in place */
   async pick(accept = ''): Promise<File[]> {
     if (accept === '' && 'showOpenFilePicker' in window)
       return (await import('../files/in-place.js')).pickInPlace(this.handles);
     return pickFiles(accept);
   }
 
+  /** Makes a file and delivers it; a G-code file only after the printer and its blocks were confirmed. */
   async save(product: Product): Promise<void> {
     if (product !== 'gcode' || !(this.#mustAsk() || this.#mustReview())) await this.#save(product);
     else this.whenReviewed(() => void this.#save(product));
   }
 
-  /** Takes a file to the printer, at once or once it was said which one that is, and everything was seen that it would run. */
+  /** Makes a file for the printer, after the visitor has named the printer and has seen all text that it would run. */
   whenReviewed(save: () => void): void {
     if (this.#mustAsk()) {
       this.#waiting = save;
@@ -378,25 +388,26 @@ export class Studio {
     else save();
   }
 
-  /** Shows the blocks. @param save  what their button is for; left out: the plate's own file */
+  /** Shows the blocks of the printer. @param save  action of their button; left out: the plate's own file */
   review(save = (): void => void this.#save('gcode')): void {
     this.#waiting = save;
     this.show('blocks');
   }
 
-  /** The blocks are on the screen no more. */
+  /** Marks the blocks as reviewed and makes the file. */
   goOn(): void {
     const { printer } = this.store.state.plate;
     this.#setReviewed(toReview(printer));
     this.#waiting?.();
   }
 
-  /** Goes on with the file once its printer is named and the sheet is gone; blocks that need a review come first. */
+  /** Makes the file after its printer was named and the sheet closed; blocks that need a review come first. */
   goOnPrinting(): void {
     if (this.#mustReview()) this.review(this.#waiting);
     else this.#waiting?.();
   }
 
+  /** Makes a file and saves it in place, or delivers it. */
   async #save(product: Product): Promise<void> {
     await this.attempt(async () => {
       const { blob, name } = await this.make(product);
@@ -412,16 +423,16 @@ export class Studio {
     });
   }
 
-  /** Returns whether nobody has said which machine the plate is for. */
+  /** Tells whether nobody has said which machine the plate is for. */
   lacksPrinter(): boolean {
     const { plate, own } = this.store.state;
     return isNobodys(plate.printer) && own?.means(plate.printer) !== true;
   }
 
-  /** A page around this one answers for the printer. */
+  /** Tells whether to ask for the printer; in a frame, the surrounding page vouches for it. */
   #mustAsk = (): boolean => !this.framed && this.lacksPrinter();
 
-  /** Nothing moves or heats a machine that nobody has seen. */
+  /** Tells whether the printer's blocks must be reviewed: nothing unseen may move or heat a machine. */
   #mustReview(): boolean {
     const text = toReview(this.store.state.plate.printer);
     return text !== '' && !this.#seen.has(text) && this.recall('reviewed') !== text;
@@ -432,7 +443,7 @@ export class Studio {
     this.remember('reviewed', text);
   }
 
-  /** What the design brings is used from now on. @param seen  every line of it was on the screen */
+  /** Applies the settings that the design brings. @param seen  every line of them was on the screen */
   useBrought(seen: boolean): void {
     this.settle();
     this.change(useBrought);
@@ -445,7 +456,8 @@ export class Studio {
     this.change(withoutBrought);
   }
 
-  /** Whoever prints the base elsewhere mostly wants the rest above it next. */
+  /** Offers to set the start height to the top of the base: whoever
+   * prints the base elsewhere usually wants the rest next. */
   #offerRest(name: string): void {
     const { plate, mode } = this.store.state;
     if (plate.print.showSide !== 'up' || mode !== 'edit') {
@@ -463,7 +475,7 @@ export class Studio {
     });
   }
 
-  /** A file of the plate as it is now. */
+  /** Returns a file of the current plate. */
   async make(product: Product, signal?: AbortSignal): Promise<{ blob: Blob; name: string }> {
     const { plate } = this.store.state;
     const blob = await this.#make(product, plate, signal);
@@ -477,6 +489,7 @@ export class Studio {
     return isPacked('gcode', plate) ? (await this.services.engine()).packGcode(blob) : blob;
   }
 
+  /** Makes the content of a product. */
   async #make(product: Product, plate: Plate, signal?: AbortSignal): Promise<Blob> {
     switch (product) {
       case 'gcode':
@@ -496,7 +509,7 @@ export class Studio {
     return (await import('../files/project.js')).writeProject(plate);
   }
 
-  /** @param width  [pixels] */
+  /** Returns a picture of the plate. @param width  [pixels] */
   async picture(width: number): Promise<{ blob: Blob; name: string }> {
     const { plate } = this.store.state;
     return { blob: await this.#canvas().capture(width), name: fileName(plate, endings.png) };

@@ -1,4 +1,5 @@
-// Notes for people who take a file to a printer: once on a device, that no file was tried yet; each time, where the lamp stands.
+// Notes for people who take a file to a printer: once per device,
+// that no file was tried yet; each time, the place of the lamp.
 import { words } from '../i18n/en/export.js';
 import { machineName } from '../i18n/say.js';
 import { say, t } from '../i18n/text.js';
@@ -7,18 +8,18 @@ import type { Studio } from './studio.js';
 
 const told = 'untried';
 
-/** Says of the plate's printer that nothing was tried on it, and what to print first. */
+/** Returns a sentence that nothing was tried on the plate's printer, and what to print first. */
 export function untriedText({ printer }: Plate): string {
   const name = machineName(printer);
   return name === '' ? say(words, 'export.untried') : say(words, 'export.untriedOn', { printer: name });
 }
 
-/** The note was on the screen. */
+/** Remembers that the note was on the screen. */
 export const markUntried = (studio: Studio): void => {
   studio.remember(told, 'yes');
 };
 
-/** Tells of a file that went to the downloads: what to do with the print, and what was never tried, unless it is known. */
+/** Tells where to put the lamp for a downloaded file and, once per device, that nothing was tried on the printer. */
 export function tellPrint(studio: Studio, name: string): void {
   studio.notify(t('export.done', { name }), {
     label: say(words, 'card.title'),

@@ -1,11 +1,12 @@
-// Strokes of brushes that are ahead of the beads: shown at once, until the plate that follows them is there.
+// Brush strokes that are newer than the beads: they show at once, until the plate that contains them is made.
 import type { Plate } from '../model/plate.js';
 import { drawStrokes, usualRadius } from './print-drawing.js';
 
 type Draw = (context: CanvasRenderingContext2D, styles: CSSStyleDeclaration) => void;
 
-/** @param made  the plate whose beads are shown
- * @returns what draws them, given a context that is transformed to millimetres of the page; undefined: nothing is ahead */
+/** Finds the strokes that the shown beads do not follow yet.
+ * @param made  the plate whose beads are shown
+ * @returns a function that draws these strokes on a context in millimetres of the page; undefined: there are none */
 export function strokesAhead(plate: Plate, made: Plate): Draw | undefined {
   const top = plate.layers.at(-1);
   if (top?.kind !== 'strokes' || made.shape !== plate.shape) return undefined;

@@ -1,14 +1,15 @@
-// The points of a path as the renderer's shaders read them, made in slices: a page that lays out a long path must not stop.
+// Lays out the points of a path for the renderer's shaders, in slices, so that a long path does not block the page.
 import type { Toolpath } from 'sillon';
 import { pointsToDraw } from './thinned.js';
 
-/** Floats per point, which is a texel: x, y, width, share of the print. Segments read their neighbours' points too. */
+/** Floats per point, which is one texel: x, y, width, share
+ * of the print. Segments read their neighbours' points, too. */
 const stride = 4;
 
-/** Texels of a row of points; every WebGL2 has this many. */
+/** Texels per row of points; every WebGL2 supports this width. */
 export const columns = 2048;
 
-/** Segments that follow each other, and the box around them [mm]; what is off the screen is not drawn. */
+/** Consecutive segments and the box around them [mm]; runs off the screen are not drawn. */
 interface Run {
   first: number;
   segments: number;
@@ -18,18 +19,20 @@ interface Run {
 export interface BeadData {
   rows: number;
   points: Float32Array;
-  /** Two values of each of the same points: the delay of its neighbours, and how it leans; one pair where nobody asked. */
+  /** Two values per point: the delay of its neighbours, and its lean; a single pair if they are not shown. */
   delays: Float32Array;
   runs: Run[];
 }
 
+/** Segments per run, which is one draw call. */
 export const segmentsPerRun = 4096;
 
-/** Points of a slice: some milliseconds on a slow machine. */
+/** Points per slice: some milliseconds on a slow machine. */
 const pointsPerSlice = 8192;
 
-/** @param tolerance  as of pointsToDraw
- * @param delays  as of `Delayed`; left out: nobody asked */
+/** Thins and lays out the points of all cycles; yields after each slice.
+ * @param tolerance  see pointsToDraw
+ * @param delays  see `Delayed`; left out: they are not shown */
 export function* beadData(
   { cycles }: Pick<Toolpath, 'cycles'>,
   tolerance: number,
@@ -62,7 +65,7 @@ export function* beadData(
     const kept = drawn[cycle] ?? new Uint32Array();
     const count = kept.length;
     const start = at;
-    // One point before the first, and two after the last: every segment has neighbours.
+    // One extra point before the first and two after the last give every segment its neighbours.
     for (let k = -1; k < count + 2; ++k, ++at) {
       const from = kept[(k + count) % count] ?? 0;
       data[at * stride] = points[2 * from] ?? 0;
@@ -82,7 +85,7 @@ export function* beadData(
   return { rows, points: data, delays: late, runs };
 }
 
-/** @param data  of points, as shaders read them */
+/** Returns the box around some points and their beads [mm]. @param data  points as shaders read them */
 function boxOf(data: Float32Array, first: number, count: number): Run['box'] {
   const box: Run['box'] = [Infinity, Infinity, -Infinity, -Infinity];
   for (let at = first * stride; at < (first + count) * stride; at += stride) {

@@ -1,7 +1,8 @@
-// The camera over a page: moved by hand, and what lies where on the page and on the screen.
+// Camera over a page: zooming and panning by hand, and the mapping between page and screen.
 import type { Camera } from './scene.js';
 
-/** Nearer by a factor, with the same place [mm] under the pointer. @param least, most  pixels per mm */
+/** Zooms by a factor; the place under the pointer [mm] stays.
+ * @param least, most  limits of the scale [pixels per mm] */
 export function zoomed(
   camera: Camera,
   at: { x: number; y: number },
@@ -14,7 +15,7 @@ export function zoomed(
   return { x: at.x + (camera.x - at.x) * share, y: at.y + (camera.y - at.y) * share, scale };
 }
 
-/** Dragged along [pixels, y down]. Its middle leaves the page by no more than a share of the page's sides. */
+/** Pans by a drag [pixels, y down]. The camera's middle leaves the page by no more than a share of the page's sides. */
 export function panned(camera: Camera, dx: number, dy: number, page: readonly [number, number], share: number): Camera {
   const within = (value: number, length: number): number =>
     Math.min((1 + share) * length, Math.max(-share * length, value));
@@ -25,44 +26,46 @@ export function panned(camera: Camera, dx: number, dy: number, page: readonly [n
   };
 }
 
-/** Looks down at a page [mm] on an element of the screen. */
+/** Camera of an element that looks straight down at a page [mm]. */
 export class PageCamera {
-  /** Pixels of the screen. */
+  /** Current camera, in pixels of the screen. */
   now: Camera = { x: 0, y: 0, scale: 1 };
-  /** Nobody has moved it: it fits whatever size the page and the element get. */
+  /** The user has not moved the camera yet: it fits whatever size the page and the element get. */
   fitted = true;
 
   constructor(
     private readonly element: Element,
-    /** Its sides. */
+    /** Sides of the page [mm]. */
     protected readonly page: () => readonly [number, number],
     protected readonly redraw: () => void,
-    /** How near and how far it goes: CSS pixels per mm at most, and screens across the page's longer side. */
+    /** Limits of the zoom: CSS pixels per mm at most, and `across`
+     * longer sides of the page per screen width at most. */
     private readonly limits: { most: number; across: number },
   ) {}
 
-  /** Of the element [CSS pixels]. */
+  /** Position and size of the element [CSS pixels]. */
   protected get size(): DOMRect {
     return this.element.getBoundingClientRect();
   }
 
-  /** CSS pixels per mm. */
+  /** Scale in CSS pixels per mm. */
   get cssScale(): number {
     return this.now.scale / devicePixelRatio;
   }
 
-  /** Millimetres under a point of the element. */
+  /** Returns the place of the page [mm] under a point of the element. */
   toPage({ x, y }: { x: number; y: number }): { x: number; y: number } {
     const { width, height } = this.size;
     return { x: this.now.x + (x - width / 2) / this.cssScale, y: this.now.y - (y - height / 2) / this.cssScale };
   }
 
-  /** The point of the element over a place of the page [mm]. */
+  /** Returns the point of the element over a place of the page [mm]. */
   toScreen({ x, y }: { x: number; y: number }): { x: number; y: number } {
     const { width, height } = this.size;
     return { x: width / 2 + (x - this.now.x) * this.cssScale, y: height / 2 - (y - this.now.y) * this.cssScale };
   }
 
+  /** Zooms around a point of the element, within the limits. */
   zoom(factor: number, x = this.size.width / 2, y = this.size.height / 2): void {
     const { most, across } = this.limits;
     const least = (this.size.width * devicePixelRatio) / (across * Math.max(...this.page()));
@@ -70,13 +73,15 @@ export class PageCamera {
     this.letGo();
   }
 
-  /** @param share  as `panned` has it @param page  with what stands beside it */
+  /** Pans by a drag [CSS pixels]. @param share  largest share that leaves the page, see `panned`
+   * @param page  sides of the page, with what stands beside it */
   pan(dx: number, dy: number, share: number, page = this.page()): void {
     this.now = panned(this.now, dx * devicePixelRatio, dy * devicePixelRatio, page, share);
     this.fitted = false;
     this.redraw();
   }
 
+  /** Marks the camera as moved by hand and draws again. */
   protected letGo(): void {
     this.fitted = false;
     this.redraw();

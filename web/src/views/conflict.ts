@@ -1,15 +1,17 @@
-// What pictures on one plate take from each other: where one lacks the light that it asks for, and where it has too much.
+// Shows how pictures on one plate disturb each other: where one
+// lacks the light that it asks for, and where it gets too much.
 import type { Conflict } from 'sillon';
 
 const lacking = [232, 120, 32] as const; // amber: light is missing
 const extra = [36, 190, 200] as const; // teal: light of another picture
-const least = 4; // [percent of the way from dark to white] what nobody sees
-const full = 40; // as strong as it gets
+const least = 4; // [percent of the way from dark to white] largest difference that nobody sees
+const full = 40; // [percent] difference from which the colour is at full strength
 
 const drawn = new WeakMap<Conflict, OffscreenCanvas[]>();
 
-/** Clear where the plate shows the picture as it should. @param picture  its place among the plate's
- * @returns undefined where there is no such picture */
+/** Returns the tinted error of one picture, transparent where the plate shows it as intended.
+ * @param picture  index of the picture
+ * @returns undefined if there is no such picture */
 export function conflictPicture(conflict: Conflict, picture: number): OffscreenCanvas | undefined {
   const known = drawn.get(conflict) ?? [];
   drawn.set(conflict, known);
@@ -24,7 +26,7 @@ function tinted({ width, height }: Conflict, missing: Int8Array): OffscreenCanva
   return canvas;
 }
 
-/** RGBA of each cell. */
+/** Returns RGBA of each cell. */
 export function conflictPixels(missing: Int8Array): Uint8ClampedArray<ArrayBuffer> {
   const pixels = new Uint8ClampedArray(4 * missing.length);
   for (const [k, percent] of missing.entries()) {

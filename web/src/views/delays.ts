@@ -1,18 +1,19 @@
-// Waits of beads for their neighbours, and the sides to which they lean, as a colour.
+// Delays between neighbouring beads, and the sides to which they lean.
 import type { PrinterValues, Toolpath } from 'sillon';
 import { evenSpeed, neighbours } from '../model/facts.js';
 
-/** Beside which beads one is laid that were there before it: it leans on them, or is squeezed between them. */
+/** Sides on which a bead is laid against earlier beads: it leans on them, or is squeezed between them. */
 export const leans = { onNone: 0, toTheLeft: 1, toTheRight: -1, squeezed: 2 } as const;
 
-/** A toolpath in short pieces, with the delay of each [s] and how it leans, in turns. */
+/** A toolpath in short pieces, with the delay of each [s] and its lean, alternately. */
 export interface Delayed {
   toolpath: Toolpath;
-  /** One array per cycle, two values per point: of the piece that begins there. */
+  /** One array per cycle, two values per point: delay and lean of the piece that begins there. */
   delays: Float32Array[];
 }
 
-/** Tells whether the last of its commands sets more than 0, as `setsPressureAdvance` of the core does. */
+/** Tells whether the last pressure-advance command of a block
+ * sets more than 0, as `setsPressureAdvance` of the core does. */
 function setsPressureAdvance(block: string): boolean {
   const commands = block.matchAll(
     /^[ \t]*(?:M900[^;\n]*? K|M572[^;\n]*? S|SET_PRESSURE_ADVANCE[^;\n]*? ADVANCE=)([^ ;\n]*)/gm,
@@ -20,7 +21,7 @@ function setsPressureAdvance(block: string): boolean {
   return /[1-9]/.test([...commands].at(-1)?.[1] ?? '');
 }
 
-/** Speed of oriented beads, as the core's G-code has it [mm/s]. */
+/** Returns the speed of oriented beads in the core's G-code [mm/s]. */
 export function shownSpeed({ flavor, setPressureAdvance, startGcode, showSpeed, speed }: PrinterValues): number {
   if (showSpeed > 0) return showSpeed;
   const own = flavor === 'klipper' || flavor === 'reprap';
@@ -29,22 +30,23 @@ export function shownSpeed({ flavor, setPressureAdvance, startGcode, showSpeed, 
 
 type Cycle = Toolpath['cycles'][number];
 
-/** A part of a bead that is no longer than it is wide. */
+/** Part of a bead, no longer than it is wide. */
 interface Piece {
-  /** Its middle [mm]. */
+  /** Middle [mm]. */
   x: number;
   y: number;
-  /** Its direction, a unit vector. */
+  /** Direction, a unit vector. */
   along: [number, number];
   width: number;
-  /** When its middle is laid [s]. */
+  /** Time at which its middle is laid [s]. */
   time: number;
 }
 
 /**
- * Times between a bead and its neighbour, on the worse of its two sides, and on which of them it leans, by the core's measure
- * (neighbour_delay.cpp), if all beads are laid at one speed. Beads without a neighbour do not wait.
- * @param speed  of the beads [mm/s]
+ * Returns the time between a bead and its neighbour, on the worse of its two sides,
+ * and the side to which it leans, by the core's measure (neighbour_delay.cpp), if
+ * all beads are laid at one speed. Beads without a neighbour have no delay.
+ * @param speed  speed of the beads [mm/s]
  */
 export function delaysOf({ cycles, ...rest }: Toolpath, speed: number): Delayed {
   const cut: Cycle[] = [];
@@ -77,9 +79,10 @@ export function delaysOf({ cycles, ...rest }: Toolpath, speed: number): Delayed 
   return { toolpath: { ...rest, cycles: cut }, delays };
 }
 
+/** Returns delay [s] and lean of each piece, alternately; neighbours are found by a grid of cells. */
 function waitsOf(pieces: readonly Piece[]): Float32Array {
   const reach = neighbours.farthest * pieces.reduce((widest, { width }) => Math.max(widest, width), 0);
-  const cells = new Map<number, Piece[]>(); // as wide as neighbours may be apart
+  const cells = new Map<number, Piece[]>(); // cells are as wide as the largest distance between neighbours
   const cellAt = ({ x, y }: Piece): number => Math.floor(y / reach) * 1e6 + Math.floor(x / reach);
   for (const piece of pieces) {
     const there = cells.get(cellAt(piece));
@@ -88,7 +91,7 @@ function waitsOf(pieces: readonly Piece[]): Float32Array {
   }
   const waits = new Float32Array(2 * pieces.length);
   for (const [k, piece] of pieces.entries()) {
-    const sides: [number, number] = [Infinity, Infinity]; // below 0: the neighbour is there already
+    const sides: [number, number] = [Infinity, Infinity]; // [s] to the left and right; below 0: the neighbour is there already
     for (const row of [-1e6, 0, 1e6]) {
       for (const column of [-1, 0, 1]) {
         for (const other of cells.get(cellAt(piece) + row + column) ?? []) {

@@ -1,6 +1,7 @@
-// GLSL that draws a plate's directions, which are stretched over its page.
+// GLSL that draws a plate's direction raster, stretched over its page.
 import { colourOfBead, toScreen } from './shaders.js';
 
+/** Vertex shader of one rectangle that covers the page. */
 export const fieldVertex = `#version 300 es
 precision highp float;
 uniform vec2 page;
@@ -12,7 +13,7 @@ void main() {
 }
 `;
 
-/** The direction of each texel as a colour, with short strokes along it. */
+/** Fragment shader that shows the direction of each texel as a colour, with short strokes along it. */
 export const fieldFragment = `#version 300 es
 precision highp float;
 precision highp usampler2D;
@@ -58,7 +59,7 @@ void main() {
 }
 `;
 
-/** A plate before it has beads, as beads along its directions would look. */
+/** Fragment shader that shows a plate without beads the way beads along its directions would look. */
 export const sheenFragment = `#version 300 es
 precision highp float;
 precision highp usampler2D;

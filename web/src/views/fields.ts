@@ -1,4 +1,4 @@
-// Draws a plate's directions: as colours, and as beads along them would look.
+// Draws a plate's directions, as colours or the way beads along them would look.
 import type { Shape } from 'sillon';
 import type { DirectionRaster, Directions } from '../model/raster.js';
 import { fieldFragment, fieldVertex, sheenFragment } from './field-shaders.js';
@@ -6,7 +6,7 @@ import { fillShape } from './outline.js';
 import { compile, dataTexture, type Program } from './program.js';
 import type { Camera, Scene } from './scene.js';
 
-const coverSide = 1024; // texels of the longer side
+const coverSide = 1024; // texels along the longer side
 
 /** Directions of a plain zigzag: 45° everywhere. */
 export const slanted: DirectionRaster = {
@@ -16,7 +16,7 @@ export const slanted: DirectionRaster = {
   mode: Uint8Array.of(3),
 };
 
-/** White within a shape, black around it. */
+/** Draws a mask: white within a shape, black around it. */
 function coverOf(shape: Shape): OffscreenCanvas {
   const [width, height] = shape.page;
   const scale = coverSide / Math.max(width, height);
@@ -30,6 +30,7 @@ function coverOf(shape: Shape): OffscreenCanvas {
   return canvas;
 }
 
+/** Draws direction rasters with WebGL2; keeps the textures of the rasters of the last drawing. */
 export class Fields {
   #colours: Program | undefined;
   #sheen: Program | undefined;
@@ -38,19 +39,21 @@ export class Fields {
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
-    /** Colours of directions. */
+    /** Colours of directions, from `directionPalette`. */
     private readonly palette: WebGLTexture,
   ) {}
 
+  /** Draws the directions as colours, with short strokes along them. */
   drawColours({ raster }: Directions, scene: Scene, camera: Camera): void {
     this.#keep([raster]);
     this.#colours ??= compile(this.gl, fieldVertex, fieldFragment);
     this.#draw(this.#colours, raster, scene, camera);
   }
 
-  /** @param opacity  of all of it
-   * @param told  tells the program how beads look
-   * @param plain  in the place of the plate's directions */
+  /** Draws the shape the way beads along its directions would look.
+   * @param opacity  opacity of the whole drawing
+   * @param told  sets the uniforms of the look of beads
+   * @param plain  draws a plain zigzag instead of the plate's directions */
   drawSheen(
     { raster, shape }: Directions,
     scene: Scene,
@@ -67,6 +70,7 @@ export class Fields {
     this.#draw(this.#sheen, plain ? slanted : raster, scene, camera);
   }
 
+  /** Draws a raster over the page with a program. */
   #draw(program: Program, raster: DirectionRaster, scene: Scene, camera: Camera): void {
     const { gl } = this;
     const { at } = program;
@@ -86,9 +90,10 @@ export class Fields {
     gl.activeTexture(gl.TEXTURE0 + unit);
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.uniform1i(at(name), unit);
-    gl.activeTexture(gl.TEXTURE0); // where textures are made
+    gl.activeTexture(gl.TEXTURE0); // textures are made on unit 0
   }
 
+  /** Returns the textures of a raster, which are uploaded once. */
   #texturesOf(raster: DirectionRaster): { angle: WebGLTexture; mode: WebGLTexture } {
     const { gl } = this;
     const known = this.#rasters.get(raster);
@@ -102,6 +107,7 @@ export class Fields {
     return made;
   }
 
+  /** Deletes the textures of all other rasters. */
   #keep(wanted: readonly DirectionRaster[]): void {
     for (const [raster, { angle, mode }] of this.#rasters) {
       if (wanted.includes(raster)) continue;
@@ -111,6 +117,7 @@ export class Fields {
     }
   }
 
+  /** Returns the mask of a shape as a texture; the last one is kept. */
   #coverOf(shape: Shape): WebGLTexture {
     const { gl } = this;
     if (this.#cover?.of === shape) return this.#cover.texture;

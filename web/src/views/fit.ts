@@ -1,4 +1,4 @@
-// Where the camera stands so that a whole plate is seen between the buttons that lie over it. Lengths are CSS pixels.
+// Places the camera so that a whole plate is visible between the buttons that lie over it. Lengths are CSS pixels.
 import type { Camera } from './scene.js';
 
 export interface Box {
@@ -8,7 +8,7 @@ export interface Box {
   bottom: number;
 }
 
-/** What boxes leave of an area: each takes the side of it on which it costs least. */
+/** Returns the part of an area that boxes leave free: each box takes the side of the area where it costs least. */
 export function freeOf(area: Box, boxes: readonly Box[]): Box {
   const free = { ...area };
   for (const { left, top, right, bottom } of boxes) {
@@ -30,10 +30,10 @@ export function freeOf(area: Box, boxes: readonly Box[]): Box {
   return free;
 }
 
-/** Sees a plate in the middle of a box of an element.
- * @param plate  its sides [mm]
- * @param element  its sides
- * @param scale  pixels per mm; undefined: all of the plate, as large as it fits */
+/** Returns the camera that centres a plate in a box of an element.
+ * @param plate  sides of the plate [mm]
+ * @param element  sides of the element
+ * @param scale  pixels per mm; undefined: the plate fills the box */
 export function seenIn(
   { left, top, right, bottom }: Box,
   plate: readonly [number, number],

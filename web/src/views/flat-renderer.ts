@@ -1,5 +1,5 @@
-// Draws the plate where there is no WebGL2, on a 2D canvas: its beads as lines of few tones, and its directions, which are
-// quicker, while the light moves.
+// Draws the plate on a 2D canvas, for browsers without WebGL2: its beads as lines of a few tones; while the light
+// moves, its directions, which are faster.
 import type { DirectionRaster, Directions } from '../model/raster.js';
 import { slanted } from './fields.js';
 import { tonesOf, type Rgb, type Tones } from './lit.js';
@@ -13,13 +13,13 @@ type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
 const grey: Rgb = [153, 153, 150];
 const palette = directionPalette();
 
-/** @param turn  0..1 of half a turn */
+/** Returns the colour of a direction. @param turn  angle as a share of half a turn, 0..1 */
 function hueOf(turn: number): Rgb {
   const at = 3 * (Math.floor(turn * 256) & 255);
   return [palette[at] as number, palette[at + 1] as number, palette[at + 2] as number];
 }
 
-/** In the scene's view. */
+/** Returns the tones of beads in the scene's view. */
 function tonesFor(scene: Scene): Tones {
   const { colour, along, across } = scene.filament;
   if (scene.view === 'appearance') return tonesOf({ ...scene, body: colour, slopes: [along, across] });
@@ -27,7 +27,7 @@ function tonesFor(scene: Scene): Tones {
   return { of: (x, y) => (Math.atan2(y, x) / Math.PI + 1) % 1, colour: hues ? hueOf : () => grey };
 }
 
-/** A raster as a picture of its own size. */
+/** Draws a raster as a picture of its own size. */
 function picture({ width, height, angle }: DirectionRaster, scene: Scene): OffscreenCanvas {
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext('2d');
@@ -49,7 +49,7 @@ function picture({ width, height, angle }: DirectionRaster, scene: Scene): Offsc
   return canvas;
 }
 
-/** Draws directions; those of a plate that is gone are stretched to the page of the one to come. */
+/** Draws directions; those of the previous plate are stretched to the page of the coming one. */
 function drawDirections(context: Context, { raster, shape }: Directions, scene: Scene, plain: boolean): void {
   const one = picture(plain ? slanted : raster, scene);
   const [wide, tall] = shape.page;
@@ -63,6 +63,7 @@ function drawDirections(context: Context, { raster, shape }: Directions, scene: 
   context.restore();
 }
 
+/** Draws the plate, or the plain zigzag compared with it; the zigzag is drawn as directions only. */
 function drawPart(context: Context, scene: Scene, scale: number, plain: boolean): void {
   const { directions, toolpath } = scene;
   const quick = scene.quick === true || plain || toolpath === undefined || scene.view === 'directions';
@@ -70,6 +71,7 @@ function drawPart(context: Context, scene: Scene, scale: number, plain: boolean)
   else if (toolpath !== undefined && !plain) strokeBeads(context, toolpath, scale, tonesFor(scene));
 }
 
+/** Draws the plate and, beside or over it, the zigzag that it is compared with. */
 function drawScene(context: Context, scene: Scene, camera: Camera): void {
   const { width, height } = context.canvas;
   const { compare, wipe, page } = scene;
@@ -91,7 +93,7 @@ function drawScene(context: Context, scene: Scene, camera: Camera): void {
   }
 }
 
-/** @throws Error where the canvas has another context already */
+/** Creates a renderer on a canvas. @throws Error if the canvas already has another context */
 export function createFlatRenderer(canvas: HTMLCanvasElement): Renderer {
   const context = canvas.getContext('2d');
   if (context === null) throw new Error('this browser has no canvas to draw plates on');

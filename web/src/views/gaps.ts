@@ -1,18 +1,18 @@
-// Where the shape stays empty: between beads, and where it is too narrow for one.
+// Finds the places of a shape that stay empty: between beads, and where the shape is too narrow for one.
 import type { Shape, Toolpath } from 'sillon';
 import type { Mark } from '../model/view.js';
 
 const cellsPerSpacing = 3;
 const mostCells = 4_000_000;
-/** What a bead reaches beside its own width, so that joints between neighbours do not count [cells]. */
+/** Reach of a bead beyond its own width [cells], so that joints between neighbours do not count as gaps. */
 const slack = 0.75;
-const smallest = { gap: 0.12, lost: 0.9 }; // [spacings²]
+const smallest = { gap: 0.12, lost: 0.9 }; // [spacings²] least areas of a mark, by kind
 
 interface Found extends Mark {
   area: number;
 }
 
-/** Marks `gap` and `lost`, the largest first. What is smaller than an eighth of a square spacing is not told. */
+/** Returns marks `gap` and `lost`, the largest first. Places below an eighth of a square spacing are left out. */
 export function findGaps({ shape, cycles, spacing }: Toolpath, most: number): Mark[] {
   const [width, height] = shape.page;
   const cell = Math.max(spacing / cellsPerSpacing, Math.sqrt((width * height) / mostCells));
@@ -25,11 +25,11 @@ export function findGaps({ shape, cycles, spacing }: Toolpath, most: number): Ma
   return found.slice(0, most).map(({ x, y, kind }) => ({ x, y, kind }));
 }
 
-/** 1 where a cell's middle is inside of the shape. */
+/** Returns 1 for each cell whose middle is inside the shape. */
 function insideOf({ paths }: Shape, columns: number, rows: number, cell: number): Uint8Array {
   const inside = new Uint8Array(columns * rows);
   for (const { rings, fillRule } of paths) {
-    // Per row, where edges cross its middle and which way they go.
+    // Crossings of edges with the middle of each row: x, and the way the edge goes.
     const crossings: [number, number][][] = Array.from({ length: rows }, () => []);
     for (const ring of rings) {
       const count = ring.length / 2;
@@ -93,7 +93,7 @@ function coverPath(
   }
 }
 
-/** Empty cells that touch each other, as one mark each. Clears them. */
+/** Joins empty cells that touch each other into one mark each, and clears them (flood fill). */
 function clusters(empty: Uint8Array, columns: number, rows: number, cell: number, spacing: number): Found[] {
   const found: Found[] = [];
   const waiting: number[] = [];

@@ -1,4 +1,4 @@
-// What a shader with `lookOfBead` is told: once for a picture rather than for each of its pixels.
+// Uniforms of shaders with `lookOfBead`, computed once per picture instead of once per pixel.
 import { appearance } from '../model/appearance.js';
 import type { Light } from '../model/view.js';
 import { lampOf } from './light.js';
@@ -6,19 +6,20 @@ import type { Program } from './program.js';
 
 export interface Look {
   light: Light;
-  /** The slope of the surface that blurs a point as much as the lamp's size. */
+  /** Slope of the surface that blurs a point as much as the lamp's size does. */
   lampSlope: number;
-  /** Seen from straight above all over, as pictures are solved for; else from some page widths above. */
+  /** The eye is straight above every point, as pictures are solved for; otherwise some page widths above the plate. */
   fromAfar: boolean;
-  /** Of the filament, linear 0..1. */
+  /** Colour of the filament, linear 0..1. */
   body: readonly [number, number, number];
   /** RMS slopes along and across the bead [degrees]. */
   slopes: readonly [number, number];
   page: readonly [number, number];
 }
 
-/** The light of a bead's whole top: the shader's `highlightOf` where all of it is seen.
- * @param along, across  the tilt of what reflects @param variances  along, across */
+/** Returns the light of the whole top of a bead, as the shader's `highlightOf` does for a fully visible top.
+ * @param along, across  tilt of the reflecting facet
+ * @param variances  variances of the slope along and across the bead */
 export function highlightOf(along: number, across: number, variances: readonly [number, number]): number {
   let sum = 0;
   for (let k = 0; k < 8; ++k) {
@@ -28,17 +29,19 @@ export function highlightOf(along: number, across: number, variances: readonly [
   return sum / 8;
 }
 
-/** @returns vector to the lamp, variances along and across, light of the brightest direction */
+/** Computes the lamp and the exposure of a look.
+ * @returns vector to the lamp, variances along and across the bead, light of the brightest direction */
 export function exposed({ light, lampSlope, slopes }: Pick<Look, 'light' | 'lampSlope' | 'slopes'>) {
   const lamp = lampOf(light);
   const variance = (degrees: number): number => Math.tan((degrees * Math.PI) / 180) ** 2 + lampSlope ** 2;
   const variances = [variance(slopes[0]), variance(slopes[1])] as const;
-  // Exposed for the brightest direction, which is across the light, or along it where beads are rougher that way.
+  // Exposure is set for the brightest direction: across the light, or along it if beads are rougher that way.
   const middle = Math.hypot(lamp[0], lamp[1]) / (1 + lamp[2]);
   const brightest = Math.max(highlightOf(0, middle, variances), highlightOf(middle, 0, variances), 1e-6);
   return { lamp, variances, brightest };
 }
 
+/** Sets the uniforms of `lookOfBead` in the program in use. */
 export function setLook(gl: WebGL2RenderingContext, { at }: Program, look: Look): void {
   const { lamp, variances, brightest } = exposed(look);
   gl.uniform3f(at('lamp'), ...lamp);

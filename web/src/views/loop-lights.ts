@@ -1,4 +1,4 @@
-// The lamp's place in each frame of a loop of moving light, computed as in the core (look/loop.cpp), by the same constants.
+// Lamp positions of each frame of a moving-light loop, computed as in the core (look/loop.cpp) with the same constants.
 import { loop } from '../model/loop.js';
 import type { Light } from '../model/view.js';
 import { between } from './light.js';
@@ -8,7 +8,8 @@ export interface LoopLight {
   milliseconds: number;
 }
 
-/** One lamp goes round once; several are held in turn, with a quick way to the next. @param lamps  not empty */
+/** Returns the frames of a loop: one lamp goes round once; several are held in turn, with a quick move to the next.
+ * @param lamps  not empty */
 export function loopLights(lamps: readonly Light[]): LoopLight[] {
   const { turnFrames, turnTime, holdTime, crossFrames, crossTime } = loop;
   const [first] = lamps as [Light];

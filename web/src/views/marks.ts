@@ -1,21 +1,23 @@
-// Places worth a look before printing: what stays empty, U-turns, beads whose width is far from the spacing.
+// Finds places worth a look before printing: gaps, U-turns, and beads whose width is far from the spacing.
 import type { Toolpath } from 'sillon';
 import { findGaps } from './gaps.js';
 import type { Mark } from '../model/view.js';
 
 const mostMarks = 200;
-const turnWithin = 1.5; // [spacings] of path in which a U-turns round
+const turnWithin = 1.5; // [spacings] length of path within which a U-turn turns round
+// A path that turns by more within that length is a U-turn [radians].
 const turnFrom = (120 * Math.PI) / 180;
 const narrow = 0.55; // [spacings]
 const wide = 1.6;
-const oneEach = 3; // [spacings] within which marks of a kind are one
+const oneEach = 3; // [spacings] distance within which two marks of a kind count as one
 
 interface Found extends Mark {
-  /** How far from good; the worst are kept. */
+  /** Badness of the place; the worst places are kept. */
   weight: number;
 }
 
-/** At most 200: what was widened and what stays empty first, then the worst of the others, no two of a kind within three spacings. */
+/** Returns at most 200 marks: widened places and gaps first, then
+ * the worst of the others, no two of a kind within three spacings. */
 export function findMarks(toolpath: Toolpath): Mark[] {
   const { cycles, spacing } = toolpath;
   const kept = new Sparse(oneEach * spacing);
@@ -41,12 +43,12 @@ export function findMarks(toolpath: Toolpath): Mark[] {
   return marks;
 }
 
-/** Turning angles are summed over a window that slides along the path. */
+/** Finds U-turns: turning angles are summed over a window that slides along the path. */
 function findTurns(points: Float32Array, spacing: number, found: Found[]): void {
   const count = points.length / 2;
   if (count < 4) return;
   const lengths = new Float32Array(count);
-  const turns = new Float32Array(count); // at the beginning of each segment
+  const turns = new Float32Array(count); // turn at the beginning of each segment [radians]
   let before: number | undefined;
   for (let round = 0; round < 2; ++round) {
     for (let k = 0; k < count; ++k) {
@@ -58,7 +60,7 @@ function findTurns(points: Float32Array, spacing: number, found: Found[]): void 
       const angle = Math.atan2(dy, dx);
       if (before !== undefined) turns[k] = Math.atan2(Math.sin(angle - before), Math.cos(angle - before));
       before = angle;
-      if (round === 1) break; // the first segment's turn needed the last one
+      if (round === 1) break; // the first segment's turn needed the last segment's direction
     }
   }
   const window = turnWithin * spacing;
@@ -81,12 +83,13 @@ function findTurns(points: Float32Array, spacing: number, found: Found[]): void 
   }
 }
 
-/** Places of a kind with a distance between them. */
+/** Keeps places of a kind at least a distance apart, by a grid of cells. */
 class Sparse {
   readonly #cells = new Map<string, [number, number][]>();
 
   constructor(private readonly distance: number) {}
 
+  /** Adds a place unless another of its kind is too near. @returns true if it was added */
   add(kind: string, x: number, y: number): boolean {
     const [column, row] = [Math.floor(x / this.distance), Math.floor(y / this.distance)];
     const key = (dx: number, dy: number): string => `${kind} ${column + dx} ${row + dy}`;

@@ -1,4 +1,4 @@
-// Finds the places to look at beside the page's thread.
+// Finds the places to look at in a worker, so that the page stays responsive.
 import type { Toolpath } from 'sillon';
 import { findMarks } from './marks.js';
 

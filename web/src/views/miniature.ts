@@ -1,10 +1,10 @@
-// A plate as a small picture under its own lamp, drawn from its beads without a graphics card: for lists.
+// Draws a plate as a small picture under its own lamp, from its beads and without a graphics card: for lists.
 import type { Toolpath } from 'sillon';
 import { tonesOf } from './lit.js';
 import type { Look } from './look.js';
 import { strokeBeads } from './strokes-of-beads.js';
 
-/** @param side  of the square picture [pixels] */
+/** Draws a square WebP picture of a plate. @param side  [pixels] */
 export async function miniature(toolpath: Toolpath, look: Look, side: number): Promise<Blob> {
   const { page } = toolpath.shape;
   const scale = (side - 4) / Math.max(page[0], page[1]);

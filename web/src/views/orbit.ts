@@ -1,26 +1,28 @@
-// A print seen from aside, without perspective: where its places lie on the screen, and what lies under a pointer.
+// Maps places of a print, seen at an angle without perspective, to the screen and back.
 import type { PrintRelief } from 'sillon';
 
 export interface Orbit {
-  /** [radians] the print is turned by, counter-clockwise as seen from above. */
+  /** [radians] turn of the print, counter-clockwise as seen from above. */
   turn: number;
-  /** [radians] between the eye and straight above: 0..steepest, or from below π-steepest..π. */
+  /** [radians] angle between the eye and straight above: 0..steepest, or π-steepest..π from below. */
   tilt: number;
   /** Pixels per mm. */
   scale: number;
-  /** Where the middle of the page is on the screen [pixels], y down. */
+  /** Middle of the page on the screen [pixels], y down. */
   x: number;
   y: number;
 }
 
+/** Largest tilt [radians]: 5° above the horizon. */
 export const steepest = (85 * Math.PI) / 180;
 
+/** Tells whether the eye is below the print. */
 export const isBelow = ({ tilt }: Pick<Orbit, 'tilt'>): boolean => tilt > Math.PI / 2;
 
-/** From the other side, as steeply. */
+/** Turns the view to the other side of the print, at the same steepness. */
 export const turnedOver = <Way extends Pick<Orbit, 'tilt'>>(way: Way): Way => ({ ...way, tilt: Math.PI - way.tilt });
 
-/** On the side where the eye is. */
+/** Turns and tilts the view; the eye stays on its side of the print. */
 export function orbited(orbit: Orbit, turn: number, tilt: number): Orbit {
   const whole = 2 * Math.PI;
   const [least, most] = isBelow(orbit) ? [Math.PI - steepest, Math.PI] : [0, steepest];
@@ -31,21 +33,21 @@ export function orbited(orbit: Orbit, turn: number, tilt: number): Orbit {
   };
 }
 
-/** Nearer by a factor; what is under (x, y) stays there. @param least, most  pixels per mm */
+/** Zooms by a factor around (x, y), which stays in place. @param least, most  limits of the scale [pixels per mm] */
 export function magnified(orbit: Orbit, factor: number, x: number, y: number, least: number, most: number): Orbit {
   const scale = Math.min(most, Math.max(least, orbit.scale * factor));
   const share = scale / orbit.scale;
   return { ...orbit, scale, x: x + (orbit.x - x) * share, y: y + (orbit.y - y) * share };
 }
 
-/** Moved on the screen, but never off it: the middle of the page stays in sight. */
+/** Moves the print on the screen; the middle of its page never leaves the screen. */
 export function shifted(orbit: Orbit, dx: number, dy: number, screen: readonly [number, number]): Orbit {
   const within = (value: number, length: number): number => Math.min(length, Math.max(0, value));
   return { ...orbit, x: within(orbit.x + dx, screen[0]), y: within(orbit.y + dy, screen[1]) };
 }
 
-/** So that a box of this size fits between margins, however it is turned.
- * @param size  of the page, and the print's height [mm] */
+/** Returns the view in which a box of this size fits between margins, at any turn.
+ * @param size  sides of the page and height of the print [mm] */
 export function fitted(
   { turn, tilt }: Pick<Orbit, 'turn' | 'tilt'>,
   size: readonly [number, number, number],
@@ -59,15 +61,15 @@ export function fitted(
   return { turn, tilt, scale, x: screen[0] / 2, y: screen[1] / 2 + (scale * size[2] * Math.sin(tilt)) / 2 };
 }
 
-/** On the screen. @param at  on the page [mm], from its middle, y up, and its height */
+/** Projects a place onto the screen. @param at  x and y from the middle of the page, y up, and the height [mm] */
 export function seenAt({ turn, tilt, scale, x, y }: Orbit, at: readonly [number, number, number]): [number, number] {
   const across = Math.cos(turn) * at[0] - Math.sin(turn) * at[1];
   const away = Math.sin(turn) * at[0] + Math.cos(turn) * at[1];
   return [x + scale * across, y - scale * (away * Math.cos(tilt) + at[2] * Math.sin(tilt))];
 }
 
-/** Where the ray of a pointer first meets the print, from below its bottom: on the page [mm], from its lower left;
- * undefined: beside it. */
+/** Returns the place where the ray under a pointer first meets the print (its bottom, if the eye is below), in mm
+ * from the page's lower left corner; undefined if the ray misses the print. */
 export function placeUnder(orbit: Orbit, relief: PrintRelief, x: number, y: number): [number, number] | undefined {
   const { columns, rows, cell, heights } = relief;
   let highest = 0;
@@ -76,7 +78,8 @@ export function placeUnder(orbit: Orbit, relief: PrintRelief, x: number, y: numb
   const across = (x - orbit.x) / orbit.scale;
   const up = (orbit.y - y) / orbit.scale;
   const [cosine, sine] = [Math.cos(orbit.tilt), Math.sin(orbit.tilt)];
-  // Down the ray in steps of half a cell; `z` falls by what the way along the bed leaves of it.
+  // The ray is followed downwards in steps of half a cell; at each
+  // height z its place on the bed follows from the projection.
   const flat = sine === 0 || highest === 0;
   const slope = Math.sign(cosine) * Math.max(Math.abs(cosine), 0.05);
   const way = flat ? 0 : highest * (sine / slope);

@@ -1,9 +1,9 @@
-// The outline of a shape, for 2D canvases.
+// Fills the outline of a shape on 2D canvases.
 import type { Shape } from 'sillon';
 
 const outlines = new WeakMap<Shape, { path: Path2D; fillRule: CanvasFillRule }[]>();
 
-/** The rings of a shape as paths, in millimetres. */
+/** Returns the rings of a shape as paths, in millimetres; each shape is converted once. */
 function outlineOf(shape: Shape): { path: Path2D; fillRule: CanvasFillRule }[] {
   const known = outlines.get(shape);
   if (known !== undefined) return known;
@@ -22,7 +22,7 @@ function outlineOf(shape: Shape): { path: Path2D; fillRule: CanvasFillRule }[] {
   return made;
 }
 
-/** @param context  transformed to millimetres of the page */
+/** Fills a shape by the fill rules of its paths. @param context  transformed to millimetres of the page */
 export function fillShape(context: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D, shape: Shape): void {
   for (const { path, fillRule } of outlineOf(shape)) context.fill(path, fillRule);
 }

@@ -1,10 +1,10 @@
-// Colours of directions: one turn of hue in OKLab (Ottosson 2020) over 180°, the same as the command line's pictures have.
+// Colours of directions: one turn of hue in OKLab (Ottosson 2020) over 180°. The command line's pictures use the same.
 
 const lightness = 0.74;
 const chroma = 0.122;
-const firstHue = 0.13; // [turns] of direction 0
+const firstHue = 0.13; // [turns] hue of direction 0
 
-/** sRGB bytes of 256 directions in even steps from 0° on. */
+/** Returns the sRGB bytes of 256 directions in even steps, from 0° upwards. */
 export function directionPalette(): Uint8Array {
   const bytes = new Uint8Array(3 * 256);
   for (let k = 0; k < 256; ++k) {
@@ -34,7 +34,8 @@ const stops = [
   [250, 191, 64],
 ] as const;
 
-/** Of values from 0 to 1, even in lightness: dark blue over green to amber. As `ramp` in shaders.ts. */
+/** Returns the colour of a value from 0 to 1: dark blue over
+ * green to amber, even in lightness, as `ramp` in shaders.ts. */
 export function rampColour(value: number): [number, number, number] {
   const at = 2 * Math.min(1, Math.max(0, value));
   const [from, to] = at < 1 ? [stops[0], stops[1]] : [stops[1], stops[2]];
@@ -43,7 +44,8 @@ export function rampColour(value: number): [number, number, number] {
   return [mixed(0), mixed(1), mixed(2)];
 }
 
-/** Of places to look at; beads are grey there. What is told apart is so in lightness, too. */
+/** Colours of marks, the places to look at; beads are grey behind
+ * them. Marks differ in lightness, too, not in hue alone. */
 export const markColours = {
   turn: '#d18a1f',
   narrow: '#3f7fd6',

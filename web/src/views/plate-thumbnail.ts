@@ -1,18 +1,20 @@
-// A plate as a thumbnail from its directions alone, before there are beads: for choices, where each shows what it would give.
+// Draws a plate as a thumbnail from its directions alone, before
+// there are beads: each choice shows its result this way.
 import type { DirectionRaster } from '../model/raster.js';
 import type { Rgb } from './lit.js';
 
-/** What of the page is inside the shape: rows from the top, 1 inside. */
+/** Cells of the page that are inside the shape: rows from the top, 1 inside. */
 interface Mask {
   width: number;
   height: number;
   inside: Uint8Array;
 }
 
-/** Of the longer side [pixels]. */
+/** Longer side of a thumbnail [pixels]. */
 export const thumbnailSide = 96;
 
-/** Returns the brightness of each texel of a raster. @param lightOf  that of a direction, given as a unit vector */
+/** Returns the brightness of each texel of a raster. @param
+ * lightOf  brightness of a direction, given as a unit vector */
 export function brightnessOf(
   { width, height, angle }: DirectionRaster,
   lightOf: (alongX: number, alongY: number) => number,
@@ -30,9 +32,10 @@ export function brightnessOf(
   });
 }
 
-/** @param bright  light of each texel, 1: that of the brightest direction; stretched over the page, row 0 on top
- * @param inside  of the page; left out: all
- * @param colour  of so much light */
+/** Draws a thumbnail as a PNG.
+ * @param bright  light of each texel, 1: that of the brightest direction; stretched over the page, row 0 on top
+ * @param inside  mask of the page; left out: all of it is drawn
+ * @param colour  colour of a texel of that light */
 export async function plateThumbnail(
   { width, height, bright }: { width: number; height: number; bright: Float32Array },
   inside: Mask | undefined,
@@ -44,7 +47,7 @@ export async function plateThumbnail(
   const image = context.createImageData(width, height);
   const cover = (x: number, y: number): number => {
     if (inside === undefined) return 255;
-    // Mean of the mask's texels under this one, so that rims are smooth.
+    // The mean of the mask's texels under this one makes rims smooth.
     const [left, right] = [(x * inside.width) / width, ((x + 1) * inside.width) / width];
     const [top, low] = [(y * inside.height) / height, ((y + 1) * inside.height) / height];
     let [sum, count] = [0, 0];

@@ -1,23 +1,24 @@
-// What is drawn of a sliced print on flat canvases: its relief, the outlines of its faces, and strokes.
+// Draws a sliced print on flat canvases: its relief, the outlines of its faces, and strokes.
 import type { PrintRelief } from 'sillon';
 import type { Outline } from './print-page.js';
 import { addLine } from './print-page.js';
 import { shadedRelief } from './relief.js';
 
-const fewFaces = 60; // glow is slow to draw
+const fewFaces = 60; // most faces whose outlines glow: glow is slow to draw
 
-/** Radius of strokes that name none, as the core has it [mm]. */
+/** Radius of strokes that name none [mm], as in the core. */
 export const usualRadius = 4;
 
 export interface DrawnStroke {
   points: readonly number[];
-  /** [mm] */
+  /** Radius [mm]. */
   radius: number;
 }
 
-/** sRGB of the plastic of the slicer's beads. */
+/** Returns the sRGB colour of the plastic of the slicer's beads. */
 export const bodyOf = (dark: boolean): [number, number, number] => (dark ? [128, 134, 140] : [206, 204, 198]);
 
+/** Draws the relief of a print as a picture, one pixel per cell. */
 export function reliefPicture(relief: PrintRelief, dark: boolean): OffscreenCanvas {
   const picture = new OffscreenCanvas(relief.columns, relief.rows);
   const pixels = shadedRelief(relief, bodyOf(dark));
@@ -30,7 +31,7 @@ export interface Outlined {
   chosen: ReadonlySet<number>;
   /** Faces that have new beads. */
   laid: { has(index: number): boolean };
-  /** Those that are pointed at. */
+  /** Faces under the pointer. */
   pointed: readonly (number | undefined)[];
   accent: string;
   soft: string;
@@ -38,9 +39,10 @@ export interface Outlined {
 
 type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
 
-/** @param context  transformed to millimetres of the page
- * @param pixel  a CSS pixel [mm]
- * @param ratio  device pixels of one: shadows know no transformation */
+/** Draws the outlines of faces; chosen faces are solid, the others are dashed.
+ * @param context  transformed to millimetres of the page
+ * @param pixel  size of a CSS pixel [mm]
+ * @param ratio  device pixels per CSS pixel: shadows ignore the transformation */
 export function drawOutlines(context: Context, of: Outlined, pixel: number, ratio: number): void {
   const glows = of.outlines.length <= fewFaces;
   for (const { index, parts, seen } of of.outlines) {
@@ -63,7 +65,7 @@ export function drawOutlines(context: Context, of: Outlined, pixel: number, rati
   context.setLineDash([]);
 }
 
-/** @param context  transformed to millimetres of the page */
+/** Draws strokes as wide translucent lines. @param context  transformed to millimetres of the page */
 export function drawStrokes(context: Context, strokes: readonly DrawnStroke[], colour: string): void {
   context.lineCap = 'round';
   context.lineJoin = 'round';

@@ -1,13 +1,14 @@
-// Where the faces of a sliced print lie on its page: their outlines, what of them is seen from above, and the new beads.
+// Maps the faces of a sliced print to its page: their outlines,
+// the parts of them visible from above, and the new beads.
 import type { Cycle, PrintRelief, Toolpath } from 'sillon';
 import type { Face } from '../model/rebrush.js';
 import { seenCycles, seenRuns, type IsSeen } from './seen-lines.js';
 
-const above = 0.1; // [mm] by which what hides a face is higher
+const above = 0.1; // [mm] height by which something above a face hides it
 
-/** What is shown of the bed [mm]. */
+/** Part of the bed that is shown [mm]. */
 export interface Page {
-  /** Lower left, on the bed. */
+  /** Lower left corner, on the bed. */
   corner: readonly [number, number];
   size: [number, number];
 }
@@ -15,11 +16,11 @@ export interface Page {
 export interface Outline {
   index: number;
   parts: { path: Path2D; rule: CanvasFillRule }[];
-  /** What of it is not under the rest of the print. */
+  /** Parts of the outline that the rest of the print does not hide. */
   seen: Path2D;
 }
 
-/** Around the relief; without one, around the faces. */
+/** Returns the page around the relief or, without one, around the faces. */
 export function pageOf(relief: PrintRelief | undefined, faces: readonly Face[]): Page {
   if (relief !== undefined) {
     return { corner: relief.corner, size: [relief.columns * relief.cell, relief.rows * relief.cell] };
@@ -31,6 +32,7 @@ export function pageOf(relief: PrintRelief | undefined, faces: readonly Face[]):
   return { corner, size: [most(0) - corner[0], most(1) - corner[1]] };
 }
 
+/** Adds an open line to a path. @param points  x0, y0, x1, ... */
 export function addLine(path: Path2D, points: ArrayLike<number>): void {
   for (let k = 0; k + 1 < points.length; k += 2) {
     const [x, y] = [points[k] as number, points[k + 1] as number];
@@ -39,13 +41,13 @@ export function addLine(path: Path2D, points: ArrayLike<number>): void {
   }
 }
 
-/** Points of a face's own page on that of the print. */
+/** Moves points from a face's own page to that of the print. */
 function shifted<Points extends Float32Array | Float64Array>(points: Points, { corner }: Face, page: Page): Points {
   const [dx, dy] = [corner[0] - page.corner[0], corner[1] - page.corner[1]];
   return points.map((value, k) => value + (k % 2 === 0 ? dx : dy)) as Points;
 }
 
-/** Whether nothing of the print lies above a place of this face. Bottoms are seen through the print. */
+/** Returns a test for places of this face: true if nothing of the print lies above. Bottoms show through the print. */
 function seenFrom({ z, side }: Face, relief: PrintRelief | undefined): IsSeen {
   if (relief === undefined || side === 'bottom') return () => true;
   return (x, y) => {
@@ -55,7 +57,7 @@ function seenFrom({ z, side }: Face, relief: PrintRelief | undefined): IsSeen {
   };
 }
 
-/** The lowest first: what lies above is drawn later, and is what a click means. */
+/** Returns outlines, the lowest first: upper faces are drawn later, and a click means the uppermost. */
 export function outlinesOf(faces: readonly Face[], relief: PrintRelief | undefined, page: Page): Outline[] {
   return [...faces]
     .sort((a, b) => a.z - b.z || b.areaMm2 - a.areaMm2)
@@ -76,7 +78,7 @@ export function outlinesOf(faces: readonly Face[], relief: PrintRelief | undefin
     });
 }
 
-/** The new beads of faces, the lowest first, without what lies under the rest of the print. */
+/** Returns the new beads of faces, the lowest first, without the parts under the rest of the print. */
 export function joinedBeads(
   faces: readonly Face[],
   laid: ReadonlyMap<number, readonly Cycle[]>,

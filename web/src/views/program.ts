@@ -1,10 +1,11 @@
-// A program of two shaders, and the places of its uniforms.
+// WebGL programs of two shaders, with the locations of their uniforms.
 
 export interface Program {
   program: WebGLProgram;
   at: (uniform: string) => WebGLUniformLocation | null;
 }
 
+/** Builds a program. @throws Error if a shader does not compile or the WebGL context is lost */
 export function compile(gl: WebGL2RenderingContext, vertex: string, fragment: string): Program {
   const program = gl.createProgram();
   for (const [type, text] of [
@@ -21,7 +22,7 @@ export function compile(gl: WebGL2RenderingContext, vertex: string, fragment: st
   if (gl.getProgramParameter(program, gl.LINK_STATUS) !== true && !gl.isContextLost()) {
     throw new Error(`a shader could not be built: ${gl.getProgramInfoLog(program) ?? ''}`);
   }
-  const places = new Map<string, WebGLUniformLocation | null>(); // asking anew for each frame would stall some drivers
+  const places = new Map<string, WebGLUniformLocation | null>(); // asking again in every frame would stall some drivers
   const at = (uniform: string): WebGLUniformLocation | null => {
     const known = places.get(uniform);
     if (known !== undefined) return known;
@@ -32,7 +33,9 @@ export function compile(gl: WebGL2RenderingContext, vertex: string, fragment: st
   return { program, at };
 }
 
-/** Values that shaders read one by one. @param kind  internal format, format and type @param texels  null: they come later */
+/** Makes a texture of values that shaders read one by one.
+ * @param kind  internal format, format and type
+ * @param texels  null: they are uploaded later */
 export function dataTexture(
   gl: WebGL2RenderingContext,
   [width, height]: readonly [number, number],

@@ -1,5 +1,5 @@
-// A print from aside, as its layers stand: its heights as a mesh, with what lies on its faces draped over it. From below,
-// where heights tell nothing, a flat bottom under all of it.
+// Shows a sliced print at an angle: its heights as a mesh, with the pictures of its faces draped over it. Heights tell
+// nothing from below, so a flat bottom is drawn there.
 import type { PrintRelief, Toolpath } from 'sillon';
 import { appearance } from '../model/appearance.js';
 import type { FilamentLook, Light } from '../model/view.js';
@@ -8,28 +8,28 @@ import { isBelow, type Orbit } from './orbit.js';
 import { compile } from './program.js';
 import { lookOfBead } from './shaders.js';
 
-const mostCells = 720; // of the mesh, along its longer side
-const mostTexels = 2048; // of what is draped
-const angles = 128; // that beads are told apart by
+const mostCells = 720; // mesh cells along the longer side
+const mostTexels = 2048; // texels of a draped picture, along the longer side
+const angles = 128; // steps of 180° in which the directions of beads are stored
 
 export interface TiltedScene {
   relief: PrintRelief;
-  /** How far apart its layers are [mm]. */
+  /** Height of the print's layers [mm]. */
   layer: number;
   beads: Toolpath | undefined;
-  /** Draws outlines on a canvas of millimetres: of the tops, or, where the eye is below, of the bottoms.
-   * @param pixel  a texel [mm] */
+  /** Draws outlines on a canvas in millimetres: of the top faces, or of the bottom faces if the eye is below.
+   * @param pixel  size of a texel [mm] */
   paint: (context: OffscreenCanvasRenderingContext2D, pixel: number) => void;
-  /** Of the slicer's beads, sRGB. */
+  /** Colour of the slicer's beads, sRGB. */
   body: readonly [number, number, number];
   filament: FilamentLook;
   light: Light;
 }
 
 export interface TiltedRenderer {
-  /** New heights, beads, outlines or colours. */
+  /** Takes new heights, beads, outlines or colours; the next draw shows them. */
   set(scene: TiltedScene): void;
-  /** Draws now. @param orbit  in device pixels */
+  /** Draws at once. @param orbit  in device pixels */
   draw(orbit: Orbit): void;
   resize(width: number, height: number): void;
   dispose(): void;
@@ -103,7 +103,7 @@ void main() {
   colour = vec4(mix(top, side, wall), 1.0);
 }`;
 
-/** Beads as colours: cosine and sine of twice their angle, and whether it is their crest. */
+/** Draws beads as colours: red and green are cosine and sine of twice their angle, blue tells crests from furrows. */
 function drawTangents(context: OffscreenCanvasRenderingContext2D, { cycles }: Toolpath): void {
   const lines = Array.from({ length: angles }, () => new Path2D());
   let width = 0.4;
@@ -114,14 +114,14 @@ function drawTangents(context: OffscreenCanvasRenderingContext2D, { cycles }: To
       const [from, to] = [2 * k, 2 * ((k + 1) % count)];
       const [x0, y0] = [points[from] as number, points[from + 1] as number];
       const [x1, y1] = [points[to] as number, points[to + 1] as number];
-      const share = Math.atan2(y1 - y0, x1 - x0) / Math.PI + 1; // 0..2, the same for both ways
+      const share = Math.atan2(y1 - y0, x1 - x0) / Math.PI + 1; // 0..2; both ways along a line give the same step
       const line = lines[Math.round(share * angles) % angles];
       line?.moveTo(x0, y0);
       line?.lineTo(x1, y1);
     }
   }
   context.lineCap = 'round';
-  // Furrows first, then the crests.
+  // Furrows come first, then the crests over them.
   for (const [share, crest] of [
     [1.3, 0],
     [0.6, 255],
@@ -136,7 +136,7 @@ function drawTangents(context: OffscreenCanvasRenderingContext2D, { cycles }: To
   }
 }
 
-/** @throws Error where there is no WebGL2. */
+/** Creates a renderer on a canvas. @throws Error if there is no WebGL2 */
 export function createTilted(canvas: HTMLCanvasElement): TiltedRenderer {
   const context = canvas.getContext('webgl2', { antialias: true, alpha: true });
   if (context === null) throw new Error('this browser has no WebGL2');
@@ -158,7 +158,7 @@ export function createTilted(canvas: HTMLCanvasElement): TiltedRenderer {
     heightsOf = relief;
   }
 
-  /** A canvas over the page, in millimetres, y up. */
+  /** Draws on a canvas over the page, in millimetres with y up, and uploads it as a texture. */
   function drape(
     texture: WebGLTexture,
     relief: PrintRelief,
@@ -181,6 +181,7 @@ export function createTilted(canvas: HTMLCanvasElement): TiltedRenderer {
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
   }
 
+  /** Uploads what has changed in the scene. */
   function set(next: TiltedScene): void {
     const before = scene;
     scene = next;
@@ -197,6 +198,7 @@ export function createTilted(canvas: HTMLCanvasElement): TiltedRenderer {
     });
   }
 
+  /** Draws the print and, from below, its bottom, as one triangle strip per row of cells. */
   function draw(orbit: Orbit): void {
     last = orbit;
     if (scene === undefined || gl.isContextLost()) return;
@@ -204,7 +206,7 @@ export function createTilted(canvas: HTMLCanvasElement): TiltedRenderer {
     const stride = Math.max(
       1,
       Math.ceil(Math.max(relief.columns, relief.rows) / mostCells),
-      Math.floor(1 / (relief.cell * orbit.scale)), // several cells in a pixel are not told apart
+      Math.floor(1 / (relief.cell * orbit.scale)), // cells smaller than a pixel cannot be told apart
     );
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.clearColor(0, 0, 0, 0);

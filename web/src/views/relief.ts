@@ -1,11 +1,11 @@
-// A print from above as a picture: its heights lit from one side.
+// Draws a print from above: its heights, lit from one side.
 import type { PrintRelief } from 'sillon';
 
-const lightAt = [-0.53, 0.53, 0.66] as const; // from the upper left, as maps are drawn
-const steepest = 1.5; // rise over run; cliffs are no brighter than this
-const darkest = 0.62; // of the lowest places, against the highest
+const lightAt = [-0.53, 0.53, 0.66] as const; // from the upper left, as on maps
+const steepest = 1.5; // rise over run; steeper cliffs get no brighter
+const darkest = 0.62; // brightness of the lowest places, relative to the highest
 
-/** Pixels of the relief, row 0 on top, clear where nothing lies. @param body  sRGB of the plastic */
+/** Returns RGBA pixels of the relief, row 0 on top, transparent where nothing lies. @param body  sRGB of the plastic */
 export function shadedRelief(
   { columns, rows, cell, heights }: PrintRelief,
   body: readonly [number, number, number],

@@ -1,4 +1,4 @@
-// Draws the plate with WebGL2: beads as capsules, their look by an anisotropic microfacet lobe (Beckmann).
+// Draws the plate with WebGL2: beads as capsules, lit by an anisotropic microfacet lobe (Beckmann).
 import type { PrinterValues, Toolpath } from 'sillon';
 import type { ColourBy } from '../model/view.js';
 import { beadData, columns, segmentsPerRun, type BeadData } from './bead-data.js';
@@ -14,12 +14,12 @@ import { inSlices, type Sliced } from './slices.js';
 interface Beads extends Pick<BeadData, 'runs'> {
   tolerance: number;
   points: WebGLTexture;
-  /** Delays of the neighbours of the same points; one texel where nobody asked. */
+  /** Delays of the neighbours of the same points; a single texel if they are not shown. */
   delays: WebGLTexture;
   spacing: number;
 }
 
-/** Two triangles per segment, of four corners: shared corners are computed once. */
+/** Indices of two triangles per segment over four shared corners, which are computed once. */
 const cornersOfRun = Uint16Array.from(
   { length: 6 * segmentsPerRun },
   (_, k) => 4 * Math.floor(k / 6) + ([0, 1, 2, 1, 2, 3][k % 6] ?? 0),
@@ -27,15 +27,17 @@ const cornersOfRun = Uint16Array.from(
 
 const colourModes: Record<ColourBy, number> = { direction: 0, width: 1, speed: 2, order: 3, delay: 4, lean: 5 };
 
-/** How far the screen's beads may lie from the toolpath's, for fewer of them [pixels]. */
+/** Largest distance between a drawn bead and its toolpath [pixels]; larger: fewer points, but beads visibly move. */
 const unseen = 0.05;
 
-const fadeFor = 160; // [ms] in which beads come to light where their directions were
+const fadeFor = 160; // [ms] time in which new beads fade in over their directions
 
+/** Tells whether a zigzag is shown beside the plate or over it. */
 const comparing = ({ compare, wipe }: Scene): boolean => compare || wipe !== undefined;
 
-/** @param lazy  fetches a part when it is first asked for; without it nothing is compared, and no delays are shown
- * @throws Error where there is no WebGL2. */
+/** Creates a renderer on a canvas.
+ * @param lazy  loads a part of the code on first use; without it, nothing is compared and no delays are shown
+ * @throws Error if there is no WebGL2 */
 export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Promise<void>) => unknown): Renderer {
   const context = canvas.getContext('webgl2', { antialias: false, alpha: true, preserveDrawingBuffer: false });
   if (context === null) throw new Error('this browser has no WebGL2');
@@ -45,15 +47,16 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
   let palette: WebGLTexture;
   const uploaded = new Map<Toolpath, Beads>();
   const preparing = new Map<Toolpath, { tolerance: number; work: Sliced<BeadData> }>();
-  /** The plate's beads as they were drawn last: they stay until others are prepared. */
+  /** The plate's beads in the last drawing: they stay until new ones are prepared. */
   let before: { beads: Beads; page: string } | undefined;
-  /** Directions stand in the place of beads, or above them while those come to light. */
+  /** Directions stand in for beads, or lie above them while the beads fade in. */
   let veiled = false;
-  let cameAt: number | undefined; // [ms]
+  let cameAt: number | undefined; // [ms] time at which the new beads came
   const zigzags = new WeakMap<Toolpath, Toolpath>();
   const delayed = new WeakMap<Toolpath, { by: Delayed; speed: number }>();
   let last: { scene: Scene; camera: Camera } | undefined;
 
+  /** Makes the GPU resources; called again after a lost context. */
   function prepare(): void {
     beadProgram = compile(gl, beadVertex, beadFragment);
     palette = gl.createTexture();
@@ -80,6 +83,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
   canvas.addEventListener('webglcontextlost', onLost);
   canvas.addEventListener('webglcontextrestored', onRestored);
 
+  /** Uploads the points of a toolpath as textures. */
   function upload({ rows, points, delays, runs }: BeadData, { spacing }: Toolpath, tolerance: number): Beads {
     const size = [columns, rows] as const;
     const late = delays.length === 2 ? ([1, 1] as const) : size;
@@ -97,7 +101,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     gl.deleteTexture(beads.delays);
   }
 
-  /** Keeps what the scene shows and what stands in for it, frees the rest. */
+  /** Keeps the buffers of the scene and of the beads that stand in for it; frees the rest. */
   function keepOnly(wanted: readonly Toolpath[]): void {
     for (const [toolpath, beads] of uploaded) {
       if (wanted.includes(toolpath) || beads === before?.beads) continue;
@@ -111,7 +115,8 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     }
   }
 
-  /** @returns also those of another tolerance, until the right ones are prepared; undefined: there are none yet */
+  /** Returns the uploaded beads of a toolpath, and begins to prepare them if they are missing or too coarse.
+   * @returns beads of another tolerance until the right ones are prepared; undefined: there are none yet */
   function beadsOf(toolpath: Toolpath, tolerance: number, late?: Delayed): Beads | undefined {
     const known = uploaded.get(toolpath);
     const begun = preparing.get(toolpath);
@@ -131,14 +136,14 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     return uploaded.get(toolpath);
   }
 
-  /** What makes zigzags, once somebody compares with one. */
+  /** Function that makes zigzags; loaded with the first comparison. */
   let zigzag: (typeof import('./zigzag.js'))['zigzag'] | undefined;
   async function loadZigzag(): Promise<void> {
     ({ zigzag } = await import('./zigzag.js'));
     redraw();
   }
 
-  /** The class that draws directions; it is loaded once a scene has some. */
+  /** Class that draws directions; loaded with the first scene that has some. */
   let fieldsOf: (typeof import('./fields.js'))['Fields'] | undefined;
   async function loadFields(): Promise<void> {
     ({ Fields: fieldsOf } = await import('./fields.js'));
@@ -151,6 +156,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     redraw();
   }
 
+  /** Returns the delays of a toolpath at the printer's speed; undefined until their code is loaded. */
   function delayedOf(toolpath: Toolpath, printer: PrinterValues): Delayed | undefined {
     if (delays === undefined) return undefined;
     const known = delayed.get(toolpath);
@@ -161,6 +167,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     return by;
   }
 
+  /** Returns the zigzag of a toolpath's shape; undefined until its code is loaded. */
   function zigzagOf(toolpath: Toolpath): Toolpath | undefined {
     const made = zigzags.get(toolpath) ?? zigzag?.(toolpath.shape, toolpath.spacing);
     if (made === undefined) return undefined;
@@ -168,7 +175,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     return made;
   }
 
-  /** Tells the program in use how beads look. */
+  /** Sets the uniforms of the look of beads in the program in use. */
   function setColours(program: Program, scene: Scene, spacing: number): void {
     const { at } = program;
     const { colour: body, along, across } = scene.filament;
@@ -182,6 +189,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     gl.uniform1i(at('palette'), 0);
   }
 
+  /** Draws the runs of beads whose boxes touch the screen. */
   function drawBeads(beads: Beads, scene: Scene, camera: Camera): void {
     gl.useProgram(beadProgram.program);
     const { at } = beadProgram;
@@ -209,11 +217,12 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     }
   }
 
-  /** The plate's beads, and those of the zigzag that it is compared with; undefined: they are still to come. */
+  /** Returns the plate's beads and those of the zigzag beside it; undefined: they are still to come. */
   function beadsFor(scene: Scene, toolpath: Toolpath, camera: Camera): (Beads | undefined)[] | undefined {
     const other = comparing(scene) ? zigzagOf(toolpath) : undefined;
     if (comparing(scene) && other === undefined) lazy?.(loadZigzag);
-    // By powers of two, not to begin anew with every step of a zoom; what is played grows point by point.
+    // Tolerances are powers of two, so that not every step of a zoom prepares the beads anew. While the print plays,
+    // all points are drawn, so that it grows point by point.
     const byDelay = scene.view === 'toolpath' && (scene.colourBy === 'delay' || scene.colourBy === 'lean');
     const late = byDelay ? delayedOf(toolpath, scene.feed.printer) : undefined;
     if (byDelay && late === undefined) lazy?.(loadDelays);
@@ -229,7 +238,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     return [beads, others];
   }
 
-  /** Returns the opacity of the directions, 0..1; it fades once there are beads. */
+  /** Returns the opacity of the directions, 0..1; it falls once there are beads. */
   function veilFor(there: boolean, { directions, fades }: Scene): number {
     if (directions === undefined) return 0;
     if (!there) {
@@ -248,6 +257,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     return Math.max(0, left);
   }
 
+  /** Draws the plate, its directions, and the zigzag that it is compared with. */
   function draw(scene: Scene, camera: Camera): void {
     last = { scene, camera };
     if (gl.isContextLost()) return;

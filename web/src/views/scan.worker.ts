@@ -1,12 +1,13 @@
-// Reads a QR code in pictures of a plate, as a phone would: which of them show it.
+// Tells whether a phone could read a QR code in a picture of a plate.
 import jsQR from 'jsqr';
 
 export interface ScanRequest {
   picture: Blob;
-  /** What the code must say. */
+  /** Text that the code must contain. */
   text: string;
 }
 
+/** Tells whether the picture contains a code with exactly that text. */
 async function reads({ picture, text }: ScanRequest): Promise<boolean> {
   const bitmap = await createImageBitmap(picture);
   const { width, height } = bitmap;

@@ -1,9 +1,10 @@
-// What of closed lines is seen from above, where something may lie over them.
+// Cuts closed lines to the parts visible from above, where something may lie over them.
 import type { Cycle } from 'sillon';
 
 export type IsSeen = (x: number, y: number) => boolean;
 
-/** The stretches of a closed line that are seen; the whole of it comes back to its beginning. @param points  x0, y0, x1, ... */
+/** Returns the visible stretches of a closed line; a fully visible
+ * one ends at its beginning. @param points  x0, y0, x1, ... */
 export function seenRuns(points: ArrayLike<number>, isSeen: IsSeen): number[][] {
   const runs: number[][] = [];
   let run: number[] = [];
@@ -20,7 +21,7 @@ export function seenRuns(points: ArrayLike<number>, isSeen: IsSeen): number[][] 
 
 type Place = [x: number, y: number, width: number];
 
-/** A line there and back: the renderer draws closed ones. @param line  x0, y0, width0, x1, ... */
+/** Closes a line by going there and back: the renderer draws closed lines only. @param line  x0, y0, width0, x1, ... */
 function thereAndBack(line: readonly number[]): Cycle {
   const count = line.length / 3;
   const places = Array.from({ length: Math.max(1, 2 * count - 2) }, (_, k) => 3 * (k < count ? k : 2 * count - 2 - k));
@@ -30,14 +31,14 @@ function thereAndBack(line: readonly number[]): Cycle {
   };
 }
 
-/** The stretches of a cycle that are seen, each as a cycle; the cycle itself where all of it is.
- * @param step  how far apart its places are looked at: it may pass under something between two points */
+/** Returns the visible stretches of a cycle, each as a cycle; a fully visible cycle is returned as it is.
+ * @param step  distance between tested places: the cycle may pass under something between two points */
 export function seenCycles({ points, widths }: Cycle, step: number, isSeen: IsSeen): Cycle[] {
   const runs: number[][] = [];
   let run: number[] = [];
   let hidden = 0;
   let last: Place = [0, 0, 0];
-  /** @param stays  it is a point of the line, not one between */
+  /** Takes the next place. @param stays  the place is a point of the line, not a test between two points */
   const pass = (place: Place, stays: boolean): void => {
     if (isSeen(place[0], place[1])) {
       if (stays || run.length === 0) run.push(...place);

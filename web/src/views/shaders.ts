@@ -1,15 +1,17 @@
-// GLSL of the views. Lengths are mm, y up; `camera` is the screen's middle and device pixels per mm.
+// GLSL of the views. Lengths are in mm, y up; `camera` is the middle of the screen and the device pixels per mm.
 import { appearance } from '../model/appearance.js';
 import { mostDelay } from '../model/view.js';
 
+/** Maps millimetres of the page to clip space. */
 export const toScreen = `
 uniform vec4 camera;
 uniform vec2 screen;
 vec4 toScreen(vec2 p) { return vec4((p - camera.xy) * camera.z * 2.0 / screen, 0.0, 1.0); }
 `;
 
-/** One segment of a path as a capsule, two triangles: its two points, and those before and after for a smooth tangent, are read
- * from a texture. As an instance of four corners each would be a draw of its own where there is no graphics card. */
+/** Draws one segment of a path as a capsule of two triangles. Its two points, and those before and after for a
+ * smooth tangent, are read from a texture: instances of four corners each would cost one draw call per segment
+ * where there is no graphics card. */
 export const beadVertex = `#version 300 es
 precision highp float;
 uniform highp sampler2D points;  // x, y, width, share of the print
@@ -63,9 +65,9 @@ void main() {
 }
 `;
 
-/** Light that a bead's round top sends to an eye straight above: the core's model (core/src/look/appearance.cpp), by its
- * constants. Scalars alone, so that a test can run it in JavaScript. `middle` and `reach` are the part of the top that is
- * seen, in half widths; what of it is too fine to be seen counts as its mean. */
+/** Light that the round top of a bead sends to an eye straight above, by the core's model and constants
+ * (core/src/look/appearance.cpp). It uses scalars alone, so that a test can run it in JavaScript. `middle` and
+ * `reach` are the part of the top in view, in half widths; parts too fine to be seen count as their mean. */
 export const highlightOfBead = `
 float highlightOf(float tiltAlong, float tiltAcross, float alongVariance, float acrossVariance, float middle, float reach) {
   float sum = 0.0;
@@ -78,7 +80,7 @@ float highlightOf(float tiltAlong, float tiltAcross, float alongVariance, float 
 }
 `;
 
-/** The look, as the native preview draws it (core/src/look/preview.cpp); `setLook` tells it what it needs. */
+/** Look of a bead, as the native preview draws it (core/src/look/preview.cpp); `setLook` sets its uniforms. */
 export const lookOfBead = `
 uniform vec3 lamp;
 uniform vec3 body;
@@ -110,7 +112,7 @@ vec3 look(vec2 p, vec2 along, float side, float relief) {
 }
 `;
 
-/** A bead's colour in each of the views; `setColours` of the renderer tells it what it needs. */
+/** Colour of a bead in each of the views; `setColours` of the renderer sets its uniforms. */
 export const colourOfBead = `
 uniform float spacing;
 uniform int view;
@@ -147,6 +149,7 @@ vec3 colourOf(vec2 p, vec2 along, float side, float relief, float radius, float 
 }
 `;
 
+/** Fragment shader of a capsule: coverage at its edge, and its colour. */
 export const beadFragment = `#version 300 es
 precision highp float;
 in vec2 p;

@@ -1,16 +1,17 @@
-// Long work beside a page that goes on: a slice of it at a time.
+// Does long work on the page's thread, a slice at a time, so that the page stays responsive.
 
-const slice = 8; // [ms] half a frame
+const slice = 8; // [ms] half a frame at 60 Hz
 
 export interface Sliced<Result> {
-  /** Does all that is left, at once. */
+  /** Does all the remaining work at once. */
   finish(): Result;
-  /** Nobody wants it any more. */
+  /** Stops the work: its result is no longer wanted. */
   stop(): void;
 }
 
-/** @param work  yields where it may be interrupted. Its first slice is done at once.
- * @param done  is told the result, before this returns where one slice was enough */
+/** Runs work in slices; the first slice runs before the call returns.
+ * @param work  yields at each place where it may be interrupted
+ * @param done  receives the result; it is called before the return if one slice was enough */
 export function inSlices<Result>(work: Generator<undefined, Result>, done: (result: Result) => void): Sliced<Result> {
   let made: { result: Result } | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;

@@ -1,4 +1,4 @@
-// Beads on a 2D canvas: lines of few colours, as a path for each is quick however many beads there are.
+// Draws beads on a 2D canvas as lines of a few colours: one path per colour is fast however many beads there are.
 import type { Toolpath } from 'sillon';
 import type { Tones } from './lit.js';
 
@@ -6,7 +6,8 @@ const count = 32;
 
 type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
 
-/** @param context  transformed to millimetres of the page, y up
+/** Strokes all beads of a toolpath, each in the nearest of 32 tones.
+ * @param context  transformed to millimetres of the page, y up
  * @param scale  pixels per mm */
 export function strokeBeads(
   context: Context,
@@ -21,7 +22,7 @@ export function strokeBeads(
       const [nextX, nextY] = [points[k] as number, points[k + 1] as number];
       const [dx, dy] = [nextX - x, nextY - y];
       const length = Math.hypot(dx, dy);
-      // Shorter than a pixel: the next point will do.
+      // A segment shorter than a pixel is joined to the next one.
       if (length === 0 || (length * scale < 0.7 && k + 3 < points.length)) continue;
       const tone = of(dx / length, dy / length, (x + nextX) / 2, (y + nextY) / 2);
       const path = paths[Math.max(0, Math.min(count - 1, Math.floor(tone * count)))] as Path2D;
@@ -31,7 +32,7 @@ export function strokeBeads(
     }
   }
   context.lineCap = 'round';
-  const told = spacing * scale > 2.5; // from here on beads are told from each other by their furrows
+  const told = spacing * scale > 2.5; // from this scale on, furrows tell one bead from the next
   for (const [width, shade] of told
     ? ([
         [1.1, 0.78],

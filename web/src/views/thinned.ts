@@ -1,14 +1,18 @@
-// The points of a cycle that a screen can tell apart: where one pixel is wider than what lies between two of them, most of
-// drawing goes into corners of beads that nobody sees.
+// Thins a cycle to the points that a screen can tell apart: where one pixel is wider than the gap between two points,
+// most of the drawing time goes into corners of beads that nobody sees.
 
-/** Slope of a piece to its first step that turns too far to be drawn as one: outer edges of beads would show corners. */
+/** Tangent of the largest angle between a piece and its first
+ * step (15°): more, and the outer edges of beads show corners. */
 const turns = Math.tan(Math.PI / 12);
 
 /**
- * @param points  x and y of each, of a closed cycle [mm]
- * @param tolerance  how far a bead's middle and its edges may lie from where they are [mm]; 0: all points are drawn
- * @param begin, end  of the part that is looked at: long cycles are thinned part by part
- * @returns which points to draw, rising from `begin`
+ * Chooses the points of a closed cycle to draw, so that no bead moves by more than a tolerance.
+ *
+ * @param points  x and y of each point [mm]
+ * @param widths  width of the bead at each point [mm]
+ * @param tolerance  largest distance that a bead's middle and edges may move [mm]; 0: all points are drawn
+ * @param begin, end  range of points to thin: long cycles are thinned part by part
+ * @returns indices of the points to draw, rising from `begin`
  */
 export function pointsToDraw(
   points: Float32Array,
@@ -29,7 +33,8 @@ export function pointsToDraw(
     const [x0, y0, width] = [x(from), y(from), widths[from] ?? 0];
     const step = Math.hypot(x(to) - x0, y(to) - y0);
     const [alongX, alongY] = [(x(to) - x0) / step, (y(to) - y0) / step];
-    // Slopes, to the first step, of lines from the first point that pass all others so near: of middles, and of edges.
+    // Bounds of the slope, against the first step, of a line from the first point that passes all others within the
+    // tolerance: `least` and `most` for the bead's middle, `leastWiden` and `mostWiden` for its edges.
     let [least, most, leastWiden, mostWiden] = [-turns, turns, -Infinity, Infinity];
     for (let k = to, before = 0; k <= end; ++k) {
       const [dx, dy] = [x(k) - x0, y(k) - y0];

@@ -1,13 +1,14 @@
-// What a slicer would do: the same shape under a plain 45° zigzag, to compare with.
+// Makes a plain 45° zigzag of the same shape, as a slicer would fill it, to compare with.
 import type { Shape, Toolpath } from 'sillon';
 
-/** Lines at 45° one spacing apart, clipped to the shape (even-odd), joined at their ends where that is near. */
+/** Returns lines at 45°, one spacing apart, clipped to the
+ * shape by the even-odd rule; each line is a cycle of its own. */
 export function zigzag(shape: Shape, spacing: number): Toolpath {
   const [width, height] = shape.page;
   const half = Math.SQRT1_2;
   const rings = shape.paths.flatMap((path) => path.rings);
   const rows = new Map<number, number[]>();
-  // In turned coordinates u = (x + y) / √2 along the lines, v = (y - x) / √2 across them.
+  // Crossings are found in turned coordinates: u = (x + y) / √2 along the lines, v = (y - x) / √2 across them.
   for (const ring of rings) {
     const count = ring.length / 2;
     for (let k = 0; k < count; ++k) {

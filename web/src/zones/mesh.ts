@@ -1,18 +1,20 @@
-// Bodies as slicers take them, as triangles: STL, and 3MF with its parts where they are built. Anybody may have made the file.
+// Reads bodies made for slicers as triangles: STL, and 3MF with all parts in their places. Anybody may have made the
+// file.
 import { openZip, type Entry } from '../files/unzip.js';
 import { StudioError } from '../model/problem.js';
 
-/** Corners of triangles [mm]: nine numbers for each. */
+/** Corners of triangles [mm], nine numbers for each triangle. */
 export type Mesh = Float64Array;
 
-const mostBytes = 64e6; // as the engine reads of one input
-const header = 84; // bytes of an STL before its triangles
-const facet = 50; // bytes of one
+const mostBytes = 64e6; // [bytes], the engine's limit for one input
+const header = 84; // bytes of a binary STL before its triangles
+const facet = 50; // bytes of one triangle
 
 const broken = (name: string): StudioError => new StudioError('InvalidFile', { name });
 
 // --- STL -----------------------------------------------------------------------------------------------------------------
 
+/** Reads a binary or a text STL. @throws StudioError InvalidFile */
 function fromStl(bytes: Uint8Array<ArrayBuffer>, name: string): Mesh {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const count = bytes.length >= header ? view.getUint32(80, true) : 0;
@@ -32,7 +34,7 @@ function fromStl(bytes: Uint8Array<ArrayBuffer>, name: string): Mesh {
   return Float64Array.from(corners);
 }
 
-/** Binary, as the engine reads it. */
+/** Writes a binary STL, which the engine reads. */
 export function stlOf(mesh: Mesh): Blob {
   const count = mesh.length / 9;
   const view = new DataView(new ArrayBuffer(header + facet * count));
@@ -45,7 +47,7 @@ export function stlOf(mesh: Mesh): Blob {
 
 // --- 3MF -----------------------------------------------------------------------------------------------------------------
 
-/** Rows of a matrix by which points are multiplied from the left, the last one the offset. */
+/** Four rows of three numbers: a 3 × 3 matrix for points as row vectors, and the offset. */
 type Transform = readonly number[];
 
 const identity: Transform = [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
@@ -57,9 +59,9 @@ const millimetres: Readonly<Record<string, number>> = {
   foot: 304.8,
   meter: 1000,
 };
-const deepest = 16; // of parts in parts
+const deepest = 16; // levels of nested parts
 
-const patterns = new Map<string, RegExp>(); // millions of corners ask for the same ones
+const patterns = new Map<string, RegExp>(); // compiled once, since millions of corners need the same ones
 
 function attribute(tag: string, name: string): string {
   const pattern = patterns.get(name) ?? new RegExp(`\\s${name}="([^"]*)"`);
@@ -72,7 +74,7 @@ function transformOf(tag: string): Transform {
   return given.length === 12 && given.every(Number.isFinite) ? given : identity;
 }
 
-/** First this one, then the other. */
+/** The transform that applies `a` first and then `b`. */
 function joined(a: Transform, b: Transform): Transform {
   const at = (t: Transform, row: number, column: number): number => t[3 * row + column] as number;
   return identity.map((_, k) => {
@@ -89,7 +91,7 @@ interface Part {
 }
 
 interface Solid {
-  /** Corners of its own triangles, without its parts': nine numbers for each triangle. */
+  /** Corners of the solid's own triangles, nine numbers each, without those of its parts. */
   own: number[];
   parts: Part[];
 }
@@ -100,7 +102,8 @@ interface Model {
   build: Part[];
 }
 
-/** @param skipped  triangles of an object that only change how others are printed, by their ranges */
+/** Reads one model file of a 3MF. @param skipped  ranges of triangles, by object, that only modify how others are
+ * printed */
 function modelIn(text: string, path: string, skipped: ReadonlyMap<string, readonly [number, number][]>): Model {
   const objects = new Map<string, Solid>();
   const partOf = (tag: string): Part => ({
@@ -128,7 +131,7 @@ function modelIn(text: string, path: string, skipped: ReadonlyMap<string, readon
   return { scale: millimetres[attribute(unit, 'unit')] ?? 1, objects, build: items.map(partOf) };
 }
 
-/** PrusaSlicer keeps modifiers among an object's triangles, and says which they are. */
+/** Ranges of modifiers by object, from PrusaSlicer's settings: it keeps modifiers among an object's triangles. */
 function modifiersIn(config: string): Map<string, [number, number][]> {
   const found = new Map<string, [number, number][]>();
   for (const [, head = '', content = ''] of config.matchAll(/<object(\s[^>]*)>([^]*?)<\/object>/g)) {
@@ -143,7 +146,7 @@ function modifiersIn(config: string): Map<string, [number, number][]> {
   return found;
 }
 
-/** Bambu Studio and OrcaSlicer keep them as parts of their own. */
+/** Ids of modifiers in files of Bambu Studio and OrcaSlicer, which keep them as separate parts. */
 const modifierParts = (config: string): Set<string> =>
   new Set(
     Array.from(config.matchAll(/<part(\s[^>]*)>/g), ([, tag = '']) => tag)
@@ -151,6 +154,7 @@ const modifierParts = (config: string): Set<string> =>
       .map((tag) => attribute(tag, 'id')),
   );
 
+/** Reads all printable parts of a 3MF. @throws StudioError InvalidFile, TooLarge; errors of `openZip` */
 async function from3mf(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Mesh> {
   const entries = openZip(bytes);
   const textOf = async (entry: Entry | undefined): Promise<string> => {
@@ -189,7 +193,7 @@ async function from3mf(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Me
   return Float64Array.from(corners);
 }
 
-/** @throws StudioError InvalidFile, TooLarge */
+/** Reads a body from a file. @throws StudioError InvalidFile, TooLarge */
 export async function readBody(file: File): Promise<Mesh> {
   const { name } = file;
   if (file.size > mostBytes) throw new StudioError('TooLarge', { name });

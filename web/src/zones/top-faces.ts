@@ -1,27 +1,27 @@
-// The level top faces of a body, with their outlines: what a plate's layers can lie on.
+// Finds the level top faces of a body with their outlines. A plate's layers can lie on them.
 import type { Mesh } from './mesh.js';
 
-/** Lengths mm, places as in the body's file. */
+/** A level top face. Lengths are mm, places as in the body's file. */
 export interface TopFace {
   z: number;
   areaMm2: number;
-  /** Lower left of its box, and how large that is. */
+  /** Lower left corner of its bounding box; `size` is that of the box. */
   corner: [number, number];
   size: [number, number];
-  /** Its outline and its holes: x and y of each corner, from the lower left of the box. */
+  /** Rings of the outline and of holes: x and y of each corner, from the lower left corner of the box. */
   rings: number[][];
 }
 
-const level = 1e-3; // [mm] that a level triangle may rise, as in the core
-const weld = 1e3; // points at the same micrometre are one
-const leastArea = 25; // [mm²] for a picture to be told apart
+const level = 1e-3; // [mm]; a triangle that rises less counts as level, as in the core
+const weld = 1e3; // 1/mm; points within the same micrometre are merged
+const leastArea = 25; // [mm²]; smaller faces have no room for a picture
 const mostFaces = 40;
 
 type Nine = [number, number, number, number, number, number, number, number, number];
 
 const cornersAt = (mesh: Mesh, k: number): Nine => Array.from(mesh.subarray(k, k + 9)) as Nine;
 
-/** Below 0 where the triangles face inwards. */
+/** Six times the volume of a body; negative where its triangles face inwards. */
 function volumeOf(mesh: Mesh): number {
   let six = 0;
   for (let k = 0; k < mesh.length; k += 9) {
@@ -32,7 +32,7 @@ function volumeOf(mesh: Mesh): number {
 }
 
 interface Triangle {
-  /** Keys of its corners, counter-clockwise from above. */
+  /** Keys of the corners, counter-clockwise seen from above. */
   keys: [string, string, string];
   area: number;
   z: number;
@@ -40,6 +40,7 @@ interface Triangle {
 
 type Point = readonly [number, number];
 
+/** Disjoint sets with path halving (union-find), which group triangles into faces. */
 class Parts {
   readonly #of: number[];
   constructor(count: number) {
@@ -64,7 +65,7 @@ const edgesOf = ({ keys: [a, b, c] }: Triangle): [string, string][] => [
   [c, a],
 ];
 
-/** Rings of the edges that have no neighbour. */
+/** Rings of edges that belong to one triangle only, which bound the face. */
 function ringsOf(triangles: readonly Triangle[]): string[][] {
   const edges = new Set(triangles.flatMap(edgesOf).map(([a, b]) => `${a} ${b}`));
   const from = new Map<string, string[]>();
@@ -82,7 +83,7 @@ function ringsOf(triangles: readonly Triangle[]): string[][] {
   return rings;
 }
 
-/** Without corners on straight lines, which meshes are full of. */
+/** Removes corners on straight lines, of which meshes are full. */
 function straightened(ring: readonly Point[]): Point[] {
   return ring.filter(([x, y], k) => {
     const [ax, ay] = ring.at(k - 1) as Point;
@@ -92,6 +93,7 @@ function straightened(ring: readonly Point[]): Point[] {
   });
 }
 
+/** A face with its outline, from connected triangles. */
 function faceOf(triangles: readonly Triangle[], points: ReadonlyMap<string, Point>): TopFace {
   const rings = ringsOf(triangles).map((ring) => straightened(ring.map((key) => points.get(key) as Point)));
   const whole = rings.filter(({ length }) => length >= 3);
@@ -110,7 +112,7 @@ function faceOf(triangles: readonly Triangle[], points: ReadonlyMap<string, Poin
   };
 }
 
-/** Largest first; those that are too small for a picture are left out. */
+/** The level top faces of a body, the largest first; those too small for a picture are left out. */
 export function topFaces(mesh: Mesh): TopFace[] {
   const outwards = volumeOf(mesh) < 0 ? -1 : 1;
   const points = new Map<string, Point>();
@@ -154,7 +156,7 @@ export function topFaces(mesh: Mesh): TopFace[] {
 
 const short = (value: number): string => String(Number(value.toFixed(3)));
 
-/** Its outline as the path of a drawing whose y goes down. */
+/** The outline as an SVG path, whose y axis points down. The second parameter is an offset [mm]. */
 export const pathOf = ({ rings, size }: TopFace, [dx, dy]: readonly [number, number] = [0, 0]): string =>
   rings
     .map((ring) => {
@@ -166,7 +168,7 @@ export const pathOf = ({ rings, size }: TopFace, [dx, dy]: readonly [number, num
     })
     .join('');
 
-/** Returns the face as an SVG drawing in millimetres. */
+/** The face as an SVG drawing in millimetres. */
 export function drawingOf(face: TopFace): string {
   const [width, height] = face.size.map(short);
   return (

@@ -1,4 +1,4 @@
-// A body that nobody has sliced yet: its level top faces are listed, and the chosen one becomes the plate.
+// Dialog for a body that is not sliced yet: it lists the body's level top faces, and the chosen one becomes the plate.
 import { css, html, nothing, svg, type PropertyValues, type TemplateResult } from 'lit';
 import { customElement, state } from 'lit/decorators.js';
 import { DialogElement } from '../controls/dialog.js';
@@ -83,7 +83,7 @@ export class Zones extends DialogElement {
       if (file !== this.#file) return;
       this.known = { file, mesh, faces: topFaces(mesh) };
       await this.updateComplete;
-      this.renderRoot.querySelector<HTMLElement>('.faces button')?.focus(); // which were not there when this opened
+      this.renderRoot.querySelector<HTMLElement>('.faces button')?.focus(); // they appear only now
     } catch (error) {
       if (file === this.#file) this.problem = problemOf(error);
     }

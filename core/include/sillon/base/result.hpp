@@ -13,19 +13,20 @@
 
 namespace sillon {
 
+/// Kinds of errors.
 enum class ErrorCode {
   InvalidArgument,  ///< a parameter is outside its range
-  InvalidFile,      ///< bytes that cannot be read as what they claim to be
+  InvalidFile,      ///< the bytes are not what their format promises
   TooLarge,         ///< the job would need more than the limits allow
   OutOfMemory,      ///< the job would need more memory than there is
-  EmptyShape,       ///< nothing to fill
-  DoesNotFit,       ///< larger than the printer's bed
+  EmptyShape,       ///< there is nothing to fill
+  DoesNotFit,       ///< the plate is larger than the printer's bed
   Cancelled,        ///< RunContext::requestCancel was called
-  Internal,         ///< our fault
+  Internal,         ///< a defect of Sillon itself
 };
 
-/// A number, or a word where `text` is not empty: the name of a setting, or what a reader of a file
-/// says.
+/// A named value of a message: the word `text`, such as the name of a setting or what a reader of a
+/// file says, if it is not empty, and otherwise `number`.
 struct NamedValue {
   NamedValue(const char* named, double value) : name(named), number(value) {}
   NamedValue(const char* named, std::string value) : name(named), text(std::move(value)) {}
@@ -35,15 +36,17 @@ struct NamedValue {
   std::string text;
 };
 
+/// A failure: its code, an English message, and the parts from which other languages make theirs.
 struct Error {
   ErrorCode code = ErrorCode::Internal;
-  std::string message;  ///< one English sentence: what, which value, which range is allowed
-  /// Name of the sentence in sillon::reason, for other languages; empty: it is English alone
+  std::string message;  ///< one English sentence: the fault, its value, and the allowed range
+  /// Code of the sentence in sillon::reason, for other languages; empty: there is only the English
+  /// message
   const char* reason = "";
-  std::vector<NamedValue> values = {};  ///< of the reason
+  std::vector<NamedValue> values = {};  ///< values that the reason's sentence names
 };
 
-/// A value or an Error; std::expected where the standard library has none yet.
+/// A value or an Error; a stand-in for std::expected, which some standard libraries still lack.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -77,56 +80,61 @@ class [[nodiscard]] Result {
 
 }  // namespace sillon
 
-/// Why a job is refused, as codes: what `Error::reason` may be, for those who say it in another
-/// language than English. Besides: the name of a warning (report/warning.hpp) that is no mere
-/// warning here, with its values.
+/// Codes of the reasons why a job is refused: values of `Error::reason`, for callers that say it in
+/// another language than English. A reason may also be the name of a warning (report/warning.hpp)
+/// that stops this job, with the values of that warning.
 namespace sillon::reason {
 
-/// A number of a project: `setting` ("print.layerHeight"), `value`, `low`, `high`, in the setting's
-/// own unit.
+/// A number of a project is out of range. Values: the name of the `setting` ("print.layerHeight"),
+/// and its `value`, `low` and `high` in the setting's own unit.
 inline constexpr char kSettingOutOfRange[] = "SettingOutOfRange";
-/// The plate on the bed: `left`, `right`, `front`, `back`: by how much it lies over that edge [mm];
-/// those that it does.
+/// The plate lies over an edge of the bed. Values: `left`, `right`, `front` and `back`, the length
+/// that lies over that edge [mm]; edges that it does not cross are left out.
 inline constexpr char kOverBedEdge[] = "OverBedEdge";
-/// On a round bed: `by` [mm].
+/// The plate lies over the edge of a round bed. Value: `by`, the length that lies over it [mm].
 inline constexpr char kOverRoundBed[] = "OverRoundBed";
 /// The plate touches the part of the bed that the printer's profile excludes.
 inline constexpr char kOnExcludedZone[] = "OnExcludedZone";
-/// The job with its lift: `height`, and `most`, which the printer reaches [mm].
+/// The job is too high for the printer. Values: its `height` with the lift, and `most`, the height
+/// that the printer reaches [mm].
 inline constexpr char kTooHigh[] = "TooHigh";
-/// Several plates on one bed: `height`, and `most`, at which the print head passes over the others
-/// [mm].
+/// Several plates on one bed are too high for the print head to pass over them. Values: their
+/// `height`, and `most`, the height that it passes over [mm].
 inline constexpr char kCopiesTooHigh[] = "CopiesTooHigh";
-/// No bead fits anywhere: `spacing` [mm].
+/// No bead fits anywhere in the shape. Value: `spacing` [mm].
 inline constexpr char kNoBeadFits[] = "NoBeadFits";
-/// The same of a drawing in which nothing is filled: `spacing` [mm].
+/// No bead fits into the lines of a drawing in which nothing is filled. Value: `spacing` [mm].
 inline constexpr char kLinesTooThin[] = "LinesTooThin";
-/// A hole that cuts nothing: `n`, counted from 1; `x`, `y` and `diameter` [mm]; `left`, `bottom`,
-/// `right` and `top` of the shape [mm].
+/// A hole lies outside the shape and cuts nothing. Values: its number `n`, counted from 1; its `x`,
+/// `y` and `diameter` [mm]; `left`, `bottom`, `right` and `top` of the shape [mm].
 inline constexpr char kHoleOutside[] = "HoleOutside";
-/// An offset inwards that leaves nothing: `offset`, and `depth` of the shape's deepest place [mm].
+/// An offset inwards leaves nothing. Values: `offset`, and the `depth` of the shape's deepest place
+/// [mm].
 inline constexpr char kOffsetTooDeep[] = "OffsetTooDeep";
-/// A text or a drawing: `letter` that no font has.
+/// No font has a letter of a text or a drawing. Value: `letter`.
 inline constexpr char kMissingLetter[] = "MissingLetter";
-/// A text: `letter` of which its `font` has a picture alone.
+/// The font of a text has a letter only as a picture, without an outline. Values: `letter` and
+/// `font`.
 inline constexpr char kPictureLetter[] = "PictureLetter";
-/// A bundle of printers of which none is chosen: `count`, and their `names` in quotes.
+/// A bundle has several printers, and none is chosen. Values: their `count`, and their `names` in
+/// quotes.
 inline constexpr char kWhichPrinter[] = "WhichPrinter";
-/// The oriented side lies on the bed: `rim` [layers], which would stand on it.
+/// The oriented side lies on the bed, so it cannot carry a raised border. Value: `rim`, the layers
+/// asked for.
 inline constexpr char kRimBelow[] = "RimBelow";
-/// More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at
-/// which it would do, each where there is one.
+/// The plate needs more cells than there may be. Values: `spacing` [mm]; `leastSpacing` [mm] and
+/// `percent` of the size, with which it would do, each where there is one.
 inline constexpr char kPlateTooLarge[] = "PlateTooLarge";
 
 }  // namespace sillon::reason
 
 namespace sillon {
 
-/// The sentences of reasons whose errors say nothing else.
+/// Returns the sentences of the reasons whose errors say nothing else.
 std::span<const Sentence> reasonSentences();
 
-/// Hints against most errors of a code, by its name. Codes whose messages say it themselves have
-/// none.
+/// Returns hints on how to avoid most errors of a code, by the name of the code. Codes whose
+/// messages say it themselves have none.
 std::span<const Sentence> errorHints();
 
 }  // namespace sillon

@@ -1,4 +1,4 @@
-// How to run, apart from what to compute: threads, progress and cancelling.
+// Conditions of a run, apart from what it computes: threads, memory, progress and cancelling.
 #pragma once
 
 #include <atomic>
@@ -11,14 +11,15 @@ namespace sillon {
 
 class ThreadPool;
 
-/// Passed by const reference through every stage. One job at a time per context; the pool outlives
-/// the jobs.
+/// Conditions under which jobs run, passed by const reference through every stage. A context runs
+/// one job at a time; its thread pool outlives the jobs.
 class RunContext {
  public:
   using Progress = std::function<void(std::string_view stage, double fraction)>;
 
-  /// \param threads  worker count including the caller, clamped to 1..256. Where no thread can be
-  /// started (WebAssembly without shared memory) it must be 1. Results never depend on it.
+  /// Creates a context and its thread pool.
+  /// \param threads  number of workers, the caller included, clamped to 1..256. Where no thread can
+  /// be started (WebAssembly without shared memory) it must be 1. Results never depend on it.
   explicit RunContext(int threads = 1);
   ~RunContext();
   RunContext(const RunContext&) = delete;
@@ -27,34 +28,37 @@ class RunContext {
   [[nodiscard]] int threads() const;
   [[nodiscard]] ThreadPool& pool() const { return *pool_; }
 
-  /// Called on the calling thread with a fraction in [0, 1] that never falls within a job.
+  /// Sets the callback for progress. It is called on the calling thread with a fraction in [0, 1]
+  /// that never falls within a job.
   void onProgress(Progress callback) { progress_ = std::move(callback); }
 
   /// Asks the running job to stop; safe from any thread and from signal handlers.
   void requestCancel() { cancelled_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
-  /// For hosts whose requests cannot come in while a job runs on their only thread: asked between
-  /// the pieces of loops, some thousand times a second; true is a request to cancel. Not asked
-  /// where several threads work.
+  /// Sets a callback that may cancel the job, for hosts whose requests cannot come in while a job
+  /// runs on their only thread. Loops call it between their pieces, some thousand times a second;
+  /// if it returns true, the job is cancelled. It is not called where several threads work.
   void onPoll(std::function<bool()> callback) { poll_ = std::move(callback); }
-  /// Asks; then as cancelled().
+  /// Calls the callback of onPoll, if there is one, and returns cancelled().
   [[nodiscard]] bool poll() const;
-  /// The request itself, for hosts that reach this memory but not this code, and to take it back
-  /// before the next job.
+  /// Returns the flag of the request itself, for hosts that reach this memory but not this code,
+  /// and for taking a request back before the next job.
   [[nodiscard]] std::atomic<bool>& cancelFlag() { return cancelled_; }
 
-  /// Plates that would take more are refused before work on them begins (plateTooLarge).
-  /// \param bytes  > 0.
+  /// Limits the memory of jobs. Plates that would take more are refused before work on them begins
+  /// (plateTooLarge).
+  /// \param bytes  limit, > 0.
   void limitMemory(double bytes) { memory_ = bytes; }
-  /// That a job may take [bytes]; infinite unless limited.
+  /// Returns the memory that a job may take [bytes]; infinite unless limited.
   [[nodiscard]] double memory() const { return memory_; }
 
-  /// Starts a job: progress back to 0, or to where its share of a larger job begins. Does not clear
-  /// a cancel request.
+  /// Starts a job: its progress goes back to 0, or to the beginning of its share of a larger job. A
+  /// cancel request is not cleared.
   void beginJob() const;
   /// Names the stage that runs now and the share [begin, end] of the whole job that it takes.
   void beginStage(std::string_view stage, double begin, double end) const;
-  /// \param fraction  of the current stage, in [0, 1].
+  /// Reports the progress of the current stage.
+  /// \param fraction  part of the stage that is done, in [0, 1].
   void report(double fraction) const;
 
  private:
@@ -74,10 +78,11 @@ class RunContext {
   mutable int shares_ = 0;
 };
 
-/// While one lives, jobs tell their progress as a share of a larger job; a share may lie within
-/// another.
+/// Makes jobs report their progress as a share of a larger job for as long as it lives. Shares may
+/// be nested.
 class ProgressShare {
  public:
+  /// Begins the share.
   /// \param begin,  end  the part of the larger job, in [0, 1].
   ProgressShare(const RunContext& run, double begin, double end);
   ~ProgressShare();
@@ -86,7 +91,7 @@ class ProgressShare {
 
  private:
   const RunContext& run_;
-  double begin_;  // of the share around this one
+  double begin_;  // share around this one, restored at the end
   double end_;
 };
 

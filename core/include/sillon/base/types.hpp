@@ -27,16 +27,16 @@ struct Vec2T {
   friend T length(Vec2T a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 };
 
-using Vec2 = Vec2T<double>;  ///< outlines and everything computed once
-using Vec2f = Vec2T<float>;  ///< dense fields and paths: 0.03 µm at 400 mm
+using Vec2 = Vec2T<double>;  ///< doubles, for outlines and everything that is computed once
+using Vec2f = Vec2T<float>;  ///< floats, for dense fields and paths: steps of 0.03 µm at 400 mm
 
-/// The same in doubles.
+/// Converts a vector to doubles.
 template <class T>
 constexpr Vec2 wide(Vec2T<T> v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
 
-/// Axis-parallel box [mm]; empty while max < min.
+/// An axis-parallel box [mm]; it is empty while max < min.
 struct Bounds {
   Vec2 min{1e30, 1e30};
   Vec2 max{-1e30, -1e30};
@@ -56,7 +56,7 @@ struct Bounds {
 
 /// A round hole in a shape.
 struct RoundHole {
-  Vec2 centre;          ///< on the page [mm]
+  Vec2 centre;          ///< its middle on the page [mm]
   double diameter = 0;  ///< [mm], above 0
 
   friend bool operator==(const RoundHole&, const RoundHole&) = default;
@@ -67,8 +67,8 @@ struct RoundHole {
 struct Image {
   int width = 0;
   int height = 0;
-  int channels = 0;                    ///< 1 grey, 2 grey + alpha, 3 RGB, 4 RGBA
-  std::vector<std::uint16_t> samples;  ///< width * height * channels
+  int channels = 0;                    ///< 1: grey, 2: grey and alpha, 3: RGB, 4: RGBA
+  std::vector<std::uint16_t> samples;  ///< values, width * height * channels of them
 
   [[nodiscard]] std::uint16_t at(int x, int y, int channel) const {
     return samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -82,13 +82,14 @@ struct Image {
 struct RgbImage {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgb;  ///< row 0 on top
+  std::vector<std::uint8_t> rgb;  ///< red, green and blue of each pixel, row 0 on top
 };
 
-/// Closed curves, one after the other.
+/// Closed curves, stored one after the other.
 struct ClosedCurves {
   std::vector<Vec2f> points;  ///< [mm]
-  /// Curve k is points[begin[k]] .. points[begin[k + 1] - 1]; size: curves + 1
+  /// Index of each curve's first point: curve k is points[begin[k]] .. points[begin[k + 1] - 1];
+  /// size: curves + 1
   std::vector<int> begin;
 
   [[nodiscard]] int count() const { return begin.empty() ? 0 : static_cast<int>(begin.size()) - 1; }
@@ -100,15 +101,15 @@ struct ClosedCurves {
 /// One closed path of beads. The segment from the last point to the first is extruded like any
 /// other.
 struct Cycle {
-  std::vector<Vec2f> points;  ///< [mm], no repeated first point, at least 3
-  /// Bead width ω at each point [mm]: room between the half-way lines to the neighbours
+  std::vector<Vec2f> points;  ///< points [mm], at least 3; the first is not repeated
+  /// Bead width ω at each point [mm]: the room between the half-way lines to the neighbours
   std::vector<float> widths;
 };
 
-/// What the pipeline makes: one cycle per connected part of the shape, in printing order.
+/// The product of the pipeline: one cycle per connected part of the shape, in printing order.
 struct Toolpath {
   std::vector<Cycle> cycles;
-  double spacing = 0;  ///< τ [mm]
+  double spacing = 0;  ///< distance τ between neighbouring beads [mm]
 };
 
 }  // namespace sillon

@@ -1,4 +1,4 @@
-// The version, one place for people and files.
+// The version that people and files are told, kept in one place.
 #pragma once
 
 namespace sillon {

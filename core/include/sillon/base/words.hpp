@@ -1,4 +1,4 @@
-// Words for messages.
+// Text for messages: quoted names, letters with their codes, and suggestions.
 #pragma once
 
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace sillon {
 
-/// Text from a file, fit to be shown: in quotes, on one line, at most 60 bytes.
+/// Makes text from a file fit to be shown: in quotes, on one line, at most 60 bytes.
 std::string inQuotes(std::string_view text);
 
-/// A letter and its code, fit to be shown: "e" (U+0065).
+/// Names a letter and its code, fit to be shown: "e" (U+0065).
 std::string letterWithCode(std::string_view letter);
 
-/// The nearest of the known names, at most three, the nearest first: those that contain the word,
-/// then those that a few letters more, fewer or other make of it.
+/// Finds at most three known names that are near a word, the nearest first: those that contain the
+/// word, then those that differ from it by a few letters.
 std::vector<std::string> nearNames(std::string_view word, const std::vector<std::string>& known);
 
-/// "did you mean ...?" with the nearest names, or "known are ..." with all if none is near.
+/// Returns "did you mean ...?" with the nearest names, or "known are ..." with all if none is near.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace sillon

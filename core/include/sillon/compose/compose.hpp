@@ -1,4 +1,4 @@
-// From the list of layers of a surface to the directions of its beads.
+// The way from the layers of a surface to the directions of its beads.
 #pragma once
 
 #include <cstddef>
@@ -30,38 +30,41 @@ namespace sillon {
 struct PlacedLayer {
   Vec2 at;    ///< its middle [mm]
   Vec2 size;  ///< [mm]
-  /// Share of letters or of a drawing that is narrower than two beads, 0..1
+  /// Share of its letters or its drawing that is narrower than two beads, 0..1
   double thin = 0;
-  std::optional<Error> problem;  ///< its content cannot be made; the box is what it asks for
+  /// Reason why its content cannot be made; the box is then what it asks for
+  std::optional<Error> problem;
   /// Facts read from its letters or drawing, and from its mask
   std::vector<DrawingFacts> drawings = {};
-  std::vector<LackedLetter> lacked = {};  ///< of its text, as in ShapedLine
+  /// Letters of its text that the font lacks, as in ShapedLine
+  std::vector<LackedLetter> lacked = {};
 };
 
-/// Pictures of one layer, as they are solved for in a window of the page. All lists have one entry
-/// per picture.
+/// Pictures of one layer, solved for in a window of the page. All lists have one entry per picture.
 struct LayerPictures {
   Vec2 origin;                      ///< lower left corner of the window [mm]
   Vec2 size;                        ///< [mm]
   double level = 1;                 ///< SolvedDirections::level
-  std::vector<ShownPicture> shown;  ///< what shall be seen
-  std::vector<Tones> solved;  ///< what was solved for: with what plates before left out on top
-  DirectionMap directions;    ///< over the window
+  std::vector<ShownPicture> shown;  ///< pictures that shall be seen
+  /// Tones that were solved for: `shown` plus what earlier plates left out
+  std::vector<Tones> solved;
+  DirectionMap directions;  ///< directions over the window
 };
 
-/// The modules of a QR code, and where they lie.
+/// The modules of a QR code, and their places.
 struct PlacedCode {
-  Image modules;            ///< as of qrModules, inside the quiet zone
-  std::vector<int> texels;  ///< of LayerStack: that in the middle of each module; -1: none
+  Image modules;  ///< modules as qrModules makes them, inside the quiet zone
+  /// LayerStack texel in the middle of each module; -1: it lies off the page
+  std::vector<int> texels;
 };
 
-/// Ink of a layer, before others cover it: its letters, its drawing, its band, or its box.
+/// The ink of a layer before others cover it: its letters, its drawing, its band, or its box.
 struct LayerInk {
-  std::size_t layer = 0;   ///< its place in the project's list
+  std::size_t layer = 0;   ///< its index in the project's list
   double beside = 0;       ///< share of its ink that lies beside the plate, or in its holes, 0..1
-  double underRim = 0;     ///< share that the rim hides
-  std::size_t texels = 0;  ///< of LayerStack, that show the rest
-  bool ground = false;     ///< it lies on all that shows of the plate
+  double underRim = 0;     ///< share of its ink that the rim hides
+  std::size_t texels = 0;  ///< number of LayerStack texels that show the rest
+  bool ground = false;     ///< the layer covers all that shows of the plate
   std::optional<PlacedCode> code;
 };
 
@@ -70,41 +73,43 @@ struct LayerInk {
 struct LayerStack {
   /// Parts of the page.
   enum class Place : std::uint8_t { Beside, UnderRim, Open };
-  /// Ink of the topmost layer, by how its line meets what it stands out from.
+  /// Ink of the topmost layer: its line compared with the line that it has to stand out from.
   enum class Ink : std::uint8_t {
     None,
-    Alike,
-    Turned,       ///< by more than 15 degrees
-    OnBelow,      ///< known once it is known what lies below all layers
-    AcrossBelow,  ///< likewise, from what lies across that
+    Alike,        ///< within 15 degrees of that line
+    Turned,       ///< more than 15 degrees away from it
+    OnBelow,      ///< known once the directions below all layers are known
+    AcrossBelow,  ///< likewise, compared with the line across those directions
   };
-  /// A texel's line, e^(2i angle), is `line` + `through` times that of what lies below.
+  /// A texel's line, e^(2i angle), is `line` + `through` times the line of what lies below.
   struct Texel {
     Vec2f line;
-    float through = 1;     ///< 0: nothing shines through; -1: across what lies below
-    float cover = 0;       ///< share that is laid by layers, 0..1
+    /// Weight of what lies below; 0: it does not show; -1: this line lies across it
+    float through = 1;
+    float cover = 0;       ///< share that layers cover, 0..1
     std::uint8_t top = 0;  ///< number of the topmost layer that covers half of it, from 1; 0: none
     Place place = Place::Beside;
     Ink ink = Ink::None;
-    std::optional<DirectionMode> mode = {};  ///< of the topmost layer; none: of what lies below
+    /// Mode of the topmost layer; none: the mode of what lies below
+    std::optional<DirectionMode> mode = {};
   };
-  int width = 0;  ///< 0: no layer is visible
+  int width = 0;  ///< texels in a row; 0: no layer is visible
   int height = 0;
   std::vector<Texel> texels;  ///< row 0 on top
-  std::size_t open = 0;       ///< number of those that show
-  /// By layer; only of visible pictures
+  std::size_t open = 0;       ///< number of texels that show
+  /// Pictures by layer, for visible layers only
   std::map<std::size_t, LayerPictures> pictures;
-  std::vector<LayerInk> inks;       ///< one per visible layer above the ground that is no strokes
+  std::vector<LayerInk> inks;       ///< one per visible layer above the ground, but for strokes
   std::vector<PlacedLayer> placed;  ///< one per layer of the project, invisible ones too
 };
 
-/// A surface with all that its layers say, and what was solved for.
+/// A surface with all that its layers say, and the pictures that were solved for.
 struct Composition {
-  PlateInput ground;       ///< the shape, and what the lowest layer says where it fills it
-  PlatePictures pictures;  ///< of the lowest layer
-  LayerStack layers;       ///< those above it
+  PlateInput ground;  ///< the shape, and the lowest layer's directions where it fills the shape
+  PlatePictures pictures;  ///< pictures of the lowest layer
+  LayerStack layers;       ///< layers above the lowest
 
-  /// The layers laid over the ground.
+  /// Returns the layers laid over the ground.
   [[nodiscard]] PlateInput laid() const;
   /// Tells whether any picture is shown under a lamp.
   [[nodiscard]] bool showsPictures() const {
@@ -115,21 +120,23 @@ struct Composition {
 /// Inputs of a composition besides its project.
 struct ComposeOptions {
   const ReadInput& read;
-  std::optional<KeptPictures>* kept = nullptr;  ///< as of solvePictures
+  /// Result of the plate before, as solvePictures takes it
+  std::optional<KeptPictures>* kept = nullptr;
   OnTrial onTrial = {};
 };
 
 /// Reads the files of the layers and solves for their pictures. Layers above the ground are drawn
 /// in texels of a quarter of the bead spacing, at most 4096 on a side. Hidden layers are not read;
-/// one with a letter that no font has is left out, with its problem. \param ground
-/// readPlateInput's, or that of another surface. \return the errors of reading, readSvg,
-/// decodeImage, textShape, qrModules and solveDirections, with the layer's number, or Cancelled.
+/// one with a letter that no font has is left out, and PlacedLayer::problem tells it.
+/// \param ground  result of readPlateInput, or the input of another surface.
+/// \return the errors of reading, readSvg, decodeImage, textShape, qrModules and solveDirections,
+/// with the layer's number, or Cancelled.
 Result<Composition> compose(const Project& project, PlateInput ground,
                             const ComposeOptions& options, const RunContext& run);
 
 /// One picture of a surface as it was judged, where its layer is on top.
 struct JudgedPicture {
-  std::size_t layer = 1;  ///< number, from 1
+  std::size_t layer = 1;  ///< number of its layer, from 1
   std::string file;
   Lamp lamp;
   PictureMeasures measures;
@@ -140,28 +147,28 @@ struct JudgedPicture {
 Result<std::vector<JudgedPicture>> judgePictures(const Composition& composition,
                                                  const Toolpath& toolpath, const RunContext& run);
 
-/// Number of paths that makeShown makes: one, and one more per correction of pictures.
+/// Returns the number of paths that makeShown makes: one, and one more per correction of pictures.
 int pathsFor(const Project& project);
 
-/// Makes a path of an input.
+/// Makes a path from an input.
 using MakeToolpath = std::function<Result<ToolpathResult>(const PlateInput& input)>;
 
-/// Makes the path of a composition. It is then looked at: what its beads, above all their ends,
-/// take from the pictures' tones is asked for on top of them, and the path is made again,
-/// `corrections` times. The path with the highest sum of r is returned, and the composition has its
-/// directions. Pictures with local contrast are made once. \return what make, seePlate,
-/// solveDirections and compose return.
+/// Makes the path of a composition, and corrects its pictures. The path is looked at from above;
+/// the light that its beads, above all their ends, take from the pictures' tones is asked for in
+/// addition, and the path is made again, `corrections` times. The path with the highest sum of r is
+/// returned, and the composition gets its directions. Pictures with local contrast are made once.
+/// \return the errors of `make`, seePlate, solveDirections and compose.
 Result<ToolpathResult> makeShown(const Project& project, Composition& composition,
                                  const ReadInput& read, const MakeToolpath& make,
                                  const RunContext& run);
 
-/// The boxes alone, for those who show handles: no picture is solved for, and a layer that cannot
-/// be made keeps no other from being shown.
+/// Places the boxes of the layers alone, for editors that show handles. No picture is solved for,
+/// and a layer that cannot be made does not keep the others from being shown.
 std::vector<PlacedLayer> placeLayers(const Project& project, const Shape& shape,
                                      const ReadInput& read);
 
 /// Tells how much of each visible layer above the ground is seen.
-/// \param placed  one per layer of the project.
+/// \param placed  boxes, one per layer of the project.
 std::vector<SeenLayer> seeLayers(const Project& project, const std::vector<PlacedLayer>& placed,
                                  const Composition& composition);
 
@@ -170,6 +177,9 @@ struct LayersTold {
   std::vector<InputNote> notes;
   std::vector<Warning> warnings;
 };
+/// Collects the notes and warnings about layers.
+/// \param page  size of the plate [mm].
+/// \param spacing  tau [mm].
 LayersTold toldOf(const std::vector<PlacedLayer>& placed, const std::vector<SeenLayer>& seen,
                   Vec2 page, double spacing);
 

@@ -1,4 +1,4 @@
-// The base of a plate as a solid, for those who want their own slicer to print it.
+// The base of a plate as a solid, for printing it with another slicer.
 #pragma once
 
 #include <array>
@@ -12,30 +12,30 @@
 
 namespace sillon {
 
-/// A closed surface, outside on the left of each triangle's edges as seen from there. Every edge
-/// between two points belongs to two triangles, in opposite directions.
+/// A closed surface of triangles, counter-clockwise as seen from outside. Every edge between two
+/// points belongs to two triangles, in opposite directions.
 struct Mesh {
-  /// X, y, z on the bed [mm], on the grid of the G-code
+  /// Points x, y, z on the bed [mm], on the grid of the G-code
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Makes the solid of the base layers, as the G-code places it, with all copies. No elephant's foot
-/// is taken off. Whether it fits the bed is not looked at: writeGcode does.
+/// Makes the solid of the base layers, placed as in the G-code, with all copies. No elephant's foot
+/// is taken off. The edges of the bed are not checked here, but by writeGcode.
 /// \return InvalidArgument (also for a plate without a base), DoesNotFit (in height), EmptyShape,
 /// TooLarge.
 Result<Mesh> baseBody(const Shape& shape, const Printer& printer, const PrintParams& params);
 
 /// Describes a fault of a mesh in one sentence: a corner that is not a point of it, or a point that
-/// is not finite. Empty: nothing.
+/// is not finite. The sentence is empty where there is no fault.
 [[nodiscard]] std::string meshDefect(const Mesh& mesh);
 
-/// Binary STL.
-/// \return InvalidArgument as meshDefect tells.
+/// Writes a mesh as binary STL.
+/// \return InvalidArgument where meshDefect finds a fault.
 Result<std::string> writeStl(const Mesh& mesh);
 
-/// 3MF with one object, uncompressed. The same bytes for the same mesh.
-/// \return InvalidArgument as meshDefect tells.
+/// Writes a mesh as 3MF with one object, uncompressed. The same mesh gives the same bytes.
+/// \return InvalidArgument where meshDefect finds a fault.
 Result<std::string> write3mf(const Mesh& mesh);
 
 }  // namespace sillon

@@ -1,4 +1,4 @@
-// Toolpaths and test pieces to G-code.
+// Writes toolpaths and test pieces as G-code.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@
 
 namespace sillon {
 
-// Toolpath to G-code that printers take. Rules and reasons: docs/reference/gcode.md.
+// Toolpath to G-code that printers take. docs/reference/gcode.md has the rules and their reasons.
 
-/// Totals of what was written, and what the user should know.
+/// Totals of what was written, and warnings that the user should know.
 struct GcodeSummary {
   double filamentMm = 0;
   double filamentCm3 = 0;
   double filamentGrams = 0;
-  double seconds = 0;  ///< estimate: trapezoids with look-ahead
+  double seconds = 0;  ///< estimate from trapezoidal speed profiles with look-ahead
   std::int64_t moves = 0;
   std::int64_t bytes = 0;
-  double clampedLengthMm = 0;  ///< extruded with a width held at 0.6 or 1.6 nozzle
-  /// Length of oriented beads that curveAcceleration slows, or that stay even beside slower ones
+  double clampedLengthMm = 0;  ///< length extruded with a width held at 0.6 or 1.6 nozzle
+  /// Length of oriented beads slowed by curveAcceleration, or to stay even beside slower ones
   double curveSlowedMm = 0;
   std::vector<Warning> warnings;
 };
@@ -35,9 +35,9 @@ struct GcodeSummary {
 using GcodeSink = std::function<bool(std::string_view)>;
 
 /// Checks the whole job, then writes it. Nothing reaches the sink if anything is wrong.
-/// \param across  of generateAcross, for the same shape; needed where needsAcross, not read
-/// elsewhere.
-/// \return InvalidArgument, DoesNotFit (overhang per side), EmptyShape.
+/// \param across  path of generateAcross for the same shape; needed where needsAcross holds,
+/// otherwise not read.
+/// \return InvalidArgument, DoesNotFit (with the overhang on each side), EmptyShape.
 Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape,
                                 const Printer& printer, const PrintParams& params,
                                 const GcodeSink& sink, const Toolpath* across = nullptr);
@@ -46,32 +46,33 @@ Result<GcodeSummary> writeGcode(const Toolpath& toolpath, const Shape& shape,
 
 /// One open bead.
 struct PatchLine {
-  std::vector<Vec2> points;    ///< on the page [mm], at least 2 that differ
-  std::vector<double> widths;  ///< one per point [mm], 0.6 to 1.6 nozzle
+  std::vector<Vec2> points;    ///< points on the page [mm], at least 2 that differ
+  std::vector<double> widths;  ///< width at each point [mm], 0.6 to 1.6 nozzle
 };
 
 /// Beads of one layer that are printed alike, one after the other.
 struct Patch {
-  /// Counted from the bed, 0 the lowest; `base` layers are filled by themselves and take none
+  /// Number of its layer, 0 the lowest; the `base` layers are filled by themselves and take none
   int layer = 0;
   std::vector<PatchLine> lines;
-  double flow = 1;   ///< 0.01..2
-  double speed = 0;  ///< [mm/s], 0..1000, never lowered for minLayerTime; 0: as oriented layers
-  /// Speed * spacing / width, at most 1.5 speed, as PrintParams::constantFlow
+  double flow = 1;  ///< 0.01..2
+  /// Speed [mm/s], 0..1000, never lowered for minLayerTime; 0: the speed of oriented layers
+  double speed = 0;
+  /// Beads at speed * spacing / width, at most 1.5 speed, as with PrintParams::constantFlow
   bool constantFlow = false;
-  double spacing = 0;  ///< of constantFlow [mm], > 0 there
-  double fan = -1;     ///< [%], 0..100; below 0: the layer's
+  double spacing = 0;  ///< spacing that constantFlow refers to [mm], > 0 there
+  double fan = -1;     ///< fan [%], 0..100; below 0: the layer's own
 };
 
 /// A plate of patches, all within its shape.
 struct PatchPlate {
-  Shape shape;                 ///< what the base layers fill
-  std::vector<Patch> patches;  ///< in the order of printing, layer by layer
+  Shape shape;                 ///< area that the base layers fill
+  std::vector<Patch> patches;  ///< patches in the order of printing, layer by layer
 };
 
 /// Checks the whole job, then writes it like writeGcode: PrintParams::base plain layers, then
-/// `layers` layers of patches. The page is neither turned nor mirrored, shown from above, on the
-/// bed, and there is one of it.
+/// `layers` layers of patches. The page is neither turned nor mirrored, is shown from above, lies
+/// on the bed, and is printed once.
 /// \return InvalidArgument (also where maxFlow or machineSpeed would slow a patch's own speed),
 /// DoesNotFit, EmptyShape.
 Result<GcodeSummary> writePatches(const PatchPlate& plate, const Printer& printer,

@@ -13,7 +13,7 @@ enum class FillRule { NonZero, EvenOdd };
 
 using Ring = std::vector<Vec2>;  ///< closed polygon [mm], first point not repeated, any winding
 
-/// How far from 0 the points of a shape may lie [mm]; 1e12 nm are exact in a double.
+/// Greatest distance of a shape's points from 0 [mm]; its 1e12 nm are exact in a double.
 inline constexpr double kMaxCoordinate = 1e6;
 
 /// One painted element: its rings under one fill rule.
@@ -26,32 +26,35 @@ struct FilledPath {
 
 /// A letter that the font of a text lacks.
 struct LackedLetter {
-  std::string letter;  ///< in UTF-8
-  std::string font;    ///< built-in one that it is drawn in; empty: none has it, so it is left out
+  std::string letter;    ///< the letter in UTF-8
+  std::string font;      ///< built-in font that draws it; empty: no font has it, so it is left out
   bool picture = false;  ///< the text's own font has a picture of it, without outlines
 
   friend bool operator==(const LackedLetter&, const LackedLetter&) = default;
 };
 
-/// What readSvg left out, and what it took for granted.
+/// Facts about a drawing: parts that readSvg left out, and assumptions that it made.
 struct DrawingFacts {
   bool svg = false;
-  bool pixels = false;     ///< its size is in pixels, or has no unit: taken as 1/96 inch each
-  int texts = 0;           ///< shown, but not read
-  int images = 0;          ///< shown, but not read
+  bool pixels = false;     ///< its size is in pixels, or has no unit: each is taken as 1/96 inch
+  int texts = 0;           ///< number of texts that are shown but were not read
+  int images = 0;          ///< number of images that are shown but were not read
   bool otherFont = false;  ///< text is drawn in fonts that stand in for its own
-  std::vector<LackedLetter> lacked = {};  ///< of its text, as in ShapedLine
-  bool unpainted = false;       ///< nothing is painted: outlines were taken whatever their paint
-  bool linesOnly = false;       ///< nothing is filled: strokes alone are the shape
-  bool severalColours = false;  ///< painted, of which the shape shows nothing
-  bool cutOut = false;          ///< a picture with a transparent ground lends the shape no more than its proportions
-  double offPage = 0;           ///< painted, but cut off at the page's edges [mm²]
-  /// What is shown and not read beside texts and images: "<marker>", "CSS \"r\"", ...; at most 8.
+  /// Letters of its text that the font lacks, as in ShapedLine
+  std::vector<LackedLetter> lacked = {};
+  bool unpainted = false;  ///< nothing is painted, so that outlines were taken whatever their paint
+  bool linesOnly = false;  ///< nothing is filled, so that strokes alone are the shape
+  bool severalColours = false;  ///< it is painted in several colours, which the shape does not show
+  /// A picture with a transparent ground lends the shape only its proportions
+  bool cutOut = false;
+  double offPage = 0;  ///< area painted beyond the page and cut off at its edges [mm²]
+  /// Other things that are shown but were not read: "<marker>", "CSS \"r\"", ...; at most 8
   std::vector<std::string> unread = {};
-  /// Painted at half opacity or less beside what is not [mm²]; 0 below 0.5 % of the shape
+  /// Area that is painted at half opacity or less, where other paint is not [mm²]; 0 below 0.5 % of
+  /// the shape
   double faintMm2 = 0;
-  std::string maker = {};  ///< program whose pixels are others than 1/96 inch; empty: none is known
-  double makerWidth = 0;   ///< of the page, in its pixels [mm]
+  std::string maker = {};  ///< program whose pixels are not 1/96 inch; empty: none is known
+  double makerWidth = 0;   ///< width of the page by the pixels of that program [mm]
 
   friend bool operator==(const DrawingFacts&, const DrawingFacts&) = default;
 };
@@ -59,24 +62,25 @@ struct DrawingFacts {
 /// A place of a shape that is narrower than a bead.
 struct ThinPlace {
   Vec2 at;             ///< its thickest point [mm]
-  double areaMm2 = 0;  ///< above tau²/4
-  double width = 0;    ///< of its thickest point, unless told otherwise [mm]
+  double areaMm2 = 0;  ///< its area [mm²], above tau²/4
+  double width = 0;    ///< width at its thickest point, unless stated otherwise [mm]
 
   friend bool operator==(const ThinPlace&, const ThinPlace&) = default;
 };
 
-/// The union of its paths on a page of `page` mm; maps are stretched over the page.
+/// A shape: the union of its paths on a page of `page` mm, over which maps are stretched.
 struct Shape {
   std::vector<FilledPath> paths;
   Vec2 page;
   DrawingFacts drawing = {};
-  std::vector<ThinPlace> kept = {};  ///< widened to one bead by keepThinPlaces, the largest first
+  /// Places that keepThinPlaces widened to one bead, the largest first
+  std::vector<ThinPlace> kept = {};
 
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
 /// Moves every point of a shape; its page stays.
-/// \param move  from a point to where it goes.
+/// \param move  function from a point to its new place.
 template <class Move>
 void movePoints(Shape& shape, const Move& move) {
   for (FilledPath& path : shape.paths) {
@@ -86,65 +90,68 @@ void movePoints(Shape& shape, const Move& move) {
   }
 }
 
-/// Corners of polygons.
+/// Treatment of a polygon's corners.
 struct Corners {
   /// Radius of the arc that rounds a corner [mm], >= 0; the arc begins and ends at most half a side
   /// away
   double radius = 0;
-  bool chamfered = false;  ///< cut off straight between the ends of that arc
+  bool chamfered = false;  ///< corners are cut off straight between the ends of that arc
 };
 
-// Built-in shapes. Each fills its page, but for what is taken off its corners; a height of 0 is the
-// one that the shape has of its own. Curves are within 0.001 mm. All return InvalidArgument for
-// what is out of range.
+// Built-in shapes. Each fills its page, except for what is taken off its corners; a height of 0
+// stands for the shape's own height. Curves are exact to 0.001 mm. All return InvalidArgument for
+// arguments that are out of range.
 
-/// Axis-parallel rectangle that fills its page.
+/// Makes an axis-parallel rectangle that fills its page.
 /// \param size  width and height [mm], each > 0.
 Result<Shape> makeRectangle(Vec2 size);
+/// Makes a rectangle with rounded or chamfered corners.
 /// \param radius  corner radius [mm], >= 0, clamped to half the shorter side.
 /// \param chamfered  cuts the corners off instead of rounding them.
 Result<Shape> makeRoundedRectangle(Vec2 size, double radius, bool chamfered = false);
-/// Disc that fills its page.
-/// \param diameter  [mm], > 0.
+/// Makes a disc that fills its page.
+/// \param diameter  diameter [mm], > 0.
 Result<Shape> makeDisc(double diameter);
-/// Disc with a round hole in its middle.
-/// \param diameter  [mm], > 0. \param inner  of the hole [mm], below the diameter; 0: half of it.
+/// Makes a disc with a round hole in its middle.
+/// \param diameter  outer diameter [mm], > 0.
+/// \param inner  diameter of the hole [mm], below the outer one; 0: half of it.
 Result<Shape> makeRing(double diameter, double inner);
-/// Hexagon with corners at the left and at the right; regular in its own height.
-/// \param size  of the page [mm], width > 0, height >= 0.
+/// Makes a hexagon with corners at the left and at the right; it is regular at its own height.
+/// \param size  size of the page [mm], width > 0, height >= 0.
 Result<Shape> makeHexagon(Vec2 size, Corners corners = {});
-/// Star with a tip on top.
-/// \param points  3..24. \param size  of the page [mm], width > 0, height >= 0.
+/// Makes a star with a tip on top.
+/// \param points  number of tips, 3..24.
+/// \param size  size of the page [mm], width > 0, height >= 0.
 Result<Shape> makeStar(int points, Vec2 size, Corners corners = {});
-/// Heart on its tip.
-/// \param size  of the page [mm], width > 0, height >= 0.
+/// Makes a heart that stands on its tip.
+/// \param size  size of the page [mm], width > 0, height >= 0.
 Result<Shape> makeHeart(Vec2 size);
-/// Shield with a level top and a tip below; `corners` are those on top.
-/// \param size  of the page [mm], width > 0, height >= 0.
+/// Makes a shield with a level top and a tip below; `corners` are those on top.
+/// \param size  size of the page [mm], width > 0, height >= 0.
 Result<Shape> makeShield(Vec2 size, Corners corners = {});
-/// Tag with a hole near its round end, which is on the left, or on top of a tag that is taller than
-/// wide; `corners` are those of the other end.
-/// \param size  of the page [mm], width > 0, height >= 0.
+/// Makes a tag with a hole near its round end, which is on the left, or on top if the tag is taller
+/// than wide; `corners` are those of the other end.
+/// \param size  size of the page [mm], width > 0, height >= 0.
 /// \param inner  diameter of the hole [mm], below the shorter side; 0: 5 mm.
 Result<Shape> makeTag(Vec2 size, double inner, Corners corners = {});
 
-/// The shape with round holes cut out of it, as one path on the same page.
-/// \param holes  each on a part of the shape.
+/// Cuts round holes out of the shape; the result is one path on the same page.
+/// \param holes  holes, each on a part of the shape.
 /// \return InvalidArgument for a hole that lies wholly outside or a diameter that is not above 0;
-///   EmptyShape if nothing is left; as resolveOutline.
+/// EmptyShape if nothing is left; the errors of resolveOutline.
 Result<Shape> withHoles(Shape shape, const std::vector<RoundHole>& holes);
 
-/// Outline of the bright (>= 50 %), opaque pixels of an image, stretched to the given width. An
-/// image with transparent pixels is read by its alpha alone.
-/// \param width  of the page [mm], > 0; the height follows.
+/// Outlines the bright (>= 50 %), opaque pixels of an image, stretched to the given width. An image
+/// with transparent pixels is read by its alpha alone.
+/// \param width  width of the page [mm], > 0; the height follows.
 Result<Shape> shapeFromMask(const Image& mask, double width);
 
-/// The same shape and page scaled so that the page is `width` mm wide.
-/// \param width  [mm], > 0.
+/// Scales a shape and its page so that the page is `width` mm wide.
+/// \param width  new width of the page [mm], > 0.
 Result<Shape> scaledToWidth(const Shape& shape, double width);
 
-/// Box around the points of all rings [mm]. Rings that enclose nothing count too; it is empty
-/// without points.
+/// Returns the box around the points of all rings [mm]. Rings that enclose nothing count too; the
+/// box is empty without points.
 Bounds bounds(const Shape& shape);
 
 }  // namespace sillon

@@ -11,13 +11,14 @@
 
 namespace sillon {
 
-// Pictures to bead directions and direction modes (Sec. 4).
+// Maps of bead directions and direction modes, decoded from pictures (Sec. 4).
 
 /// Bead direction per texel, stretched over the page; row 0 on top.
 struct DirectionMap {
   int width = 0;
   int height = 0;
-  std::vector<std::uint16_t> angle;  ///< angle / 65535 * pi - pi/2 [rad], counter-clockwise from +x
+  /// Values; `angle` / 65535 * pi - pi/2 is the direction [rad], counter-clockwise from +x
+  std::vector<std::uint16_t> angle;
 
   friend bool operator==(const DirectionMap&, const DirectionMap&) = default;
 };
@@ -31,17 +32,20 @@ struct ModeMap {
   friend bool operator==(const ModeMap&, const ModeMap&) = default;
 };
 
-/// Exact for Angle; Rotation and Tangent are off by at most half a unit, 0.0014 degrees.
+/// Decodes a picture of directions. Angle is exact; Rotation and Tangent are off by at most half a
+/// unit, 0.0014 degrees.
 /// \return InvalidArgument for an image without pixels, or for tangents without red and green.
 Result<DirectionMap> directionMap(const Image& image, DirectionEncoding encoding);
-/// 1 x 1 map, off by at most 0.0014 degrees.
+/// Makes a 1 x 1 map of one direction, off by at most 0.0014 degrees.
 /// \param degrees  bead direction counter-clockwise from +x; any finite angle.
 /// \return InvalidArgument for an angle that is not finite.
 Result<DirectionMap> uniformDirection(double degrees);
 
-/// Grey 0, 1/3, 2/3, 1 (nearest) is parallel, orthogonal, smoothest, constrained.
+/// Decodes a picture of modes: grey 0, 1/3, 2/3, 1 (nearest) is parallel, orthogonal, smoothest,
+/// constrained.
 /// \return InvalidArgument for an image without pixels.
 Result<ModeMap> modeMap(const Image& image);
+/// Makes a 1 x 1 map of one mode.
 ModeMap uniformMode(DirectionMode mode);
 
 // The decoded inputs of one plate.
@@ -50,7 +54,8 @@ struct PlateInput {
   Shape shape;
   DirectionMap directions;
   ModeMap modes;
-  /// Tones depend on the directions: beads keep to them more closely than to even gaps
+  /// Tones of pictures depend on the directions, so that beads keep to them more closely than to
+  /// even gaps
   bool showsPictures = false;
 };
 

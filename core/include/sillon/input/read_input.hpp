@@ -1,4 +1,4 @@
-// Files that a project names, as whoever keeps them hands them over.
+// Files that a project names, handed over by whoever keeps them.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@
 
 namespace sillon {
 
-/// An input as it comes: a file's bytes, or a picture decoded elsewhere.
+/// An input: the bytes of a file, or a picture decoded elsewhere.
 using InputFile = std::variant<std::string, Image>;
 
 /// Hands over the file that a project names.
-/// \param what  "shape", "direction picture", "font": for messages.
+/// \param what  role of the file, for messages: "shape", "direction picture", "font".
 using ReadInput =
     std::function<Result<InputFile>(const std::string& name, const std::string& what)>;
 

@@ -1,4 +1,4 @@
-// Letters of a line, as whoever knows fonts hands them over.
+// Letters of a line, handed over by an engine that knows fonts.
 #pragma once
 
 #include <cstddef>
@@ -17,31 +17,32 @@ namespace sillon {
 struct ShapedLine {
   struct Letter {
     std::size_t outline = 0;  ///< index in `outlines`
-    Vec2 offset;              ///< from the pen
-    double advance = 0;       ///< of the pen
+    Vec2 offset;              ///< place of the letter relative to the pen
+    double advance = 0;       ///< distance by which the pen moves on
   };
   double em = 1000;      ///< font units per em
-  double capHeight = 0;  ///< of the font
-  double xHeight = 0;    ///< of the font, as it says itself
-  double ascent = 0;     ///< of the font above the base line
-  double descent = 0;    ///< of the font below the base line, > 0
-  bool instead = false;  ///< its font stands in for one that is not at hand
+  double capHeight = 0;  ///< height of the font's capitals
+  double xHeight = 0;    ///< height of the font's small letters, as the font itself says
+  double ascent = 0;     ///< reach of the font above the base line
+  double descent = 0;    ///< reach of the font below the base line, > 0
+  bool instead = false;  ///< the font stands in for one that is not at hand
   std::vector<Letter> letters;
   std::vector<std::string> outlines;  ///< path data of SVG
-  /// Each once; at most kMostLackedTold that are drawn in other fonts, and as many that are left
-  /// out.
+  /// Letters that the font lacks, each once: at most kMostLackedTold that are drawn in other fonts,
+  /// and as many that are left out
   std::vector<LackedLetter> lacked;
 };
 
 /// The font in which letters of a drawing are set.
 struct DrawingFont {
   std::string name;
-  bool instead = false;  ///< it stands in for one that is not at hand
+  bool instead = false;  ///< the font stands in for one that is not at hand
 };
 
-/// Sets the letters of a drawing.
+/// Functions that choose a font and set the letters of a drawing.
 struct ShapeLetters {
-  /// \param families  as in CSS's `font-family`: names between commas, the first one preferred.
+  /// Chooses a font.
+  /// \param families  names between commas as in CSS's `font-family`, the first one preferred.
   std::function<DrawingFont(std::string_view families)> choose;
   std::function<Result<ShapedLine>(const DrawingFont& font, const std::string& line)> shape;
 };

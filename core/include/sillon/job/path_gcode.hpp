@@ -1,4 +1,4 @@
-// G-code of a path, whether or not the plate that it came from is at hand.
+// Writes the G-code of a path, with or without the plate that it came from.
 #pragma once
 
 #include <string>
@@ -14,18 +14,18 @@
 
 namespace sillon {
 
-/// A path, and what its file tells and shows of it.
+/// A path to write, with the notes and the look that its file shows.
 struct PathToWrite {
   const Toolpath& seen;
   const Shape& shape;
   const Toolpath* below = nullptr;  ///< path of the layer below, where needsAcross
-  LookParams look;                  ///< of the thumbnails
-  std::vector<std::string> notes;   ///< instead of the print's own
+  LookParams look;                  ///< look of the thumbnails
+  std::vector<std::string> notes;   ///< lines of the header, instead of the print's own
   std::string date = PrintParams().date;
 };
 
 /// Writes the G-code of a path, with its notes and with the thumbnails that the printer's screen
-/// takes. It ends where the run is cancelled.
+/// takes. The writing ends where the run is cancelled.
 /// \return the errors of lookThumbnails and writeGcode.
 Result<GcodeSummary> writePathGcode(const PathToWrite& path, const Printer& printer,
                                     const PrintParams& print, const GcodeSink& sink,

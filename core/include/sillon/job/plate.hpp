@@ -1,4 +1,4 @@
-// The way to a plate: from a project and the files it names to solved pictures, toolpath, measures,
+// Makes a plate from a project and the files that it names: solved pictures, toolpath, measures,
 // warnings and report.
 #pragma once
 
@@ -33,53 +33,53 @@ enum class Placing {
   Fit,     ///< also made smaller, in whole percent, if that does not fit either
 };
 
-/// The paths of a plate that are made.
+/// Paths of a plate that may be made.
 enum class PlatePath {
   Seen,   ///< the oriented path
   Below,  ///< only the path of the layer below it, which nothing measures (generateAcross)
   Both,
 };
 
-/// Options of a plate's making, and what is kept for the next one.
+/// Options for making a plate, and results that are kept for the next one.
 struct PlateOptions {
   Placing placing = Placing::AsGiven;
   PlatePath path = PlatePath::Seen;
   bool measure = true;
-  bool countDislocations = false;  ///< among the measures; takes a twentieth of the plate's time
-  /// By the toolpath, where it is measured; no need to where checkPlateGcode follows
+  bool countDislocations = false;  ///< count them among the measures; takes 5 % of the plate's time
+  /// Judge pictures by the toolpath, if it is measured; not needed where checkPlateGcode follows
   bool judgePictures = true;
   Session* session = nullptr;  ///< keeps stages from plate to plate
-  /// Keeps solved pictures from plate to plate
+  /// Solved pictures kept from plate to plate
   std::optional<KeptPictures>* keptPictures = nullptr;
 };
 
 /// A plate, and all that is known of it.
 struct Plate {
-  Project project;          ///< as it was made: placing may have turned it, or made it smaller
+  Project project;          ///< the project as made: placing may have turned it, or made it smaller
   Composition composition;  ///< its shape, and all that its layers say
   PlateInput input;         ///< the layers laid over the lowest
-  ToolpathResult result;    ///< of the path below, where only that was asked for
+  /// The path below where only that was asked for, otherwise the oriented path
+  ToolpathResult result;
   std::optional<Toolpath> below;     ///< path of the layer below, where both were asked for
-  std::optional<Measures> measures;  ///< none: not asked for
-  std::vector<JudgedPicture>
-      shown;  ///< one per picture, the lowest layer's first; empty: not judged
-  std::vector<SeenLayer>
-      seenLayers;   ///< one per visible layer above the lowest that fills the page
-  int threads = 1;  ///< that the run was allowed
+  std::optional<Measures> measures;  ///< unset: not asked for
+  /// Judgement of each picture, the lowest layer's first; empty: not judged
+  std::vector<JudgedPicture> shown;
+  std::vector<SeenLayer> seenLayers;  ///< visible layers above the lowest one that fills the page
+  int threads = 1;                    ///< number of threads that the run was allowed
   // The G-code, once it is written.
   std::optional<GcodeSummary> gcode;
-  std::vector<GcodeFinding> findings;   ///< of reading it as a printer would
-  std::optional<NeighbourDelay> delay;  ///< of the beads that the G-code lays
-  bool judgedByGcode = false;           ///< `shown` is what the G-code lays
+  std::vector<GcodeFinding> findings;   ///< findings of reading it as a printer would
+  std::optional<NeighbourDelay> delay;  ///< wait for neighbours of the beads that the G-code lays
+  bool judgedByGcode = false;           ///< `shown` judges the beads that the G-code lays
 
   [[nodiscard]] const Toolpath& toolpath() const { return result.toolpath; }
-  /// The pictures of the lowest layer.
+  /// Returns the pictures of the lowest layer.
   [[nodiscard]] const PlatePictures& pictures() const { return composition.pictures; }
-  /// Tells what was taken for granted of the input, or left out of it.
+  /// Returns notes on what was taken for granted of the input, or left out of it.
   [[nodiscard]] std::vector<InputNote> notes() const;
-  /// Warnings about the plate, then about its G-code.
+  /// Returns the warnings about the plate, then those about its G-code.
   [[nodiscard]] std::vector<Warning> warnings() const;
-  /// All but the memory that it took, which only the program knows.
+  /// Returns the report, except for the memory that the plate took, which only the program knows.
   [[nodiscard]] Report report() const;
 };
 
@@ -90,7 +90,7 @@ struct Plate {
 Result<Plate> makePlate(Project project, const ReadInput& read, const PlateOptions& options,
                         const RunContext& run);
 
-/// Facts for the G-code that the plate does not know.
+/// Facts for the G-code that the plate does not hold.
 struct PlateGcodeOptions {
   std::string date = PrintParams().date;
   /// Colour of the thumbnails of pictures; none: the project's spool
@@ -106,8 +106,7 @@ std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& opti
 /// Reads the plate's G-code as a printer would. Where the plate was measured, its pictures are
 /// judged by the beads that the file lays. Fills Plate::findings and Plate::shown.
 /// \param gcode  the whole text that writePlateGcode wrote.
-/// \return the errors of readBack and measurePictures, or what checkPrint finds to be an error in
-/// it.
+/// \return the errors of readBack and judgePictures, or the first error that checkPrint finds.
 std::optional<Error> checkPlateGcode(Plate& plate, std::string_view gcode, const RunContext& run);
 
 }  // namespace sillon

@@ -1,5 +1,5 @@
-// From pictures, each under its lamp, to the directions of beads that show them. Derived in
-// docs/internals/pictures.md.
+// Finds the directions of beads that show pictures, each under its lamp. docs/internals/pictures.md
+// derives the method.
 #pragma once
 
 #include <cstdint>
@@ -31,37 +31,38 @@ struct Tones {
   friend bool operator==(const Tones&, const Tones&) = default;
 };
 
-/// IEC 61966-2-1, within 1e-6.
-/// \param code  0..1; others are clamped.
+/// Converts an sRGB code to light (IEC 61966-2-1), within 1e-6.
+/// \param code  0..1; other values are clamped.
 float lightOfCode(float code);
-/// Its inverse, within 1e-5.
+/// Converts light to an sRGB code, the inverse of lightOfCode, within 1e-5.
 float codeOfLight(float light);
 
-/// Luminance (Rec. 709) of the picture's sRGB colours, again as a code; what is transparent shows
-/// white paper.
+/// Computes the luminance (Rec. 709) of the picture's sRGB colours, again as a code. Transparent
+/// places show white paper.
 Tones tonesOf(const Image& image);
 
-/// The same from codes as they are mixed for JPEG. It keeps this one sharp and blurs what colours
-/// differ by.
+/// Computes the luma of a picture from its codes, as they are mixed for JPEG. JPEG keeps luma sharp
+/// and blurs the differences between colours.
 Tones lumaOf(const Image& image);
 
-/// Means of light over the areas of a new raster: for pictures that shrink; linear between texels
-/// for those that grow.
+/// Resamples tones to a new raster: by the means of light over its areas for pictures that shrink,
+/// linearly between texels for those that grow.
 Tones resampled(const Tones& tones, int width, int height);
 
-/// Stretches tones so that the 1st and 99th percentile become 0 and 1. Others are clamped; a
-/// picture of one tone, within half a step of 8 bits, becomes 0.5.
-/// \param inside  of each value whether it counts; empty: all do. Others are clamped.
+/// Stretches tones so that the 1st and 99th percentile become 0 and 1. Values beyond them are
+/// clamped; a picture of one tone, within half a step of 8 bits, becomes 0.5.
+/// \param inside  tells of each value whether it counts for the percentiles; empty: all do.
 Tones levelled(const Tones& tones, const std::vector<char>& inside = {});
 
+/// Most pictures that are solved for together.
 inline constexpr int kMaxPictures = 4;
 
 /// A picture that shall be seen under a lamp.
 struct LitPicture {
-  Tones tones;  ///< any size; stretched over the page
-  Lamp lamp;    ///< towards which the plate's +x is turned
-  /// Take the azimuth that suits the picture, or the pictures together; lamp.azimuth is then where
-  /// the first of several lamps stands
+  Tones tones;  ///< tones of any size; stretched over the page
+  Lamp lamp;    ///< lamp under which the picture shall be seen
+  /// Choose the azimuth that suits the picture, or the pictures together; lamp.azimuth is then the
+  /// place of the first of several lamps
   bool chooseAzimuth = false;
 
   friend bool operator==(const LitPicture&, const LitPicture&) = default;
@@ -69,56 +70,58 @@ struct LitPicture {
 
 /// A picture and the lamp that shows it.
 struct ShownPicture {
-  std::string file;  ///< as the project names it
+  std::string file;  ///< name of the file in the project
   Lamp lamp;
-  Tones tones;  ///< what shall be seen, stretched over the page: after levels
+  Tones tones;  ///< tones that shall be seen, after levels, stretched over the page
 };
 
+/// Parameters of the inversion.
 struct InversionParams {
-  /// Weight of changes of direction against squared errors of tone, 0.001..10: more means fewer
-  /// U-turns and less detail; thrice as much for several pictures
+  /// Weight of changes of direction against squared errors of tone, 0.001..10; tripled for several
+  /// pictures. Larger: fewer U-turns and less detail.
   double smoothness = 0.02;
-  /// Boost of details as fine as beads, for a single picture: they lose contrast when they become
-  /// beads, 0..2
+  /// Boost of details as fine as beads, for a single picture, 0..2: such details lose contrast when
+  /// they become beads
   double sharpness = 0.5;
-  /// Boost of differences within a tenth of the page, 0..2: readable faces, but other tones than
-  /// the picture has
+  /// Boost of differences within a tenth of the page, 0..2. It makes faces readable, but the tones
+  /// are no longer the picture's.
   double localContrast = 0;
-  /// Light of white against the brightest direction, 0.05..1; 0: 1 for one picture, chosen for
-  /// several: less leaves room for the tones of the others
+  /// Light of white relative to the brightest direction, 0.05..1; 0: 1 for one picture, chosen for
+  /// several. A lower level leaves room for the tones of the other pictures.
   double level = 0;
 
   friend bool operator==(const InversionParams&, const InversionParams&) = default;
 };
 
-/// Tells which cells of a raster lie in the shape, row 0 on top. Of a raster without any outside:
-/// nothing.
+/// Tells which cells of a raster lie in the shape, row 0 on top. The list is empty for a raster
+/// without any outside.
 using InsideCells = std::function<std::vector<char>(int width, int height)>;
 
 /// The page over which pictures are stretched.
 struct PicturePage {
   Vec2 size;       ///< [mm]
   double spacing;  ///< tau [mm]
-  /// Cells outside of the shape count neither for levels nor for tones; unset: all are inside
+  /// Cells in the shape; the others count neither for levels nor for tones; unset: all are inside
   InsideCells inside = {};
 };
 
+/// Directions that show pictures, and what was chosen for them.
 struct SolvedDirections {
-  DirectionMap directions;  ///< cells of half a spacing, at most 4096 on a side
-  std::vector<Lamp> lamps;  ///< one per picture, as given or chosen
-  /// Other azimuths of a single lamp that was chosen, which may suit the picture as well [degrees],
-  /// best first; plates tell
+  DirectionMap directions;  ///< map with cells of half a spacing, at most 4096 on a side
+  std::vector<Lamp> lamps;  ///< lamps as given or chosen, one per picture
+  /// Other azimuths of a single lamp that was chosen [degrees], best first. They may suit the
+  /// picture as well; only plates tell.
   std::vector<double> azimuths;
-  double level = 1;  ///< as given or chosen
-  /// The pictures after levels, on the raster of the directions: what is to be seen
+  double level = 1;  ///< level as given or chosen
+  /// Pictures to be seen, after levels, on the raster of the directions
   std::vector<Tones> shown;
 };
 
 /// Finds the directions that show pictures under their lamps. It minimises, on a hierarchy of
-/// grids, the squared errors of the tones (sRGB codes of lightOf, levels at the 1st and 99th
-/// percentile, laid between the darkest and the brightest direction) plus `smoothness` times the
-/// squared divergence of the beads' direction, which forces U-turns, and a little of its squared
-/// gradient. The same bytes for any number of threads.
+/// grids, the squared errors of the tones, plus `smoothness` times the squared divergence of the
+/// beads' direction, which forces U-turns, and a little of its squared gradient. Tones are sRGB
+/// codes of lightOf, levelled at the 1st and 99th percentile and laid between the darkest and the
+/// brightest direction. The bytes are the same for any number of threads.
 /// \return InvalidArgument (no pictures or too many, a lamp or parameter out of range, a lamp that
 /// tells no directions apart) or Cancelled.
 Result<SolvedDirections> solveDirections(std::span<const LitPicture> pictures,

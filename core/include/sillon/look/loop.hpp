@@ -1,5 +1,5 @@
-// The loop of moving light that people send to one another: where the lamp stands in each of its
-// pictures.
+// The loop of moving light that people send to one another: the position of the lamp in each of its
+// frames.
 #pragma once
 
 #include <span>
@@ -9,22 +9,24 @@
 
 namespace sillon {
 
+/// One frame of the loop.
 struct LoopFrame {
   Lamp lamp;
-  int milliseconds = 0;  ///< that it is shown
+  int milliseconds = 0;  ///< time for which it is shown
 };
 
-/// One lamp goes round once; several are held in turn, with a quick way to the next. The last frame
-/// leads to the first.
-/// \param lamps  of the plate's pictures; not empty.
+/// Makes the frames of a loop. One lamp goes round once; several are held in turn, with a quick way
+/// to the next. The last frame leads to the first.
+/// \param lamps  lamps of the plate's pictures; not empty.
 std::vector<LoopFrame> loopFrames(std::span<const Lamp> lamps);
 
-/// The usual bounds of a loop that is sent: its longer side [pixels], and the most bytes that
-/// messengers take well.
+/// Returns the usual longer side of a loop that is sent [pixels].
 int loopSide();
+/// Returns the most bytes of a loop that messengers take well.
 int loopBytes();
 
-/// Qualities of lossy pictures that are tried until the loop is small enough, best first, 0..100.
+/// Lists the qualities of lossy pictures that are tried until the loop is small enough, best first,
+/// 0..100.
 std::vector<int> loopQualities();
 
 }  // namespace sillon

@@ -1,4 +1,4 @@
-// Rendered pictures of plates: previews, and the thumbnails of printers' screens.
+// Renders pictures of plates: previews, and the thumbnails of printers' screens.
 #pragma once
 
 #include <array>
@@ -17,41 +17,44 @@ namespace sillon {
 // Pictures of a toolpath: beads coloured by direction with a legend, and their look under one
 // light.
 
-/// What the look is drawn for: a lamp, a spool and an eye.
+/// Conditions under which the look is drawn: a lamp, a spool and an eye.
 struct LookParams {
   Lamp lamp{60, 35, 0.1};
-  std::array<std::uint8_t, 3> colour{24, 78, 168};  ///< of the body, sRGB; blue PLA
+  std::array<std::uint8_t, 3> colour{24, 78, 168};  ///< colour of the body, sRGB; blue PLA
   Roughness roughness{2.36, 17.32};
-  /// Height of the eye above the plate's middle, in its longer sides, 0.1..1000; 0: far away
+  /// Height of the eye above the plate's middle, in lengths of its longer side, 0.1..1000; 0: far
+  /// away
   double eyeDistance = 2.4;
 };
 
+/// Size and look of a preview.
 struct PreviewParams {
   /// Width of one panel with its margins [pixels], 16..16384; the height follows the page
   int width = 1600;
   LookParams look;
 };
 
-/// Both panels side by side or stacked, whichever is nearer to 4:3: directions with legend, then
-/// the look by the model of appearance.hpp, exposed for its brightest direction.
-/// \param page  [mm].
+/// Renders both panels side by side or stacked, whichever is nearer to 4:3: directions with legend,
+/// then the look by the model of appearance.hpp, exposed for its brightest direction.
+/// \param page  size [mm].
 /// \return InvalidArgument, TooLarge (beyond 32768 pixels per side or 100 million in all) or
 /// Cancelled.
 Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const PreviewParams& params,
                                const RunContext& run);
 
-/// The look alone, the page as large as fits with a margin, on the preview's dark ground.
-/// \param width,  height  [pixels], 16..1024.
-/// \return as renderPreview.
+/// Renders the look alone, with the page as large as fits with a margin, on the preview's dark
+/// ground.
+/// \param width,  height  size [pixels], 16..1024.
+/// \return the errors of renderPreview.
 Result<RgbImage> renderLook(const Toolpath& toolpath, Vec2 page, int width, int height,
                             const LookParams& look, const RunContext& run);
 
 // The look of a plate for the printer's screen.
 
-/// Pictures for PrintParams::thumbnails.
-/// \param screenSizes  as readThumbnailSizes.
-/// \param page  [mm].
-/// \return as readThumbnailSizes and renderLook.
+/// Renders the pictures for PrintParams::thumbnails.
+/// \param screenSizes  text that readThumbnailSizes reads.
+/// \param page  size [mm].
+/// \return the errors of readThumbnailSizes and renderLook.
 Result<std::vector<Thumbnail>> lookThumbnails(const Toolpath& toolpath, Vec2 page,
                                               std::string_view screenSizes, const LookParams& look,
                                               const RunContext& run);

@@ -1,4 +1,4 @@
-// From shape and directions to the toolpath (Alg. 1), once or again and again.
+// Makes toolpaths from shape and directions (Alg. 1), once or again and again.
 #pragma once
 
 #include <memory>
@@ -15,38 +15,42 @@
 
 namespace sillon {
 
-// From shape and directions to the toolpath: the stages in order, no maths (Alg. 1).
+// The way from shape and directions to the toolpath: the stages in order, no maths (Alg. 1).
 
+/// Time that one stage took.
 struct StageTime {
   std::string stage;
   double seconds = 0;
 };
 
-/// The toolpath and what was seen on the way.
+/// The toolpath and the counts made along the way.
 struct ToolpathResult {
   Toolpath toolpath;
-  int nx = 0;  ///< cells of tau/2
+  int nx = 0;  ///< number of cells of tau/2 from left to right
   int ny = 0;
   std::int64_t parts = 0;          ///< connected parts after bridging
   std::int64_t contourCycles = 0;  ///< closed curves before stitching
   double longestJointMm = 0;
   int gapJoints = 0;  ///< joints that cross a gap between solids
-  int unjoined = 0;   ///< toolpaths more than parts: no joint to the rest of a part was possible
-  std::vector<Vec2> apart;      ///< where those toolpaths lie: middles of their boxes [mm]
-  std::int64_t stitchWork = 0;  ///< joints looked at while stitching, see Stitched
-  std::vector<StageTime> time;  ///< in order; the sum is the total
+  /// Number of toolpaths beyond one per part: no joint to the rest of a part was possible
+  int unjoined = 0;
+  std::vector<Vec2> apart;      ///< places of those toolpaths: middles of their boxes [mm]
+  std::int64_t stitchWork = 0;  ///< joints looked at while stitching, as in Stitched::work
+  std::vector<StageTime> time;  ///< time of each stage, in order; the sum is the total
   /// Dislocations of the waves, where they were asked for; not in `time`
   std::optional<Dislocations> dislocations;
 };
 
-/// \param countDislocations  for measureToolpath, which else makes the waves anew.
+/// Makes the toolpath of a plate.
+/// \param countDislocations  counts them for measureToolpath, which otherwise makes the waves anew.
 /// \return InvalidArgument (which field, its value, its range), EmptyShape, TooLarge or Cancelled.
 Result<ToolpathResult> generateToolpath(const PlateInput& input, const ToolpathParams& params,
                                         const RunContext& run, bool countDislocations = false);
 
-/// The path of the layer below: its beads run across those of generateToolpath, except along the
-/// border, so that nothing of it shows through them. Takes about as long.
-/// \return as generateToolpath.
+/// Makes the path of the layer below. Its beads run across those of generateToolpath, except along
+/// the border, so that nothing of it shows through them. It takes about as long as
+/// generateToolpath.
+/// \return the errors of generateToolpath.
 Result<ToolpathResult> generateAcross(const PlateInput& input, const ToolpathParams& params,
                                       const RunContext& run);
 
@@ -55,9 +59,9 @@ Result<ToolpathResult> generateAcross(const PlateInput& input, const ToolpathPar
 /// Makes toolpaths again and again, and makes only what has changed. It keeps the fields that
 /// depend on the shape (some 17 bytes a cell), the path before its widths (some 16 more) and copies
 /// of their inputs. Whatever changed is made anew, so that results are those of generateToolpath,
-/// to the byte. Of a plate of more than 40 million cells (3.2 million where pointers have 32 bits)
-/// nothing is kept. One call at a time. A session that was moved from may only be assigned to or
-/// destroyed.
+/// to the byte. Nothing is kept of a plate of more than 40 million cells (3.2 million where
+/// pointers have 32 bits). Only one call may run at a time. A session that was moved from may only
+/// be assigned to or destroyed.
 class Session {
  public:
   Session();

@@ -1,4 +1,5 @@
-// A printer out of the user's own files: what their slicer already knows need not be typed again.
+// Imports a printer from the user's own files: what their slicer already knows need not be typed
+// again.
 #pragma once
 
 #include <span>
@@ -13,23 +14,26 @@
 
 namespace sillon {
 
-/// What could not be taken over, or needs a look.
+/// A note on something that could not be taken over, or needs a look.
 struct ImportNote {
-  std::string code;                                         ///< one of importNoteSentences()
-  std::vector<std::pair<std::string, std::string>> values;  ///< by name, what the message says
-  std::string message;                                      ///< one sentence in English
+  std::string code;  ///< one of importNoteSentences()
+  /// Values that the message says, by name
+  std::vector<std::pair<std::string, std::string>> values;
+  std::string message;  ///< one sentence in English
 };
 
+/// An imported printer, and the sources of its values.
 struct ImportedPrinter {
   Printer printer;  ///< values that the file does not tell are the profile's, else the defaults
-  /// Profile of the same machine, whose values lie under the file's; empty: none is known
+  /// Profile of the same machine, whose values hold where the file has none; empty: none is known
   std::string profile;
-  std::string source;  ///< "donor G-code", "PrusaSlicer settings", "Orca settings", "project"
+  /// Kind of the file: "donor G-code", "PrusaSlicer settings", "Orca settings", "project"
+  std::string source;
   std::vector<std::string> read;    ///< names of the settings taken, ascending
-  std::vector<ImportNote> notRead;  ///< each once
+  std::vector<ImportNote> notRead;  ///< notes, each once
 };
 
-/// The sentence of each code.
+/// Returns the sentence of each code.
 std::span<const Sentence> importNoteSentences();
 
 /// Takes a printer from a file, whose kind it tells by the content:

@@ -19,7 +19,7 @@
 namespace sillon {
 
 // Measures of a plate: alignment (Eq. 17), coverage and overlap (Tab. 5), turns, widths, crossings.
-// Definitions: docs/reference/metrics.md.
+// docs/reference/metrics.md defines them.
 
 /// Length-weighted distribution of the delivered widths, in spacings.
 struct WidthMeasures {
@@ -31,43 +31,45 @@ struct WidthMeasures {
   double clamped = 0;
 };
 
-/// Areas are shares of the shape's area in percent. NaN never occurs; an empty toolpath measures 0.
+/// Measures of a toolpath. Areas are shares of the shape's area in percent. NaN never occurs; an
+/// empty toolpath measures 0.
 struct Measures {
   double lengthMm = 0;
   double alignment = 0;             ///< -1 perfect, -0.5 chance, 0 orthogonal; every piece
   double alignmentInterior = 0;     ///< pieces deeper than 1.05 tau
   double alignmentConstrained = 0;  ///< constrained pieces inside all counted perimeters; 0: none
-  double coverage = 0;              ///< [%]
-  double overlap = 0;               ///< [%]
-  double spill = 0;                 ///< [%]
-  double fillRatio = 0;             ///< bead area / shape area, a ratio
+  double coverage = 0;              ///< share under at least one bead [%]
+  double overlap = 0;               ///< share that is passed at least twice [%]
+  double spill = 0;                 ///< area under a bead, but outside the shape [%]
+  double fillRatio = 0;             ///< area of the beads divided by the shape's, a ratio
   double shapeAreaMm2 = 0;
-  double lostAreaMm2 = 0;  ///< of all lost places
-  /// Places that no bead of one spacing can reach, the largest first. Each is as wide as a strip of
-  /// the same mean depth, at most as the thickest point within tau/8.
+  double lostAreaMm2 = 0;  ///< area of all lost places
+  /// Places that no bead of one spacing can reach, the largest first. Each counts as wide as a
+  /// strip of the same mean depth, but at most as wide as its thickest point, to within tau/8.
   std::vector<ThinPlace> lostPlaces;
-  double keptAreaMm2 = 0;             ///< of all kept places
-  std::vector<ThinPlace> keptPlaces;  ///< which were widened to one bead (keepThinPlaces)
+  double keptAreaMm2 = 0;             ///< area of all kept places
+  std::vector<ThinPlace> keptPlaces;  ///< places that were widened to one bead (keepThinPlaces)
   std::int64_t uTurns = 0;
   std::int64_t kinks = 0;
   /// Pairs of non-consecutive segments that share a point, on coordinates of 1 µm
   std::int64_t crossings = 0;
   /// Dislocations of the waves that these directions make: beads that begin or end
   std::int64_t dislocations = 0;
-  std::int64_t singularities = 0;  ///< of the lines: places round which they turn by half a turn
-  /// About as many are forced by the directions at one constant spacing
+  /// Singularities of the lines: places round which they turn by half a turn
+  std::int64_t singularities = 0;
+  /// Estimate of the dislocations that the directions force at one constant spacing
   double dislocationBound = 0;
-  /// The same with the U-turns where beads meet the border: about as many as uTurns
+  /// Estimate of uTurns: dislocationBound, plus the U-turns where beads meet the border
   double turnBound = 0;
   WidthMeasures width;
   std::string digest;  ///< 16 hex digits of the toolpath on a grid of 1 µm
 };
 
-/// Judges a toolpath as delivered. Takes a fifth to two fifths as long as making it.
-/// \param input  what the toolpath was made of.
-/// \param dislocations  those of the waves of this input, where they are known
+/// Judges a toolpath as delivered. It takes a fifth to two fifths as long as making it.
+/// \param input  input that the toolpath was made from.
+/// \param dislocations  dislocations of the waves of this input, where they are known
 /// (ToolpathResult::dislocations).
-/// \return InvalidArgument (what of the toolpath, the maps or the parameters is out of range),
+/// \return InvalidArgument (which of the toolpath, the maps or the parameters is out of range),
 /// TooLarge, OutOfMemory, the errors of resolveOutline, or Cancelled.
 Result<Measures> measureToolpath(const Toolpath& toolpath, const PlateInput& input,
                                  const ToolpathParams& params, const RunContext& run,
@@ -76,58 +78,67 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const PlateInput& inp
 /// Counts pairs of non-consecutive segments that share a point, exactly, on integers of 1 µm.
 std::int64_t countCrossings(const Toolpath& toolpath);
 
-/// Digest of points and widths in µm: equal digests mean equal plates. Widths that are missing
-/// count as 0.
+/// Returns a digest of points and widths in µm: equal digests mean equal plates. Widths that are
+/// missing count as 0.
 std::string digestOf(const Toolpath& toolpath);
 
-// Likeness of the pictures that a toolpath was made for, each under its lamp. Definitions:
-// docs/reference/metrics.md.
+// Likeness of the pictures that a toolpath was made for, each under its lamp.
+// docs/reference/metrics.md defines it.
 
+/// Likeness of one picture, as a plate shows it.
 struct PictureMeasures {
-  /// Pearson's, of what is seen and the picture, both as sRGB codes of cells of 2 tau; 0: flat
+  /// Pearson's correlation of the visible image with the picture, both as sRGB codes of cells of 2
+  /// tau; 0: flat
   double r = 0;
-  double ssim = 0;      ///< of the same after the best affine fit, Gaussian window of 1.5 cells
-  double contrast = 1;  ///< light at the 99th percentile of the cells by that at the 1st
-  /// r with each picture under this lamp, in order; its own r at its own place
+  /// Structural similarity of the same after the best affine fit, Gaussian window of 1.5 cells
+  double ssim = 0;
+  /// Light at the 99th percentile of the cells, divided by light at the 1st
+  double contrast = 1;
+  /// Values of r with each picture under this lamp, in order; its own r at its own place
   std::vector<double> others;
 };
 
-/// Likeness of one picture: r of what the plate shows with what was asked for, -1..1.
+/// Likeness of one picture as warnings need it: r of what the plate shows with what was asked for,
+/// -1..1.
 struct PictureFacts {
-  bool oneTone = false;  ///< nothing can be seen in it, whatever its r
-  double fieldR = 1;     ///< of what the directions alone show; 1: the plate has no other picture
-  double seenR = 1;      ///< of what the beads show; 1: not measured
+  /// The picture has one tone, so that nothing can be seen in it, whatever its r
+  bool oneTone = false;
+  double fieldR = 1;  ///< r of the directions alone; 1: the plate has no other picture
+  double seenR = 1;   ///< r of the beads; 1: not measured
 };
 
 /// Light of a plate under each lamp, in cells of about 2 tau.
 struct SeenCells {
   int width = 0;
   int height = 0;
-  /// Per lamp, row 0 on top; negative where there is no plate
+  /// Light per lamp and cell, row 0 on top; negative where there is no plate
   std::vector<std::vector<float>> light;
 };
 
 /// Renders a plate as cells of light, one raster per lamp. Light is lightOf of the nearest bead at
 /// points tau/4 apart, averaged over each cell; cells less than half covered are no plate.
-/// \param page  [mm].
+/// \param page  size [mm].
 /// \return InvalidArgument, TooLarge (more than 100 million points) or Cancelled.
 Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const Lamp> lamps,
                            const Roughness& roughness, const RunContext& run);
 
-/// One row per picture, of what seePlate sees.
-/// \return as seePlate.
+/// Measures each picture by what seePlate sees, one row per picture.
+/// \return the errors of seePlate.
 Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, Vec2 page,
                                                      std::span<const ShownPicture> pictures,
                                                      const Roughness& roughness,
                                                      const RunContext& run);
 
-/// The same of light that is known, per picture, in `width` by `height` cells.
+/// Measures each picture by light that is known.
+/// \param lights  light per picture, in `width` by `height` cells, row 0 on top, negative where
+/// there is no plate.
 std::vector<PictureMeasures> comparePictures(const std::vector<std::vector<float>>& lights,
                                              std::span<const ShownPicture> pictures, int width,
                                              int height);
 
-/// The same of light that is known: rows of cells, row 0 on top, negative where there is no plate.
-/// Compares light with a picture; without as many cells as the picture has, nothing is seen.
+/// Compares known light with one picture.
+/// \param light  rows of cells, row 0 on top, negative where there is no plate. Without as many
+/// cells as the picture has, nothing is seen.
 PictureMeasures compareTones(std::span<const float> light, const Tones& picture);
 
 }  // namespace sillon

@@ -13,22 +13,26 @@
 
 namespace sillon {
 
+/// One note on a plate's input.
 struct InputNote {
   const char* code;  ///< one of inputNoteSentences()
   std::vector<NamedValue> values;
   std::string message;  ///< one English sentence without a full stop
 };
 
-/// The sentence of each code.
+/// Returns the sentence of each code.
 std::span<const Sentence> inputNoteSentences();
 
-/// \param drawing  of the shape that was read.
+/// Makes the notes on a project's shape.
+/// \param drawing  facts about the shape that was read.
 std::vector<InputNote> inputNotes(const Project& project, const DrawingFacts& drawing);
 
-/// \param drawing  of a layer, or of its mask. \param layer  number, from 1; a value of each note.
+/// Makes the notes on the drawing of a layer.
+/// \param drawing  facts about the layer's drawing, or its mask.
+/// \param layer  number, from 1; a value of each note.
 std::vector<InputNote> layerNotes(const DrawingFacts& drawing, std::size_t layer);
 
-/// A list with the `code`, `values` and `message` of each.
+/// Returns notes as a JSON list of objects with `code`, `values` and `message`.
 std::string notesJson(const std::vector<InputNote>& notes);
 
 }  // namespace sillon

@@ -16,8 +16,8 @@
 
 namespace sillon {
 
-/// In the order of the alphabet. The values that each code carries stand in its sentence
-/// (warningSentences).
+/// Codes of warnings, in alphabetical order. The sentence of each (warningSentences) names the
+/// values that it carries.
 enum class WarningCode {
   AccelerationHeld,
   BaseTooThin,
@@ -71,6 +71,7 @@ enum class WarningCode {
   WidthHeld,
 };
 
+/// A warning with its values and its English sentence.
 struct Warning {
   Warning(WarningCode code, std::vector<NamedValue> values = {});
 
@@ -78,44 +79,45 @@ struct Warning {
   std::vector<NamedValue> values;
   std::string message;  ///< one English sentence without a full stop
 
-  /// Null if there is no value of that name.
+  /// Returns the value of that name, or null if there is none.
   [[nodiscard]] const NamedValue* value(const std::string& name) const;
 };
 
-/// "SkirtLeftOut", as reports, the npm package and the studio call it.
+/// Returns the name of a code, such as "SkirtLeftOut", which reports, the npm package and the
+/// studio use.
 const char* warningName(WarningCode code);
 
-/// The sentence of each code, in their order.
+/// Returns the sentence of each code, in their order.
 std::span<const Sentence> warningSentences();
 
-/// Warnings about letters that come from other fonts, or from none. \param layer  number, from 1;
-/// 0: of the plate's shape.
+/// Makes the warnings about letters that come from other fonts, or from none.
+/// \param layer  number, from 1; 0: the plate's shape.
 std::vector<Warning> letterWarnings(const std::vector<LackedLetter>& lacked, std::size_t layer);
 
-/// Warnings about a drawing, whatever becomes of it.
+/// Makes the warnings about a drawing that hold whatever becomes of it.
 std::vector<Warning> drawingWarnings(const DrawingFacts& drawing);
-/// The same about the drawing of a layer, or its mask. \param layer  number, from 1; a value of
-/// each warning.
+/// Makes the same warnings about the drawing of a layer, or its mask.
+/// \param layer  number, from 1; a value of each warning.
 std::vector<Warning> drawingWarnings(const DrawingFacts& drawing, std::size_t layer);
 
-/// Makes the warnings about pictures. They tell those of one tone, and the one that is shown least
-/// if its r is below 0.7, at which few recognise it: as one direction per place has to show
-/// several, or as the beads are too wide for it.
+/// Makes the warnings about pictures. They name those of one tone, and the one that is shown least
+/// if its r is below 0.7, at which few recognise it. Either one direction per place has to show
+/// several pictures, or the beads are too wide for it.
 std::vector<Warning> pictureWarnings(const std::vector<PictureFacts>& pictures);
 
-/// All warnings about a plate before there is G-code: about its drawing, toolpaths that could not
-/// be joined to the rest of their part, its pictures, and places narrower than a bead, where they
-/// are more than 0.5 % of the shape.
+/// Makes all warnings about a plate before there is G-code: about its drawing, toolpaths that could
+/// not be joined to the rest of their part, its pictures, and places narrower than a bead, where
+/// they are more than 0.5 % of the shape.
 /// \param apart  ToolpathResult::apart.
-/// \param measures  none: nothing lost is told.
-/// \param page  of the plate [mm].
+/// \param measures  measures of the plate; none: no lost places are reported.
+/// \param page  size of the plate [mm].
 /// \param spacing  tau [mm].
 std::vector<Warning> plateWarnings(const DrawingFacts& drawing, const std::vector<Vec2>& apart,
                                    const std::vector<PictureFacts>& pictures,
                                    const std::optional<Measures>& measures, Vec2 page,
                                    double spacing);
 
-/// A JSON list of objects with `code`, `values` and `message`.
+/// Returns warnings as a JSON list of objects with `code`, `values` and `message`.
 std::string warningsJson(const std::vector<Warning>& warnings);
 
 }  // namespace sillon

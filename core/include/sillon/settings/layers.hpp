@@ -1,4 +1,4 @@
-// Choices about one layer of a surface: what it draws, and where.
+// Choices about one layer of a surface: its content, and its place.
 #pragma once
 
 #include <cstddef>
@@ -14,29 +14,29 @@
 
 namespace sillon {
 
-/// Encodings of directions in a picture. Colour pictures are read by their luma (Rec. 709) except
+/// Encodings of directions in a picture. Colour pictures are read by their luma (Rec. 709), except
 /// for tangents; alpha is ignored.
 enum class DirectionEncoding {
   Angle,     ///< grey 0..1 is -90..90 degrees, as in the paper
   Rotation,  ///< grey 0..1 is 0..180 degrees, the rotation map of texture tools
-  /// red, green in 0..1 are x, y in -1..1, y up, as in glTF's KHR_materials_anisotropy; neutral is
-  /// 0 degrees
+  /// Red and green in 0..1 are x and y in -1..1, y up, as in glTF's KHR_materials_anisotropy;
+  /// neutral is 0 degrees
   Tangent,
 };
 
-/// Demands of a place on its beads.
+/// Ways in which a place chooses the directions of its beads.
 enum class DirectionMode : std::uint8_t {
-  Parallel,     ///< to the nearest border, smoothly
-  Orthogonal,   ///< to the nearest border, smoothly
-  Smoothest,    ///< whatever bends least
-  Constrained,  ///< the directions of the layer
+  Parallel,     ///< beads run parallel to the nearest border, smoothly
+  Orthogonal,   ///< beads run across the nearest border, smoothly
+  Smoothest,    ///< beads bend as little as possible
+  Constrained,  ///< beads follow the directions of the layer
 };
 
 /// Contents of a layer, in the order of LayerContents.
 enum class LayerKind {
   Direction,  ///< one direction
   Map,        ///< a direction picture
-  Picture,    ///< pictures that show under their lamps
+  Picture,    ///< pictures that are seen under their lamps
   Text,
   Code,     ///< a QR code in two directions
   Pattern,  ///< directions from a formula, or from the distance to a drawing
@@ -46,20 +46,21 @@ enum class LayerKind {
   Strokes,  ///< gestures of brushes
 };
 
+/// Formulas for the directions of a pattern.
 enum class LayerPattern {
   Radial,  ///< rays from the layer's middle, turned by `angle`: 0 rays, 90 rings
-  Spiral,  ///< rays that turn on their way out, by 180 degrees per `waveLength`; mirrored: the
-           ///< other way
-  Waves,   ///< along a sine wave
-  Noise,   ///< smooth chance; its knots lie a `waveLength` apart
-  Echo,    ///< along contours of equal distance from the layer's drawing, inside and outside
+  /// Rays that turn on their way out, by 180 degrees per `waveLength`; mirrored: the other way
+  Spiral,
+  Waves,  ///< along a sine wave
+  Noise,  ///< smooth random directions; their knots lie a `waveLength` apart
+  Echo,   ///< along contours of equal distance from the layer's drawing, inside and outside
 };
 
 /// Ways to read directions from a picture.
 enum class TonesBy {
-  Brightness,  ///< black runs at `from`, white at `to`, and greys between
+  Brightness,  ///< black runs at `from`, white at `to`, and greys between them
   Levels,      ///< darker than `threshold` runs at `from`, the rest at `to`
-  Edges,       ///< along the picture's edges and smoothly between them, turned by `angle`
+  Edges,       ///< along the picture's edges, smooth between them, turned by `angle`
   Colours,     ///< each flat colour in a direction of its own
 };
 
@@ -67,7 +68,7 @@ enum class TonesBy {
 enum class LayerFill {
   Angle,   ///< in one direction
   Along,   ///< along the outline, by the distance to it
-  Across,  ///< across whatever lies below
+  Across,  ///< across the beads below
 };
 
 /// Places where a layer shows.
@@ -76,7 +77,7 @@ enum class LayerMask {
   Disc,     ///< the ellipse in its box
   Page,     ///< everywhere
   Inside,   ///< within `maskFile`, which is stretched over the layer's box
-  Outside,  ///< around it
+  Outside,  ///< outside `maskFile`
 };
 
 /// Share of a QR code that may be damaged: 7, 15, 25 or 30 percent.
@@ -85,7 +86,7 @@ enum class QrCorrection { Low, Medium, Quartile, High };
 /// Places of a text's shorter lines in its box.
 enum class TextAlign { Left, Middle, Right };
 
-/// A picture and where its lamp stands.
+/// A picture and the position of its lamp.
 struct LampPicture {
   std::string file;  ///< PNG, JPEG, BMP or TGA
   /// Azimuth counter-clockwise from +x, -360..360, and elevation, 1..90 [degrees]; unset: chosen
@@ -95,7 +96,7 @@ struct LampPicture {
   friend bool operator==(const LampPicture&, const LampPicture&) = default;
 };
 
-/// A colour of a picture, and the direction of what is painted in it.
+/// A colour of a picture, and the direction of places that are painted in it.
 struct ColourAngle {
   std::string colour;  ///< "#rrggbb"
   double angle = 0;    ///< -360..360 [degrees]
@@ -103,19 +104,20 @@ struct ColourAngle {
   friend bool operator==(const ColourAngle&, const ColourAngle&) = default;
 };
 
+/// Tools of a brush.
 enum class StrokeTool {
   Comb,   ///< turns beads to the way of the brush, and makes them constrained
   Mode,   ///< sets `mode`
-  Erase,  ///< brings back what lies below the layer
+  Erase,  ///< brings back the beads below the layer
 };
 
 /// One gesture of a brush.
 struct Stroke {
   StrokeTool tool = StrokeTool::Comb;
-  double radius = 4;  ///< of the brush [mm], 0.1..1000
-  double soft = 0.5;  ///< rim of the brush: 0 is hard, 1 fades from its middle
+  double radius = 4;  ///< radius of the brush [mm], 0.1..1000
+  double soft = 0.5;  ///< softness of the brush's rim: 0 is hard, 1 fades from its middle
   DirectionMode mode = DirectionMode::Constrained;
-  std::vector<Vec2> points;  ///< on the page, from the lower left corner [mm]
+  std::vector<Vec2> points;  ///< points on the page, from the lower left corner [mm]
 
   friend bool operator==(const Stroke&, const Stroke&) = default;
 };
@@ -134,7 +136,7 @@ struct LayerFile {
   friend bool operator==(const LayerFile&, const LayerFile&) = default;
 };
 
-/// Part of a picture that is used, in shares of it.
+/// The part of a picture that is used, in shares of the picture.
 struct LayerCrop {
   Vec2 cropMin{0, 0};  ///< lower left corner
   Vec2 cropMax{1, 1};
@@ -147,8 +149,8 @@ struct LayerFilled {
 };
 
 struct LayerGround {
-  /// Direction in the box behind letters, drawings and dark modules [degrees]; unset: what lies
-  /// below shows there, and light modules lie across the dark ones
+  /// Direction in the box behind letters, drawings and dark modules [degrees]. If it is unset, the
+  /// beads below show there, and light modules lie across the dark ones.
   std::optional<double> ground;
   friend bool operator==(const LayerGround&, const LayerGround&) = default;
 };
@@ -160,16 +162,17 @@ struct LayerWords {
 
 /// The look of letters.
 struct LayerLetters {
-  std::string font = "Nunito";  ///< a built-in one, or a file for which isFontFile holds
-  int weight = 0;               ///< of a variable font, 1..1000; 0: the font's own
+  std::string font = "Nunito";  ///< name of a built-in font, or a file for which isFontFile holds
+  int weight = 0;               ///< weight of a variable font, 1..1000; 0: the font's own
   double textSize = 10;         ///< height of capitals, where the layer's size is 0 [mm]
-  /// Radius of the line that letters stand on [mm]; below 0: they read along its lower side
+  /// Radius of the circle that letters stand on [mm]; 0: straight lines; below 0: they read along
+  /// its lower side
   double circle = 0;
   TextAlign align = TextAlign::Middle;
   friend bool operator==(const LayerLetters&, const LayerLetters&) = default;
 };
 
-// The kinds. Ranges: docs/reference/project.md, section `layers`.
+// The kinds of layers. Ranges: docs/reference/project.md, section `layers`.
 
 struct DirectionLayer : LayerAngle {
   friend bool operator==(const DirectionLayer&, const DirectionLayer&) = default;
@@ -181,7 +184,7 @@ struct MapLayer : LayerFile, LayerCrop {
 };
 
 struct PictureLayer : LayerCrop {
-  std::vector<LampPicture> pictures;  ///< 1..4, over one another
+  std::vector<LampPicture> pictures;  ///< pictures that lie over one another, 1..4
   friend bool operator==(const PictureLayer&, const PictureLayer&) = default;
 };
 
@@ -196,9 +199,11 @@ struct CodeLayer : LayerWords, LayerAngle, LayerGround {
 
 struct PatternLayer : LayerAngle, LayerFile, LayerWords, LayerLetters {
   LayerPattern pattern = LayerPattern::Radial;
-  double waveLength = 20;  ///< [mm]
-  double amplitude = 20;   ///< by which waves and noise turn directions to either side [degrees]
-  std::uint64_t seed = 1;  ///< of noise
+  /// Length of a wave, way out of a half turn of a spiral, or distance of the knots of noise [mm]
+  double waveLength = 20;
+  /// Angle by which waves and noise turn directions to either side [degrees]
+  double amplitude = 20;
+  std::uint64_t seed = 1;  ///< seed of the noise
   friend bool operator==(const PatternLayer&, const PatternLayer&) = default;
 };
 
@@ -207,9 +212,11 @@ struct TonesLayer : LayerFile, LayerCrop, LayerAngle {
   double from = 0;         ///< direction of dark places [degrees]
   double to = 90;          ///< direction of light places [degrees]
   double threshold = 0.5;  ///< tone between dark and light levels, 0..1
-  double contrast = 1;     ///< of brightness, about the middle grey; 1: as the picture has it
-  double smoothing = 0;    ///< radius of a blur (brightness), or over which edges are averaged [mm]
-  std::vector<ColourAngle> colours;  ///< other colours go with the nearest of these
+  double contrast = 1;  ///< contrast of brightness about the middle grey; 1: as the picture has it
+  /// Radius [mm] of a blur of brightness, or of the average over which edges are taken
+  double smoothing = 0;
+  /// Directions of colours; other colours go with the nearest of these
+  std::vector<ColourAngle> colours;
   friend bool operator==(const TonesLayer&, const TonesLayer&) = default;
 };
 
@@ -218,12 +225,12 @@ struct DrawingLayer : LayerFile, LayerAngle, LayerFilled, LayerGround {
 };
 
 struct BorderLayer : LayerAngle, LayerFilled {
-  double width = 3;  ///< [mm]
+  double width = 3;  ///< width of the band [mm]
   friend bool operator==(const BorderLayer&, const BorderLayer&) = default;
 };
 
 struct StrokesLayer {
-  std::vector<Stroke> strokes;  ///< in the order in which they were painted
+  std::vector<Stroke> strokes;  ///< gestures in the order in which they were painted
   friend bool operator==(const StrokesLayer&, const StrokesLayer&) = default;
 };
 
@@ -231,7 +238,7 @@ using LayerContents =
     std::variant<DirectionLayer, MapLayer, PictureLayer, TextLayer, CodeLayer, PatternLayer,
                  TonesLayer, DrawingLayer, BorderLayer, StrokesLayer>;
 
-/// One layer of a surface. Later layers lie on top; see groundOf for the lowest.
+/// One layer of a surface. Later layers lie on top; groundOf() finds the lowest.
 struct Layer {
   LayerContents contents;
   bool visible = true;
@@ -240,16 +247,17 @@ struct Layer {
   /// Size of its box, before it turns [mm]. A side of 0 follows the content's proportions; without
   /// both, contents have their own size, or a share of the page.
   Vec2 size;
-  double rotation = 0;  ///< counter-clockwise [degrees]
-  bool mirror = false;  ///< left to right, before it turns
+  double rotation = 0;  ///< turn, counter-clockwise [degrees]
+  bool mirror = false;  ///< mirrored left to right, before it turns
   LayerMask mask = LayerMask::Own;
   std::string maskFile;
-  double soft = 0;  ///< width over which its directions turn into those below, about its edge [mm]
+  /// Width over which its directions turn into those below, about its edge [mm]
+  double soft = 0;
   DirectionMode mode = DirectionMode::Constrained;
-  std::string modeFile;  ///< a mode picture over its box, instead of `mode`
+  std::string modeFile;  ///< mode picture over its box, instead of `mode`
 
   [[nodiscard]] LayerKind kind() const { return static_cast<LayerKind>(contents.index()); }
-  /// The part of this type that its kind has; null: it has none.
+  /// Returns the part of this type that its kind has, or null if it has none.
   template <class Part>
   [[nodiscard]] const Part* as() const {
     return std::visit(
@@ -270,12 +278,13 @@ struct Layer {
   friend bool operator==(const Layer&, const Layer&) = default;
 };
 
-/// The lowest layer, where it fills the surface by itself: one direction, a map or pictures without
-/// place, size, turn, mask and soft edge. Maps are then stretched over the page, and pictures laid
-/// out by PictureParams::proportions. Null: what no layer covers runs at 0 degrees.
+/// Returns the lowest layer, where it fills the surface by itself: one direction, a map or pictures
+/// without place, size, turn, mask and soft edge. A map is then stretched over the page, and
+/// pictures are laid out by PictureParams::proportions. Null means that beads run at 0 degrees
+/// wherever no layer covers them.
 const Layer* groundOf(const std::vector<Layer>& layers);
 
-/// The pictures of that layer; empty: it has none.
+/// Returns the pictures of that layer; empty: it has none.
 std::vector<LampPicture> groundPictures(const std::vector<Layer>& layers);
 
 }  // namespace sillon

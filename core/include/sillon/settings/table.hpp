@@ -1,6 +1,6 @@
 // The one table of settings. Project files, the command line, the documentation, the types of the
 // npm package and the studio's fields are made from it; defaults are the initialisers of the
-// structs. CONTRIBUTING.md shows how to add one.
+// structs. CONTRIBUTING.md shows how to add a setting.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,17 @@
 
 namespace sillon {
 
-/// The parts of a project file, in its order.
+/// Parts of a project file, in its order.
 enum class Section { Shape, Layers, Pictures, Toolpath, Print, Printer };
 
-/// Who looks for a setting.
+/// Levels of a setting, by the people who look for it.
 enum class Level {
   Basic,
   Advanced,  ///< folded away at first
   Expert,    ///< constants of the method: in files and presets, hidden in the studio and in help
 };
 
+/// Types of a setting's value.
 enum class SettingType {
   Number,
   Integer,
@@ -35,15 +36,15 @@ enum class SettingType {
   Pair,         ///< two numbers
   IntegerPair,  ///< two whole numbers
   Text,         ///< one line; `high` is the most bytes it may have
-  Block,        ///< several lines, likewise
+  Block,        ///< several lines; `high` is likewise
   PictureList,  ///< files, each with its lamp; `high` is the most there may be
-  HoleList,     ///< round holes, likewise
-  ColourList,   ///< colours, each with its direction, likewise
-  StrokeList,   ///< gestures of brushes, likewise
-  Name,         ///< of a preset or profile, whose values lie under the section's others
+  HoleList,     ///< round holes; `high` is likewise
+  ColourList,   ///< colours, each with its direction; `high` is likewise
+  StrokeList,   ///< gestures of brushes; `high` is likewise
+  Name,         ///< name of a preset or profile, whose values lie under the section's others
 };
 
-/// The structs that settings are read from or written to. Null: settings that lie there are
+/// The structs that settings are read from or written to. Settings of a struct that is null are
 /// skipped.
 struct SettingsView {
   Project* project = nullptr;
@@ -53,43 +54,46 @@ struct SettingsView {
   Layer* layer = nullptr;  ///< one of the project's
 };
 
+/// Returns a view of all of a project but its layers.
 SettingsView viewOf(Project& project);
 
-/// A field of an enumeration.
+/// A field of an enumeration, read and written by the index of its value.
 struct ChoiceField {
   void* at;
   std::size_t (*get)(const void* at);
   void (*set)(void* at, std::size_t index);
 };
 
-/// The field of a setting in a view. monostate: not there.
+/// The field of a setting in a view; monostate: the view does not have it.
 using Field = std::variant<std::monostate, double*, int*, std::uint64_t*, bool*, std::string*,
                            Vec2*, std::optional<double>*, std::optional<Vec2>*,
                            std::vector<LampPicture>*, std::vector<RoundHole>*,
                            std::vector<ColourAngle>*, std::vector<Stroke>*, ChoiceField>;
 
+/// One row of the table.
 struct Setting {
   Section section;
-  const char* key;  ///< in project files
+  const char* key;  ///< name in project files
   SettingType type;
   Field (*field)(const SettingsView& view);
-  const char* unit = "";  ///< in words for messages: "mm", "degrees", "spacings"
+  const char* unit = "";  ///< unit in words, for messages: "mm", "degrees", "spacings"
   double low = 0;
   double high = 0;
   Level level = Level::Advanced;
-  /// With spaces between; in the order of the enumerators, or of false, true
+  /// Names of the values, with spaces between, in the order of the enumerators, or of false and
+  /// true
   const char* choices = "";
 };
 
-/// Words of help and documentation about a setting, in ASCII. They stand apart: engines in browsers
-/// do without.
+/// Words of help and documentation about a setting, in ASCII. They are kept apart from Setting
+/// because engines in browsers do without them.
 struct SettingWords {
-  const char* label = "";   ///< at most a few words
+  const char* label = "";   ///< name in at most a few words
   const char* help = "";    ///< one sentence without full stop
-  const char* option = "";  ///< of the command line, with its hyphens; empty: none
+  const char* option = "";  ///< option of the command line, with its hyphens; empty: none
 };
 
-/// All of them, by section, in the order of the files that are written.
+/// Returns all settings by section, in the order of the files that are written.
 std::span<const Setting> settings();
 
 /// The most layers that a project may have.
@@ -98,42 +102,43 @@ inline constexpr std::size_t kMostLayers = 32;
 /// The most points that all strokes of a layer may have together.
 inline constexpr std::size_t kMostStrokePoints = 200'000;
 
-/// Tells whether a layer's font is a file, and no built-in one.
+/// Tells whether a layer's font is a file rather than a built-in one.
 bool isFontFile(std::string_view font);
 
-/// \param setting  one of `settings()`, no copy
+/// Returns the words about a setting.
+/// \param setting  one of `settings()`, not a copy.
 SettingWords wordsOf(const Setting& setting);
 
-/// \return null if there is none.
+/// Finds a setting.
+/// \return null if there is none of this key in the section.
 const Setting* findSetting(Section section, std::string_view key);
 
-/// "shape", "layers", "pictures", "toolpath", "print", "printer"
+/// Returns the name of a section: "shape", "layers", "pictures", "toolpath", "print", "printer".
 const char* sectionName(Section section);
 
-/// "printer.nozzle"
+/// Returns the name of a setting with its section, such as "printer.nozzle".
 std::string fullName(const Setting& setting);
 
-/// "one two three" as three words.
+/// Splits a text at its spaces: "one two three" gives three words.
 std::vector<std::string> splitWords(std::string_view text);
 
-/// Index in `choices` of the value that a field has, and back.
+/// Returns the index in `choices` of the value that a field has; choose() sets it.
 /// \param field  ChoiceField or bool*.
 std::size_t chosen(const Field& field);
 void choose(const Field& field, std::size_t index);
 
-/// The value that a project has, as in its file, but texts without quotes; empty: the setting has
-/// no field.
+/// Returns the value that a project has, as in its file, but texts without quotes. It is empty
+/// where the setting has no field.
 std::string settingText(const Setting& setting, const Project& project);
 
-/// Checks every setting of a view. It checks ranges, and rules that hold between settings of one
-/// section.
-/// \return the first that is wrong: name, value, range
+/// Checks every setting of a view: its range, and rules that hold between settings of one section.
+/// \return the first that is wrong: name, value, range.
 [[nodiscard]] std::optional<Error> invalidSettings(const Project& project);
 [[nodiscard]] std::optional<Error> invalidSettings(const ToolpathParams& toolpath);
 [[nodiscard]] std::optional<Error> invalidSettings(const Printer& printer,
                                                    const PrintParams& print);
 
-/// The table as JSON: `sillon settings --json`, from which docs and types are made.
+/// Returns the table as JSON: `sillon settings --json`, from which docs and types are made.
 std::string settingsJson();
 
 }  // namespace sillon

@@ -1,4 +1,4 @@
-// A direction for each flat colour of a picture.
+// Assigns a direction to each flat colour of a picture.
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
@@ -14,9 +14,9 @@
 namespace sillon {
 namespace {
 
-constexpr int kFaintest = 16;  // opacity of 255, below which nothing counts as painted
-constexpr int kAlike = 10;     // of 255 in any channel, from one cell to the next: a gradient, no edge
-constexpr int kSame = 4;       // of 255 in any channel: rounding
+constexpr int kFaintest = 16;  // opacity below which a pixel does not count as painted, of 255
+constexpr int kAlike = 10;     // largest step between cells of a gradient, in any channel of 255
+constexpr int kSame = 4;       // difference from a listed colour, in any channel of 255, that counts as rounding
 
 struct Colour {
   int red = 0, green = 0, blue = 0;  ///< 0..255
@@ -30,14 +30,14 @@ Colour colourAt(const Image& image, int x, int y) {
   return {byte(0), byte(grey ? 0 : 1), byte(grey ? 0 : 2), painted};
 }
 
-/// \param text  "#rrggbb"
+/// Parses a colour. \param text  "#rrggbb"
 Colour colourOf(const std::string& text) {
   int all = 0;
   std::from_chars(text.data() + 1, text.data() + text.size(), all, 16);
   return {all >> 16, all >> 8 & 255, all & 255, true};
 }
 
-/// In any channel.
+/// Returns the largest difference in any channel.
 int farthest(const Colour& a, const Colour& b) {
   return std::max({std::abs(a.red - b.red), std::abs(a.green - b.green), std::abs(a.blue - b.blue)});
 }
@@ -47,21 +47,21 @@ int squaredDistance(const Colour& a, const Colour& b) {
   return red * red + green * green + blue * blue;
 }
 
-/// Numbers of colours in a list.
+/// Cells with the index of their colour in the list.
 struct ListedCells {
   int width = 0;
   int height = 0;
-  std::vector<std::int8_t> number;  ///< -1: none yet
+  std::vector<std::int8_t> number;  ///< -1 if it is not known yet
 };
 
-/// Cells whose colour is known; those that nobody painted are not.
-/// \param edges  whether smoothed edges have colours, too.
+/// Finds the listed colour of each cell; cells that nobody painted stay unknown.
+/// \param edges  if true, smoothed edges get colours, too.
 ListedCells listed(const Image& image, const std::vector<Colour>& list, const BoxCells& cells, bool edges) {
   // Cells finer than pixels would take the mixed colour of a smoothed edge for an area.
   const int width = std::min(cells.width, image.width), height = std::min(cells.height, image.height);
   ListedCells out{width, height, {}};
   const auto at = [&](int cell, int count, int pixels) {
-    return static_cast<int>((cell + 0.5) * pixels / count);  // below `pixels`: there are no more cells than these
+    return static_cast<int>((cell + 0.5) * pixels / count);  // below `pixels`: there are no more cells than pixels
   };
   const auto shown = [&](int x, int y) {
     x = std::clamp(x, 0, width - 1);
@@ -88,7 +88,7 @@ ListedCells listed(const Image& image, const std::vector<Colour>& list, const Bo
   return out;
 }
 
-/// Cells without a number take that of the nearest, by steps from cell to cell.
+/// Gives cells without a number that of the nearest numbered cell, by breadth-first search.
 void spread(ListedCells& cells) {
   const auto width = static_cast<std::size_t>(cells.width);
   std::vector<std::size_t> front, next;
@@ -126,7 +126,7 @@ LineAt colourLines(const TonesLayer& tones, const LayerContent& content, const P
   ListedCells cells = listed(*content.picture, list, on, false);
   const auto knows = [](std::int8_t number) { return number >= 0; };
   if (std::none_of(cells.number.begin(), cells.number.end(), knows)) {
-    cells = listed(*content.picture, list, on, true);  // a picture of nothing but edges
+    cells = listed(*content.picture, list, on, true);  // the picture has nothing but edges
   }
   spread(cells);
   return [kept = std::make_shared<const ListedCells>(std::move(cells)), place, box = content.size, lines](Vec2 at) {

@@ -1,5 +1,5 @@
-// Directions along what a picture shows: the main ones of its structure tensor, carried from strong edges into flat
-// areas.
+// Computes directions along the edges of a picture: main directions of its structure tensor, spread from strong edges
+// into flat areas.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,19 +13,19 @@
 namespace sillon {
 namespace {
 
-constexpr int kMostEdgeCells = 512;  // on the longer side: the field is smooth, finer ones only take longer
-constexpr float kNoiseBlur = 1;      // [cells] before slopes are taken
-constexpr float kFlat = 1e-9F;       // slope, squared, that rounding makes of flat areas
+constexpr int kMostEdgeCells = 512;  // on the longer side; the field is smooth, finer cells only take longer
+constexpr float kNoiseBlur = 1;      // blur before slopes are taken [cells]
+constexpr float kFlat = 1e-9F;       // squared slope up to which an area counts as flat; rounding causes as much
 constexpr int kSweeps = 4;
 constexpr int kSmallestSide = 2;
 
-/// Vectors along lines turned twice, e^(2i angle), of any length, and how much each counts.
+/// Field of lines as e^(2i angle) of any length, with the weight of each.
 struct LineField {
   Tones x, y;
   Tones weight;
 };
 
-/// The directions of steepest ascent; their vectors are as long as the slope is steep, squared.
+/// Computes the directions of steepest ascent; the length of each vector is the squared slope.
 LineField slopesOf(const Tones& tones, float tall) {
   LineField slopes{tones, tones, tones};
   const int width = tones.width, height = tones.height;
@@ -46,7 +46,7 @@ LineField slopesOf(const Tones& tones, float tall) {
   return slopes;
 }
 
-/// Turns slopes into unit lines along the edges, which count as they are steep against the others.
+/// Turns slopes into unit lines along the edges, weighted by their steepness relative to the mean.
 void weigh(LineField& field) {
   std::vector<float>&x = field.x.value, &y = field.y.value;
   std::vector<float> steep(x.size());
@@ -57,12 +57,12 @@ void weigh(LineField& field) {
     field.weight.value[k] = 0;
     if (steep[k] <= kFlat) continue;
     field.weight.value[k] = steep[k] * steep[k] / (steep[k] * steep[k] + mean * mean);
-    x[k] /= -steep[k];  // an edge runs square to its slope; twice square is opposite
+    x[k] /= -steep[k];  // an edge is at 90 degrees to its slope: doubled, the opposite
     y[k] /= -steep[k];
   }
 }
 
-/// The same on fewer cells: means of vectors count by their weights.
+/// Shrinks a field to fewer cells by weighted means.
 LineField shrunk(const LineField& field, int width, int height) {
   LineField small;
   small.weight = means(field.weight, width, height);
@@ -80,7 +80,7 @@ LineField shrunk(const LineField& field, int width, int height) {
   return small;
 }
 
-/// Each cell becomes the mean of its neighbours and, as far as it counts, of what it was told to be.
+/// Moves each cell to the mean of its neighbours and, by its weight, of its given value: one Gauss-Seidel sweep.
 void sweep(Tones& values, const Tones& told, const Tones& weight) {
   const int width = values.width, height = values.height;
   for (int y = 0; y < height; ++y) {
@@ -95,8 +95,8 @@ void sweep(Tones& values, const Tones& told, const Tones& weight) {
   }
 }
 
-/// Spreads vectors over cells where little is known: from coarse levels to fine ones, each smoothed while it is held to
-/// what is known.
+/// Spreads vectors over cells without weight, from coarse levels to fine ones. Each level is smoothed and
+/// pulled towards the given values.
 void spread(LineField& field) {
   const LineField told = field;
   const int width = told.x.width, height = told.x.height;
@@ -116,8 +116,9 @@ void spread(LineField& field) {
   settle(field.y, told.y);
 }
 
-/// Between the middles of the four cells around a place.
-/// \param x  cells from the left edge. \param y  from the top.
+/// Interpolates bilinearly between the middles of the four cells around a place.
+/// \param x  cells from the left edge
+/// \param y  cells from the top
 float between(const Tones& values, double x, double y) {
   const auto inside = [](double place, int count) { return std::clamp(place - 0.5, 0.0, count - 1.0); };
   const double left = inside(x, values.width), top = inside(y, values.height);
@@ -140,7 +141,7 @@ LineAt edgeLines(const TonesLayer& tones, const LayerContent& content, const Pla
   };
   Tones read = means(tonesOf(*content.picture), cells.width, cells.height);
   blur(read, kNoiseBlur);
-  // Whole numbers of cells fill the box, so that they are square but for a rounding.
+  // The box has whole numbers of cells, which are therefore only nearly square.
   LineField field = slopesOf(read, static_cast<float>(content.size.y / cells.height * cells.width / content.size.x));
   blur(field.x, tones.smoothing / cells.cell);
   blur(field.y, tones.smoothing / cells.cell);

@@ -1,4 +1,4 @@
-// Directions from a formula, and along contours.
+// Computes directions from a formula, and along contours.
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -30,7 +30,7 @@ LineAt waves(const PatternLayer& pattern, const Placement& place) {
   };
 }
 
-/// Rays that turn by 180 degrees per wave length on their way out: equal directions lie on spirals.
+/// Rays that turn by 180 degrees per wave length on their way out, so that equal directions lie on spirals.
 LineAt spiral(const PatternLayer& pattern, const Placement& place) {
   const double turns = (place.mirror() ? -1 : 1) * std::numbers::pi / pattern.waveLength;
   return [turns, middle = place.middle(), angle = pattern.angle * kDegree](Vec2 at) {
@@ -39,7 +39,7 @@ LineAt spiral(const PatternLayer& pattern, const Placement& place) {
   };
 }
 
-/// -1..1, the same for the same seed and knot everywhere.
+/// Returns a number in -1..1, the same for equal seeds and knots on every platform.
 double chance(std::uint64_t seed, std::int64_t x, std::int64_t y) {
   auto hash = static_cast<std::uint32_t>(seed ^ (seed >> 32)) * 0x9e3779b1U;
   hash = (hash ^ static_cast<std::uint32_t>(x)) * 0x85ebca6bU;
@@ -48,10 +48,11 @@ double chance(std::uint64_t seed, std::int64_t x, std::int64_t y) {
   return static_cast<double>(hash ^ (hash >> 16)) / 2147483648.0 - 1;
 }
 
-/// Two derivatives are 0 at 0 and 1, so that knots do not show as creases.
+/// Smoothing polynomial whose first two derivatives are 0 at 0 and 1, so that knots do not show as creases.
 double eased(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
-/// The angle, turned by up to the amplitude to both sides. Knots are counted from the layer's middle, and turn with it.
+/// Value noise: the angle, turned by up to the amplitude to either side. The grid of knots has its origin in the
+/// layer's middle and turns with the layer.
 LineAt noise(const PatternLayer& pattern, const Placement& place) {
   return [&pattern, place](Vec2 at) {
     const Vec2 own = place.toOwn(at) * (1 / pattern.waveLength);

@@ -1,4 +1,4 @@
-// Directions that show the pictures of a layer.
+// Computes directions that show the pictures of a layer.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,13 +14,13 @@
 namespace sillon {
 namespace {
 
-/// The directions that show pictures under their lamps, solved for within their box and the surface.
+/// Solves for the directions that show pictures under their lamps, where the layer's box and the surface overlap.
 class SolvedPictures {
  public:
   SolvedPictures(const Layer& layer, const LayerContent& content, const Placement& place, const LayerPlate& plate)
       : layer_(layer), content_(content), place_(place), plate_(plate) {}
 
-  /// \param known  of the plate before; filled.
+  /// \param known  pictures of the previous plate, if any; filled otherwise.
   Result<LineAt> solve(LayerPictures& known, const RunContext& run) {
     const Project& project = plate_.project;
     Bounds box = bounds(place_.box(plate_.shape.page));
@@ -58,13 +58,14 @@ class SolvedPictures {
     for (std::size_t k = 0; k < known.shown.size(); ++k) lit.push_back({known.solved[k], known.shown[k].lamp, false});
     return lit;
   }
+  /// Returns the pictures with their lamps for the first solution.
   [[nodiscard]] std::vector<LitPicture> litAtFirst() const {
     const double cell = plate_.project.toolpath.spacing / 2;
     const int width = std::clamp(static_cast<int>(std::ceil(size_.x / cell)), 1, kMostTexels);
     const int height = std::clamp(static_cast<int>(std::ceil(size_.y / cell)), 1, kMostTexels);
     const auto& pictures = layer_.as<PictureLayer>()->pictures;
     std::vector<LitPicture> lit = unlit(pictures, plate_.project.pictures.lampSize);
-    // A single picture has the lamp that shows what is below, so that one lamp shows both.
+    // A single picture takes the lamp of the pictures below, so that one lamp shows both.
     if (lit.size() == 1 && lit[0].chooseAzimuth) {
       lit[0].lamp = plate_.lamp.value_or(lit[0].lamp);
       lit[0].chooseAzimuth = false;
@@ -75,7 +76,8 @@ class SolvedPictures {
   [[nodiscard]] Vec2 centre(int x, int y, int width, int height) const {
     return origin_ + Vec2{(x + 0.5) * size_.x / width, (height - y - 0.5) * size_.y / height};
   }
-  /// Means over what a cell covers: the picture shrinks first, then its nearest texel is taken.
+  /// Resamples tones to the cells of the window: the picture is first shrunk to cells of this size, then the nearest
+  /// texel is taken.
   [[nodiscard]] Tones tonesOn(const Tones& given, int width, int height) const {
     const double cell = size_.x / width;
     const int columns = std::clamp(static_cast<int>(std::lround(content_.size.x / cell)), 1, kMostTexels);
@@ -90,6 +92,8 @@ class SolvedPictures {
     }
     return out;
   }
+  /// Returns the cells of the window that lie inside both the shape and the layer's box; empty if all of them or none
+  /// do.
   [[nodiscard]] std::vector<char> insideOn(int width, int height) const {
     Shape window = plate_.shape;
     movePoints(window, [this](Vec2 point) { return point - origin_; });
@@ -108,7 +112,7 @@ class SolvedPictures {
     return none || all ? std::vector<char>() : inside;
   }
 
-  static constexpr int kMostTexels = 4096;  // as solveDirections
+  static constexpr int kMostTexels = 4096;  // the same limit as in solveDirections()
   const Layer& layer_;
   const LayerContent& content_;
   const Placement& place_;

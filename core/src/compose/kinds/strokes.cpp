@@ -1,4 +1,4 @@
-// Gestures of brushes, replayed in order.
+// Replays brush strokes in order.
 #include "compose/strokes.hpp"
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 namespace sillon {
 namespace {
 
-constexpr double kStep = 0.5;      // of the radius: points closer together change nothing that could be seen
-constexpr double kTexelCost = 10;  // [ns] of one under one piece
+constexpr double kStep = 0.5;      // distance between points in brush radii; closer points would change nothing visible
+constexpr double kTexelCost = 10;  // time for a texel under one piece, a rough figure to share out the work [ns]
 
-/// Texels from `left` to before `right`, and from `top` to before `bottom`.
+/// Texels in columns left..right - 1 and rows top..bottom - 1.
 struct TexelBox {
   int left = 0, top = 0, right = 0, bottom = 0;
 
@@ -35,19 +35,20 @@ struct TexelBox {
   }
 };
 
-/// The trace of a brush under its box: its strength, and its way (lines of any length).
+/// Trace of a brush in a box: its strength, and its direction as lines of any length.
 struct Trace {
   TexelBox box;
   std::vector<float> strength;
   std::vector<Vec2f> line;
 };
 
-/// From one place of a brush to the next.
+/// Straight way of a brush between two places.
 struct Piece {
   Vec2 begin, end;
 };
 
-/// Pieces about a step long: hands shake in between. A stroke of one point has one without a length.
+/// Splits a stroke into pieces about a step long, which also evens out a shaky hand. A stroke of one point becomes a
+/// piece of length 0.
 std::vector<Piece> piecesOf(const Stroke& stroke) {
   std::vector<Vec2> points;
   for (std::size_t k = 0; k < stroke.points.size(); ++k) {
@@ -73,7 +74,7 @@ class Brushes {
     if (ground != nullptr) ground_ = ground->mode;
   }
 
-  /// \return false: cancelled.
+  /// Replays all strokes. \return false if cancelled.
   bool draw(const RunContext& run) {
     keepBelow();
     for (const Stroke& stroke : layer_.strokes) {
@@ -87,7 +88,7 @@ class Brushes {
   }
 
  private:
-  /// Texels within a radius of a piece.
+  /// Returns the texels within a radius of a piece.
   [[nodiscard]] TexelBox around(const Piece& piece, double radius) const {
     const auto& [a, b] = piece;
     const auto place = [](double texels, int count) {
@@ -104,6 +105,7 @@ class Brushes {
     return box;
   }
 
+  /// Keeps the texels below this layer where a stroke will erase.
   void keepBelow() {
     for (const Stroke& stroke : layer_.strokes) {
       if (stroke.tool == StrokeTool::Erase) erased_.add(boxOf(piecesOf(stroke), stroke.radius));
@@ -112,7 +114,7 @@ class Brushes {
     forEachTexel(erased_, [&](std::size_t texel, std::size_t /*k*/) { below_.push_back(stack_.texels[texel]); });
   }
 
-  /// Calls visit(number of the texel, number within the box).
+  /// Calls visit(index of the texel, index within the box).
   template <class Visit>
   void forEachTexel(const TexelBox& box, const Visit& visit) const {
     std::size_t k = 0;
@@ -122,7 +124,8 @@ class Brushes {
     }
   }
 
-  /// Rows are shared out, and each takes the pieces in their order. \return false: cancelled.
+  /// Fills the trace of a stroke. Threads share the rows, and each row takes the pieces in their order. \return false
+  /// if cancelled.
   bool follow(const Stroke& stroke, const RunContext& run, Trace& trace) const {
     const std::vector<Piece> pieces = piecesOf(stroke);
     trace.box = boxOf(pieces, stroke.radius);
@@ -143,7 +146,7 @@ class Brushes {
     return !run.cancelled();
   }
 
-  /// \param box  the part of the piece's texels that is asked for.
+  /// Adds a piece to a trace. \param box  part of the piece's texels to fill.
   void followPiece(const Stroke& stroke, const Piece& piece, const TexelBox& box, Trace& trace) const {
     const Vec2 way = piece.end - piece.begin;
     const double square = dot(way, way), radius = stroke.radius;
@@ -154,7 +157,7 @@ class Brushes {
                       static_cast<std::size_t>(box.left - trace.box.left);
       for (int column = box.left; column < box.right; ++column, ++k) {
         const Vec2 from = Vec2{(column + 0.5) * step_.x, (plate_.height - row - 0.5) * step_.y} - piece.begin;
-        // Most texels lie beside an end of a piece, and divisions take long.
+        // Most texels lie beside an end of a piece, where no division is needed.
         const double ahead = dot(from, way), along = ahead <= 0 ? 0 : ahead >= square ? 1 : ahead / square;
         const Vec2 off = from - way * along;
         const double awaySquare = dot(off, off);
@@ -164,15 +167,15 @@ class Brushes {
           const double inner = std::min(1.0, (radius - away) / rim);
           trace.strength[k] = std::max(trace.strength[k], static_cast<float>(inner * inner * (3 - 2 * inner)));
         }
-        // The nearest piece of the stroke leads; its neighbours round the corners off.
+        // The nearest piece of the stroke dominates; its neighbours round off corners.
         const auto share = static_cast<float>((1 - away / radius) * (1 - away / radius));
         trace.line[k] = trace.line[k] + line * share;
       }
     }
   }
 
-  /// Beads that were not constrained have no direction to blend with: the brush counts whole there, or not at
-  /// all.
+  /// Blends the brush's direction in. Beads that were not constrained have no direction to blend with: there the brush
+  /// counts fully, or not at all.
   void comb(const Trace& trace) {
     forEachTexel(trace.box, [&](std::size_t number, std::size_t k) {
       const float strength = trace.strength[k];
@@ -188,15 +191,17 @@ class Brushes {
     });
   }
 
+  /// Sets the mode of texels under the stroke's firm part.
   void setMode(const Trace& trace, DirectionMode mode) {
     forEachTexel(trace.box, [&](std::size_t number, std::size_t k) {
       if (trace.strength[k] < 0.5F) return;
       LayerStack::Texel& texel = stack_.texels[number];
       texel.mode = mode;
-      if (mode != DirectionMode::Constrained) cover(texel);  // directions of what lies below are not seen there
+      if (mode != DirectionMode::Constrained) cover(texel);  // the directions below do not show there
     });
   }
 
+  /// Mixes the texels below this layer back in.
   void erase(const Trace& trace) {
     forEachTexel(trace.box, [&](std::size_t number, std::size_t k) {
       const float strength = trace.strength[k];
@@ -217,7 +222,7 @@ class Brushes {
     });
   }
 
-  /// Brushes are no ink that could be hidden.
+  /// Marks a texel as covered by this layer. Strokes are no ink that other layers could hide.
   void cover(LayerStack::Texel& texel) const {
     texel.top = static_cast<std::uint8_t>(number_ + 1);
     texel.ink = LayerStack::Ink::None;
@@ -227,10 +232,10 @@ class Brushes {
   std::size_t number_;
   const LayerPlate& plate_;
   LayerStack& stack_;
-  Vec2 step_;  // of texels [mm]
+  Vec2 step_;  // size of a texel [mm]
   DirectionMode ground_ = DirectionMode::Constrained;
   TexelBox erased_;
-  std::vector<LayerStack::Texel> below_;  // in the box
+  std::vector<LayerStack::Texel> below_;  // texels below this layer, in the box erased_
 };
 
 }  // namespace

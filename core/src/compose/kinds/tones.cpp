@@ -1,4 +1,4 @@
-// Directions between dark and light.
+// Computes directions between dark and light.
 #include "compose/kinds/tones.hpp"
 
 #include <algorithm>
@@ -11,9 +11,10 @@
 namespace sillon {
 namespace {
 
+/// Returns lines that turn with the brightness of a picture, continuously or at a threshold.
 LineAt brightnessLines(const TonesLayer& tones, const LayerContent& content, const Placement& place, double spacing) {
   const BoxCells cells = cellsOn(content.size, spacing);
-  // Means of codes, not of light: edges that drawing programs smooth then lie where they were drawn.
+  // Averages codes, not light: edges that drawing programs have smoothed then stay where they were drawn.
   Tones read = means(tonesOf(*content.picture), cells.width, cells.height);
   const double sigma = tones.smoothing / cells.cell;
   const bool levels = tones.by == TonesBy::Levels;

@@ -1,4 +1,4 @@
-// The ways to read directions from a picture, and their rasters.
+// Ways to read directions from a picture, and their rasters.
 #pragma once
 
 #include "compose/lines.hpp"
@@ -9,10 +9,10 @@ namespace sillon {
 struct BoxCells {
   int width = 1;
   int height = 1;
-  double cell = 1;  ///< [mm]
+  double cell = 1;  ///< side of a cell [mm]
 };
 
-/// Cells as fine as beads need them, or larger ones where there would be more than `most` on a side.
+/// Returns cells as fine as beads need, or larger ones if there would be more than `most` on a side.
 BoxCells cellsOn(Vec2 box, double spacing, int most = kMostTexels);
 
 LineAt edgeLines(const TonesLayer& tones, const LayerContent& content, const Placement& place, double spacing);

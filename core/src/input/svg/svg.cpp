@@ -1,4 +1,5 @@
-// SVG 1.1/2 geometry to polygons: https://www.w3.org/TR/SVG2/. RapidXML reads the XML, fast_float the numbers.
+// Converts the geometry of SVG 1.1 and 2 to polygons: https://www.w3.org/TR/SVG2/. RapidXML reads the XML, fast_float
+// the numbers.
 #include "input/svg.hpp"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ std::int64_t lineAt(std::string_view text, std::size_t offset) {
   return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size())), '\n');
 }
 
-// "<path id="a"> in line 3: "
+// Names an element for a message: "<path id="a"> in line 3: ".
 std::string placeOf(const Node& node, std::string_view text, const char* buffer) {
   std::string place = "<" + std::string(elementName(node));
   if (const auto id = attribute(node, "id")) place += " id=" + quoted(*id);
@@ -35,7 +36,7 @@ std::string placeOf(const Node& node, std::string_view text, const char* buffer)
   return place + "> in line " + std::to_string(lineAt(text, static_cast<std::size_t>(node.name() - buffer))) + ": ";
 }
 
-// Programs that count other pixels than CSS does.
+// Records the program that wrote the file if it counts other pixels than CSS does.
 void tellMaker(std::string_view text, Shape& shape) {
   const auto has = [&](std::string_view part) { return text.find(part) != std::string_view::npos; };
   const bool inkscape = has("inkscape:version=\"0.4") || has("inkscape:version=\"0.91");
@@ -63,7 +64,7 @@ Result<SvgPainting> readSvgPainting(std::string_view text, const SvgOptions& opt
     return Error{ErrorCode::TooLarge, "The SVG file is larger than 64 MiB"};
   }
   std::string unpacked, buffer, expanded, spaced;
-  const auto document = std::make_unique<rapidxml::xml_document<>>();  // 64 KiB: too large for small stacks
+  const auto document = std::make_unique<rapidxml::xml_document<>>();  // 64 KiB, too large for small stacks
   const Node* current = nullptr;
   try {
     if (isGzip(text)) {

@@ -9,12 +9,13 @@
 namespace sillon::svg {
 namespace {
 
-constexpr double kOverlap = 1e-3;             // less than this over a straight edge is not worth a cut [mm]
-constexpr std::int64_t kWorkPerCut = 400;     // bytes a point counts as that is combined with others
-constexpr std::int64_t kWorkPerStraight = 2;  // bytes a point counts as that is cut off along straight lines
-constexpr int kMaxCrossings = 256;            // of cut lines by a path: more of them may overlap too often
+constexpr double kOverlap = 1e-3;             // overlap beyond a straight edge below which no cut is made [mm]
+constexpr std::int64_t kWorkPerCut = 400;     // work of a point that is combined with other paths, in bytes read
+constexpr std::int64_t kWorkPerStraight = 2;  // work of a point that is cut along straight lines, in bytes read
+constexpr int kMaxCrossings = 256;            // crossings of a path with cut lines; with more, pieces may overlap often
 
-// What of a ring lies beyond a line across an axis, back along the line: there winding is as before.
+// Returns the part of a ring beyond an axis-parallel line. The part is closed along the line, so that winding numbers
+// beyond it stay the same.
 Ring beyond(const Ring& ring, double Vec2::*axis, double line, double side, int& crossings) {
   Ring kept;
   Vec2 a = ring.empty() ? Vec2{} : ring.back();
@@ -31,7 +32,7 @@ Ring beyond(const Ring& ring, double Vec2::*axis, double line, double side, int&
   return kept;
 }
 
-// What of a path lies in a box, or nothing if it leaves and enters it too often.
+// Returns the part of a path inside a box, or nothing if the path enters and leaves the box too often.
 std::optional<FilledPath> cutTo(const Bounds& box, const FilledPath& path) {
   FilledPath kept{{}, path.fillRule};
   int crossings = 0;
@@ -74,7 +75,7 @@ FilledPath within(FilledPath path, const std::vector<const Limit*>& limits, Work
     const Bounds box = boxOf(path.rings);
     if (covers(*limit, box)) continue;
     work.spendOnCuts(limit->isBox ? path : limit->area, kWorkPerStraight);
-    // Of a limit only what is near counts: most paths touch none of its border.
+    // Only the part of a limit near the path matters: most paths do not touch its border.
     const Vec2 rim{kOverlap, kOverlap};
     std::optional<FilledPath> cut =
         limit->isBox ? cutTo(limit->box, path) : cutTo({box.min - rim, box.max + rim}, limit->area);
@@ -99,7 +100,7 @@ std::vector<FilledPath> beyondBox(const FilledPath& path, const Limit& limit, Wo
   const Vec2 least = all.min - rim, most = all.max + rim;
   std::vector<FilledPath> pieces;
   work.spendOnCuts(path, kWorkPerStraight);
-  // To its left and right, below and above it.
+  // The pieces left, right, below and above the box.
   for (const Bounds& side : {Bounds{least, {low.x, most.y}}, Bounds{{high.x, least.y}, most},
                              Bounds{{low.x, least.y}, {high.x, low.y}}, Bounds{{low.x, high.y}, {high.x, most.y}}}) {
     if (side.max.x <= side.min.x || side.max.y <= side.min.y) continue;

@@ -8,7 +8,7 @@
 namespace sillon::svg {
 namespace {
 
-/// Each with its colour. The colours of the system are those of a light one.
+/// CSS colour names, each with its value. System colours have the values of a light theme.
 constexpr std::string_view kNames =
     "aliceblue f0f8ff antiquewhite faebd7 aqua 00ffff aquamarine 7fffd4 azure f0ffff beige f5f5dc "
     "bisque ffe4c4 black 000000 blanchedalmond ffebcd blue 0000ff blueviolet 8a2be2 brown a52a2a "
@@ -53,7 +53,8 @@ constexpr std::uint8_t byteOf(std::string_view digits) {
   return static_cast<std::uint8_t>(16 * digit(digits[0]) + digit(digits[1]));
 }
 
-// The names themselves would make this room's WebAssembly larger by 1.5 KB; one other word in 400 passes for a name.
+// Stores digests of the names, because the names themselves would make the WebAssembly module larger by 1.5 KB. About
+// one unknown word in 400 is mistaken for a name.
 struct Table {
   static constexpr std::size_t kCount = (std::count(kNames.begin(), kNames.end(), ' ') + 1) / 2;
   std::array<std::uint16_t, kCount> digests{};

@@ -22,13 +22,13 @@
 namespace sillon::svg {
 namespace {
 
-constexpr double kMaxPage = 1e5;       // [mm]
-constexpr double kFaint = 0.5;         // opacity: the second tones of icons have 0.2 to 0.4
-constexpr double kLeastFaint = 0.005;  // of the shape: less is no tone that would be missed
+constexpr double kMaxPage = 1e5;  // longest side of a page [mm]
+constexpr double kFaint = 0.5;  // opacity up to which paint counts as faint; the second tones of icons have 0.2 to 0.4
+constexpr double kLeastFaint = 0.005;  // share of the shape's area, below which no tone would be missed
 
 struct State {
   Matrix toWorld = Matrix::Identity();
-  Vec2 viewport;  // what percentages refer to, in user units
+  Vec2 viewport;  // size that percentages refer to, in user units
   PaintState paint;
   std::vector<std::shared_ptr<const Limit>> limits;
   int depth = 0;
@@ -42,7 +42,7 @@ bool hasEnglish(std::string_view languages) {
   return found;
 }
 
-// Whether an element asks for nothing we lack, and not for other languages than English.
+// Tells whether an element requires no extension and is meant for English readers, or for all.
 bool isMeant(const Node& node) {
   const auto languages = attribute(node, "systemLanguage");
   return !attribute(node, "requiredExtensions") && (!languages || hasEnglish(*languages));
@@ -50,7 +50,7 @@ bool isMeant(const Node& node) {
 
 bool isRoot(const Node& node) { return !node.parent()->parent(); }
 
-// By its children or by CSS; it is read at rest.
+// Tells whether children or CSS animate an element; such an element is read at rest.
 bool isAnimated(const Node& node, const Style& style) {
   for (const Property property : {Property::Animation, Property::AnimationName}) {
     if (style.isCss(property) && style.word(property) != "none") return true;
@@ -61,12 +61,12 @@ bool isAnimated(const Node& node, const Style& style) {
   return false;
 }
 
-// What of an element counts.
+// Aspect of an element that is read.
 enum class Reading {
   Painted,
-  Mask,      // painted; black hides
-  Clip,      // its outline, by clip-rule
-  Outlines,  // its outline, whatever its paint and limits
+  Mask,      // painted shapes, except that black hides
+  Clip,      // outlines filled by clip-rule
+  Outlines,  // outlines, whatever their paint and limits
 };
 
 class Drawing {
@@ -83,7 +83,7 @@ class Drawing {
     collect(root);
     std::optional<ViewBox> box = viewBoxOf(root);
     const Vec2 page = pageSize(root, box);
-    // Curves and strokes are made as they are printed: scaled later, they would have too few points.
+    // Curves and strokes are made at their printed size: scaled up later, they would have too few points.
     const double scale = options_.width > 0 ? options_.width / page.x : 1;
     shape_.page = {std::round(page.x * scale * 1e6) / 1e6, std::round(page.y * scale * 1e6) / 1e6};
     if (!(shape_.page.y > 0 && shape_.page.y <= kMaxPage)) {
@@ -147,7 +147,7 @@ class Drawing {
     }
   }
 
-  // [mm]; a missing side follows from the viewBox.
+  // Returns the size of the page [mm]; a missing side follows from the viewBox.
   Vec2 pageSize(const Node& root, std::optional<ViewBox>& box) {
     shape_.drawing.svg = true;
     shape_.drawing.pixels = !options_.unitlessIsMm;
@@ -171,12 +171,12 @@ class Drawing {
     return page;
   }
 
-  // Around all that is painted, or else around all outlines.
+  // Returns the box around all that is painted, or around all outlines if nothing is.
   std::optional<ViewBox> drawnBox(const Node& root) {
     const std::int64_t points = pointsLeft_, letters = lettersLeft_;
     State state;
     state.paint = initialPaint();
-    state.viewport = {300, 150};  // as browsers have it
+    state.viewport = {300, 150};  // the default size in browsers
     page_ = {{}, {{-kMaxCoordinate, -kMaxCoordinate}, {kMaxCoordinate, kMaxCoordinate}}, true};
     Bounds drawn;
     for (const Reading reading : {reading_, Reading::Outlines}) {
@@ -200,7 +200,7 @@ class Drawing {
     refuse(problem);
   }
 
-  // Reads what all elements share into `state`. False if the element is not displayed.
+  // Reads into `state` the properties that all elements share. Returns false if the element is not displayed.
   bool enter(const Node& node, State& state) {
     current_ = &node;
     if (++state.depth > kMaxDepth) {
@@ -218,7 +218,7 @@ class Drawing {
     return true;
   }
 
-  // `transform` about `transform-origin`.
+  // Returns `transform` about `transform-origin`.
   Matrix transformOf(const Node& node, const Style& style, const State& state) {
     const std::string& text = style.value(Property::Transform);
     if (text.empty()) return Matrix::Identity();
@@ -244,13 +244,14 @@ class Drawing {
     }
   }
 
-  // Tells once of what viewers show and we do not.
+  // Notes, once, a feature that viewers show and this reader does not.
   void note(const std::string& what) {
     std::vector<std::string>& unread = shape_.drawing.unread;
     if (reading_ == Reading::Outlines || unread.size() == kMostUnread) return;
     if (std::find(unread.begin(), unread.end(), what) == unread.end()) unread.push_back(what);
   }
 
+  // Notes CSS and features of an element that would change what is shown, and are not read.
   void noteUnread(const Node& node, const Style& style, const State& state) {
     if (isAnimated(node, style)) note("animation");
     if (!state.paint.visible || style.empty()) return;
@@ -258,12 +259,12 @@ class Drawing {
     const std::string_view function = style.fallsBack() && definesProperty_ ? "var()" : style.unreadFunction();
     if (!function.empty()) note("CSS " + quoted(function));
     const std::string_view name = elementName(node);
-    // Groups have neither place nor size of their own, but they move what is in them.
+    // Groups have neither place nor size of their own, but they move their children.
     const bool hasPlace = !isRoot(node) && name != "g" && name != "a";
     if (hasPlace ? !style.unread().empty() : style.unreadMoves()) note("CSS " + quoted(style.unread()));
   }
 
-  // What clip paths do without.
+  // Notes markers and filters, which clip paths ignore.
   void noteEffects(const Style& style) {
     for (const Property marker : {Property::Marker, Property::MarkerStart, Property::MarkerMid, Property::MarkerEnd}) {
       if (targetOf(style.value(marker), "marker")) note("<marker>");
@@ -273,14 +274,14 @@ class Drawing {
     if (isFunction || targetOf(style.value(Property::Filter), "filter")) note("<filter>");
   }
 
-  // What url(#id) names, if it is such an element.
+  // Returns the element that url(#id) names, if it is of the given kind.
   [[nodiscard]] const Node* targetOf(std::string_view value, std::string_view kind) const {
     const std::string_view id = urlOf(value);
     const auto found = id.empty() ? byId_.end() : byId_.find(id);
     return found == byId_.end() || elementName(*found->second) != kind ? nullptr : found->second;
   }
 
-  // Defaults where nothing declares a property.
+  // Returns the paint that applies where nothing declares a property.
   PaintState initialPaint() {
     PaintState paint;
     paint.letters.size = units_.em;
@@ -288,10 +289,11 @@ class Drawing {
     return paint;
   }
 
-  // Lengths of an element.
+  // Returns the units of lengths for an element with this paint.
   [[nodiscard]] UserUnits unitsOf(const PaintState& paint) const { return {units_.mm, paint.letters.size}; }
 
-  // Elements with the same families follow each other, and a list of them may be long.
+  // Chooses a font for a list of families. The last choice is kept: the list may be long, and elements that follow each
+  // other mostly share it.
   const DrawingFont& fontOf(std::string_view families) {
     if (options_.letters.choose && (font_.name.empty() || families != families_)) {
       font_ = options_.letters.choose(families);
@@ -300,7 +302,7 @@ class Drawing {
     return font_;
   }
 
-  // Lays what an element declares over what it inherits.
+  // Applies the declarations of an element to the paint that it inherits.
   void applyTo(PaintState& paint, const Node& node, const Style& style, Vec2 viewport) {
     const double diagonal = std::sqrt(dot(viewport, viewport) / 2);
     const PaintContext context{
@@ -313,6 +315,7 @@ class Drawing {
     if (name == "text" || name == "tspan" || name == "textPath") raiseLetters(style, context, paint.letters);
   }
 
+  // Draws the root element and all that it contains.
   void drawRoot(const Node& root, State state, const std::optional<ViewBox>& box) {
     shape_.drawing.texts = shape_.drawing.images = 0;
     if (!styleSheet_.unread().empty()) note("CSS " + styleSheet_.unread());
@@ -328,7 +331,7 @@ class Drawing {
     for (const Node* child = node.first_node(); child; child = child->next_sibling()) draw(*child, state);
   }
 
-  // Elements not named here are not drawn: <defs>, <symbol>, <clipPath>, foreign ones, ...
+  // Draws an element; elements not named here are not drawn: <defs>, <symbol>, <clipPath>, foreign ones, ...
   void draw(const Node& node, State state) {
     const std::string_view name = elementName(node);
     const bool unread = name == "flowRoot" || name == "image";
@@ -346,14 +349,15 @@ class Drawing {
     drawContent(node, state);
   }
 
-  // Texts and images are counted; masks and clip paths are read as often as they are used.
+  // Counts texts and images that are not drawn. In masks and clip paths they are only noted, because these are read as
+  // often as they are used.
   void noteMedium(bool isImage, const State& state) {
     if (reading_ != Reading::Outlines && !state.paint.visible) return;
     if (reading_ == Reading::Mask || reading_ == Reading::Clip) return note(isImage ? "<image>" : "<text>");
     ++(isImage ? shape_.drawing.images : shape_.drawing.texts);
   }
 
-  // What an element shows once its own attributes are read.
+  // Draws the content of an element whose own attributes have been read.
   void drawContent(const Node& node, const State& state) {
     const std::string_view name = elementName(node);
     if (name == "g" || name == "a") drawChildren(node, state);
@@ -364,7 +368,7 @@ class Drawing {
     if (name == "text") drawText(node, state);
   }
 
-  // The first child that is meant for us.
+  // Draws the first child of a <switch> that isMeant().
   void drawSwitch(const Node& node, const State& state) {
     for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
       const std::string_view name = elementName(*child);
@@ -372,7 +376,7 @@ class Drawing {
     }
   }
 
-  // A nested <svg> or a <symbol>. \param use  the element that shows it and may give another size, or null.
+  // Draws a nested <svg> or a <symbol>. \param use  the element that shows it and may give another size, or null.
   void drawViewport(const Node& node, State state, const Node* use) {
     const UserUnits units = unitsOf(state.paint);
     const auto side = [&](const char* name, double full) {
@@ -397,7 +401,7 @@ class Drawing {
     drawChildren(node, state);
   }
 
-  // The element that a <use> names; null: it names none.
+  // Returns the element that a <use> refers to, or null if it has no href.
   const Node* usedBy(const Node& use) {
     const std::optional<std::string_view> href = hrefOf(use);
     if (!href) return nullptr;
@@ -408,6 +412,7 @@ class Drawing {
     return found->second;
   }
 
+  // Draws the element that a <use> refers to, with the place and size of the <use>.
   void drawUse(const Node& node, State state) {
     const Node* const used = usedBy(node);
     if (!used) return;
@@ -439,7 +444,7 @@ class Drawing {
     paint(out, state.paint, state);
   }
 
-  // Letters that cannot be drawn are told as text that is left out.
+  // Draws a text; if some letter cannot be drawn, the text counts as left out.
   void drawText(const Node& node, const State& state) {
     LetterRuns letters(lettersLeft_);
     if (!options_.letters.shape) return noteMedium(false, state);
@@ -457,13 +462,14 @@ class Drawing {
     shape_.drawing.otherFont = shape_.drawing.otherFont || shaper_.tookOtherFont();
   }
 
-  /// \param states  receives one for each of letters.styles().
+  /// Collects the letters of an element and its children. \param states  receives one state for each of
+  /// letters.styles().
   void collectLetters(const Node& node, const State& state, LetterRuns& letters, std::vector<State>& states) {
     const double length = unitsOf(state.paint).ofStyle(attribute(node, "textLength").value_or(""), state.viewport.x);
     const bool glyphs = attribute(node, "lengthAdjust").value_or("") == "spacingAndGlyphs";
     std::shared_ptr<const Stretch> around;
     if (length > 0) around = letters.setStretch(std::make_shared<const Stretch>(Stretch{length, glyphs}));
-    if (around) note("textLength");  // of letters that another one is of, too
+    if (around) note("textLength");  // a textLength inside another one is not read
     letters.open(node, unitsOf(state.paint));
     for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
       if (child->type() == rapidxml::node_data || child->type() == rapidxml::node_cdata) {
@@ -487,7 +493,7 @@ class Drawing {
     if (length > 0) letters.setStretch(std::move(around));
   }
 
-  // Null: it names no outline, and shows nothing.
+  // Returns the path of a <textPath>, or null if it refers to no outline; then its text is not shown.
   std::shared_ptr<const TextPath> textPathOf(const Node& node, const State& state) {
     const std::string_view target = trimmed(hrefOf(node).value_or(""));
     const auto found = startsWith(target, "#") ? byId_.find(target.substr(1)) : byId_.end();
@@ -519,7 +525,7 @@ class Drawing {
     for (const std::string_view name : unreadOf(style.letters)) note(std::string(name));
   }
 
-  // Shows an outline as its paint says.
+  // Fills and strokes an outline according to its paint.
   void paint(const Outliner& out, const PaintState& paint, const State& state) {
     if (reading_ == Reading::Outlines) {
       const std::size_t before = loose_.size();
@@ -550,7 +556,7 @@ class Drawing {
     if (paint.gradient && reading_ == Reading::Mask && !paint.black()) note("gradient in <mask>");
   }
 
-  // Adds what lies within all limits, and on the page.
+  // Adds the part of a path that lies within all limits and on the page.
   void show(FilledPath path, const State& state, const Paint& paint = {}, double alpha = 1) {
     if (path.rings.empty()) return;
     if (reading_ == Reading::Outlines) {
@@ -575,7 +581,7 @@ class Drawing {
     layers_.push_back({std::move(path), !hides, {static_cast<std::uint32_t>(paint.colour & 0xFFFFFF), alpha}});
   }
 
-  // The part of a gradient that is seen; null: all of it.
+  // Returns the visible part of a gradient, or null if all of it is visible.
   std::shared_ptr<const Limit> seenOf(const Node& gradient, const State& state, const Bounds& around) {
     const Node* const node = current_;
     const GradientPlace place{state.toWorld, userBox(*node, state), state.viewport, unitsOf(state.paint), around};
@@ -584,7 +590,7 @@ class Drawing {
     return seen ? limitOf(*std::move(seen)) : nullptr;
   }
 
-  // As DrawingFacts says. Shadows on or along what is painted firmly are no second tone.
+  // Returns DrawingFacts::faintMm2. Faint shapes on or along firm ones are shadows, not a second tone.
   double faintArea() const {
     const auto isFaint = [](const Layer& layer) { return layer.paint.alpha <= kFaint; };
     const auto faint = std::count_if(layers_.begin(), layers_.end(), isFaint);
@@ -613,12 +619,12 @@ class Drawing {
     return limitOf({out.rings(), FillRule::NonZero});
   }
 
-  // `clip-path` and `mask` of an element. What names nothing limits nothing.
+  // Adds `clip-path` and `mask` of an element to its limits. A reference to no element limits nothing.
   void addLimits(const Node& node, const Style& style, State& state) {
     const auto named = [&](Property property, const char* kind) -> const Node* {
       const std::string& value = style.value(property);
       const Node* const target = targetOf(value, kind);
-      // circle(), linear-gradient(), url() of another file
+      // covers circle(), linear-gradient(), and url() of another file
       if (value.find('(') != std::string::npos && urlOf(value).empty()) note("CSS " + quoted(nameOf(property)));
       if (std::find(uses_.begin(), uses_.end(), target) != uses_.end()) {
         refuse(std::string(nameOf(property)) + " is " + quoted(value) + ", which shows itself again");
@@ -631,7 +637,7 @@ class Drawing {
     if (mask) addMask(*mask, node, state);
   }
 
-  // User space of the element, or of its box where `attributeName` says objectBoundingBox.
+  // Returns the units of a limit: user space, or the element's box if `attributeName` says objectBoundingBox.
   Matrix unitsOf(const Node& limit, const char* attributeName, bool boxIsDefault, const Node& node,
                  const State& state) {
     const auto units = attribute(limit, attributeName);
@@ -642,7 +648,7 @@ class Drawing {
     return matrix(box.size().x, 0, 0, box.size().y, box.min.x, box.min.y);
   }
 
-  // Of all outlines of an element, without strokes, in its user units.
+  // Returns the box around all outlines of an element, without strokes, in its user units.
   Bounds userBox(const Node& node, State state) {
     if (std::abs(state.toWorld.linear().determinant()) < 1e-30) return {};
     const Matrix toUser = state.toWorld.inverse();
@@ -650,7 +656,7 @@ class Drawing {
     const std::int64_t points = pointsLeft_;
     const int texts = shape_.drawing.texts;
     const std::size_t loose = loose_.size();
-    const Node* shown = &node;  // a part of a text has the box of all of it
+    const Node* shown = &node;  // a part of a text has the box of the whole text
     while (elementName(*shown) == "tspan" || elementName(*shown) == "textPath") shown = shown->parent();
     const std::vector<Layer> layers = drawnAs(Reading::Outlines, [&] { drawContent(*shown, state); });
     loose_.resize(loose);
@@ -668,7 +674,7 @@ class Drawing {
     return box;
   }
 
-  // What `body` draws, apart from the drawing itself.
+  // Returns the layers that `body` draws, and leaves those of the drawing as they are.
   template <class Body>
   std::vector<Layer> drawnAs(Reading reading, const Body& body) {
     std::vector<Layer> kept;
@@ -680,7 +686,7 @@ class Drawing {
     return kept;
   }
 
-  // What an element inherits where it stands.
+  // Returns the paint that an element inherits from its place in the document.
   PaintState inheritedBy(const Node& node, const State& state) {
     PaintState paint = initialPaint();
     if (const Node* parent = node.parent(); parent && parent->type() == rapidxml::node_element) {
@@ -692,7 +698,7 @@ class Drawing {
     return paint;
   }
 
-  // For what is inside of <clipPath> or <mask>.
+  // Returns the initial state for the children of <clipPath> or <mask>.
   State stateInside(const Node& limit, const State& state) {
     State inside;
     inside.toWorld = state.toWorld;
@@ -703,6 +709,7 @@ class Drawing {
     return inside;
   }
 
+  // Adds the area of a <clipPath> to the limits of an element.
   void addClip(const Node& clip, const Node& node, State& state) {
     State inside = stateInside(clip, state);
     uses_.push_back(&clip);
@@ -721,6 +728,7 @@ class Drawing {
     state.limits.push_back(limitOf(flattened(layers, work_)));
   }
 
+  // Adds the frame of a <mask>, and the area that it shows, to the limits of an element.
   void addMask(const Node& mask, const Node& node, State& state) {
     const Matrix frame = unitsOf(mask, "maskUnits", true, node, state);
     const auto frameUnits = attribute(mask, "maskUnits");
@@ -754,16 +762,16 @@ class Drawing {
   std::vector<LoosePiece> loose_;
   Limit page_;
   Shape offPage_;
-  bool painted_ = false;  // something is, be it off the page
+  bool painted_ = false;  // true if something is painted, even off the page
   bool filled_ = false;
-  std::uint64_t colour_ = 0;  // of what is painted first
+  std::uint64_t colour_ = 0;  // colour of the first painted layer
   Ids byId_;
   StyleSheet styleSheet_;
-  bool definesProperty_ = false;   // a custom one, for var()
-  std::vector<const Node*> uses_;  // targets being shown, outermost first
+  bool definesProperty_ = false;   // true if some declaration defines a custom property, for var()
+  std::vector<const Node*> uses_;  // elements that <use>, clip-path or mask is showing, outermost first
   std::int64_t pointsLeft_ = kMaxPoints;
   std::int64_t lettersLeft_ = kMaxLetters;
-  std::string families_;  // for which font_ was chosen
+  std::string families_;  // families for which font_ was chosen
   DrawingFont font_;
   LetterShaper shaper_;
   Work work_;

@@ -10,7 +10,7 @@ namespace sillon::svg {
 namespace {
 
 constexpr std::size_t kMaxEntities = 1000, kMaxName = 64;
-constexpr std::size_t kMaxDeclared = std::size_t{1} << 20;  // bytes of all of them: they may hold each other
+constexpr std::size_t kMaxDeclared = std::size_t{1} << 20;  // bytes of all entities, which may contain each other
 constexpr const char* kTooMany =
     "the entities of the DOCTYPE are too many or too long; at most 1000 are read, of 1 MiB in all, for a text of 64 "
     "MiB";
@@ -22,7 +22,7 @@ struct Entity {
 
 class Entities {
  public:
-  /// \return where the declarations end.
+  /// Reads the declarations of a DOCTYPE. \return the offset of their end.
   std::size_t declare(std::string_view text, std::size_t at) {
     std::size_t bytes = 0;
     while ((at = text.find_first_of("<]", at)) != std::string_view::npos && text[at] == '<') {
@@ -32,7 +32,7 @@ class Entities {
       if (startsWith(rest, "<!ENTITY") && quote != std::string_view::npos && rest[quote] != '>') {
         const std::size_t end = rest.find(rest[quote], quote + 1);
         if (end == std::string_view::npos) return text.size();
-        // "% name" and "name SYSTEM" are no names.
+        // Parameter entities ("% name") and external ones ("name SYSTEM") yield names that no valid reference has.
         const std::string_view name = trimmed(rest.substr(8, quote - 8));
         const auto place = find(name);
         if (place == known_.end() || place->name != name) {
@@ -50,6 +50,7 @@ class Entities {
 
   [[nodiscard]] bool empty() const { return known_.empty(); }
 
+  /// Replaces references to known entities; others stay as they are.
   [[nodiscard]] std::string expanded(std::string_view text, std::size_t maxBytes) {
     std::string out;
     while (true) {
@@ -71,7 +72,7 @@ class Entities {
                             [](const Entity& entity, std::string_view wanted) { return entity.name < wanted; });
   }
 
-  std::vector<Entity> known_;  // by name
+  std::vector<Entity> known_;  // sorted by name
 };
 
 }  // namespace

@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::size_t kNoStyle = static_cast<std::size_t>(-1);
 const std::string kSquare = "M0 0H1V1H0Z";
-constexpr double kLineWidth = 0.1;  // of lines under, through and above letters, as browsers draw them [em]
-constexpr double kSlant = 0.25;     // of letters that are to be italic, whose font is not: as browsers slant them
+constexpr double kLineWidth = 0.1;  // thickness of lines under, through and above letters in browsers [em]
+constexpr double kSlant = 0.25;     // slant that browsers give to italic letters of an upright font
 
-/// The numbers of an attribute, in user units.
+/// Reads the list of lengths of an attribute, in user units.
 std::vector<double> lengthsOf(const Node& node, const char* name, double full, const UserUnits& units) {
   std::vector<double> lengths;
   std::string_view rest = attribute(node, name).value_or("");
@@ -37,10 +37,11 @@ std::size_t bytesOfLetter(std::string_view text) {
   return bytes;
 }
 
-/// Tells whether a text ends with a space; the second is the one that keeps words together.
+/// Tells whether a text ends with a space or a no-break space.
 bool endsWord(std::string_view text) { return text.ends_with(' ') || text.ends_with("\xC2\xA0"); }
 
-/// In capitals or small letters, where that takes a difference of codes: in ASCII, Latin-1 and Cyrillic.
+/// Converts a letter to capitals or small letters if they differ by a constant code offset: in ASCII, Latin-1 and
+/// Cyrillic.
 /// \return nothing for other letters.
 std::optional<std::string> recased(std::string_view letter, LetterCase into) {
   if (into == LetterCase::AsWritten) return std::string(letter);
@@ -53,7 +54,7 @@ std::optional<std::string> recased(std::string_view letter, LetterCase into) {
   if (letter.size() > 2) return byte(0) == 0xE2 ? std::optional(std::string(letter)) : std::nullopt;  // punctuation
   const int code = (byte(0) & 0x1F) << 6 | (byte(1) & 0x3F);
   int other = code;
-  const auto pair = [&](int first, int last, int step) {  // small letters `step` above their capitals
+  const auto pair = [&](int first, int last, int step) {  // small letters have codes `step` above their capitals
     if (up && code >= first + step && code <= last + step) other = code - step;
     if (!up && code >= first && code <= last) other = code + step;
   };
@@ -65,7 +66,7 @@ std::optional<std::string> recased(std::string_view letter, LetterCase into) {
   return std::string{static_cast<char>(0xC0 | other >> 6), static_cast<char>(0x80 | (other & 0x3F))};
 }
 
-/// Sizes in words, for a usual size of 16 px.
+/// CSS sizes in words, for a default size of 16 px.
 constexpr std::array<std::pair<std::string_view, const char*>, 8> kSizes{{{"xx-small", "9px"},
                                                                           {"x-small", "10px"},
                                                                           {"small", "13px"},
@@ -75,7 +76,9 @@ constexpr std::array<std::pair<std::string_view, const char*>, 8> kSizes{{{"xx-s
                                                                           {"xx-large", "32px"},
                                                                           {"xxx-large", "48px"}}};
 
-/// \param inherited  what shares refer to. \return nothing for what is no size.
+/// Reads a font size.
+/// \param inherited  size that shares such as "em" and "%" refer to.
+/// \return nothing if the value is no size.
 std::optional<double> sizeOf(std::string_view value, const PaintContext& context, double inherited) {
   const std::string word = lowered(trimmed(value));
   for (const auto& [name, size] : kSizes) {
@@ -93,7 +96,7 @@ std::optional<double> sizeOf(std::string_view value, const PaintContext& context
 
 /// Tells whether a word is a property's initial value.
 bool isPlain(const std::string& word) {
-  // Most built-in fonts are bold.
+  // Heavy weights count, too, because most built-in fonts are bold.
   constexpr std::array<std::string_view, 19> kPlain{
       "normal", "none", "auto", "initial", "unset",  "revert", "ltr", "lr",  "lr-tb", "horizontal-tb",
       "solid",  "100%", "400",  "bold",    "bolder", "600",    "700", "800", "900"};
@@ -107,7 +110,7 @@ void setUnread(Property property, const std::string& word, std::uint32_t& unread
   unread = isPlain(word) ? unread & ~bit : unread | bit;
 }
 
-/// `font: italic bold 12px/1.4 Arial, sans-serif`. \return the families.
+/// Reads the shorthand `font: italic bold 12px/1.4 Arial, sans-serif`. \return the families.
 std::string_view setFont(std::string_view value, const PaintContext& context, LetterStyle& letters) {
   std::uint32_t unread = letters.unread;
   for (const Property property : {Property::FontVariant, Property::FontWeight}) setUnread(property, "normal", unread);
@@ -116,7 +119,7 @@ std::string_view setFont(std::string_view value, const PaintContext& context, Le
     const std::size_t end = std::min(value.find_first_of(" \t\r\n"), value.size());
     const std::string token = lowered(value.substr(0, end));
     value.remove_prefix(end);
-    // Weights are numbers, too, but without a unit.
+    // Weights are numbers like sizes, but they have no unit.
     const bool number = token.find_first_not_of("0123456789") == std::string::npos;
     const std::optional<double> size =
         number ? std::nullopt : sizeOf(token.substr(0, token.find('/')), context, letters.size);
@@ -133,6 +136,7 @@ std::string_view setFont(std::string_view value, const PaintContext& context, Le
   return {};
 }
 
+/// Parses a base line; nothing for words that are not supported.
 std::optional<BaseLine> baseLineOf(const std::string& word) {
   if (word == "alphabetic") return BaseLine::Alphabetic;
   if (word == "middle") return BaseLine::Middle;
@@ -144,7 +148,7 @@ std::optional<BaseLine> baseLineOf(const std::string& word) {
   return std::nullopt;
 }
 
-/// Height of a base line above the one on which letters stand, in font units.
+/// Returns the height of a base line above the alphabetic one, in font units.
 double heightOf(BaseLine line, const ShapedLine& font) {
   switch (line) {
     case BaseLine::Middle:
@@ -165,6 +169,7 @@ double heightOf(BaseLine line, const ShapedLine& font) {
   return 0;
 }
 
+/// Reads the lines under, above and through letters.
 void setDecoration(const Style& style, LetterStyle& letters) {
   for (const Property property : {Property::TextDecoration, Property::TextDecorationLine}) {
     const std::string value = style.word(property);
@@ -182,13 +187,13 @@ void setDecoration(const Style& style, LetterStyle& letters) {
   }
 }
 
-/// A run as it lies without regard to anchors.
+/// A run as it lies before anchors are applied.
 struct LaidRun {
-  const LetterShaper::Line* line = nullptr;  ///< null: it shows nothing
+  const LetterShaper::Line* line = nullptr;  ///< null if the run shows nothing
   double scale = 0;                          ///< from font units to user units
-  double wide = 1;                           ///< the same across, besides
-  double spacing = 0;                        ///< added to letters
-  Vec2 at;                                   ///< of its pen
+  double wide = 1;                           ///< further horizontal scale, from textLength
+  double spacing = 0;                        ///< space added after each letter
+  Vec2 at;                                   ///< position of the pen
   double width = 0;
 
   [[nodiscard]] double advance(const ShapedLine::Letter& letter) const {
@@ -196,7 +201,7 @@ struct LaidRun {
   }
 };
 
-/// Shifts the runs that belong together, so that they begin, end or have their middle at their place.
+/// Shifts runs that belong together, so that they begin, end or have their middle at their place.
 void anchor(LaidRun* first, const LaidRun* end, double share) {
   double left = first->at.x, right = first->at.x;
   for (const LaidRun* run = first; run != end; ++run) {
@@ -213,7 +218,7 @@ void place(const LaidRun& run, const LetterRun& of, const LetterStyle& style, st
   const double scale = run.scale;
   const double y = run.at.y - style.raise - style.raiseInHeights * (line.ascent + line.descent) / line.em +
                    heightOf(style.aligned.value_or(style.baseLine), line) * scale;
-  // The frame in which a part of the run begins: all of it, or one letter of those that stand on a path.
+  // Returns the frame in which a part of the run begins: the whole run, or a single letter if letters stand on a path.
   const auto frameAt = [&](double pen, double width) -> std::optional<Matrix> {
     std::optional<Matrix> frame = shifted(pen, y);
     if (of.path) frame = of.path->at(pen + width / 2);
@@ -251,7 +256,7 @@ void place(const LaidRun& run, const LetterRun& of, const LetterStyle& style, st
   if (style.struckThrough) addLine(-line.ascent * scale / 3 - thick / 2);
 }
 
-/// Kerns between the runs of one element that follow each other: letters may be moved one by one.
+/// Adds the kerning between adjacent runs of one element: letters that are moved one by one form runs of their own.
 std::optional<Error> kern(const std::vector<LetterRun>& runs, const std::deque<PaintState>& styles,
                           LetterShaper& shaper, std::vector<LaidRun>& laid) {
   for (std::size_t k = 0; k + 1 < runs.size(); ++k) {
@@ -262,7 +267,7 @@ std::optional<Error> kern(const std::vector<LetterRun>& runs, const std::deque<P
     while (begin > 0 && (static_cast<unsigned char>(runs[k].text[begin]) & 0xC0) == 0x80) --begin;
     const std::string_view one = std::string_view(runs[k].text).substr(begin);
     const std::string_view other = std::string_view(next.text).substr(0, bytesOfLetter(next.text));
-    // The width of both together, less that of each.
+    // The kerning is the width of both letters together, less the width of each.
     double width = 0;
     std::string text = std::string(one) + std::string(other);
     for (const int part : {0, 1, 2}) {
@@ -276,7 +281,7 @@ std::optional<Error> kern(const std::vector<LetterRun>& runs, const std::deque<P
   return std::nullopt;
 }
 
-/// Sets runs apart, or makes them wider, as `textLength` says.
+/// Applies `textLength`: sets letters apart, or makes them wider.
 void stretch(const std::vector<LetterRun>& runs, std::vector<LaidRun>& laid) {
   for (std::size_t first = 0, end = 0; first < runs.size(); first = end) {
     const Stretch* const wanted = runs[first].stretch.get();
@@ -430,7 +435,7 @@ void LetterRuns::place(const Element& element, Vec2 viewport) {
     const std::vector<double> list = lengthsOf(*element.node, name, across ? viewport.x : viewport.y, element.units);
     for (std::size_t k = 0; k < count && !list.empty(); ++k) {
       if (turns) {
-        own[k].turn = list[std::min(k, list.size() - 1)];  // the last one goes on
+        own[k].turn = list[std::min(k, list.size() - 1)];  // the last angle applies to all further letters
       } else if (k < list.size() && name[0] == 'd') {
         (across ? own[k].shift.x : own[k].shift.y) = list[k];
       } else if (k < list.size()) {
@@ -447,14 +452,14 @@ std::vector<LetterRun> LetterRuns::take(Vec2 viewport) {
   }
   for (const Element& element : elements_) place(element, viewport);
   std::vector<LetterRun> runs;
-  runs.reserve(std::min(letters_.size(), styles_.size() * 2));  // most elements have one
+  runs.reserve(std::min(letters_.size(), styles_.size() * 2));  // most elements have one run
   for (std::size_t k = 0; k < letters_.size(); ++k) {
     const Letter& letter = letters_[k];
     const std::size_t end = k + 1 < letters_.size() ? letters_[k + 1].begin : text_.size();
     const std::string_view text = std::string_view(text_).substr(letter.begin, end - letter.begin);
     const bool placed = letter.x || letter.y || letter.shift != Vec2{} || letter.turn != 0;
-    // Words that stand apart are runs, too, and so are letters of spaced ligatures. Others may join: they stay
-    // together.
+    // A new run begins at spaced words, and at letters that would form a ligature despite letter spacing. All other
+    // letters stay in one run, because they may join.
     const LetterStyle& style = styles_[letter.style].letters;
     const auto before = std::string_view(text_).substr(0, letter.begin);
     const bool apart = (style.wordSpacing != 0 && endsWord(before)) ||
@@ -517,7 +522,7 @@ Result<std::vector<PlacedLetter>> placeLetters(const std::vector<LetterRun>& run
     const bool begins = run.path.get() != path;
     if (run.x || run.y || begins) anchorFrom(k);
     if (begins && run.path) pen = {run.path->start, 0};
-    if (begins && !run.path) {  // behind the path, where that ends
+    if (begins && !run.path) {  // after a path, the pen stands at the path's end
       const Eigen::Vector2d end = path->at(path->length()).value_or(Matrix::Identity()).translation();
       pen = {end.x(), end.y()};
     }

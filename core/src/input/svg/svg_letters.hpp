@@ -1,4 +1,4 @@
-// Text of a drawing: from its elements to runs of letters, and from runs to places of letters.
+// Reads the text of a drawing: elements become runs of letters, and runs become placed letters.
 // https://www.w3.org/TR/SVG2/text.html
 #pragma once
 
@@ -19,22 +19,22 @@
 
 namespace sillon::svg {
 
-inline constexpr std::int64_t kMaxLetters = 100'000;  ///< bytes of them in a drawing, which <use> may repeat
+inline constexpr std::int64_t kMaxLetters = 100'000;  ///< bytes of letters in a drawing, with repetitions by <use>
 
 /// A path that letters stand on, in user units.
 class TextPath {
  public:
   void add(Vec2 from, Vec2 to);
 
-  double start = 0;  ///< where letters begin
+  double start = 0;  ///< distance along the path at which letters begin
   [[nodiscard]] double length() const { return length_; }
-  /// From the place of a letter to user units: x along the path, y down from it. Nothing beyond its ends.
+  /// Returns the frame of a letter: x along the path, y down from it, to user units. Empty beyond the path's ends.
   [[nodiscard]] std::optional<Matrix> at(double distance) const;
 
  private:
   struct Side {
     double begin;
-    Vec2 from, along;  // a unit vector
+    Vec2 from, along;  // `along` is a unit vector
   };
   std::vector<Side> sides_;
   double length_ = 0;
@@ -43,18 +43,18 @@ class TextPath {
 /// The length that `textLength` gives to letters.
 struct Stretch {
   double length = 0;
-  bool glyphs = false;  ///< they are as wide as that takes, not set apart
+  bool glyphs = false;  ///< letters are widened to fit the length instead of set apart
 };
 
-/// Letters of one style, at a place of their own or behind the run before them.
+/// Letters of one style, at a place of their own or directly after the run before.
 struct LetterRun {
   std::string text;
   std::size_t style = 0;       ///< index in LetterRuns::styles()
   std::optional<double> x, y;  ///< [user units]
   Vec2 shift;                  ///< dx and dy [user units]
-  double turn = 0;             ///< about the place of its one letter [degrees]
+  double turn = 0;             ///< turn about the place of the run's only letter [degrees]
   std::shared_ptr<const TextPath> path;
-  std::shared_ptr<const Stretch> stretch;  ///< of all runs that have the same one
+  std::shared_ptr<const Stretch> stretch;  ///< shared by all runs of one textLength
 };
 
 /// The outline of a letter, or of a line under, through or above letters, in the element's user units.
@@ -64,37 +64,37 @@ struct PlacedLetter {
   std::size_t style = 0;       ///< index in LetterRuns::styles()
 };
 
-/// Collects the letters of a <text> element from left to right, and its white space as CSS has it.
+/// Collects the letters of a <text> element from left to right, and collapses white space by the rules of CSS.
 class LetterRuns {
  public:
   /// \param lettersLeft  bytes of letters that the whole drawing may still have.
   explicit LetterRuns(std::int64_t& lettersLeft) : lettersLeft_(lettersLeft) {}
 
-  /// Begins an element, whose attributes `x`, `y`, `dx`, `dy` and `rotate` count for the letters up to its close().
-  /// \param units  with the em of the element.
+  /// Begins an element; its `x`, `y`, `dx`, `dy` and `rotate` apply to the letters up to its close().
+  /// \param units  units with the em of the element.
   void open(const Node& node, const UserUnits& units);
   void close();
-  /// Letters stand on this path up to the next call; null: on none. \return the path before.
+  /// Sets the path for letters up to the next call; null: none. \return the path before.
   std::shared_ptr<const TextPath> setPath(std::shared_ptr<const TextPath> path) {
     std::swap(path, path_);
     return path;
   }
-  /// Letters are stretched so up to the next call; null: not at all. \return the stretch before.
+  /// Sets the stretch for letters up to the next call; null: none. \return the stretch before.
   std::shared_ptr<const Stretch> setStretch(std::shared_ptr<const Stretch> stretch) {
     std::swap(stretch, stretch_);
     return stretch;
   }
-  /// Adds text of the innermost open element. Throws Refused: the drawing has too many letters.
+  /// Adds text of the innermost open element. Throws Refused if the drawing has too many letters.
   void add(std::string_view text, const PaintState& paint);
-  /// The runs without the space at the end. \param viewport  what percentages refer to. Throws Refused.
+  /// Returns the runs, without a space at the end. \param viewport  size that percentages refer to. Throws Refused.
   std::vector<LetterRun> take(Vec2 viewport);
-  /// One for each element that has letters.
+  /// Returns the paint of each element that has letters.
   [[nodiscard]] const std::deque<PaintState>& styles() const { return styles_; }
 
  private:
-  // A letter that attributes can place.
+  // A letter, with the place and turn that attributes may give it.
   struct Letter {
-    std::size_t begin;  // in text_
+    std::size_t begin;  // offset in text_
     std::size_t style;
     std::optional<double> x, y;
     Vec2 shift;
@@ -105,36 +105,37 @@ class LetterRuns {
   struct Element {
     const Node* node;
     UserUnits units;
-    std::size_t begin, end;  // of its letters
-    std::size_t style;       // kNoStyle: it has no letters of its own
+    std::size_t begin, end;  // range of its letters
+    std::size_t style;       // kNoStyle if the element has no letters of its own
   };
 
   void place(const Element& element, Vec2 viewport);
 
   std::int64_t& lettersLeft_;
   std::string text_;
-  std::deque<Letter> letters_;       // vectors hold up to three times as much while they grow
-  std::vector<Element> elements_;    // those around before those within
-  std::vector<std::size_t> inside_;  // which of them are open, outermost first
+  std::deque<Letter> letters_;       // a deque, because a vector takes up to three times the memory while it grows
+  std::vector<Element> elements_;    // elements before those that they contain
+  std::vector<std::size_t> inside_;  // indices of the open elements, outermost first
   std::deque<PaintState> styles_;
   std::shared_ptr<const TextPath> path_;
   std::shared_ptr<const Stretch> stretch_;
-  bool afterSpace_ = true;  // a further space shows nothing
+  bool afterSpace_ = true;  // true if a further space shows nothing
 };
 
-/// Shapes lines, each of them once. Outlines are kept once, too: each of 100,000 letters may be a line of its own.
+/// Shapes each distinct line once. Outlines are kept once, too, because each of 100,000 letters may be a line of its
+/// own.
 class LetterShaper {
  public:
   explicit LetterShaper(const ShapeLetters& shape) : shape_(shape) {}
 
-  /// Outlines [k] is that of letters[k].
+  /// A shaped line; outlines[k] belongs to letters[k].
   struct Line {
     ShapedLine line;
     std::vector<const std::string*> outlines;
   };
-  /// \return an error of the function given.
+  /// Returns the shaped line of a text. \return an error of the function that shapes.
   Result<const Line*> of(const DrawingFont& font, const std::string& text);
-  /// True where another font stood in for that of a line.
+  /// Tells whether another font stood in for that of some line.
   [[nodiscard]] bool tookOtherFont() const { return tookOtherFont_; }
 
  private:
@@ -144,11 +145,11 @@ class LetterShaper {
   bool tookOtherFont_ = false;
 };
 
-/// Lays the runs out. \return an error of `shaper`.
+/// Computes the places of all letters of the runs. \return an error of `shaper`.
 Result<std::vector<PlacedLetter>> placeLetters(const std::vector<LetterRun>& runs, const std::deque<PaintState>& styles,
                                                LetterShaper& shaper);
 
-/// Properties that change or move letters and are not read.
+/// Returns the names of properties that would change or move these letters but are not read.
 std::vector<std::string_view> unreadOf(const LetterStyle& letters);
 
 }  // namespace sillon::svg

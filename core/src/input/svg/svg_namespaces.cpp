@@ -9,10 +9,10 @@
 namespace sillon::svg {
 namespace {
 
-constexpr std::size_t kMaxBindings = 64;  // at one place: each name with a prefix is looked up among them
+constexpr std::size_t kMaxBindings = 64;  // bindings at one place; every prefixed name is looked up among them
 constexpr std::string_view kSvg = "http://www.w3.org/2000/svg", kXlink = "http://www.w3.org/1999/xlink";
 
-// With its colon; empty: there is none.
+// Returns the prefix of a name with its colon, or an empty string if there is none.
 std::string_view prefixOf(std::string_view name) { return name.substr(0, std::min(name.find(':') + 1, name.size())); }
 
 std::string_view nameOf(const rapidxml::xml_base<>& named) { return {named.name(), named.name_size()}; }
@@ -27,6 +27,7 @@ class Namespaces {
   }
 
  private:
+  // Adds the namespaces that an element declares.
   void declare(const Node& node) {
     for (const auto* a = node.first_attribute(); a; a = a->next_attribute()) {
       const std::string_view name = nameOf(*a);
@@ -37,13 +38,14 @@ class Namespaces {
     }
   }
 
-  // Of a prefix that is not declared: the prefix.
+  // Returns the namespace of a prefix, or the prefix itself if it is not declared.
   [[nodiscard]] std::string_view uriOf(std::string_view prefix) const {
     prefix = prefix.substr(0, prefix.size() - (prefix.empty() ? 0 : 1));
     const auto found = std::find_if(bound_.rbegin(), bound_.rend(), [&](const auto& b) { return b.first == prefix; });
     return found == bound_.rend() ? prefix : found->second;
   }
 
+  // Renames an element, its XLink references, and all elements inside it.
   void resolve(Node& node) {
     const std::size_t outside = bound_.size();
     declare(node);
@@ -61,9 +63,9 @@ class Namespaces {
     bound_.resize(outside);
   }
 
-  // Prefixes and their namespaces, the innermost last; these two may be used without being declared.
+  // Prefixes and their namespaces, innermost last; these two may be used without a declaration.
   std::vector<std::pair<std::string_view, std::string_view>> bound_{{"svg", kSvg}, {"xlink", kXlink}};
-  std::string_view svg_;  // the root's, whatever it is: there are files without one and with a wrong one
+  std::string_view svg_;  // namespace of the root, whatever it is: some files declare none or a wrong one
 };
 
 }  // namespace

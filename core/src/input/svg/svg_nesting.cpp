@@ -11,8 +11,8 @@
 namespace sillon::svg {
 namespace {
 
-// Checks tags from left to right as RapidXML will read them, but a little stricter, so that its recursion is known
-// to be shallow before it starts.
+// Checks tags from left to right as RapidXML will read them, but a little more strictly. RapidXML is recursive; the
+// check makes sure that its recursion stays shallow.
 class NestingCheck {
  public:
   explicit NestingCheck(std::string_view text) : text_(text) {}
@@ -47,13 +47,13 @@ class NestingCheck {
   }
 
  private:
-  // Tells whether a tag is that of a <text>, with whatever prefix.
+  // Tells whether a tag is that of a <text>, with any prefix.
   static bool isText(std::string_view tag) {
     tag = tag.substr(0, tag.find_first_of(" \t\n\r>"));
     return tag == "text" || tag.ends_with(":text");
   }
 
-  // Notes white space that stands alone between two tags. Where it can, at a place that ends no line.
+  // Records white space that stands alone between two tags; it prefers a position that is no line break.
   void noteSpace() {
     std::size_t begin = at_;
     while (begin > 0 && isSpace(text_[begin - 1])) --begin;
@@ -100,7 +100,7 @@ class NestingCheck {
       malformed(at_ < text_.size() ? "an unexpected " + quoted(text_.substr(at_, 1)) : "an unfinished tag");
   }
 
-  // Returns whether the tag opens an element.
+  // Skips a tag. Returns true if the tag opens an element.
   bool skipTag() {
     skipName();
     skipSpace();

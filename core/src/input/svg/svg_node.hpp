@@ -1,4 +1,4 @@
-// Elements of a drawing, and what they name.
+// Elements of a drawing, and the names that they refer to.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@
 
 namespace sillon::svg {
 
-// Elements of an SVG document as RapidXML keeps them.
+// Elements of an SVG document, in RapidXML's form.
 
 using Node = rapidxml::xml_node<>;
 
-/// Local name of an SVG element; empty for text, comments and, after resolveNamespaces, for elements of others.
+/// Returns the local name of an SVG element; empty for text, comments and, after resolveNamespaces, foreign elements.
 inline std::string_view elementName(const Node& node) {
   if (node.type() != rapidxml::node_element) return {};
   return {node.name(), node.name_size()};
@@ -36,29 +36,31 @@ inline std::optional<std::string_view> hrefOf(const Node& node) {
 
 // Entities of a DOCTYPE: Illustrator writes <!ENTITY st0 "fill:none;"> and style="&st0;".
 
-/// The text with its own general entities written out; empty: it has none. Entities hold only those declared before.
-/// Throws Refused: the text would be longer than `maxBytes`, or there are too many entities.
+/// Returns the text with its own general entities replaced, or an empty string if it declares none. An entity may only
+/// refer to entities declared before it. Throws Refused if the text would be longer than `maxBytes`, or has too many
+/// entities.
 std::string withEntities(std::string_view text, std::size_t maxBytes);
 
-// Elements of SVG, whatever prefixes a file gives them: https://www.w3.org/TR/xml-names/.
+// Namespaces: elements of SVG are recognised with any prefix, https://www.w3.org/TR/xml-names/.
 
-/// Leaves elements of SVG their local names and all others empty ones, and calls each href of XLink `xlink:href`.
-/// Throws Refused: the root is no <svg>, or there are more namespaces than can be.
+/// Reduces the names of SVG elements to local names, empties all other names, and renames each href of XLink to
+/// `xlink:href`. Throws Refused if the root is no <svg>, or if there are too many namespaces.
 void resolveNamespaces(Node& root);
 
-// Checks that a text nests as XML does, and not too deep: it is looked over before RapidXML reads it.
+// Nesting: a text is checked before RapidXML reads it, because RapidXML is recursive.
 
-inline constexpr int kMaxDepth = 200;  ///< of elements, <use> counted in: each level costs stack
+inline constexpr int kMaxDepth = 200;  ///< levels of elements, including those that <use> adds; each level costs stack
 
-/// Throws Refused: no well-formed XML, or nested deeper than kMaxDepth.
-/// \return the text with references for the white space that stands alone between tags in a <text>, which RapidXML
-/// would drop although it separates words; empty: there is none.
+/// Checks that a text nests as XML does. Throws Refused if it is no well-formed XML, or nested deeper than kMaxDepth.
+/// \return the text with character references for white space that stands alone between tags in a <text>: RapidXML
+/// would drop it, although it separates words. Empty if there is none.
 std::string checkNesting(std::string_view text);
 
-// The elements of a drawing, from the root downwards, as areas.
+// Drawing: elements become areas, from the root downwards.
 
-inline constexpr std::size_t kMostUnread = 8;  ///< of DrawingFacts::unread
+inline constexpr std::size_t kMostUnread = 8;  ///< largest size of DrawingFacts::unread
 
+/// Draws the elements of a document.
 /// \param[out] current  the element that was being read when reading stopped; null outside of elements.
 /// Throws Refused.
 SvgPainting drawElements(const Node& root, const SvgOptions& options, const Node*& current);

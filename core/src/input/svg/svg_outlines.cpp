@@ -1,4 +1,4 @@
-// Outlines without paint as CAD programs write them: in pieces whose ends meet, and holes as outlines of their own.
+// Joins unpainted outlines as CAD programs write them: pieces whose ends meet, and holes as outlines of their own.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,19 +11,19 @@
 namespace sillon::svg {
 namespace {
 
-constexpr double kGap = 0.05;                       // between ends that meet: an eighth of a bead [mm]
-constexpr double kSame = 1e-3;                      // between points that are meant to be one [mm]
-constexpr std::size_t kSamples = 8;                 // points of an outline that must lie inside of another
-constexpr std::int64_t kMostTests = 1'000'000'000;  // of ends, and of points against edges: some seconds
+constexpr double kGap = 0.05;                       // distance up to which two ends meet, an eighth of a bead [mm]
+constexpr double kSame = 1e-3;                      // distance below which two points are meant to be one [mm]
+constexpr std::size_t kSamples = 8;                 // points of an outline that must lie inside another one
+constexpr std::int64_t kMostTests = 1'000'000'000;  // tests of ends, and of points against edges: some seconds
 
 [[noreturn]] void refuseTooMany() { refuseTooLarge("there are too many outlines without paint; combine some of them"); }
 
-/// Numbers of things in the order of a value.
+/// Indices sorted by a value.
 using Order = std::vector<std::pair<double, std::size_t>>;
 
 bool meet(Vec2 a, Vec2 b) { return length(a - b) <= kGap; }
 
-// Walks from piece to piece along their ends.
+// Joins pieces to rings by walking from end to end.
 class Joiner {
  public:
   explicit Joiner(const std::vector<LoosePiece>& pieces) : pieces_(pieces), taken_(pieces.size()) {
@@ -31,7 +31,7 @@ class Joiner {
     std::sort(ends_.begin(), ends_.end());
   }
 
-  // The pieces of a ring that begins with one of them; empty: they end somewhere.
+  // Returns the pieces of a ring that begins with `first`; empty if they do not close.
   std::vector<std::size_t> ringFrom(std::size_t first, Ring& ring) {
     if (taken_[first] != 0) return {};
     taken_[first] = 1;
@@ -48,7 +48,7 @@ class Joiner {
       const bool fromLast = next % 2 != 0;
       const Vec2 far = fromLast ? points.front() : points.back();
       const bool twice = points.size() == 2 && ring.size() > 1 && length(far - ring[ring.size() - 2]) < kSame;
-      if (twice) continue;  // a line that is drawn twice leads back
+      if (twice) continue;  // a line drawn twice leads back to its beginning
       if (fromLast) {
         ring.insert(ring.end(), points.rbegin() + 1, points.rend());
       } else {
@@ -61,7 +61,7 @@ class Joiner {
   }
 
  private:
-  // The ends of piece k have the numbers 2 k and 2 k + 1.
+  // Returns the place of an end. The ends of piece k have the numbers 2 k and 2 k + 1.
   [[nodiscard]] Vec2 placeOf(std::size_t end) const {
     const Ring& points = pieces_[end / 2].points;
     return end % 2 == 0 ? points.front() : points.back();
@@ -85,6 +85,7 @@ class Joiner {
   std::int64_t tests_ = 0;
 };
 
+// Tells whether a point lies inside a path, by its fill rule.
 bool isInside(Vec2 p, const FilledPath& path) {
   int winding = 0, crossings = 0;
   for (const Ring& ring : path.rings) {
@@ -104,9 +105,10 @@ struct Nested {
   std::size_t layer;
   Bounds box;
   std::size_t points = 0;
-  std::size_t root = 0;  // index in the list, itself where nothing is around it
+  std::size_t root = 0;  // index in the list of the outline around it, or its own
 };
 
+// Tells whether a path lies inside another one, by samples of its first ring.
 bool lies(const FilledPath& path, const Bounds& box, const FilledPath& in, const Bounds& around) {
   if (!around.holds(box.min) || !around.holds(box.max) || (meet(box.min, around.min) && meet(box.max, around.max))) {
     return false;
@@ -154,7 +156,7 @@ void alternateNested(std::vector<Layer>& layers) {
     const FilledPath& path = layers[all[k].layer].path;
     for (std::size_t other = 0; other < k; ++other) {
       const Nested& around = all[other];
-      if (around.root != other) continue;  // in what holds all of it, holes and islands are counted by even-odd
+      if (around.root != other) continue;  // the outline around both decides, by even-odd
       const bool near = around.box.holds(all[k].box.min) && around.box.holds(all[k].box.max);
       tests += near ? static_cast<std::int64_t>(kSamples * around.points) : 1;
       if (tests > kMostTests) refuseTooMany();

@@ -14,7 +14,7 @@
 namespace sillon::svg {
 namespace {
 
-// A number or a percentage of 1.
+// Reads a number or a percentage as a share in 0..1.
 std::optional<double> share(std::string_view text) {
   std::string_view rest;
   const std::optional<double> value = leadingNumber(text, rest);
@@ -22,6 +22,7 @@ std::optional<double> share(std::string_view text) {
   return std::clamp(rest == "%" ? *value / 100 : *value, 0.0, 1.0);
 }
 
+// Parses the digits of "#rgb", "#rgba", "#rrggbb" or "#rrggbbaa".
 std::optional<Paint> hexColor(std::string_view digits) {
   const bool brief = digits.size() == 3 || digits.size() == 4;
   const bool isHex = digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
@@ -39,7 +40,8 @@ std::optional<Paint> hexColor(std::string_view digits) {
   return paint;
 }
 
-// https://www.w3.org/TR/css-color-4/#hsl-to-rgb. Hue in degrees; all else, but for the opacity, of 255.
+// Converts HSL to RGB, https://www.w3.org/TR/css-color-4/#hsl-to-rgb. Hue is in degrees, opacity in 0..1, all else in
+// 0..255.
 std::array<double, 4> fromHsl(const std::array<double, 4>& hsl) {
   const double hue = hsl[0] / 360 - std::floor(hsl[0] / 360);
   const double light = std::clamp(hsl[2], 0.0, 255.0);
@@ -51,7 +53,7 @@ std::array<double, 4> fromHsl(const std::array<double, 4>& hsl) {
   return {channel(0), channel(8), channel(4), hsl[3]};
 }
 
-// rgb(), rgba(), hsl(), hsla(): numbers between commas, spaces and a slash.
+// Reads rgb(), rgba(), hsl() or hsla(): numbers separated by commas, spaces and a slash.
 Paint functionColor(std::string_view text) {
   std::array<double, 4> v{0, 0, 0, 1};
   std::size_t n = 0;
@@ -74,7 +76,8 @@ Paint functionColor(std::string_view text) {
   return {std::clamp(v[3], 0.0, 1.0), eight(v[0]) << 16 | eight(v[1]) << 8 | eight(v[2])};
 }
 
-// Nothing: no colour. "inherit", "unset" and "revert" are none, and inherit as all that cannot be read does.
+// Reads a colour; nothing if the value is none. "inherit", "unset" and "revert" yield nothing, too: like any value that
+// cannot be read, they leave the inherited paint.
 std::optional<Paint> colorOf(std::string_view value, const Paint& current) {
   const std::string text = lowered(trimmed(value));
   if (text == "none" || text == "transparent") return Paint{0};
@@ -88,7 +91,7 @@ std::optional<Paint> colorOf(std::string_view value, const Paint& current) {
   return named ? std::optional(Paint{1, *named}) : std::nullopt;
 }
 
-/// \param initial  the property's value where nothing declares it.
+/// Reads `fill`, `stroke` or `color`. \param initial  the property's value where nothing declares it.
 void setPaint(std::string_view value, const PaintContext& context, const Paint& current, const Paint& initial,
               Paint& paint) {
   if (value.empty()) return;
@@ -116,6 +119,7 @@ void setRule(const std::string& word, FillRule& rule) {
   if (word == "nonzero") rule = FillRule::NonZero;
 }
 
+// Reads `stroke-dasharray`; an invalid list counts as solid.
 void setDashes(std::string_view value, const PaintContext& context, Stroke::Dashes& dashes) {
   if (value.empty() || lowered(value) == "inherit") return;
   std::vector<double> read;
@@ -124,7 +128,7 @@ void setDashes(std::string_view value, const PaintContext& context, Stroke::Dash
     const std::size_t end = std::min(value.find_first_of(", \t\r\n"), value.size());
     if (end > 0) {
       const double length = context.length(value.substr(0, end));
-      if (!(length >= 0) || read.size() == 1000) {  // "none", or not to be read
+      if (!(length >= 0) || read.size() == 1000) {  // "none", or a value that cannot be read
         read.clear();
         break;
       }
@@ -140,10 +144,11 @@ void setDashes(std::string_view value, const PaintContext& context, Stroke::Dash
   }
   bool gaps = false;
   for (std::size_t k = 1; k < read.size(); k += 2) gaps = gaps || read[k] > 0;
-  if (!gaps) read.clear();  // joins and caps are those of a solid line
+  if (!gaps) read.clear();  // without gaps, joins and caps are those of a solid line
   dashes = read.empty() ? nullptr : std::make_shared<const std::vector<double>>(std::move(read));
 }
 
+// Reads the properties of a stroke apart from its paint.
 void setStroke(const Style& style, const PaintContext& context, Stroke& stroke) {
   const double width = context.length(style.value(Property::StrokeWidth));
   if (width >= 0) stroke.width = width;
@@ -196,7 +201,7 @@ void apply(const Style& style, const PaintContext& context, PaintState& state) {
   state.strokeScales = true;
   if (style.word(Property::AlignmentBaseline) != "inherit") state.letters.aligned.reset();
   if (style.empty()) return;
-  if (style.setsLetters()) applyLetters(style, context, state.letters);  // the others may be in ems
+  if (style.setsLetters()) applyLetters(style, context, state.letters);  // first, as other lengths may be in ems
   setPaint(style.value(Property::Color), context, state.color, Paint{}, state.color);
   const auto setFillOrStroke = [&](Property property, const Paint& initial, Paint& paint) {
     const std::string word = style.word(property);

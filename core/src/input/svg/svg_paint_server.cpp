@@ -12,10 +12,10 @@
 namespace sillon::svg {
 namespace {
 
-constexpr int kMaxLinks = 32;       // from gradient to gradient: they may go round in circles
-constexpr double kLeastSeen = 0.2;  // of a gradient's greatest opacity
-constexpr int kSteps = 1024;        // across the place: far finer than beads
-constexpr double kFinest = 1e-3;    // of the ellipses of a gradient that is round [mm]
+constexpr int kMaxLinks = 32;       // limit on references from gradient to gradient, which may form a cycle
+constexpr double kLeastSeen = 0.2;  // share of a gradient's greatest opacity from which on it is visible
+constexpr int kSteps = 1024;        // samples across the place, far finer than beads
+constexpr double kFinest = 1e-3;    // tolerance of the ellipses of a radial gradient [mm]
 
 const Node* find(const Ids& ids, std::string_view id) {
   const auto found = ids.find(id);
@@ -27,7 +27,7 @@ const Node* nextOf(const Node& gradient, const Ids& ids) {
   return startsWith(href, "#") ? find(ids, href.substr(1)) : nullptr;
 }
 
-/// The gradient itself or one that it refers to, the first of which something holds; null: none.
+/// Returns the first of the gradient and those that it refers to for which `holds` is true, or null.
 template <class Holds>
 const Node* linked(const Node& gradient, const Ids& ids, const Holds& holds) {
   const Node* node = &gradient;
@@ -38,7 +38,7 @@ const Node* linked(const Node& gradient, const Ids& ids, const Holds& holds) {
   return nullptr;
 }
 
-/// Opacities along a gradient.
+/// Opacity of a gradient as a function of the place along it.
 class Fade {
  public:
   void add(const Node& stop, double alpha) {
@@ -48,7 +48,7 @@ class Fade {
     stops_.emplace_back(std::clamp(unit == "%" ? at / 100 : at, last, 1.0), alpha);
   }
 
-  /// Places between `low` and `high` from which on it is seen and not seen, in turns.
+  /// Returns the places between `low` and `high` where the gradient alternately becomes visible and invisible.
   [[nodiscard]] std::vector<double> turns(double low, double high, std::string_view spread) const {
     double most = 0;
     for (const auto& [at, alpha] : stops_) most = std::max(most, alpha);
@@ -63,6 +63,7 @@ class Fade {
   }
 
  private:
+  /// Returns the opacity at a place along the gradient.
   [[nodiscard]] double alphaAt(double t, std::string_view spread) const {
     if (spread == "repeat") t -= std::floor(t);
     if (spread == "reflect") t = std::abs(t - 2 * std::floor(t / 2 + 0.5));

@@ -1,4 +1,4 @@
-// A drawing in its colours, as pixels.
+// Renders a drawing in its colours to pixels.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,13 +10,13 @@
 namespace sillon {
 namespace {
 
-constexpr double kMostCrossings = 2e7;  // of outlines by rows of pixels: each takes memory and time
-constexpr double kMostPaint = 2e8;      // pixels, those under others too
+constexpr double kMostCrossings = 2e7;  // crossings of outlines with rows of pixels; each takes memory and time
+constexpr double kMostPaint = 2e8;      // painted pixels, including those that later paths cover
 
-/// Pixels per mm, at most as many as asked for.
+/// Chooses the resolution [pixels/mm]: `most`, or less if the drawing would take too much time.
 double pixelsPerMm(const Shape& shape, double most) {
-  double climb = 1e-6;   // all ways up and down along outlines [mm]
-  double boxes = 1e-12;  // [mm²]
+  double climb = 1e-6;   // sum of all vertical ways along outlines [mm]
+  double boxes = 1e-12;  // area of the paths' boxes [mm²]
   for (const FilledPath& path : shape.paths) {
     Bounds box;
     for (const Ring& ring : path.rings) {
@@ -32,7 +32,7 @@ double pixelsPerMm(const Shape& shape, double most) {
   return std::min({most, kMostCrossings / climb, std::sqrt(kMostPaint / boxes)});
 }
 
-/// Lays a paint over a pixel.
+/// Blends a paint over a pixel.
 void layPaint(const PathPaint& paint, std::uint16_t* pixel) {
   const double below = pixel[3] / 65535.0 * (1 - paint.alpha), cover = paint.alpha + below;
   for (int part = 0; part < 3; ++part) {

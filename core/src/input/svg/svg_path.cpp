@@ -19,7 +19,7 @@ Vec2 vectorBy(const Matrix& m, Vec2 v) {
 }
 Vec2 pointBy(const Matrix& m, Vec2 p) { return vectorBy(m, p) + Vec2{m.translation().x(), m.translation().y()}; }
 
-// Whether the points span more than a line of 1 nm.
+// Tells whether the points span more than a line of 1 nm.
 bool hasArea(const Ring& ring) {
   if (ring.size() < 3) return false;
   Vec2 longest;
@@ -31,20 +31,20 @@ bool hasArea(const Ring& ring) {
                      [&](Vec2 p) { return std::abs(cross(longest, p - ring[0])) >= 0.999 * room; });
 }
 
-// Sec. B.2.4 of SVG 2: from end points to the centre.
+// Draws an arc; converts end points to a centre as in sec. B.2.4 of SVG 2.
 void arcTo(Outliner& out, Vec2 from, Vec2 radii, double degrees, bool large, bool clockwise, Vec2 to) {
   if (from == to) return;
   double rx = std::abs(radii.x), ry = std::abs(radii.y);
   if (rx == 0 || ry == 0) return out.line(from, to);
   const Matrix turn = rotation(degrees);
   const Matrix back = rotation(-degrees);
-  // On the unit circle: half the chord h, its distance from the centre.
+  // h is half the chord, in the frame in which the ellipse is the unit circle; dot(h, h) tells the centre's distance.
   Vec2 h = vectorBy(back, 0.5 * (from - to));
   h = {h.x / rx, h.y / ry};
   const double half = dot(h, h);
   if (!(half < 1e100)) refuse("the radii of an arc are too small for its length");
-  if (half < 1e-14 && !large) return out.line(from, to);  // leaves the chord by less than 1e-7 of it
-  if (half > 1) {                                         // too small to reach: grown until they do
+  if (half < 1e-14 && !large) return out.line(from, to);  // the arc leaves the chord by less than 1e-7 of its length
+  if (half > 1) {                                         // the radii do not reach the end and grow until they do
     rx *= std::sqrt(half);
     ry *= std::sqrt(half);
     h = h * (1 / std::sqrt(half));
@@ -67,7 +67,7 @@ Vec2 onGrid(Vec2 p) {
   if (!(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate)) {
     refuse("a point lies more than 1 km away; coordinates in mm must be within 1000000");
   }
-  // The + 0 turns -0 into 0.
+  // Adding 0 turns -0 into 0.
   return {std::round(p.x * 1e6) / 1e6 + 0.0, std::round(p.y * 1e6) / 1e6 + 0.0};
 }
 
@@ -147,8 +147,8 @@ std::vector<Ring> Outliner::rings(std::vector<LoosePiece>* loose) const {
   return rings;
 }
 
-// A curve over t in [0, 1] whose second derivative stays below `bend` leaves the chord of a piece of 1/n by at most
-// bend / (8 n²).
+// Returns the number of chords for a curve over t in [0, 1] whose second derivative stays below `bend`: a piece of 1/n
+// leaves its chord by at most bend / (8 n²).
 int Outliner::pieces(double bend) const {
   const double n = std::ceil(std::sqrt(bend / (8 * tolerance_)));
   if (!(n <= static_cast<double>(pointsLeft_))) refusePoints();
@@ -169,7 +169,7 @@ void Outliner::add(Vec2 p, bool smooth) {
 void drawPath(Outliner& out, std::string_view text) {
   if (trimmed(text) == "none") return;
   Reader reader(text, "d");
-  Vec2 at, start, control;  // control: last one of a curve, for the smooth ones
+  Vec2 at, start, control;  // control: last control point of a curve, for the smooth commands
   char command = '\0', previous = '\0';
   while (!reader.atEnd()) {
     previous = command;
@@ -279,7 +279,7 @@ void drawRectangle(Outliner& out, Vec2 corner, Vec2 size, Vec2 radii) {
   }
   const Vec2 u{r.x, 0}, v{0, r.y};
   out.quarter({end.x - r.x, corner.y + r.y}, -v, u);
-  // The quarters' ends are the straight sides.
+  // The straight sides connect the ends of the quarters.
   const auto corneredAt = [&](Vec2 center, Vec2 first, Vec2 second, Vec2 from) {
     out.line(from, center + first);
     out.quarter(center, first, second);

@@ -1,4 +1,4 @@
-// What all readers of SVG share: how they give up, and attributes from left to right.
+// Basics that all readers of SVG share: errors, and reading attributes from left to right.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 
 namespace sillon::svg {
 
-/// Thrown and caught in svg*.cpp only: parsing is deep, and each level would have to hand errors on.
+/// Thrown and caught in svg*.cpp only. Parsing is deeply nested, and each level would have to pass errors on otherwise.
 struct Refused {
   ErrorCode code;
   std::string problem;
 };
 
-[[noreturn]] void refuse(const std::string& problem);  ///< InvalidFile
+[[noreturn]] void refuse(const std::string& problem);  ///< throws Refused with InvalidFile
 [[noreturn]] void refuseTooLarge(const std::string& problem);
 
 inline bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
@@ -40,10 +40,10 @@ inline std::string lowered(std::string_view text) {
   return copy;
 }
 
-/// Text of the file inside a message: short, printable.
+/// Quotes text of the file for a message: shortened, printable characters only.
 std::string quoted(std::string_view text);
 
-/// Calls body(piece) for the pieces between separators.
+/// Calls body(piece) for each piece between separators.
 template <class Body>
 void split(std::string_view text, char separator, const Body& body) {
   while (true) {
@@ -54,7 +54,7 @@ void split(std::string_view text, char separator, const Body& body) {
   }
 }
 
-/// Numbers, flags and words of an attribute from left to right.
+/// Reads numbers, flags and words of an attribute from left to right.
 class Reader {
  public:
   Reader(std::string_view text, const char* what) : text_(text), what_(what) {}
@@ -87,12 +87,12 @@ class Reader {
     return text_.substr(begin, at_ - begin);
   }
 
-  /// A finite number; separators before it are skipped.
+  /// Reads a finite number; separators before it are skipped.
   double number() {
     skipSeparator();
     std::size_t begin = at_;
     std::size_t first = begin + (peek() == '+' || peek() == '-' ? 1 : 0);
-    // The library would also take "inf" and "nan".
+    // fast_float would also accept "inf" and "nan".
     if (first >= text_.size() || !(isDigit(text_[first]) || text_[first] == '.')) fail("a number");
     if (text_[begin] == '+') begin = first;
     double value = 0;
@@ -103,7 +103,7 @@ class Reader {
     return value;
   }
 
-  /// The flags of an arc may stand together: "a1 1 0 0110 10".
+  /// Reads a flag of an arc. Flags may stand without separators: "a1 1 0 0110 10".
   bool flag() {
     skipSeparator();
     if (peek() != '0' && peek() != '1') fail("a flag 0 or 1");

@@ -8,13 +8,14 @@
 namespace sillon::svg {
 namespace {
 
-constexpr std::size_t kMaxElements = 16;  // of a selector
+constexpr std::size_t kMaxElements = 16;  // compounds of a selector; Selector::fits() has a bit for each
 constexpr std::string_view kMarks = ".#";
 
 bool isPlain(char c) {
   return isLetter(c) || isDigit(c) || c == '-' || c == '_' || static_cast<unsigned char>(c) > 127;
 }
 
+/// Parses a compound such as `g.a#b`; nothing if it contains anything else.
 std::optional<Compound> readCompound(std::string_view text, bool child) {
   const std::size_t end = std::min(text.find_first_of(kMarks), text.size());
   Compound compound{std::string(text.substr(0, end)), {}, child};
@@ -34,6 +35,7 @@ std::optional<Compound> readCompound(std::string_view text, bool child) {
   return compound;
 }
 
+/// Tells whether a list of classes contains one.
 bool hasClass(std::string_view classes, std::string_view wanted) {
   for (std::size_t at = classes.find(wanted); at != std::string_view::npos; at = classes.find(wanted, at + 1)) {
     const std::size_t end = at + wanted.size();
@@ -78,9 +80,9 @@ std::optional<Selector> Selector::read(std::string_view text) {
 bool Selector::fits(const Node& node, Work& work) const {
   if (!elements.back().fits(node, work)) return false;
   if (elements.size() == 1) return true;
-  std::vector<const Node*> path;  // from the element to the root
+  std::vector<const Node*> path;  // from the element up to the root
   for (const Node* up = &node; up && up->type() == rapidxml::node_element; up = up->parent()) path.push_back(up);
-  // Bit k: the selector up to its element k fits, the last of them at an element above, or at the one directly above.
+  // Bit k is set if the selector up to its element k fits and ends at some element above, or at the parent.
   std::uint32_t above = 0, parent = 0;
   for (std::size_t at = path.size(); at-- > 0;) {
     std::uint32_t here = 0;

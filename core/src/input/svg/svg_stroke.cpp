@@ -12,9 +12,9 @@
 namespace sillon::svg {
 namespace {
 
-constexpr double kShortest = 1e-4;    // of a piece whose direction counts [mm]; points lie on a grid of 1 nm
-constexpr double kTightTurn = 0.1;    // within a bend tighter than the stroke is wide [radians]; see thinned()
-constexpr double kSmoothTurn = 0.95;  // cosine: between two chords of a curve; more is a cusp, which is rounded
+constexpr double kShortest = 1e-4;  // length from which on a piece has a direction [mm]; points lie on a grid of 1 nm
+constexpr double kTightTurn = 0.1;  // turn per point in a bend tighter than the stroke is wide [radians]; see thinned()
+constexpr double kSmoothTurn = 0.95;  // cosine of the largest turn between chords of a curve; larger turns are cusps
 
 Vec2 by(const Matrix& m, Vec2 p) {
   const Eigen::Vector2d out = m * Eigen::Vector2d(p.x, p.y);
@@ -23,7 +23,7 @@ Vec2 by(const Matrix& m, Vec2 p) {
 
 Vec2 leftOf(Vec2 direction) { return {-direction.y, direction.x}; }
 
-// A line in the element's units: a stroke is round there, whatever the transform makes of it.
+// A line in the element's units: there the pen is round, whatever the transform makes of it.
 struct Track {
   std::vector<Vec2> points;
   std::vector<char> smooth;
@@ -35,8 +35,8 @@ double cosineOfTurn(Vec2 before, Vec2 at, Vec2 after) {
   return dot(from, to) / (length(from) * length(to));
 }
 
-// A line that ends where it began, and in the same direction, looks like a closed one: many circles are drawn so. Caps
-// that stick out would be seen.
+// Closes a line that ends where it began, in the same direction: many circles are drawn so, and it looks closed. Square
+// caps are excepted, because they stick out visibly.
 void closeWhereItMeetsItself(Track& track, StrokeCap cap) {
   const std::vector<Vec2>& p = track.points;
   const std::size_t n = p.size();
@@ -51,6 +51,7 @@ void closeWhereItMeetsItself(Track& track, StrokeCap cap) {
   track.smooth.front() = 1;
 }
 
+// Converts a line to the element's units and drops pieces that are too short to have a direction.
 Track trackOf(const Line& line, const Matrix& toUser, StrokeCap cap) {
   Track track;
   track.closed = line.closed;
@@ -79,16 +80,17 @@ Track reversed(Track track) {
   return track;
 }
 
-// The pieces of a track that its dashes cover.
+// Cuts a track into the pieces that its dashes cover.
 class Dashes {
  public:
-  /// \param period  the sum of the stroke's dashes, of which there are some.
+  /// \param period  sum of the stroke's dashes; there must be at least one.
   Dashes(const Stroke& stroke, double period, std::int64_t& pointsLeft)
       : dashes_(*stroke.dashes), pointsLeft_(pointsLeft) {
     start_ = std::fmod(stroke.dashOffset, period);
     if (start_ < 0) start_ += period;
   }
 
+  // Returns the dashes of a track.
   std::vector<Track> cut(const Track& track) {
     startPattern();
     pieces_.clear();
@@ -99,7 +101,7 @@ class Dashes {
       const Vec2 from = track.points[k - 1], to = track.points[k % n];
       const double size = length(to - from);
       double at = 0;
-      while (left_ < size - at) {  // one that would begin at the very end is none
+      while (left_ < size - at) {  // a dash that would begin at the very end is left out
         at += left_;
         const Vec2 p = from + (to - from) * (size > 0 ? at / size : 0);
         if (on()) {
@@ -142,17 +144,17 @@ class Dashes {
   }
 
   const std::vector<double>& dashes_;
-  double start_ = 0;  // where in the pattern a line begins
+  double start_ = 0;  // distance into the pattern at which a line begins
   std::int64_t& pointsLeft_;
   std::vector<Track> pieces_;
   Track piece_;
   std::size_t index_ = 0;
-  double left_ = 0;  // of the dash or gap at hand
+  double left_ = 0;  // remaining length of the current dash or gap
 };
 
-// Walks along tracks and leaves a ring on their left. A ring is the sum of the half rectangles beside the pieces, of
-// wedges on the outer side of turns and of caps, all with the same sense: inner sides either meet where the half
-// rectangles do, or go back to the turn itself.
+// Walks along tracks and leaves a ring on their left. A ring is the sum of half rectangles beside the pieces, of wedges
+// on the outer side of turns, and of caps, all with the same sense: on the inner side of a turn, the half rectangles
+// either end where they meet, or return to the turn itself.
 class Walker {
  public:
   Walker(const Stroke& stroke, const Matrix& toWorld, double tolerance, std::int64_t& pointsLeft)
@@ -163,11 +165,12 @@ class Walker {
     step_ = std::min(std::numbers::pi / 4, std::sqrt(8 * tolerance / std::max(radius, 1e-12)));
   }
 
+  // Adds the rings of a track's stroke.
   void walk(const Track& track, std::vector<Ring>& rings) {
     if (track.points.size() < 2) {
       if (!track.points.empty()) spot(track.points[0]);
     } else if (track.closed) {
-      // Once wide enough to fill what it goes round, a stroke has no inner side.
+      // A stroke wide enough to fill the area that it encloses has no inner side.
       const int turning = coversInside(track);
       if (turning <= 0) side(thinned(track));
       take(rings);
@@ -180,7 +183,7 @@ class Walker {
   }
 
  private:
-  // 1 for a convex track to the left, -1 to the right, whose stroke leaves no hole; else 0.
+  // Returns 1 for a convex track turning left whose stroke leaves no hole, -1 for one turning right, and 0 otherwise.
   [[nodiscard]] int coversInside(const Track& track) const {
     const std::size_t n = track.points.size();
     Bounds box;
@@ -196,8 +199,9 @@ class Walker {
     return left ? 1 : -1;
   }
 
-  // Where a curve bends to the left more tightly than the stroke is wide, half rectangles fan out beyond its centre and
-  // all cross each other. A few of them do: what they miss is below a thousandth of the width.
+  // Removes points where a curve bends to the left more tightly than the stroke is wide: there, half rectangles fan out
+  // beyond the centre of the bend and all cross each other. A few of them suffice; the error is below a thousandth of
+  // the width.
   [[nodiscard]] Track thinned(const Track& track) const {
     const std::size_t n = track.points.size();
     Track thin;
@@ -220,7 +224,7 @@ class Walker {
     return thin;
   }
 
-  // The left side, and for an open track the cap at its end.
+  // Adds the left side, and for an open track the cap at its end.
   void side(const Track& track) {
     const std::size_t n = track.points.size();
     const auto point = [&](std::size_t k) { return track.points[k % n]; };
@@ -237,12 +241,13 @@ class Walker {
     if (!track.closed) cap(point(n - 1), direction(n - 2));
   }
 
+  // Adds the left side of a turn: the inner side of a left turn, or the join of a right one.
   void turn(Vec2 p, Vec2 from, Vec2 to, bool smooth, double room) {
     const double sine = cross(from, to), cosine = dot(from, to);
     const Vec2 n0 = half_ * leftOf(from), n1 = half_ * leftOf(to);
     const bool straight = 1 + cosine > 1e-9;
     const Vec2 meeting = straight ? (n0 + n1) * (1 / (1 + cosine)) : n0;
-    if (sine > 0) {  // to the left: this is the inner side
+    if (sine > 0) {  // a turn to the left: the ring is on the inner side
       if (straight && half_ * sine <= room * (1 + cosine)) return put(p + meeting);
       put(p + n0);
       put(p);
@@ -258,6 +263,7 @@ class Walker {
     put(p + n1);
   }
 
+  // Adds the cap at the end of an open track.
   void cap(Vec2 p, Vec2 direction) {
     const Vec2 n = half_ * leftOf(direction);
     const Vec2 ahead = stroke_.cap == StrokeCap::Square ? half_ * direction : Vec2{};
@@ -266,7 +272,7 @@ class Walker {
     put(p - n + ahead);
   }
 
-  // A line without length shows its caps alone.
+  // Draws a line without length, which shows its caps alone.
   void spot(Vec2 p) {
     const Vec2 u{half_, 0}, v{0, half_};
     if (stroke_.cap == StrokeCap::Square) {
@@ -277,7 +283,7 @@ class Walker {
     arc(p, u, 2 * std::numbers::pi);
   }
 
-  // Clockwise from p + n, both ends excluded.
+  // Adds an arc clockwise from p + n, without its ends.
   void arc(Vec2 p, Vec2 n, double angle) {
     const int pieces = static_cast<int>(std::ceil(angle / step_));
     for (int k = 1; k < pieces; ++k) {
@@ -303,7 +309,7 @@ class Walker {
   const Matrix& toWorld_;
   std::int64_t& pointsLeft_;
   double half_;
-  double step_ = 0;  // of arcs [radians]
+  double step_ = 0;  // largest step of arcs [radians]
   Ring ring_;
 };
 
@@ -317,7 +323,7 @@ std::vector<Ring> strokeRings(const std::vector<Line>& lines, const Stroke& stro
   const Matrix toUser = toWorld.inverse();
   double period = 0;
   for (const double dash : stroke.dashes ? *stroke.dashes : std::vector<double>{}) period += dash;
-  std::optional<Dashes> dashes;  // finer ones are as good as solid
+  std::optional<Dashes> dashes;  // dashes finer than kShortest look solid
   if (period * scale > kShortest) dashes.emplace(stroke, period, pointsLeft);
   Walker walker(stroke, toWorld, tolerance, pointsLeft);
   for (const Line& line : lines) {

@@ -9,13 +9,14 @@
 namespace sillon::svg {
 namespace {
 
-// They change what is shown, and are not read of CSS.
+// CSS properties that change what is shown, but are not read.
 constexpr std::array<std::string_view, 14> kUnread{"cx", "cy", "d",     "height",    "offset-path", "r", "rotate",
                                                    "rx", "ry", "scale", "translate", "width",       "x", "y"};
 const Declared kNothing;
-// Rules that never hold in a still picture.
+// Pseudo-classes that never hold in a still picture.
 constexpr std::array<std::string_view, 5> kOfUse{":hover", ":focus", ":active", ":visited", ":target"};
 
+// Removes the comments of CSS.
 std::string withoutComments(std::string_view text) {
   std::string css;
   while (true) {
@@ -29,9 +30,9 @@ std::string withoutComments(std::string_view text) {
   }
 }
 
-// The value with the fallbacks of var() in place of it. What has none stays, and cannot be read.
+// Replaces each var() by its fallback. A var() without fallback stays; such a value cannot be read.
 std::string withFallbacks(std::string value) {
-  for (int rounds = 0; rounds < 8; ++rounds) {  // fallbacks may hold further ones
+  for (int rounds = 0; rounds < 8; ++rounds) {  // fallbacks may contain further ones
     const std::size_t begin = value.find("var(");
     const std::size_t comma = value.find_first_of(",)", begin);
     if (comma == std::string::npos || value[comma] == ')') break;
@@ -43,6 +44,7 @@ std::string withFallbacks(std::string value) {
   return value;
 }
 
+// Tells whether a property is about letters.
 constexpr bool isOfLetters(Property property) {
   constexpr auto kOfLetters = [] {
     std::array<bool, kPropertyNames.size()> of{};
@@ -58,7 +60,7 @@ constexpr bool isOfLetters(Property property) {
   return kOfLetters[static_cast<std::size_t>(property)];
 }
 
-// Whether a list of media names those on which drawings are looked at.
+// Tells whether a list of media includes screens.
 bool isForScreens(std::string_view media) {
   bool found = trimmed(media).empty();
   split(media, ',', [&](std::string_view one) {
@@ -123,7 +125,7 @@ bool Style::setsLettersOnly() const {
 std::size_t Style::cost() const {
   std::size_t sum = 0;
   for (const auto& [property, declared] : declared_) sum += declared.value.size();
-  return sum / 4;  // a copy is quick
+  return sum / 4;  // copying costs less than comparing
 }
 
 void Style::declare(std::string_view declarations, std::int64_t weight) {
@@ -172,7 +174,7 @@ void StyleSheet::add(std::string_view text, std::string_view media) {
     const std::size_t open = rest.find_first_of("{;");
     if (open == std::string_view::npos) return;
     const std::string_view head = trimmed(rest.substr(0, open));
-    if (rest[open] == ';') {  // @import and the like
+    if (rest[open] == ';') {  // @import and similar rules
       rest.remove_prefix(open + 1);
       continue;
     }
@@ -191,7 +193,8 @@ void StyleSheet::add(std::string_view text, std::string_view media) {
   }
 }
 
-// @media and the like may hold rules that count; @font-face and what moves do not change a still picture.
+// Notes an at-rule that is not read. @media and similar ones may hold rules that count; @font-face and keyframes do not
+// change a still picture.
 void StyleSheet::noteAtRule(std::string_view head, std::string_view body) {
   const std::string name = lowered(head.substr(0, head.find_first_of(" \t\r\n(")));
   if (name == "@font-face" || name == "@page" || name.find("keyframes") != std::string::npos) return;

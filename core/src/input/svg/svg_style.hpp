@@ -21,18 +21,18 @@
 
 namespace sillon::svg {
 
-// The words CSS knows for colours.
+// Colour names of CSS.
 
-/// The colour of this name in CSS, 0xRRGGBB; nothing: it has none. \param name  in lower case.
+/// Returns the colour with this CSS name, 0xRRGGBB, or nothing if there is none. \param name  in lower case.
 std::optional<std::uint32_t> namedColour(std::string_view name);
 
 // Selectors of CSS rules: https://www.w3.org/TR/selectors-4/.
 
 /// Conditions on one element: the `g.a#b` of "svg > g.a#b path".
 struct Compound {
-  std::string name;                ///< empty: any
+  std::string name;                ///< empty for any element
   std::vector<std::string> marks;  ///< ".a", "#b"
-  bool child = false;              ///< stands directly inside of the element before it, not somewhere inside
+  bool child = false;              ///< must be a child of the element before it, not any descendant
 
   [[nodiscard]] bool fits(const Node& node, Work& work) const;
 };
@@ -40,16 +40,16 @@ struct Compound {
 struct Selector {
   std::vector<Compound> elements;  ///< outermost first
 
-  /// \return nothing where a part of the text is not read.
+  /// Parses a selector. \return nothing if a part of it is not supported.
   static std::optional<Selector> read(std::string_view text);
   [[nodiscard]] bool fits(const Node& node, Work& work) const;
-  /// Weight as CSS counts it: ids, then classes, then names. Below 2^20.
+  /// Returns the specificity of CSS: ids, then classes, then names. Below 2^20.
   [[nodiscard]] std::int64_t specificity() const;
 };
 
-// The CSS that decides what an SVG element shows.
+// CSS properties that decide what an SVG element shows.
 
-/// In the order of kPropertyNames.
+/// Properties in the order of kPropertyNames.
 enum class Property : std::size_t {
   AlignmentBaseline,
   Animation,
@@ -191,7 +191,7 @@ inline constexpr std::array<std::string_view, 68> kPropertyNames{"alignment-base
 
 constexpr std::string_view nameOf(Property property) { return kPropertyNames[static_cast<std::size_t>(property)]; }
 
-/// What a property may come from: the last of the most specific wins.
+/// Value of a property. Of several declarations, the last of the most specific ones wins.
 struct Declared {
   std::string value;  ///< trimmed, as written
   std::int64_t weight = -1;
@@ -199,66 +199,68 @@ struct Declared {
   void set(std::string_view newValue, std::int64_t newWeight);
 };
 
-/// Weights: attributes 0, rules of <style> by their selectors and order, `style` attributes, each of them again above
-/// all others where it is !important.
+/// Weight of a `style` attribute. Attributes have 0, rules of <style> a weight by their selectors and order; with
+/// !important, each ranks again above all others.
 inline constexpr std::int64_t kStyleAttribute = std::int64_t{1} << 60;
 
 class Style {
  public:
-  /// Empty where nothing is declared.
+  /// Returns the declared value; empty if there is none.
   [[nodiscard]] const std::string& value(Property property) const { return of(property).value; }
-  /// In lower case.
+  /// Returns the declared value in lower case.
   [[nodiscard]] std::string word(Property property) const { return lowered(of(property).value); }
-  /// Whether CSS says it, not an attribute of this name.
+  /// Tells whether CSS declares the property, rather than an attribute of this name.
   [[nodiscard]] bool isCss(Property property) const { return of(property).weight > 0; }
-  /// A property that changes what is shown and is not read; empty: none is declared.
+  /// Returns a declared property that changes what is shown and is not read; empty if there is none.
   [[nodiscard]] std::string_view unread() const { return unread_; }
-  /// Whether that moves, turns or scales, which groups do, too.
+  /// Tells whether unread() moves, turns or scales. That also affects groups.
   [[nodiscard]] bool unreadMoves() const;
-  /// "var()" or "calc()" where a value has one that is not read; else empty.
+  /// Returns "var()" or "calc()" if a value contains one that is not read; otherwise empty.
   [[nodiscard]] std::string_view unreadFunction() const;
-  /// Whether a value is what var() gives where its custom property is not defined.
+  /// Tells whether some value uses the fallback of a var().
   [[nodiscard]] bool fallsBack() const { return fallsBack_; }
 
   void set(Property property, std::string_view value, std::int64_t weight);
-  /// \param declarations  as in an attribute `style`.
+  /// Adds declarations. \param declarations  in the syntax of a `style` attribute.
   void declare(std::string_view declarations, std::int64_t weight);
   void add(const Style& other);
   [[nodiscard]] bool empty() const { return declared_.empty() && unread_.empty(); }
-  /// Tells whether anything changes of letters.
+  /// Tells whether any property of letters is declared.
   [[nodiscard]] bool setsLetters() const;
-  /// Tells whether nothing changes but letters, of which most drawings have none.
+  /// Tells whether only properties of letters are declared; most drawings have no letters.
   [[nodiscard]] bool setsLettersOnly() const;
-  /// Cost of laying this over an element, in bytes that are read.
+  /// Returns the cost of applying this style to an element, in bytes read.
   [[nodiscard]] std::size_t cost() const;
-  /// Adds to the weight of all that is declared.
+  /// Adds to the weight of all declarations.
   void raise(std::int64_t weight);
 
  private:
   [[nodiscard]] const Declared& of(Property property) const;
   Declared& made(Property property);
 
-  // Few of each element: a place for every property took half the time of drawings of many elements.
+  // A list, because an element declares few properties: an array of all took half the time of drawings of many
+  // elements.
   std::vector<std::pair<Property, Declared>> declared_;
   std::string_view unread_;
   bool fallsBack_ = false;
 };
 
-/// Whether declarations or rules may define a custom property.
+/// Tells whether declarations or rules may define a custom property.
 bool definesProperty(std::string_view css);
 
-/// Rules of <style> elements whose selectors are made of names, classes, ids and *, each inside of the one before it.
+/// Rules of <style> elements with supported selectors: names, classes, ids and *, combined by descent.
 class StyleSheet {
  public:
-  /// \param text  of a <style> element; rules that say nothing of these properties, and what is no CSS, are passed
-  /// over.
-  /// \param media  for which it is meant; others than all and screens count as in @media.
+  /// Adds a style sheet. Rules without any of these properties, and text that is no CSS, are skipped.
+  /// \param text  text of a <style> element.
+  /// \param media  media for which it is meant; a sheet that is not for screens counts like @media.
   void add(std::string_view text, std::string_view media);
-  /// What attributes, rules and `style` declare of an element. Throws Refused: more is compared than can be.
+  /// Collects the declarations of attributes, rules and `style` for an element. Throws Refused if it costs too much.
   [[nodiscard]] Style styleOf(const Node& node, Work& work) const;
-  /// The first selector or at-rule, in quotes, that is not read and may change what is shown; empty: all is read.
+  /// Returns the first selector or at-rule, quoted, that is not read and may change what is shown; empty if there is
+  /// none.
   [[nodiscard]] const std::string& unread() const { return unread_; }
-  /// The same of those that change letters alone.
+  /// Returns the same for rules that only change letters.
   [[nodiscard]] const std::string& unreadOfLetters() const { return unreadOfLetters_; }
 
  private:
@@ -267,34 +269,36 @@ class StyleSheet {
   void note(std::string_view what, bool lettersOnly = false);
   void match(const Node& node, Style& style, Work& work) const;
 
-  std::unordered_map<std::string, Style> rules_;    // whose selector is *, a name, .class, #id, name.class, name#id
-  std::vector<std::pair<Selector, Style>> nested_;  // of other selectors
+  std::unordered_map<std::string, Style> rules_;    // keys: *, a name, .class, #id, name.class, name#id
+  std::vector<std::pair<Selector, Style>> nested_;  // rules with other selectors
   std::int64_t order_ = 0;
   std::string unread_;
   std::string unreadOfLetters_;
 };
 
-// The paint of an element: whether it is seen at all, whether it is black, which hides in a mask, and its colour.
+// Paint of an element: its opacity, its colour, and whether it is black, which hides in a mask.
 
 struct Paint {
-  double alpha = 1;          ///< 0: none
-  std::uint64_t colour = 0;  ///< 0xRRGGBB, and above it another number for each gradient and all else that is no colour
+  double alpha = 1;          ///< 0 if there is no paint
+  std::uint64_t colour = 0;  ///< 0xRRGGBB; for gradients and all else that is no colour, higher bits tell them apart
   bool pattern = false;
   bool gradient = false;
-  const Node* fading = nullptr;  ///< gradient that becomes too faint to be seen somewhere
+  const Node* fading = nullptr;  ///< gradient that is too faint to be seen in some part
 
   [[nodiscard]] bool black() const { return colour == 0; }
 };
 
-/// Stands for all that is no one colour. \param name  tells it apart. \param shown  0xRRGGBB
+/// Makes the colour number of a paint that is no single colour.
+/// \param name  tells such paints apart.
+/// \param shown  0xRRGGBB
 inline std::uint64_t otherColour(std::string_view name, std::uint64_t shown = 0x808080) {
   return shown | std::uint64_t{1} << 24 | static_cast<std::uint64_t>(std::hash<std::string_view>()(name)) << 25;
 }
 
-/// Nobody sees less. Drawing programs lay it over whole pages, to catch clicks.
+/// Opacity below which paint is invisible. Drawing programs lay such paint over whole pages, to catch clicks.
 inline constexpr double kFaintest = 0.02;
 
-/// Properties that change or move letters and are told where they are not what letters are without them.
+/// Properties that change or move letters; a drawing that sets one to another value than the initial one is reported.
 inline constexpr std::array kUnreadOfLetters{Property::Direction,
                                              Property::FontFeatureSettings,
                                              Property::FontKerning,
@@ -318,41 +322,41 @@ inline constexpr std::array kUnreadOfLetters{Property::Direction,
                                              Property::UnicodeBidi,
                                              Property::WritingMode};
 
-/// Lines of a font, one of which lies on the place of the letters.
+/// Reference lines of a font, one of which is put at the place of the letters.
 enum class BaseLine : unsigned char { Alphabetic, Middle, Central, Hanging, Mathematical, Above, Below };
 
 enum class LetterCase : unsigned char { AsWritten, Upper, Lower };
 
-/// Letters of a text, in user units.
+/// Style of letters; lengths are in user units.
 struct LetterStyle {
-  double size = 16;  ///< of the em
+  double size = 16;  ///< size of the em
   DrawingFont font;
-  double anchor = 0;       ///< share of a line that lies before its place: 0 start, 0.5 middle, 1 end
+  double anchor = 0;       ///< share of a line before its place: 0 start, 0.5 middle, 1 end
   double spacing = 0;      ///< added between letters
-  double wordSpacing = 0;  ///< added to spaces
+  double wordSpacing = 0;  ///< added to each space
   BaseLine baseLine = BaseLine::Alphabetic;
-  std::optional<BaseLine> aligned;  ///< of the element alone, instead of baseLine
-  double raise = 0;                 ///< above the line, by all elements from the <text> downwards
-  double raiseInHeights = 0;        ///< the same, where it is in heights of a font whose em is 1
+  std::optional<BaseLine> aligned;  ///< base line of this element alone, instead of baseLine
+  double raise = 0;                 ///< height above the line, summed over elements from the <text> downwards
+  double raiseInHeights = 0;        ///< raise in multiples of the font's height at em 1
   LetterCase letterCase = LetterCase::AsWritten;
   bool keepsSpaces = false;
   bool slanted = false;
   bool underlined = false, overlined = false, struckThrough = false;
-  std::uint32_t unread = 0;  ///< bits, in the order of kUnreadOfLetters
+  std::uint32_t unread = 0;  ///< bit k: kUnreadOfLetters[k] is set
 };
 
-/// Inherited from element to element, but for `opacity`, which is the product of all around, and `strokeScales`.
+/// Inherited state, except for `opacity`, which is the product over all ancestors, and `strokeScales`, which is reset.
 struct PaintState {
   Paint color;  ///< currentColor
   Paint fill;
   Paint stroke{0};
-  /// context-fill and context-stroke: those of the <use> around, which all within share. Null: none is around.
+  /// Paints for context-fill and context-stroke: those of the enclosing <use>. Null outside of a <use>.
   std::shared_ptr<const std::pair<Paint, Paint>> outer;
   double fillOpacity = 1;
   double strokeOpacity = 1;
   double opacity = 1;
   bool visible = true;
-  bool strokeScales = true;  ///< with transforms; false: it is as wide as without them
+  bool strokeScales = true;  ///< width scales with transforms; false for non-scaling-stroke
   FillRule fillRule = FillRule::NonZero;
   FillRule clipRule = FillRule::NonZero;
   Stroke line;
@@ -362,50 +366,52 @@ struct PaintState {
   [[nodiscard]] double strokeAlpha() const { return visible ? stroke.alpha * strokeOpacity * opacity : 0; }
 };
 
-/// Facts of the document that a style needs.
+/// Functions that look up facts of the document for a style.
 struct PaintContext {
-  std::function<std::optional<Paint>(std::string_view id)> server;  ///< a gradient or pattern; nothing: it is neither
-  std::function<double(std::string_view)> length;                   ///< in user units; NaN: not a length
+  std::function<std::optional<Paint>(std::string_view id)> server;  ///< paint of a gradient or pattern, or nothing
+  std::function<double(std::string_view)> length;                   ///< length in user units; NaN if it is none
   std::function<DrawingFont(std::string_view families)> font;
 };
 
-/// Lays the declarations of an element over what it inherits. As in CSS, a value that cannot be read counts as missing.
+/// Applies the declarations of an element to its inherited state. As in CSS, a value that cannot be read counts as
+/// missing.
 void apply(const Style& style, const PaintContext& context, PaintState& state);
 
-/// Lays what an element declares of its letters over what it inherits.
+/// Applies the declarations about letters to the inherited style.
 void applyLetters(const Style& style, const PaintContext& context, LetterStyle& letters);
-/// Raises the letters of an element of a text as its `baseline-shift` says.
+/// Raises the letters of an element of a text by its `baseline-shift`.
 void raiseLetters(const Style& style, const PaintContext& context, LetterStyle& letters);
 
-/// The finite number that a value begins with. \param[out] rest  the text after it, trimmed.
+/// Reads the finite number at the beginning of a value. \param[out] rest  the text after it, trimmed.
 std::optional<double> leadingNumber(std::string_view text, std::string_view& rest);
 
-/// The paint of a stop of a gradient.
+/// Returns the paint of a gradient's stop.
 Paint stopPaint(const Style& style, const Paint& current);
 
-/// "#a" of "url(#a)", without the #; empty: no such reference.
+/// Returns the id of "url(#a)", without the #; empty if the value is no such reference.
 std::string_view urlOf(std::string_view value);
 
-// Gradients and patterns as one paint each: https://www.w3.org/TR/SVG2/pservers.html.
+// Gradients and patterns, each reduced to one paint: https://www.w3.org/TR/SVG2/pservers.html.
 
 using Ids = std::unordered_map<std::string_view, const Node*>;
 
-/// A gradient is as opaque as its most opaque stop, and black where all its stops are; nothing: `id` names neither.
-/// \param current  currentColor. Throws Refused: too much.
+/// Returns the paint of a gradient or pattern; nothing if `id` names neither. A gradient is as opaque as its most
+/// opaque stop, and black if all its stops are.
+/// \param current  currentColor. Throws Refused if it costs too much.
 std::optional<Paint> serverPaint(std::string_view id, const Ids& ids, const StyleSheet& styles, const Paint& current,
                                  Work& work);
 
-/// The place of a fading gradient.
+/// Place of a fading gradient.
 struct GradientPlace {
   Matrix toWorld;  ///< from user units to mm
-  Bounds box;      ///< of the element it paints, in user units
-  Vec2 viewport;   ///< what percentages refer to, in user units
+  Bounds box;      ///< box of the element that it paints, in user units
+  Vec2 viewport;   ///< size that percentages refer to, in user units
   UserUnits units;
-  Bounds around;  ///< where it matters [mm]
+  Bounds around;  ///< box in which the result is needed [mm]
 };
 
-/// The area in which a gradient is seen, as far as `around` reaches: a fifth or more of its greatest opacity. Nothing
-/// where that cannot be told; then all of it counts. Throws Refused: too much.
+/// Returns the area in which a gradient is visible, within `around`: there it has a fifth or more of its greatest
+/// opacity. Nothing if that cannot be computed; then all of it counts. Throws Refused if it costs too much.
 std::optional<FilledPath> seenOfGradient(const Node& gradient, const GradientPlace& place, const Ids& ids,
                                          const StyleSheet& styles, Work& work);
 

@@ -20,7 +20,7 @@ Matrix shifted(double x, double y) { return Matrix(Eigen::Translation2d(x, y)); 
 
 namespace {
 
-// What a number of a transform becomes: degrees, user units, or itself.
+// Converts a number with its unit: angles to degrees, lengths to user units; a plain number stays.
 double withUnit(Reader& reader, double value, double full, const UserUnits& units) {
   if (reader.peek() == '%') {
     reader.take();
@@ -93,7 +93,7 @@ Matrix parseTransform(std::string_view text, const CssLengths* css) {
 }
 
 Vec2 parseOrigin(std::string_view text, const CssLengths& css) {
-  Vec2 origin = css.box * 0.5;  // what is not said
+  Vec2 origin = css.box * 0.5;  // the default is the centre
   bool second = false;
   split(text, ' ', [&](std::string_view word) {
     const std::string part = lowered(trimmed(word));
@@ -151,7 +151,7 @@ Matrix fit(const Node& node, const ViewBox& box, Vec2 size) {
   if (align == "none") return matrix(scale.x, 0, 0, scale.y, -box.min.x * scale.x, -box.min.y * scale.y);
 
   if (align.empty()) align = "xMidYMid";
-  const auto share = [&](std::string_view part) {  // of the free room that lies before the box
+  const auto share = [&](std::string_view part) {  // share of the free room that lies before the box
     if (part == "Min") return 0.0;
     if (part == "Mid") return 0.5;
     if (part != "Max") unknown();

@@ -8,7 +8,7 @@ namespace sillon::svg {
 namespace {
 
 constexpr std::int64_t kMaxWork = std::int64_t{256} << 20;
-constexpr std::int64_t kWorkPerElement = 64;  // bytes an element without attributes counts as
+constexpr std::int64_t kWorkPerElement = 64;  // bytes that an element without attributes counts as
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// What drawing costs: little text can ask for much.
+// Limits the cost of a drawing: a short text can ask for much work.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,13 @@
 
 namespace sillon::svg {
 
-/// Counted as bytes that are read: <use> reads again, rules compare again, and clipping repeats outlines.
+/// Counts work in bytes that are read: <use> reads elements again, rules are compared again, and clipping repeats
+/// outlines. Each method throws Refused if the total becomes too large.
 class Work {
  public:
-  void spend(const Node& node);                                          ///< Throws Refused: too much.
-  void spendOnCuts(const FilledPath& path, std::int64_t bytesPerPoint);  ///< Throws Refused: too much.
-  void spendOnRules(std::size_t bytes);                                  ///< Throws Refused: too much.
+  void spend(const Node& node);
+  void spendOnCuts(const FilledPath& path, std::int64_t bytesPerPoint);
+  void spendOnRules(std::size_t bytes);
 
  private:
   void check(const char* problem, const char* wayOut = "") const;

@@ -1,4 +1,4 @@
-// The project's other places, in the menu and where something went wrong.
+// Words for links to the project's other pages, in the menu and where an error is shown.
 
 export const words = {
   'about.documentation': 'Documentation',

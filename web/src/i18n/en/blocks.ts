@@ -1,4 +1,5 @@
-// The start and end G-code that a plate brings or the printer has, and what it brings besides.
+// Words about the start and end G-code that a plate brings or the printer has, and about the printer that a plate
+// brings.
 
 export const words = {
   'blocks.title': 'Before you print',

@@ -1,4 +1,4 @@
-// The calibration page, own spools and the first print.
+// Words of the calibration page, the visitor's own spools and the first print.
 
 export const words = {
   'calibrate.title': 'Calibrate',

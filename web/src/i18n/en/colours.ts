@@ -1,4 +1,4 @@
-// A direction for each colour of a drawing.
+// Words about the directions of a drawing's colours.
 
 export const words = {
   'colours.nth': 'Colour {n}',

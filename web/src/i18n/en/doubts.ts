@@ -1,4 +1,4 @@
-// Doubts that the plate shows what it was made from.
+// Words about doubts whether the plate will show its picture.
 
 export const words = {
   'scan.reads':

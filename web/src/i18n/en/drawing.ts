@@ -1,4 +1,4 @@
-// Choices for reading a drawing.
+// Words of the fields for reading a drawing.
 
 export const words = {
   'drawing.unitless': 'Lengths without a unit are',

@@ -1,4 +1,4 @@
-// Downloads.
+// Words about downloads.
 
 export const words = {
   'export.gcode.help': 'For the printer.',

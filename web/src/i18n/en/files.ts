@@ -1,4 +1,4 @@
-// Files that were opened, and their uses.
+// Words about opened files and their roles.
 
 export const words = {
   'drop.now': 'Drop to open',

@@ -1,4 +1,4 @@
-// The help dialog, the shortcuts and the list of all actions.
+// Words of the help dialog, the shortcuts and the list of all actions.
 
 export const words = {
   'help.intro':

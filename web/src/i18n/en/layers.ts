@@ -1,4 +1,4 @@
-// The list of layers, their fields, and what a hand does with them on the plate.
+// Words about the list of layers, their fields, and handling them on the plate.
 
 export const words = {
   'layers.title': 'Layers',

@@ -1,4 +1,4 @@
-// Limits of links to plates.
+// Words about the limits of links to plates.
 
 export const words = {
   'link.missing': 'This link could not carry {parts}; something plain stands in their place. Ask for the project file.',

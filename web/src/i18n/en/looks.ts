@@ -1,4 +1,4 @@
-// Comparisons of the appearance, and its sizes.
+// Words about comparisons of the appearance and its sizes.
 
 export const words = {
   'looks.over': 'Compare with',

@@ -1,4 +1,4 @@
-// Words that every visit needs first; others that are shown later stand in the files beside this one.
+// Words that every visit needs at first. Words that are shown later are in the other files of this folder.
 
 export const words = {
   'app.someHost': 'another page',

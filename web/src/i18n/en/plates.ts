@@ -1,4 +1,4 @@
-// Your plates: the list of those that this browser keeps, and plates that are open elsewhere.
+// Words about the list of plates that this browser keeps, and plates that are open elsewhere.
 
 export const words = {
   'plates.title': 'Your plates',

@@ -1,4 +1,4 @@
-// Names of the ways to make a plate.
+// Names of the qualities of a toolpath.
 
 export const words = {
   'preset.title': 'Quality',

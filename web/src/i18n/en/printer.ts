@@ -1,4 +1,4 @@
-// The visitor's printer and filament, as they are chosen or read from a file.
+// Words about the visitor's printer and filament, chosen or read from a file.
 
 export const words = {
   'printer.import': 'From your slicer’s file…',

@@ -1,4 +1,4 @@
-// Details of problems beyond their codes, their places in files, and what a file is read back as.
+// Words for details of problems, their places in files, and the check of a file that is read back.
 
 export const words = {
   'check.ofLayer': 'Layer {layer}: {what}',

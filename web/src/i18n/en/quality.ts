@@ -1,4 +1,4 @@
-// The measures of a plate, and the places to look at.
+// Words about a plate's measures and the places to look at.
 
 export const words = {
   'measure.coverage': 'Coverage',

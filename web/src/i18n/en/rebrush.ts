@@ -1,4 +1,4 @@
-// Re-brushing sliced prints.
+// Words about re-brushing sliced prints.
 
 export const words = {
   'rebrush.title': 'Re-brush {name}',

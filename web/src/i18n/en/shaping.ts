@@ -1,4 +1,4 @@
-// Shapes, their sizes, corners, offset and holes.
+// Words about shapes, their sizes, corners, offset and holes.
 
 export const words = {
   'shaping.kind.rectangle': 'Rectangle',

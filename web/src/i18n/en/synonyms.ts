@@ -1,4 +1,4 @@
-// Other words by which people look for actions, in any order; they are searched, never shown.
+// Other words by which people search for actions, in any order. They are never shown.
 
 export const words = {
   'also.open': 'file image photo photograph picture logo drawing svg png jpeg upload import load',

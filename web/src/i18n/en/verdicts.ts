@@ -1,4 +1,4 @@
-// Meanings of the measures for somebody who is about to print.
+// Sentences that explain the measures to somebody who is about to print.
 
 export const words = {
   'verdict.coverage.good': '{percent}% of the shape is covered by beads.',

@@ -1,4 +1,4 @@
-// Bodies, and the faces of them that carry a plate.
+// Words about bodies and their faces that carry a plate.
 
 export const words = {
   'zones.title': 'Which face of {name}?',
