@@ -53,7 +53,7 @@ std::string valueRows(const std::vector<ValueHelp>& values, std::size_t column, 
 }  // namespace
 
 std::string helpText(const HelpPage& page, bool all, int width) {
-  const auto most = static_cast<std::size_t>(width);
+  const std::size_t most = width;
   std::string out = wrapped(page.title, 0, 0, most) + "\n\nusage: " + wrapped(page.usage, 7, 7, most) + "\n";
   std::vector<std::string> groups;
   std::size_t hidden = 0;

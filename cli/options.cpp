@@ -65,7 +65,7 @@ struct SetField {
     const std::vector<std::string> words = sillon::splitWords(row.choices);
     const auto found = std::find(words.begin(), words.end(), text);
     if (found == words.end()) refuse(option, text, listed(words));
-    sillon::choose(field, static_cast<std::size_t>(found - words.begin()));
+    sillon::choose(field, found - words.begin());
   }
 };
 

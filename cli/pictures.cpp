@@ -49,7 +49,7 @@ std::string choose(const char* key, const std::string& word, const std::vector<s
     for (const std::string& other : besides) all += ", " + other;
     return std::string("--") + key + " is \"" + word + "\"; it must be one of " + all;
   }
-  sillon::choose(row.field(sillon::viewOf(project)), static_cast<std::size_t>(found - words.begin()));
+  sillon::choose(row.field(sillon::viewOf(project)), found - words.begin());
   return "";
 }
 

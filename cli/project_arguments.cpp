@@ -127,7 +127,7 @@ void layerSetting(Options& options, const char* key, std::vector<Change>& change
                  [=, &row](const std::string& text) {
                    const auto found = std::find(choices.begin(), choices.end(), text);
                    if (found == choices.end()) refuse(option, text, listed(choices));
-                   const auto number = static_cast<std::size_t>(found - choices.begin());
+                   const std::size_t number = found - choices.begin();
                    return [number, find, &row](Project& project) {
                      sillon::SettingsView view;
                      view.layer = &find(project);

@@ -55,7 +55,8 @@ TEST_CASE("paths have the colours of their fills, in whatever words they are wri
                                                             {"hsl(77 0% 20%)", 0x333333},
                                                             {"url(#mixed)", 0x800080}};
   for (const auto& [word, colour] : all) {
-    CAPTURE(word);
+    const std::string_view captured = word;  // clang 14 captures no structured binding
+    CAPTURE(captured);
     const SvgPainting painting =
         read(page("<linearGradient id='mixed'><stop stop-color='red'/><stop stop-color='blue'/></linearGradient>"
                   "<rect width='9' height='9' color='lime' fill='" +

@@ -98,7 +98,7 @@ struct ThreadPool::State {
 };
 
 ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()), threads_(std::clamp(threads, 1, kMaxThreads)) {
-  state_->workers.reserve(static_cast<std::size_t>(threads_));
+  state_->workers.reserve(threads_);
   const auto start = [this] {
     for (int k = 1; k < threads_; ++k) state_->workers.emplace_back([this] { state_->loop(); });
   };

@@ -34,7 +34,7 @@ SmallPicture shrunk(const Image& image) {
   const int colours = image.channels >= 3 ? 3 : 1;
   for (int c = 0; c < 3; ++c) {
     std::vector<float>& plane = out.code[c];
-    plane.reserve(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+    plane.reserve(cellCount(out.width, out.height));
     for (int y = 0; y < out.height; ++y) {
       for (int x = 0; x < out.width; ++x) {
         std::uint64_t sum = 0;
@@ -64,7 +64,7 @@ std::vector<float> offGround(const SmallPicture& picture, double& spread) {
     return sum;
   };
   const int ring = std::max(2, std::min(w, h) / 40);
-  std::vector<float> off(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), 0);
+  std::vector<float> off(cellCount(w, h), 0);
   spread = 0;
   for (const std::vector<float>& plane : picture.code) {
     std::vector<double> ground(6, 0);
@@ -77,8 +77,7 @@ std::vector<float> offGround(const SmallPicture& picture, double& spread) {
         for (int x = 0; x < w; ++x) {
           if (x >= ring && y >= ring && x < w - ring && y < h - ring) continue;
           const Terms b = basis(x, y);
-          const double value = static_cast<double>(
-              plane[static_cast<std::size_t>(y) * static_cast<std::size_t>(w) + static_cast<std::size_t>(x)]);
+          const double value = static_cast<double>(plane[indexOf(x, y, w)]);
           const double rest = std::abs(value - valueOf(ground, b));
           rests.push_back(rest);
           if (round > 0 && rest > most) continue;
@@ -106,13 +105,11 @@ std::vector<float> offGround(const SmallPicture& picture, double& spread) {
 /// Sets the pixels of which at least this share of neighbours within `reach` is set: 0 (any of them) dilates the
 /// mask, 1 (all of them) erodes it.
 std::vector<std::uint8_t> filtered(const std::vector<std::uint8_t>& mask, int w, int h, int reach, double share) {
-  std::vector<int> sums(static_cast<std::size_t>(w + 1) * static_cast<std::size_t>(h + 1), 0);
-  const auto at = [&](int x, int y) -> int& {
-    return sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(w + 1) + static_cast<std::size_t>(x)];
-  };
+  std::vector<int> sums(cellCount(w + 1, h + 1), 0);
+  const auto at = [&](int x, int y) -> int& { return sums[indexOf(x, y, w + 1)]; };
   for (int y = 0; y < h; ++y) {
     for (int x = 0; x < w; ++x) {
-      const int own = mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(w) + static_cast<std::size_t>(x)];
+      const int own = mask[indexOf(x, y, w)];
       at(x + 1, y + 1) = own + at(x, y + 1) + at(x + 1, y) - at(x, y);
     }
   }
@@ -123,8 +120,7 @@ std::vector<std::uint8_t> filtered(const std::vector<std::uint8_t>& mask, int w,
       const int y0 = std::max(0, y - reach), y1 = std::min(h, y + reach + 1);
       const int count = at(x1, y1) - at(x0, y1) - at(x1, y0) + at(x0, y0);
       const double needed = share * (x1 - x0) * (y1 - y0);
-      out[static_cast<std::size_t>(y) * static_cast<std::size_t>(w) + static_cast<std::size_t>(x)] =
-          count > 0 && count >= needed - 1e-9 ? 1 : 0;
+      out[indexOf(x, y, w)] = count > 0 && count >= needed - 1e-9 ? 1 : 0;
     }
   }
   return out;

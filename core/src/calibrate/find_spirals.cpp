@@ -25,10 +25,8 @@ float sampled(const Tones& tones, Vec2 pixel) {
 /// remains. \param reach  half a square's side [samples].
 void flatten(std::vector<float>& patch, int side, int reach) {
   const auto means = [&](const std::vector<float>& values) {
-    std::vector<double> sums(static_cast<std::size_t>(side + 1) * static_cast<std::size_t>(side + 1), 0);
-    const auto at = [&](int x, int y) -> double& {
-      return sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(side + 1) + static_cast<std::size_t>(x)];
-    };
+    std::vector<double> sums(cellCount(side + 1, side + 1), 0);
+    const auto at = [&](int x, int y) -> double& { return sums[indexOf(x, y, side + 1)]; };
     for (int y = 0; y < side; ++y) {
       for (int x = 0; x < side; ++x) {
         at(x + 1, y + 1) = static_cast<double>(values[y * side + x]) + at(x, y + 1) + at(x + 1, y) - at(x, y);
@@ -63,7 +61,7 @@ SeenSpiral lookFor(const CouponSpiral& spiral, const FoundCoupon& found, const T
   const int half = radius + shifts;
   const int side = 2 * half + 1;
   std::vector<float> patch;
-  patch.reserve(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+  patch.reserve(cellCount(side, side));
   for (int j = -half; j <= half; ++j) {
     for (int i = -half; i <= half; ++i) {
       patch.push_back(sampled(tones, found.pixelOf(spiral.centre + Vec2{i * step, j * step})));
@@ -86,7 +84,7 @@ SeenSpiral lookFor(const CouponSpiral& spiral, const FoundCoupon& found, const T
   }
   // Correlates a whole row of shifts at once: neighbouring shifts read neighbouring samples.
   const auto answers = [&](int dy) {
-    std::vector<float> re(static_cast<std::size_t>(2 * shifts + 1), 0), im = re;
+    std::vector<float> re(2 * shifts + 1, 0), im = re;
     for (const Sample& s : wave) {
       const float* from = patch.data() + (s.j + dy + half) * side + s.i + half - shifts;
       for (std::size_t k = 0; k < re.size(); ++k) {
@@ -117,7 +115,7 @@ SeenSpiral lookFor(const CouponSpiral& spiral, const FoundCoupon& found, const T
       const double bend = before - 2 * here + after;
       return bend < -1e-12 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
     };
-    const auto x = static_cast<std::size_t>(bx + shifts);
+    const std::size_t x = bx + shifts;
     if (std::abs(bx) < shifts) at.x += top(row[x - 1], best.clarity, row[x + 1]);
     if (std::abs(by) < shifts) at.y += top(answers(by - 1)[x], best.clarity, answers(by + 1)[x]);
   }

@@ -40,7 +40,7 @@ struct Picture {
   Picture() {
     map.width = static_cast<int>(std::lround(kCard.x / kPixel));
     map.height = static_cast<int>(std::lround(kCard.y / kPixel));
-    map.angle.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height), stored(0));
+    map.angle.assign(cellCount(map.width, map.height), stored(0));
   }
 
   /// Value of a direction in the map. \param degrees  -90..90.
@@ -58,8 +58,7 @@ struct Picture {
            ++column) {
         const Vec2 p{(column + 0.5) * kPixel, kCard.y - (row + 0.5) * kPixel};
         if (!inside(p)) continue;
-        map.angle[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width) +
-                  static_cast<std::size_t>(column)] = stored(degrees);
+        map.angle[indexOf(column, row, map.width)] = stored(degrees);
       }
     }
   }

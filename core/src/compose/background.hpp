@@ -45,9 +45,7 @@ class Background {
   static int last(int k, double step, int count) {
     return std::clamp(static_cast<int>(std::lround((k + 1) * step)), first(k, step, count) + 1, count);
   }
-  [[nodiscard]] std::uint16_t at(int x, int y) const {
-    return map_.angle[static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.width) + static_cast<std::size_t>(x)];
-  }
+  [[nodiscard]] std::uint16_t at(int x, int y) const { return map_.angle[indexOf(x, y, map_.width)]; }
 
   const DirectionMap& map_;
   double stepX_;

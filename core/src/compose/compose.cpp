@@ -113,7 +113,7 @@ Result<LayerStack> makeLayers(const Project& project, const Shape& shape, const 
     if (stack.width == 0) {
       stack.width = texelsOn(shape.page.x, spacing);
       stack.height = texelsOn(shape.page.y, spacing);
-      stack.texels.resize(static_cast<std::size_t>(stack.width) * static_cast<std::size_t>(stack.height));
+      stack.texels.resize(cellCount(stack.width, stack.height));
       markPlate({project, shape, stack.width, stack.height}, stack);
     }
     if (with.before != nullptr && with.before->pictures.contains(k)) stack.pictures[k] = with.before->pictures.at(k);
@@ -208,7 +208,7 @@ PlateInput Composition::laid() const {
   const auto below = [](int k, int from, int to) { return static_cast<int>((k + 0.5) * to / from); };
   for (int y = 0; y < layers.height; ++y) {
     for (int x = 0; x < layers.width; ++x) {
-      const auto k = static_cast<std::size_t>(y) * static_cast<std::size_t>(layers.width) + static_cast<std::size_t>(x);
+      const auto k = indexOf(x, y, layers.width);
       const LayerStack::Texel& texel = layers.texels[k];
       const auto column = static_cast<std::size_t>(below(x, layers.width, ground.modes.width));
       const auto row = static_cast<std::size_t>(below(y, layers.height, ground.modes.height));

@@ -62,11 +62,10 @@ std::optional<Error> readCode(const Layer& layer, Vec2 page, const ReadInput& re
   const Image& code = modules.value();
   const int side = code.width + 2 * kQuietZone;
   content.modules = Image{side, side, 1, {}};
-  content.modules->samples.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 65535);
+  content.modules->samples.assign(cellCount(side, side), 65535);
   for (int y = 0; y < code.height; ++y) {
     for (int x = 0; x < code.width; ++x) {
-      const auto at = static_cast<std::size_t>(y + kQuietZone) * static_cast<std::size_t>(side) +
-                      static_cast<std::size_t>(x + kQuietZone);
+      const auto at = indexOf(x + kQuietZone, y + kQuietZone, side);
       content.modules->samples[at] = code.at(x, y, 0);
     }
   }

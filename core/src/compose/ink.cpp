@@ -75,8 +75,7 @@ std::optional<Error> drawLayer(std::size_t number, const LayerContent& content, 
   for (int y = 0; y < plate.height; ++y) {
     if (run.poll()) return Error{ErrorCode::Cancelled, "cancelled"};
     for (int x = 0; x < plate.width; ++x) {
-      const std::size_t k =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(plate.width) + static_cast<std::size_t>(x);
+      const std::size_t k = indexOf(x, y, plate.width);
       if (cover[k] == 0) continue;
       const bool drawn = region.content.empty() || region.content[k] != 0;
       const Vec2 at{(x + 0.5) * step.x, (plate.height - y - 0.5) * step.y};

@@ -28,7 +28,7 @@ struct SeenWindow {
 std::size_t indexIn(int width, int height, Vec2 share) {
   const int x = std::clamp(static_cast<int>(share.x * width), 0, width - 1);
   const int y = std::clamp(static_cast<int>(share.y * height), 0, height - 1);
-  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  return indexOf(x, y, width);
 }
 
 /// Fills the light in the cells of a window.

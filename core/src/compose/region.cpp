@@ -15,13 +15,9 @@ Cells borderCells(const LayerPlate& plate, double width) {
   const double cell = plate.shape.page.x / plate.width;
   // Cells beyond the page are outside, too, hence a margin of one cell.
   const int columns = plate.width + 2, rows = plate.height + 2;
-  Cells outside(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1);
-  const auto at = [&](int x, int y) {
-    return static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x + 1);
-  };
-  const auto own = [&](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(plate.width) + static_cast<std::size_t>(x);
-  };
+  Cells outside(cellCount(columns, rows), 1);
+  const auto at = [&](int x, int y) { return indexOf(x + 1, y + 1, columns); };
+  const auto own = [&](int x, int y) { return indexOf(x, y, plate.width); };
   for (int y = 0; y < plate.height; ++y) {
     for (int x = 0; x < plate.width; ++x) outside[at(x, y)] = cells[own(x, y)] == 0 ? 1 : 0;
   }
@@ -52,11 +48,11 @@ void hideClear(const LayerContent& content, const Placement& place, const LayerP
   const Vec2 step{plate.shape.page.x / plate.width, plate.shape.page.y / plate.height};
   for (std::size_t k = 0; k < shown.size(); ++k) {
     if (shown[k] == 0) continue;
-    const auto width = static_cast<std::size_t>(plate.width);
+    const std::size_t width = plate.width;
     const Vec2 at{(static_cast<double>(k % width) + 0.5) * step.x,
                   (plate.height - static_cast<double>(k / width) - 0.5) * step.y};
     const auto texel = texelOf(picture, place.toOwn(at), content.size);
-    const auto channels = static_cast<std::size_t>(picture.channels);
+    const std::size_t channels = picture.channels;
     if (texel && picture.samples[(*texel + 1) * channels - 1] < 32768) shown[k] = 0;
   }
 }
@@ -66,9 +62,7 @@ void hideClear(const LayerContent& content, const Placement& place, const LayerP
 Region regionOf(const Layer& layer, const LayerContent& content, const Placement& place, const LayerPlate& plate) {
   const Vec2 page = plate.shape.page;
   const auto cellsOf = [&](const Shape& shape) { return insideCells(shape, plate.width, plate.height); };
-  const auto everywhere = [&] {
-    return Cells(static_cast<std::size_t>(plate.width) * static_cast<std::size_t>(plate.height), 1);
-  };
+  const auto everywhere = [&] { return Cells(cellCount(plate.width, plate.height), 1); };
   Region region;
   if (layer.as<BorderLayer>() != nullptr) {
     region.shown = borderCells(plate, layer.as<BorderLayer>()->width);

@@ -72,8 +72,7 @@ InkCount countIn(const Window& window, const Region& region, const LayerStack& s
   InkCount count;
   for (int row = 0; row < window.rows; ++row) {
     for (int column = 0; column < window.columns; ++column) {
-      if (drawn[static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) +
-                static_cast<std::size_t>(column)] == 0) {
+      if (drawn[indexOf(column, row, window.columns)] == 0) {
         continue;
       }
       const std::int64_t x = window.left + static_cast<std::int64_t>(column) * window.step + window.step / 2;
@@ -112,7 +111,7 @@ class Laid {
       : stack_(stack), background_(below, stack.width, stack.height) {}
 
   [[nodiscard]] Vec2 below(std::size_t k) const {
-    const auto width = static_cast<std::size_t>(stack_.width);
+    const std::size_t width = stack_.width;
     const auto x = static_cast<int>(k % width), y = static_cast<int>(k / width);
     const exact::SinCos turn = exact::sinCos(2 * angleOf(background_.angleAt(x, y)));
     return {turn.cos, turn.sin};

@@ -118,7 +118,7 @@ std::optional<Error> packageDisagrees(const PlateLists& lists, const FilamentsOf
     if (!told.empty() && !has(told, only)) return disagree(named(told), named(after.loaded));
   }
   const auto type = [only](const FilamentsOfGcode& gcode) {
-    return toldValue(gcode.text, "filament_type", "\n", static_cast<std::size_t>(only));
+    return toldValue(gcode.text, "filament_type", "\n", only);
   };
   const std::string was = family(type(before));
   const std::string is = family(type(after));

@@ -46,7 +46,7 @@ PrismRings ringsOf(const std::vector<Edge>& edges, std::vector<PrismPoint>& poin
   const auto from = [&](PrismPoint p) {
     const auto at =
         std::lower_bound(edges.begin(), edges.end(), p, [](const Edge& e, PrismPoint q) { return less(e.a, q); });
-    return static_cast<std::size_t>(at - edges.begin());
+    return at - edges.begin();
   };
   for (std::size_t first = 0; first < edges.size(); ++first) {
     if (used[first]) continue;

@@ -23,7 +23,7 @@ Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner) {
   // Difference array: number of triangles at each pixel less that at the pixel to its left, so that a triangle costs
   // two entries per row, however wide it is.
   const auto stride = static_cast<std::size_t>(mask.width) + 1;
-  std::vector<std::int32_t> more(stride * static_cast<std::size_t>(mask.height), 0);
+  std::vector<std::int32_t> more(stride * mask.height, 0);
   const double pitch = size.x / mask.width;
   for (const auto& t : body.triangles) {
     std::array<Vec2, 3> p;
@@ -52,7 +52,7 @@ Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner) {
       --at[right + 1];
     }
   }
-  mask.samples.reserve(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
+  mask.samples.reserve(cellCount(mask.width, mask.height));
   for (std::size_t row = 0; row < more.size(); row += stride) {
     std::int32_t here = 0;
     for (std::size_t x = 0; x + 1 < stride; ++x) {

@@ -34,10 +34,10 @@ std::vector<float> smoothed(const DirectionPicture& picture, double least) {
   for (const bool rows : {true, false}) {
     const int lines = rows ? grid.ny : grid.nx;
     const int size = rows ? grid.nx : grid.ny;
-    std::vector<Vec2> before(static_cast<std::size_t>(size) + 1);
+    std::vector<Vec2> before(size + 1);
     for (int line = 0; line < lines; ++line) {
       const auto at = [&](int k) -> Vec2& { return sums[rows ? grid.index(k, line) : grid.index(line, k)]; };
-      for (int k = 0; k < size; ++k) before[static_cast<std::size_t>(k) + 1] = before[k] + at(k);
+      for (int k = 0; k < size; ++k) before[k + 1] = before[k] + at(k);
       for (int k = 0; k < size; ++k) {
         at(k) = before[std::min(size, k + reach + 1)] - before[std::max(0, k - reach)];
       }
@@ -148,8 +148,8 @@ void dropSpecks(Labels& label, const DirectionPicture& picture, double least) {
     seen[seed] = 1;
     std::array<std::size_t, 16> touched{};
     for (std::size_t at = 0; at < part.size(); ++at) {
-      const int x = static_cast<int>(part[at] % static_cast<std::size_t>(grid.nx));
-      const int y = static_cast<int>(part[at] / static_cast<std::size_t>(grid.nx));
+      const int x = static_cast<int>(part[at] % grid.nx);
+      const int y = static_cast<int>(part[at] / grid.nx);
       for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
         const int u = x + dx;
         const int v = y + dy;
@@ -180,8 +180,8 @@ void spreadLabels(Labels& label, const std::vector<char>& where, const Grid& gri
   while (!front.empty()) {
     std::vector<std::size_t> next;
     for (const std::size_t k : front) {
-      const int x = static_cast<int>(k % static_cast<std::size_t>(grid.nx));
-      const int y = static_cast<int>(k / static_cast<std::size_t>(grid.nx));
+      const int x = static_cast<int>(k % grid.nx);
+      const int y = static_cast<int>(k / grid.nx);
       for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
         const int u = x + dx;
         const int v = y + dy;

@@ -15,9 +15,7 @@ constexpr double kStraight = 0.75;  // [cells], distance of a straight line from
 // Separates cells that meet in a corner only, which would make rings touch themselves: a cell beside the corner changes
 // its zone.
 void partCorners(std::vector<std::int32_t>& zone, int columns, int rows) {
-  const auto at = [&](int x, int y) -> std::int32_t& {
-    return zone[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
-  };
+  const auto at = [&](int x, int y) -> std::int32_t& { return zone[indexOf(x, y, columns)]; };
   bool changed = true;
   for (int round = 0; changed && round < 100; ++round) {
     changed = false;
@@ -56,7 +54,7 @@ struct Chain {
 class Tracer {
  public:
   Tracer(const std::vector<std::int32_t>& zone, int columns, int rows) : zone_(zone), columns_(columns), rows_(rows) {
-    used_.assign(static_cast<std::size_t>(columns + 1) * static_cast<std::size_t>(rows + 1), {});
+    used_.assign(cellCount(columns + 1, rows + 1), {});
   }
 
   std::vector<Chain> chains() {
@@ -83,7 +81,7 @@ class Tracer {
   }
   [[nodiscard]] std::int32_t cell(int x, int y) const {
     if (x < 0 || y < 0 || x >= columns_ || y >= rows_) return -1;
-    return zone_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+    return zone_[indexOf(x, y, columns_)];
   }
   [[nodiscard]] std::int32_t leftOf(Corner c, int way) const {
     constexpr std::array<int, 4> kX{0, -1, -1, 0};
@@ -101,10 +99,7 @@ class Tracer {
     for (int way = 0; way < 4; ++way) sum += isBorder(c, way) ? 1 : 0;
     return sum;
   }
-  std::array<bool, 4>& marks(Corner c) {
-    return used_[static_cast<std::size_t>(c.y) * static_cast<std::size_t>(columns_ + 1) +
-                 static_cast<std::size_t>(c.x)];
-  }
+  std::array<bool, 4>& marks(Corner c) { return used_[indexOf(c.x, c.y, columns_ + 1)]; }
   bool isUsed(Corner c, int way) { return marks(c)[way]; }
 
   Chain follow(Corner from, int way) {
@@ -194,7 +189,7 @@ std::vector<std::vector<Ring>> zoneOutlines(std::vector<std::int32_t> zone, int 
   partCorners(zone, grid.nx, grid.ny);
   std::vector<Chain> chains = Tracer(zone, grid.nx, grid.ny).chains();
   for (Chain& chain : chains) straighten(chain);
-  std::vector<std::vector<Ring>> rings(static_cast<std::size_t>(count));
+  std::vector<std::vector<Ring>> rings(count);
   for (int k = 0; k < count; ++k) {
     // Chains with the zone on their left, by their start. At most one starts at each junction, because at most three
     // zones meet there.

@@ -83,7 +83,7 @@ Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& di
   double all = 0;
   for (std::size_t k = 0; k < label.size(); ++k) {
     if (picture.inside[k] == 0) continue;
-    const auto zone = static_cast<std::size_t>(label[k]);
+    const std::size_t zone = label[k];
     areas[zone] += picture.grid.cell * picture.grid.cell;
     out.error += angleBetween(static_cast<double>(picture.degrees[k]), chosen[zone]);
     all += 1;

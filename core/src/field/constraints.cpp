@@ -20,7 +20,7 @@ struct Footprint {
 // Footprints of a row or column of cells: boxes as wide as a cell, or as a texel where texels are larger, so that the
 // average becomes bilinear interpolation. The two axes are separable, so that one list for each is enough.
 std::vector<Footprint> footprints(int count, double origin, double cell, double page, int texels, bool flipped) {
-  std::vector<Footprint> all(static_cast<std::size_t>(count));
+  std::vector<Footprint> all(count);
   const double scale = texels / page;
   const double reach = 0.5 * std::max(cell * scale, 1.0);
   for (int k = 0; k < count; ++k) {
@@ -74,16 +74,14 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
   std::vector<int> modeColumn;
   for (int x = 0; x < grid.nx; ++x) modeColumn.push_back(texelColumn(grid.centre(x, 0).x, page.x, modes.width));
   const auto angles = [&](int x, int y) {  // angles of the texel and of those to the right of it
-    return &directions.angle[static_cast<std::size_t>(y) * static_cast<std::size_t>(directions.width) +
-                             static_cast<std::size_t>(x)];
+    return &directions.angle[indexOf(x, y, directions.width)];
   };
 
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 40.0 * grid.nx), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       const Footprint& row = rows[y];
       const DirectionMode* const modeRow =
-          &modes.mode[static_cast<std::size_t>(texelRow(grid.centre(0, y).y, page.y, modes.height)) *
-                      static_cast<std::size_t>(modes.width)];
+          &modes.mode[indexOf(0, texelRow(grid.centre(0, y).y, page.y, modes.height), modes.width)];
       for (int x = 0; x < grid.nx; ++x) {
         const std::size_t i = grid.index(x, y);
         const float distance = sdf.distance[i];

@@ -28,7 +28,7 @@ Wave alike(Vec2f k, Wave w) { return dot(k, w.k) < 0 ? Wave{-w.k, kTurn / 2 - w.
 // Reads the waves of one row: the arc tangent of each cell is taken once, not for each of its four blocks. Its error of
 // 1e-5 falls out of the sum round a block, where each angle is added and taken off again.
 void wavesOfRow(const SineField& waves, int y, std::vector<Wave>& row) {
-  row.resize(static_cast<std::size_t>(waves.grid.nx));
+  row.resize(waves.grid.nx);
   for (int x = 0; x < waves.grid.nx; ++x) {
     const std::size_t i = waves.grid.index(x, y);
     const Vec2f q = waves.phase[i];
@@ -117,7 +117,7 @@ std::vector<Vec2f> smoothDirections(const LineField& lines, const CellConstraint
 double boundOf(const std::vector<Vec2f>& z, const CellConstraints& cells, const RunContext& run) {
   const Grid& grid = cells.grid;
   const double most = 0.25 / grid.cell;  // 1/(2 tau), as the cell is tau/2
-  std::vector<double> sums(static_cast<std::size_t>(grid.ny), 0.0);
+  std::vector<double> sums(grid.ny, 0.0);
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 10.0 * grid.nx), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < grid.nx; ++x) {
@@ -167,8 +167,8 @@ Dislocations findDislocations(const LineField& lines, const SineField& waves, co
                               const SignedDistanceField& sdf, const ToolpathParams& params, const RunContext& run) {
   const Grid& grid = waves.grid;
   // 1. Count per row, as rows are worked on by several threads, and sum up in order.
-  std::vector<std::int64_t> counts(static_cast<std::size_t>(grid.ny), 0);
-  std::vector<std::int64_t> singular(static_cast<std::size_t>(grid.ny), 0);
+  std::vector<std::int64_t> counts(grid.ny, 0);
+  std::vector<std::int64_t> singular(grid.ny, 0);
   parallelFor(run, grid.ny - 1, rowGrain(run, grid.ny, 40.0 * grid.nx), [&](int begin, int end) {
     std::vector<Wave> lower;
     std::vector<Wave> upper;

@@ -44,17 +44,17 @@ struct LevelShape {
       : nx(width), ny(height), px((width + 1) / 2), py((height + 1) / 2), stride((px + 3) / 4 * 4 + 2) {}
 
   [[nodiscard]] std::size_t planeSize() const {
-    return static_cast<std::size_t>(stride) * static_cast<std::size_t>(py + 2) + 4;  // 4: the last vector load
+    return cellCount(stride, py + 2) + 4;  // 4: the last vector load
   }
   [[nodiscard]] std::size_t at(int x, int y) const {  ///< index of plane cell (x, y)
-    return static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(x + 1);
+    return indexOf(x + 1, y + 1, stride);
   }
   [[nodiscard]] std::size_t atCell(int x, int y) const { return at(x >> 1, y >> 1); }
   [[nodiscard]] LevelShape coarser() const { return {px, py}; }
   [[nodiscard]] bool coarsest() const { return (nx < ny ? nx : ny) <= 2; }
 };
 
-inline std::size_t colourOf(int x, int y) { return static_cast<std::size_t>((x & 1) | ((y & 1) << 1)); }
+inline std::size_t colourOf(int x, int y) { return (x & 1) | ((y & 1) << 1); }
 inline int colourX(std::size_t colour) { return static_cast<int>(colour & 1); }
 inline int colourY(std::size_t colour) { return static_cast<int>(colour >> 1); }
 

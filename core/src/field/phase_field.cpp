@@ -119,7 +119,7 @@ struct RowMoves {
 // for none.
 void fillEdges(PhaseLevel& level, std::size_t e, std::size_t colour, std::size_t i, const RowMoves& move) {
   const NeighbourPlane n = neighbourPlane(level.shape, colour, kEdgeX[e], kEdgeY[e]);
-  const std::size_t j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + n.offset);
+  const std::size_t j = static_cast<std::ptrdiff_t>(i) + n.offset;
   const bool midpoint = level.transport == PhaseTransport::Midpoint;
   const F4 edgeWeight = splat(kEdgeX[e] != 0 && kEdgeY[e] != 0 ? kCornerWeight : kSideWeight);
   const F4 step = splat(level.step);
@@ -167,7 +167,7 @@ void computeEdges(PhaseLevel& level, const Jitter& jitter, const RunContext& run
       parallelFor(run, shape.py, rowGrain(run, shape.py, 10.0 * shape.px), [&](int begin, int end) {
         // With jitter, the way between two cells is different for each pair.
         RowMoves move;
-        if (!jitter.none()) move.x = move.y = std::vector<float>(static_cast<std::size_t>(shape.stride));
+        if (!jitter.none()) move.x = move.y = std::vector<float>(shape.stride);
         for (int y = begin; y < end; ++y) {
           for (int x = 0; x < shape.px && !jitter.none(); ++x) {
             const int cx = 2 * x + colourX(colour);
@@ -230,7 +230,7 @@ ColourSweep colourSweep(PhaseLevel& level, std::size_t colour) {
 // Updates some cells of one row of one colour (Eq. 10), in place and four at a time: q_i becomes the normalised sum of
 // the neighbours' transported phases. It may run over the row's end, to the end of a vector.
 void sweepCells(const ColourSweep& sweep, std::size_t first, int cells) {
-  for (std::size_t i = first; i < first + static_cast<std::size_t>(cells); i += 4) {
+  for (std::size_t i = first; i < first + cells; i += 4) {
     // A soft border's wave is one more neighbour.
     F4 sumRe = sweep.ar != nullptr ? load4(sweep.ar + i) : splat(0);
     F4 sumIm = sweep.ai != nullptr ? load4(sweep.ai + i) : splat(0);

@@ -112,7 +112,7 @@ struct WaveRow {
 // Adds the waves of one row of cells to the row of nodes `b` half cells above it (Eq. 13). \param waves  memory for the
 // advanced waves.
 void addRow(const CellRow& cells, const Weights& weights, int b, WaveRow& waves, NodeRow& out) {
-  const std::size_t up = static_cast<std::size_t>(std::abs(b));
+  const std::size_t up = std::abs(b);
   const F4 weightY = splat(weights[up]);
   const F4 sign = splat(b < 0 ? -1.0f : 1.0f);
   const F4 weight0 = splat(weights[0]);
@@ -162,12 +162,12 @@ float borderRamp(float value, float distance, float spacing) {
 Result<std::vector<float>> evaluateSineField(const SineField& field, const std::vector<float>& nodeDistance,
                                              const ToolpathParams& params, const RunContext& run) {
   const Grid& grid = field.grid;
-  const std::size_t nx = static_cast<std::size_t>(grid.nx);
+  const std::size_t nx = grid.nx;
   const std::size_t columns = 2 * nx + 1;
   const int nodeRows = 2 * grid.ny + 1;
   // Nodes are tau/4 apart, cells tau/2: sigma = tau/3 on this lattice raises alignment by 0.004, and lowers overlap by
   // a third, against tau/6 on tau/2.
-  std::vector<float> values(columns * static_cast<std::size_t>(nodeRows));
+  std::vector<float> values(columns * nodeRows);
   const float spacing = static_cast<float>(field.spacing);
   const Weights weight = weights(params.kernelRadius / 3);
   // A band of cell rows owns the node rows 2y and 2y + 1 of its rows; sums run in order of the cell rows, so that bands

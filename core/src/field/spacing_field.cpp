@@ -31,8 +31,7 @@ struct CoarseGrid {
   [[nodiscard]] const CoarseCell& at(int x, int y) const {
     static const CoarseCell kOutside{};
     const bool inside = x >= 0 && y >= 0 && x < nx && y < ny;
-    return inside ? cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x)]
-                  : kOutside;
+    return inside ? cells[indexOf(x, y, nx)] : kOutside;
   }
 };
 
@@ -42,7 +41,7 @@ bool masked(const CoarseCell& cell) { return cell.direction == Vec2f{}; }
 CoarseGrid coarseLines(const LineField& lines, const CellConstraints& cells, bool ring, const RunContext& run) {
   const Grid& grid = lines.grid;
   CoarseGrid coarse{(grid.nx - 1) / kCoarsening + 1, (grid.ny - 1) / kCoarsening + 1, {}};
-  coarse.cells.resize(static_cast<std::size_t>(coarse.nx) * static_cast<std::size_t>(coarse.ny));
+  coarse.cells.resize(cellCount(coarse.nx, coarse.ny));
   const auto forRows = [&](const auto& row) {
     parallelFor(run, coarse.ny, rowGrain(run, coarse.ny, 100.0 * coarse.nx), [&](int begin, int end) {
       for (int y = begin; y < end; ++y) row(y);
@@ -64,15 +63,13 @@ CoarseGrid coarseLines(const LineField& lines, const CellConstraints& cells, boo
       }
       const float size = length(z);
       if (size <= 0.1f * static_cast<float>(count)) continue;  // the cell is empty, or holds lines of all directions
-      coarse.cells[static_cast<std::size_t>(cy) * static_cast<std::size_t>(coarse.nx) + static_cast<std::size_t>(cx)]
-          .direction = directionOf(z * (1 / size));
+      coarse.cells[indexOf(cx, cy, coarse.nx)].direction = directionOf(z * (1 / size));
     }
   });
   // The divergence kappa = -curl d by differences; d and -d are the same line, so that neighbours' signs are matched.
   forRows([&](int y) {
     for (int x = 0; x < coarse.nx; ++x) {
-      CoarseCell& cell =
-          coarse.cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(coarse.nx) + static_cast<std::size_t>(x)];
+      CoarseCell& cell = coarse.cells[indexOf(x, y, coarse.nx)];
       const Vec2f d = cell.direction;
       if (masked(cell)) continue;
       const auto slope = [&](int dx, int dy) {  // slope of d along (dx, dy)
@@ -110,7 +107,7 @@ struct SkewedRows {
   static constexpr int kBeside = 7;
   [[nodiscard]] std::size_t size() const { return (static_cast<std::size_t>(bands) + 2) * pitch; }  // [vectors]
   [[nodiscard]] std::size_t at(int band, int step) const {
-    return static_cast<std::size_t>(band + 1) * pitch + static_cast<std::size_t>(step + kBeside);
+    return static_cast<std::size_t>(band + 1) * pitch + (step + kBeside);
   }
 };
 
@@ -171,7 +168,7 @@ std::vector<float> logFrequency(const CoarseGrid& grid, float limit, const RunCo
     const Links& link = links[at];
     F4 sum = splat(0);
     for (std::size_t k = 0; k < 8; ++k) {
-      const std::size_t beside = at + static_cast<std::size_t>(kNeighbourX[k]);
+      const std::size_t beside = at + kNeighbourX[k];
       // Neighbours in the rows below and above lie in the other lanes, two steps away; the outermost ones in the next
       // band.
       F4 from = u[beside];
@@ -202,8 +199,7 @@ std::vector<float> logFrequency(const CoarseGrid& grid, float limit, const RunCo
   std::vector<float> cells(grid.cells.size());
   for (int y = 0; y < grid.ny; ++y) {
     for (int x = 0; x < grid.nx; ++x) {
-      cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x)] =
-          u[rows.at(y / 4, x + 2 * (y % 4))][y % 4];
+      cells[indexOf(x, y, grid.nx)] = u[rows.at(y / 4, x + 2 * (y % 4))][y % 4];
     }
   }
   return cells;
@@ -253,8 +249,7 @@ Result<std::vector<float>> spacingField(const LineField& lines, const CellConstr
           const F4 near =
               (splat(1) - abs4(gx - splat(static_cast<float>(cx)))) * splat(1 - std::abs(gy - static_cast<float>(cy)));
           const F4 weight = select4(agreement * agreement < splat(kAlike * kAlike), splat(0), near);
-          sum = sum + weight * splat(u[static_cast<std::size_t>(cy) * static_cast<std::size_t>(coarse.nx) +
-                                       static_cast<std::size_t>(cx)]);
+          sum = sum + weight * splat(u[indexOf(cx, cy, coarse.nx)]);
           weights = weights + weight;
         }
         const F4 v = sum / weights;

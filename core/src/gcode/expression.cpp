@@ -158,7 +158,7 @@ class Pattern {
       do {
         const int low = character(set);
         if (rest_.size() < 2 || rest_[1] == ']' || !takes('-')) continue;
-        for (int c = character(set); c > low; --c) set.set(static_cast<std::size_t>(c));
+        for (int c = character(set); c > low; --c) set.set(c);
       } while (!failed_ && !takes(']'));
       if (other) set.flip();
     } else {
@@ -187,7 +187,7 @@ class Pattern {
     for (int c = 0; c < 128; ++c) {
       const char one = static_cast<char>(c);
       const bool blank = one == ' ' || (one >= '\t' && one <= '\r');
-      if (sign == 's' ? blank : isDigit(one) || (sign == 'w' && isLetter(one))) set.set(static_cast<std::size_t>(c));
+      if (sign == 's' ? blank : isDigit(one) || (sign == 'w' && isLetter(one))) set.set(c);
     }
     return 0;
   }

@@ -59,9 +59,9 @@ Result<std::vector<Polyline>> offsetLoops(const Shape& shape, double first, doub
       if (curves.value().count() == 0) break;
       for (int c = 0; c < curves.value().count(); ++c) {
         Polyline line;
-        const auto from = static_cast<std::size_t>(curves.value().begin[c]);
+        const std::size_t from = curves.value().begin[c];
         for (int i = 0; i < curves.value().size(c); ++i) {
-          const Vec2f p = curves.value().points[from + static_cast<std::size_t>(i)];
+          const Vec2f p = curves.value().points[from + i];
           line.push_back(wide(p));
         }
         line = straightened(line, kTolerance, kLongest);

@@ -22,7 +22,7 @@ std::size_t nearestPoint(const BeadPath& path, PointUm p) {
   const auto distance = [p](PointUm a) { return dot(wide(a - p), wide(a - p)); };
   const auto nearest = std::min_element(path.points.begin(), path.points.end(),
                                         [&](PointUm a, PointUm b) { return distance(a) < distance(b); });
-  return static_cast<std::size_t>(nearest - path.points.begin());
+  return nearest - path.points.begin();
 }
 
 // Distance from a point to a closed line [mm].

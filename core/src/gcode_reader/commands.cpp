@@ -561,7 +561,7 @@ class Judge {
       double value = 0;
       const std::size_t read = readNumber(text, value);
       // Klipper reads numbers as Python does: 4_80 is 480, 4e2 is 400, and "4"80 is 480.
-      const std::string_view rest = head.rest.substr(static_cast<std::size_t>(text.data() - head.rest.data()));
+      const std::string_view rest = head.rest.substr(text.data() - head.rest.data());
       const std::size_t next = std::min(text.size() + 1, rest.size());
       const bool glued = rest.substr(text.size(), 1).find_first_of("\"'") == 0 && rest.substr(next, 1) > " ";
       const bool number = numbers

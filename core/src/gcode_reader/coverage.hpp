@@ -21,7 +21,7 @@ class BeadRaster {
   BeadRaster(const Bounds& box, double finest);
 
   /// A raster without any bead.
-  [[nodiscard]] Bits none() const { return Bits(rowWords_ * static_cast<std::size_t>(rows_), 0); }
+  [[nodiscard]] Bits none() const { return Bits(rowWords_ * rows_, 0); }
 
   /// Sets the cells of a bead, a rectangle with round ends. \param width  [mm]. \return number of cells that it
   /// visited.

@@ -80,7 +80,7 @@ void readSetting(FileSettings& settings, std::string_view comment) {
 }  // namespace
 
 double mostFlowOf(const FileSettings& settings, int tool) {
-  const auto index = static_cast<std::size_t>(std::max(tool, 0));
+  const std::size_t index = std::max(tool, 0);
   const std::vector<double>& flows = settings.filamentFlows;
   const double own = index < flows.size() ? flows[index] : flows.size() == 1 ? flows[0] : 0;
   return own > 0 && settings.printFlow > 0 ? std::min(own, settings.printFlow) : std::max(own, settings.printFlow);

@@ -51,7 +51,7 @@ bool isPlainCommand(std::string_view text) {
     while (!text.empty()) {
       const std::string_view word = nextWord(text);
       if (word.empty() || !isUpper(word[0])) return false;
-      const auto letter = static_cast<std::size_t>(word[0] - 'A');
+      const std::size_t letter = word[0] - 'A';
       if (seen[letter] || (word.size() > 1 && !isPlainNumber(word.substr(1)))) return false;
       seen.set(letter);
     }

@@ -21,7 +21,7 @@ std::size_t toIndex(double tool) { return static_cast<std::size_t>(std::clamp(to
 
 // The nozzle of a tool: its own if its temperature was ever set, else the one that was set last.
 std::size_t Heaters::indexOf(int tool) const {
-  const auto index = static_cast<std::size_t>(std::max(tool, 0));
+  const std::size_t index = std::max(tool, 0);
   return index < kTools && known_[index] ? index : told_;
 }
 

@@ -57,7 +57,7 @@ class Neighbourhood {
     min_ = box.min;
     columns_ = static_cast<int>(box.size().x / cell_) + 1;
     rows_ = static_cast<int>(box.size().y / cell_) + 1;
-    first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+    first_.assign(cellCount(columns_, rows_) + 1, 0);
     for (const Piece& piece : pieces) ++first_[cellOf(piece.at) + 1];
     for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
     std::vector<int> next(first_.begin(), first_.end() - 1);
@@ -93,10 +93,7 @@ class Neighbourhood {
  private:
   [[nodiscard]] int columnOf(Vec2f p) const { return static_cast<int>((static_cast<double>(p.x) - min_.x) / cell_); }
   [[nodiscard]] int rowOf(Vec2f p) const { return static_cast<int>((static_cast<double>(p.y) - min_.y) / cell_); }
-  [[nodiscard]] std::size_t cellOf(Vec2f p) const {
-    return static_cast<std::size_t>(rowOf(p)) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(columnOf(p));
-  }
+  [[nodiscard]] std::size_t cellOf(Vec2f p) const { return indexOf(columnOf(p), rowOf(p), columns_); }
 
   Vec2 min_;
   double cell_ = 0;

@@ -22,7 +22,7 @@ std::size_t readNumber(std::string_view text, double& value) {
   const auto read =
       fast_float::from_chars(text.data() + sign, text.data() + end, value, fast_float::chars_format::fixed);
   if (read.ec != std::errc{} || !(std::abs(value) < 1e9)) return 0;
-  return static_cast<std::size_t>(read.ptr - text.data());
+  return read.ptr - text.data();
 }
 
 GcodeParts partsOf(std::string_view line) {
@@ -97,7 +97,7 @@ GcodeWords wordsOf(std::string_view text) {
       return words;
     }
     const char letter = upper(text[at]);
-    const auto index = static_cast<std::size_t>(letter - 'A');
+    const std::size_t index = letter - 'A';
     const std::uint32_t bit = std::uint32_t{1} << index;
     if (letter != text[at]) words.lower = true;
     if (!spaced) words.crowded = true;
@@ -147,7 +147,7 @@ bool readPlainMove(std::string_view line, GcodeWords& words) {
     if (line[at] != ' ' || at + 2 >= line.size()) return false;
     const char letter = line[at + 1];
     if (letter < 'A' || letter > 'Z' || letter == 'G' || letter == 'M' || letter == 'R') return false;
-    const auto index = static_cast<std::size_t>(letter - 'A');
+    const std::size_t index = letter - 'A';
     const std::uint32_t bit = std::uint32_t{1} << index;
     if ((words.named & bit) != 0) return false;
     at += 2;

@@ -270,7 +270,7 @@ void PrintRules::readSettings(std::string_view text) {
   if (key == "machine_max_speed_x" || key == "machine_max_feedrate_x") readNumber(value, mostSpeed_);
   if (key == "machine_max_speed_e" || key == "machine_max_feedrate_e") readNumber(value, mostPush_);
   if (key == "filament_type") {
-    filaments_ = 1 + static_cast<std::size_t>(std::count(value.begin(), value.end(), ';'));
+    filaments_ = 1 + (std::count(value.begin(), value.end(), ';'));
     pla_ = filaments_ == 1 && upperCase(value).starts_with("PLA");
   }
 }

@@ -559,7 +559,7 @@ void Rules::filament(double e, double retractedBefore) {
 // Follows a path that has come back to its start and runs on over its first moves, as a scarf joint does.
 void Rules::followOverlap(Vec2 to) {
   const auto same = [](Vec2 a, Vec2 b) { return length(a - b) <= kRounding; };
-  const auto next = static_cast<std::size_t>(std::max<std::ptrdiff_t>(overlap_, 0));
+  const std::size_t next = std::max<std::ptrdiff_t>(overlap_, 0);
   if (overlap_ >= 0 && next < pathHead_.size() && same(to, pathHead_[next])) {
     ++overlap_;
   } else {

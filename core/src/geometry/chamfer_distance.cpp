@@ -12,7 +12,7 @@ std::vector<float> chamferDistance(const std::vector<char>& wall, int columns, i
   constexpr float kFar = 1e9F;
   const std::ptrdiff_t width = columns;
   const std::ptrdiff_t stride = width + 2;
-  std::vector<float> far(static_cast<std::size_t>(stride * (rows + 2)), kFar);
+  std::vector<float> far(stride * (rows + 2), kFar);
   const auto rowAt = [&](int y) { return far.data() + (y + 1) * stride + 1; };
   for (int y = 0; y < rows; ++y) {
     const char* walls = wall.data() + y * width;

@@ -16,8 +16,8 @@ ClosedCurves resampledBetween(const ClosedCurves& curves, const std::vector<char
     const int n = curves.size(c);
     double since = step;  // arc length since the last point in `out`
     for (int k = 0; k < n; ++k) {
-      const std::size_t i = static_cast<std::size_t>(first + k);
-      const std::size_t j = static_cast<std::size_t>(first + (k + 1) % n);
+      const std::size_t i = first + k;
+      const std::size_t j = first + (k + 1) % n;
       if (keep[i] || since >= 0.99 * step) {
         out.points.push_back(curves.points[i]);
         since = 0;
@@ -36,7 +36,7 @@ ClosedCurves resampledBetween(const ClosedCurves& curves, const std::vector<char
       since = size - (at - step);
     }
     if (static_cast<int>(out.points.size()) - out.begin.back() < kMinPoints) {
-      out.points.resize(static_cast<std::size_t>(out.begin.back()));
+      out.points.resize(out.begin.back());
       for (int k = 0; k < n; ++k) out.points.push_back(curves.points[first + k]);
     }
   }
@@ -55,34 +55,34 @@ ClosedCurves resampled(const ClosedCurves& curves, float step, const RunContext&
   for (int c = 0; c < curves.count(); ++c) {
     const Vec2f* p = curves.points.data() + curves.begin[c];
     const int n = curves.size(c);
-    along.resize(static_cast<std::size_t>(n) + 1);
+    along.resize(n + 1);
     along[0] = 0;
     parallelFor(run, n, kBlock, [&](int begin, int end) {
       double sum = 0;
       for (int k = begin; k < end; ++k) {
         sum += static_cast<double>(length(p[k + 1 < n ? k + 1 : 0] - p[k]));
-        along[static_cast<std::size_t>(k) + 1] = sum;
+        along[k + 1] = sum;
       }
     });
     for (int begin = kBlock; begin < n; begin += kBlock) {
       const double before = along[begin];
       const int end = std::min(begin + kBlock, n);
-      for (int k = begin; k < end; ++k) along[static_cast<std::size_t>(k) + 1] += before;
+      for (int k = begin; k < end; ++k) along[k + 1] += before;
     }
     const double total = along.back();
     const int count = std::max(kMinPoints, static_cast<int>(total / static_cast<double>(step) + 0.5));
     const std::size_t first = out.points.size();
     out.begin.push_back(static_cast<int>(first));
-    out.points.resize(first + static_cast<std::size_t>(count));
+    out.points.resize(first + count);
     parallelFor(run, count, kBlock, [&](int begin, int end) {
       const auto found = std::upper_bound(along.begin() + 1, along.end(), total * begin / count);
       int k = std::min(n - 1, static_cast<int>(found - along.begin()) - 1);
       for (int s = begin; s < end; ++s) {
         const double at = total * s / count;
-        while (k + 1 < n && along[static_cast<std::size_t>(k) + 1] <= at) ++k;
-        const double size = along[static_cast<std::size_t>(k) + 1] - along[k];
+        while (k + 1 < n && along[k + 1] <= at) ++k;
+        const double size = along[k + 1] - along[k];
         const float t = size > 0 ? static_cast<float>((at - along[k]) / size) : 0.0f;
-        out.points[first + static_cast<std::size_t>(s)] = p[k] + (p[k + 1 < n ? k + 1 : 0] - p[k]) * t;
+        out.points[first + s] = p[k] + (p[k + 1 < n ? k + 1 : 0] - p[k]) * t;
       }
     });
   }
@@ -104,7 +104,7 @@ ClosedCurves resampledSimply(const ClosedCurves& curves, float step, const RunCo
       for (const int segment : {a, b}) {
         // Keeps the original points near the crossing. Searching the whole curve is affordable, because crossings are
         // rare.
-        const std::size_t c = static_cast<std::size_t>(curveOf[segment]);
+        const std::size_t c = curveOf[segment];
         const Vec2f p = out.points[segment];
         for (int k = curves.begin[c]; k < curves.begin[c + 1]; ++k) {
           if (static_cast<double>(length(curves.points[k] - p)) < reach) keep[k] = 1;
@@ -120,7 +120,7 @@ ClosedCurves resampledSimply(const ClosedCurves& curves, float step, const RunCo
 std::vector<std::int32_t> curveOfPoints(const ClosedCurves& curves) {
   std::vector<std::int32_t> curve(curves.points.size());
   for (int c = 0; c < curves.count(); ++c) {
-    std::fill(curve.begin() + curves.begin[c], curve.begin() + curves.begin[static_cast<std::size_t>(c) + 1], c);
+    std::fill(curve.begin() + curves.begin[c], curve.begin() + curves.begin[c + 1], c);
   }
   return curve;
 }

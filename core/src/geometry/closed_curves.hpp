@@ -27,12 +27,12 @@ std::vector<std::int32_t> curveOfPoints(const ClosedCurves& curves);
 
 /// Returns the index of the next point along its curve.
 inline int nextOf(const ClosedCurves& curves, int curve, int point) {
-  const std::size_t c = static_cast<std::size_t>(curve);
+  const std::size_t c = curve;
   return point + 1 == curves.begin[c + 1] ? curves.begin[c] : point + 1;
 }
 
 inline int previousOf(const ClosedCurves& curves, int curve, int point) {
-  const std::size_t c = static_cast<std::size_t>(curve);
+  const std::size_t c = curve;
   return point == curves.begin[c] ? curves.begin[c + 1] - 1 : point - 1;
 }
 

@@ -65,7 +65,7 @@ class Chains {
     for (std::int64_t x = cell.first - 1; x <= cell.first + 1; ++x) {
       const auto first =
           std::lower_bound(byStart_.begin(), byStart_.end(), std::pair<Cell, std::size_t>{{x, cell.second - 1}, 0});
-      for (std::size_t at = unusedFrom(static_cast<std::size_t>(first - byStart_.begin()));
+      for (std::size_t at = unusedFrom(first - byStart_.begin());
            at < byStart_.size() && byStart_[at].first <= Cell{x, cell.second + 1}; at = unusedFrom(at + 1)) {
         const double distance = length(segments_[byStart_[at].second].a - p);
         if (distance == 0) return byStart_[at].second;

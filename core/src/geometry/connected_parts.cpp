@@ -101,7 +101,7 @@ Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, doub
   std::int32_t next = 0;
   for (const char wanted : {char{1}, char{0}}) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
-      const std::size_t root = static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(k)));
+      const std::size_t root = sets.find(static_cast<std::int32_t>(k));
       if (deep[root] == wanted && number[root] < 0) number[root] = next++;
     }
     if (wanted == 1) parts.count = next;

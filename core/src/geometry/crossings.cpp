@@ -60,16 +60,16 @@ struct Corners {
   Corners(const ClosedCurves& curves, const RunContext& run) {
     for (const int first : curves.begin) begin.push_back(first + static_cast<int>(begin.size()));
     if (begin.empty()) return;
-    at.resize(static_cast<std::size_t>(begin.back()));
+    at.resize(begin.back());
     constexpr int kGrain = 1 << 14;
     parallelFor(run, begin.back(), kGrain, [&](int from, int to) {
       for (int c = curveOf(from); from < to; ++c) {
-        const int last = begin[static_cast<std::size_t>(c) + 1] - 1;
+        const int last = begin[c + 1] - 1;
         const Vec2f* const points = curves.points.data() + (from - c);
         PointUm32* const out = at.data() + from;
         const int count = std::min(to, last) - from;
         for (int k = 0; k < count; ++k) out[k] = rounded(points[k]);
-        const auto first = static_cast<std::size_t>(curves.begin[c]);
+        const std::size_t first = curves.begin[c];
         if (to > last && curves.size(c) > 0) out[count] = rounded(curves.points[first]);
         from = last + 1;
       }
@@ -85,7 +85,7 @@ struct Corners {
 
   /// Tells whether `second` follows `first` along their curve, with only vanishing segments between them.
   [[nodiscard]] bool consecutive(int first, int second) const {
-    const auto c = static_cast<std::size_t>(curveOf(second));
+    const std::size_t c = curveOf(second);
     int before = second;
     do {
       before = before == begin[c] ? begin[c + 1] - 2 : before - 1;
@@ -100,7 +100,7 @@ std::vector<int> segmentsOf(const ClosedCurves& curves, const Corners& corners, 
   if (among.empty()) segments.reserve(curves.points.size());
   for (int c = 0; c < curves.count(); ++c) {
     const int first = curves.begin[c];
-    const int last = curves.begin[static_cast<std::size_t>(c) + 1];
+    const int last = curves.begin[c + 1];
     for (int k = first; k < last; ++k) {
       const int next = k + 1 < last ? k + 1 : first;
       if (!among.empty() && !among[k] && !among[next]) continue;
@@ -179,7 +179,7 @@ struct CellEntries {
 // shares.
 CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segments, const CellRaster& raster,
                           const RunContext& run) {
-  const std::size_t cells = static_cast<std::size_t>(raster.nx) * static_cast<std::size_t>(raster.ny);
+  const std::size_t cells = cellCount(raster.nx, raster.ny);
   const int count = static_cast<int>(segments.size());
   const int shares = std::clamp(std::min(run.threads(), count / (1 << 14)), 1, 8);
   const int grain = (count + shares - 1) / shares;
@@ -191,7 +191,7 @@ CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segmen
     std::vector<Pair> pairs;
     std::vector<int> next;  ///< for each cell the number of its segments, later the position of the next one
   };
-  std::vector<Share> all(static_cast<std::size_t>(shares));
+  std::vector<Share> all(shares);
   parallelFor(run, count, grain, [&](int from, int to) {
     Share& share = all[from / grain];
     share.next.assign(cells, 0);
@@ -216,7 +216,7 @@ CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segmen
     }
   }
   out.begin[cells] = sum;
-  out.entries.resize(static_cast<std::size_t>(sum));
+  out.entries.resize(sum);
   parallelFor(run, shares, 1, [&](int from, int to) {
     for (int k = from; k < to; ++k) {
       Share& share = all[k];
@@ -249,7 +249,7 @@ std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const
     std::vector<std::pair<int, int>> found;
     const int* const entries = cells.entries.data();
     for (int cell = raster.indexOf(0, beginRow); cell < raster.indexOf(0, endRow); ++cell) {
-      const int end = cells.begin[static_cast<std::size_t>(cell) + 1];
+      const int end = cells.begin[cell + 1];
       for (int i = cells.begin[cell]; i < end; ++i) {
         const int s = entries[i];
         const PointUm32 a = corners[s], b = corners[s + 1];

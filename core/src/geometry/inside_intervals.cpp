@@ -12,7 +12,7 @@ std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double fi
     int path;
     int direction;
   };
-  std::vector<std::vector<Crossing>> crossings(static_cast<std::size_t>(std::max(rows, 0)));
+  std::vector<std::vector<Crossing>> crossings(std::max(rows, 0));
   for (const PathEdge& edge : edgesOf(shape.paths)) {
     const double low = std::ceil((std::min(edge.a.y, edge.b.y) - firstY) / step) - 1;
     const double high = std::floor((std::max(edge.a.y, edge.b.y) - firstY) / step) + 1;
@@ -52,11 +52,11 @@ CellRange cellsWithin(const Interval& interval, double step, int count) {
 
 std::vector<char> insideCells(const Shape& shape, int width, int height) {
   const double stepX = shape.page.x / width, stepY = shape.page.y / height;
-  std::vector<char> inside(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+  std::vector<char> inside(cellCount(width, height), 0);
   const auto rows = insideIntervals(shape, 0.5 * stepY, stepY, height);
   for (int y = 0; y < height; ++y) {
-    char* const row = &inside[static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width)];
-    for (const Interval& span : rows[static_cast<std::size_t>(y)]) {
+    char* const row = &inside[indexOf(0, height - 1 - y, width)];
+    for (const Interval& span : rows[y]) {
       const CellRange cells = cellsWithin(span, stepX, width);
       std::fill(row + cells.begin, row + cells.end, char{1});
     }

@@ -66,7 +66,7 @@ class DiscMask {
     }
   }
   [[nodiscard]] bool covers(std::size_t sample) const {
-    const std::size_t nx = static_cast<std::size_t>(grid_.nx);
+    const std::size_t nx = grid_.nx;
     return mask_.samples[index(static_cast<int>(sample % nx), static_cast<int>(sample / nx))] > kInside;
   }
   [[nodiscard]] Result<Shape> outline() const { return shapeFromMask(mask_, grid_.nx * grid_.cell); }

@@ -29,8 +29,8 @@ void deepenMiddles(const BorderIndex& border, const Grid& grid, double spacing, 
   const auto deep = static_cast<float>(-0.5 * spacing);
   const float missed = deep + missedDepth(grid.cell);
   const auto perMm = static_cast<float>(1 / grid.cell);
-  const auto nx = static_cast<std::size_t>(grid.nx);
-  std::vector<std::vector<std::size_t>> found(static_cast<std::size_t>(grid.ny));
+  const std::size_t nx = grid.nx;
+  std::vector<std::vector<std::size_t>> found(grid.ny);
   parallelFor(run, grid.ny - 2, 16, [&](int begin, int end) {
     for (int y = begin + 1; y < end + 1; ++y) {
       for (int x = 1; x < grid.nx - 1; ++x) {
@@ -79,7 +79,7 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
       int deepX = 0;  // offset of the deep sample found last; mostly it fits the next sample, too
       int deepY = 0;
       for (int x = 0; x < grid.nx; ++x) {
-        const std::size_t i = row + static_cast<std::size_t>(x);
+        const std::size_t i = row + x;
         if (const int beyond = samplesBeyond(sd[i], deep, 0, perMm); beyond >= 0) {
           x += beyond;
           continue;
@@ -108,7 +108,7 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
     lost[start] = 0;
     for (std::size_t k = 0; k < place.size(); ++k) {
       const std::size_t i = place[k];
-      const std::size_t nx = static_cast<std::size_t>(grid.nx);
+      const std::size_t nx = grid.nx;
       for (const std::size_t j : {i - 1, i + 1, i - nx, i + nx}) {  // the frame is never lost: no index leaves the grid
         if (!lost[j]) continue;
         lost[j] = 0;

@@ -47,7 +47,7 @@ class WindingState {
       : paths_(paths), rule_(rule), winding_(paths.size(), 0), filled_(rule ? paths.size() : 0, 0) {}
 
   void cross(int path, int direction) {
-    const auto k = static_cast<std::size_t>(path);
+    const std::size_t k = path;
     int& winding = winding_[k];
     const FillRule rule = paths_[k].fillRule;
     inside_ -= isFilled(rule, winding) ? 1 : 0;

@@ -46,7 +46,7 @@ struct LostCells {
   std::vector<std::vector<std::size_t>> places;  ///< indices of the samples of each place
 
   [[nodiscard]] Vec2 at(std::size_t sample) const {
-    const auto nx = static_cast<std::size_t>(grid.nx);
+    const std::size_t nx = grid.nx;
     return grid.centre(static_cast<int>(sample % nx), static_cast<int>(sample / nx));
   }
 };

@@ -164,7 +164,7 @@ class SideRays {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const int index : buckets_[bucket]) {
-      const auto piece = static_cast<std::size_t>(index);
+      const std::size_t piece = index;
       const Vec2 p = middleOf(piece);
       if (!isAsked(piece) || bucketOf(p.y) != bucket) continue;
       row.rays.push_back({piece, p});

@@ -28,7 +28,7 @@ class PointGrid {
     low_ = low;
     nx_ = static_cast<int>((high.x - low.x) * inverse_) + 1;
     ny_ = static_cast<int>((high.y - low.y) * inverse_) + 1;
-    const std::size_t buckets = static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_);
+    const std::size_t buckets = cellCount(nx_, ny_);
     const int count = static_cast<int>(points.size());
     x.assign(points.size() + 4, 1e9f);  // four far points at the end allow vector loads beyond the last point
     y.assign(points.size() + 4, 1e9f);
@@ -62,8 +62,8 @@ class PointGrid {
     parallelFor(run, count, grain, [&](int begin, int end) {
       std::vector<std::int32_t>& share = next[begin / grain];
       for (int k = begin; k < end; ++k) {
-        const std::size_t b = static_cast<std::size_t>(bucketOf[k]);
-        const std::size_t at = static_cast<std::size_t>(share[b]++);
+        const std::size_t b = bucketOf[k];
+        const std::size_t at = share[b]++;
         x[at] = points[k].x;
         y[at] = points[k].y;
         id[at] = k;
@@ -80,8 +80,8 @@ class PointGrid {
     const int x1 = column(p.x + reach);
     const int y1 = row(p.y + reach);
     for (int by = row(p.y - reach); by <= y1; ++by) {
-      const std::size_t first = static_cast<std::size_t>(by) * static_cast<std::size_t>(nx_);
-      const int begin = begin_[first + static_cast<std::size_t>(x0)];
+      const std::size_t first = indexOf(0, by, nx_);
+      const int begin = begin_[first + x0];
       const int end = begin_[first + static_cast<std::size_t>(x1) + 1];
       if (begin < end) visit(begin, end);
     }

@@ -22,7 +22,7 @@ class MaskField {
   explicit MaskField(const Image& image) : image_(image) {
     const bool hasAlpha = image.channels == 2 || image.channels == 4;
     if (hasAlpha) {
-      const auto channels = static_cast<std::size_t>(image.channels);
+      const std::size_t channels = image.channels;
       for (std::size_t i = channels - 1; i < image.samples.size() && !useAlpha_; i += channels) {
         useAlpha_ = image.samples[i] != 65535;
       }
@@ -79,7 +79,7 @@ class MaskTracer {
         width_(image.width),
         height_(image.height),
         scale_(scale),
-        visited_(static_cast<std::size_t>(width_ + 1) * static_cast<std::size_t>(height_)) {}
+        visited_(cellCount(width_ + 1, height_)) {}
 
   // Traces all rings. Returns false if they have too many points.
   bool trace(std::vector<Ring>& rings) {
@@ -101,9 +101,7 @@ class MaskTracer {
   }
 
  private:
-  [[nodiscard]] std::size_t edge(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_ + 1) + static_cast<std::size_t>(x + 1);
-  }
+  [[nodiscard]] std::size_t edge(int x, int y) const { return indexOf(x + 1, y, width_ + 1); }
 
   // Converts sample units (y down, pixel centres at integers) to mm.
   [[nodiscard]] Vec2 world(double x, double y) const {
@@ -187,8 +185,7 @@ class MaskTracer {
 
 Result<Shape> shapeFromMask(const Image& mask, double width) {
   if (mask.width <= 0 || mask.height <= 0 || mask.channels < 1 || mask.channels > 4 ||
-      mask.samples.size() != static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height) *
-                                 static_cast<std::size_t>(mask.channels)) {
+      mask.samples.size() != cellCount(mask.width, mask.height) * static_cast<std::size_t>(mask.channels)) {
     return Error{ErrorCode::InvalidArgument, "The mask has no pixels; it needs a picture of 1 to 4 channels"};
   }
   if (!validSize(width)) return sizeError("The width of the mask", width);

@@ -357,7 +357,7 @@ Result<SignedDistanceField> signedDistanceField(const Shape& shape, const Border
   SignedDistanceField field{grid, std::vector<float>(grid.size()), std::vector<Vec2f>(grid.size())};
   const auto intervals = insideIntervals(shape, grid.centre(0, 0).y, grid.cell, grid.ny);
   parallelFor(run, grid.ny, rowGrain(run, grid.ny, 30.0 * grid.nx), [&](int begin, int end) {
-    std::vector<char> inside(static_cast<std::size_t>(grid.nx));
+    std::vector<char> inside(grid.nx);
     for (int y = begin; y < end; ++y) {
       std::fill(inside.begin(), inside.end(), char{0});
       forInside(intervals[y], grid,
@@ -394,7 +394,7 @@ Result<std::vector<float>> bandDistance(const Shape& shape, const BorderIndex& i
     TileDistances tile(index.segments_);
     for (int r = begin; r < end; ++r) {
       const int top = rows[r];
-      const int bottom = rows[static_cast<std::size_t>(r) + 1];
+      const int bottom = rows[r + 1];
       for (std::size_t c = 0; c + 1 < columns.size(); ++c) {
         const int first = columns[c];
         const int last = columns[c + 1];

@@ -20,10 +20,8 @@ struct Grid {
   int nx = 0;
   int ny = 0;
 
-  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x);
-  }
+  [[nodiscard]] std::size_t size() const { return cellCount(nx, ny); }
+  [[nodiscard]] std::size_t index(int x, int y) const { return indexOf(x, y, nx); }
   /// Returns the index of the cell that contains a point, or of the nearest one.
   [[nodiscard]] std::size_t cellAt(Vec2 p) const {
     const auto place = [this](double at, int count) {

@@ -52,7 +52,7 @@ Result<DirectionMap> directionMap(const Image& image, DirectionEncoding encoding
                                                  " channels; tangents need red and green, 3 or 4"};
   }
   DirectionMap map{image.width, image.height, {}};
-  map.angle.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  map.angle.reserve(cellCount(image.width, image.height));
   switch (encoding) {
     case DirectionEncoding::Angle:
       forEachTexel(image, [&](int x, int y) { map.angle.push_back(greyAt(image, x, y)); });
@@ -81,7 +81,7 @@ Result<ModeMap> modeMap(const Image& image) {
     return Error{ErrorCode::InvalidArgument, "mode map is a " + defect};
   }
   ModeMap map{image.width, image.height, {}};
-  map.mode.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  map.mode.reserve(cellCount(image.width, image.height));
   forEachTexel(image, [&](int x, int y) {
     map.mode.push_back(static_cast<DirectionMode>((6 * greyAt(image, x, y) + 65535) / (2 * 65535)));
   });

@@ -24,7 +24,7 @@ std::size_t endOfHeader(std::string_view file) {
   std::size_t at = kHeader;
   if ((flags & 4) != 0) {
     if (at + 2 > file.size()) return 0;
-    at += 2 + static_cast<std::size_t>(number(file, at, 2));
+    at += 2 + number(file, at, 2);
   }
   for (const int text : {8, 16}) {  // name, comment
     if ((flags & text) == 0) continue;

@@ -26,7 +26,7 @@ inline void append(std::string& out, std::uint64_t value, int bytes) {
 inline std::uint64_t number(std::string_view bytes, std::size_t at, int count) {
   std::uint64_t value = 0;
   for (int k = count - 1; k >= 0; --k) {
-    value = value << 8 | static_cast<std::uint8_t>(bytes[at + static_cast<std::size_t>(k)]);
+    value = value << 8 | static_cast<std::uint8_t>(bytes[at + k]);
   }
   return value;
 }

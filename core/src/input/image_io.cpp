@@ -247,8 +247,7 @@ Image uprighted(const void* stored, bool deep, int orientation, Image image) {
   };
   const auto* bytes = static_cast<const std::uint8_t*>(stored);
   const auto* pairs = static_cast<const std::uint16_t*>(stored);
-  image.samples.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
-                        static_cast<std::size_t>(channels));
+  image.samples.reserve(cellCount(width, height) * static_cast<std::size_t>(channels));
   for (int y = 0; y < image.height; ++y) {
     std::ptrdiff_t at = place(0, y);
     const std::ptrdiff_t step = place(1, y) - at;
@@ -377,8 +376,7 @@ Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format,
   // The largest request that an intact picture makes: 4 channels of 16 bits, doubled once by the unpacker when rows of
   // an interlaced PNG need more bytes than first guessed; a JPEG stores 16-bit coefficients of blocks padded to 32
   // pixels.
-  allocationLimit =
-      static_cast<std::size_t>(image.width + 64) * static_cast<std::size_t>(image.height + 64) * 16 + (1u << 20);
+  allocationLimit = cellCount(image.width + 64, image.height + 64) * 16 + (1u << 20);
   const bool deep = stbi_is_16_bit_from_memory(data, size) != 0;
   const Decoded decoded(
       deep ? static_cast<void*>(stbi_load_16_from_memory(data, size, &image.width, &image.height, &image.channels, 0))

@@ -64,13 +64,13 @@ PictureConflict conflictOf(const DirectionMap& directions, std::span<const Shown
 RgbImage conflictImage(const PictureConflict& conflict, std::size_t picture, const Tones& tones, int side) {
   const int scale = std::max(1, side / std::max({1, conflict.width, conflict.height}));
   RgbImage image{conflict.width * scale, conflict.height * scale, {}};
-  image.rgb.reserve(3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  image.rgb.reserve(3 * cellCount(image.width, image.height));
   Tones made;
   const Tones& greys = onRaster(tones, conflict.width, conflict.height, made);
-  const auto columns = static_cast<std::size_t>(conflict.width);
+  const std::size_t columns = conflict.width;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const std::size_t cell = static_cast<std::size_t>(y / scale) * columns + static_cast<std::size_t>(x / scale);
+      const std::size_t cell = static_cast<std::size_t>(y / scale) * columns + (x / scale);
       // Ink over the grey, the more of it the more is missing.
       const float grey = kPalest + (kBrightest - kPalest) * greys.value[cell];
       const float off = conflict.missing[picture][cell];

@@ -56,7 +56,7 @@ struct Harmonics {
 /// Collects the smoothness term of a cell from its eight neighbours, as four pairs.
 Harmonics neighboursOf(const ToneCells& cells, int x, int y) {
   const std::size_t here = cells.at(x, y);
-  const std::size_t row = static_cast<std::size_t>(cells.width);
+  const std::size_t row = cells.width;
   const bool left = x > 0;
   const bool right = x + 1 < cells.width;
   const bool up = y > 0;
@@ -207,7 +207,7 @@ LampTables tablesOf(const std::vector<Lamp>& lamps, const Roughness& roughness, 
       const bool left = from <= kLabels / 2 + 0.5;
       const bool right = from >= kLabels / 2 - 0.5 || from < 0.5;
       if (side == LampSide::Left ? left : right) continue;
-      for (std::size_t row = 0; row < kCodes; ++row) t.error[0][row * kLabels + static_cast<std::size_t>(k)] += kNever;
+      for (std::size_t row = 0; row < kCodes; ++row) t.error[0][row * kLabels + k] += kNever;
     }
   }
   for (int k = 0; k < kLabels; ++k) {
@@ -232,7 +232,7 @@ void solve(ToneCells& finest, const LampTables& tables, double smoothness, const
   // From coarse to fine: begin with the parent's direction, then sweep.
   for (std::size_t l = levels.size(); l-- > 0; toneWeight /= growth) {
     ToneCells& cells = levels[l];
-    cells.z.resize(static_cast<std::size_t>(cells.width) * static_cast<std::size_t>(cells.height));
+    cells.z.resize(cellCount(cells.width, cells.height));
     if (l + 1 < levels.size()) {
       const ToneCells& above = levels[l + 1];
       for (int y = 0; y < cells.height; ++y) {

@@ -46,8 +46,7 @@ std::string defectOf(std::span<const LitPicture> pictures, const Roughness& roug
   if (std::string defect = invalidRoughness(roughness); !defect.empty()) return defect;
   for (const LitPicture& picture : pictures) {
     const Tones& tones = picture.tones;
-    if (tones.width < 1 || tones.height < 1 ||
-        tones.value.size() != static_cast<std::size_t>(tones.width) * static_cast<std::size_t>(tones.height)) {
+    if (tones.width < 1 || tones.height < 1 || tones.value.size() != cellCount(tones.width, tones.height)) {
       return "a picture has no pixels";
     }
     if (std::any_of(tones.value.begin(), tones.value.end(), [](float tone) { return !std::isfinite(tone); })) {

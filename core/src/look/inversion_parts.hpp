@@ -65,9 +65,7 @@ struct ToneCells {
   std::vector<float> weight;              ///< share of each cell that is shape; empty: all of it
   std::vector<Vec2f> z;                   ///< e^{2i angle}
 
-  [[nodiscard]] std::size_t at(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-  }
+  [[nodiscard]] std::size_t at(int x, int y) const { return indexOf(x, y, width); }
   [[nodiscard]] bool isOutside(std::size_t k) const { return !weight.empty() && weight[k] == 0; }
 };
 

@@ -23,7 +23,7 @@ Tones pageTones(Tones tones, Vec2 page, PictureProportions proportions, double& 
   const int height = clamped(std::min<double>(tones.height, tones.width * page.y / page.x), tones.height);
   if (width == tones.width && height == tones.height) return tones;
   Tones cut{width, height, {}};
-  cut.value.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  cut.value.reserve(cellCount(width, height));
   // Cut as much on either side.
   const int left = middle(tones.width, width);
   const int top = middle(tones.height, height);

@@ -182,8 +182,7 @@ void drawBand(const Drawing& drawing, std::size_t band, RgbImage& image, std::ve
       for (int k = 0; k < kSamples * kSamples; ++k) {
         const int column = x * kSamples + k % kSamples;
         const int row = y * kSamples + k / kSamples;
-        const std::size_t at = static_cast<std::size_t>(row - top * kSamples) * static_cast<std::size_t>(width) +
-                               static_cast<std::size_t>(column);
+        const std::size_t at = indexOf(column, row - top * kSamples, width);
         const float squaredOffset = hits.squaredOffset[at];
         if (!(squaredOffset < 1)) continue;
         ++count;
@@ -200,8 +199,7 @@ void drawBand(const Drawing& drawing, std::size_t band, RgbImage& image, std::ve
         put(image, layout.directions.x + x, layout.directions.y + y,
             rounded(direction * kShare + asColour(kBackground) * empty));
       }
-      covered[static_cast<std::size_t>(y) * static_cast<std::size_t>(pageWidth) + static_cast<std::size_t>(x)] =
-          static_cast<std::uint8_t>(count);
+      covered[indexOf(x, y, pageWidth)] = static_cast<std::uint8_t>(count);
       // The second panel stores the mean of the covered samples; drawBackground mixes in the rest.
       if (count == 0) continue;
       const Colour mean = look * (1 / static_cast<float>(count));
@@ -224,8 +222,7 @@ void drawBackground(const Drawing& drawing, const Shadow& shadow, const std::vec
     const int row = y - page.y;
     int free = kSamples * kSamples;
     if (holds(page, x, y)) {
-      free -= covered[static_cast<std::size_t>(row) * static_cast<std::size_t>(page.width) +
-                      static_cast<std::size_t>(column)];
+      free -= covered[indexOf(column, row, page.width)];
     }
     if (free == 0) continue;
     const float dark = shadowAt(shadow, static_cast<float>(column) + from.x, static_cast<float>(row) + from.y);
@@ -256,14 +253,13 @@ std::string defectOf(const Toolpath& toolpath, Vec2 page, const PreviewParams& p
 Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layout, const PreviewParams& params,
                         const RunContext& run) {
   RgbImage image{layout.width, layout.height, {}};
-  image.rgb.resize(static_cast<std::size_t>(layout.width) * static_cast<std::size_t>(layout.height) * 3);
+  image.rgb.resize(cellCount(layout.width, layout.height) * 3);
 
   const bool directions = layout.directions.width > 0;
   const std::vector<Bead> beads = beadsOf(toolpath, page, layout.pixelsPerMm * kSamples, directions);
   const Bands bands = sortIntoBands(beads, layout.look.height * kSamples, kBandRows * kSamples);
   const Drawing drawing{layout, beads, bands, lookOf(params.look, std::max(layout.look.width, layout.look.height))};
-  std::vector<std::uint8_t> covered(static_cast<std::size_t>(layout.look.width) *
-                                    static_cast<std::size_t>(layout.look.height));
+  std::vector<std::uint8_t> covered(cellCount(layout.look.width, layout.look.height));
   parallelFor(run, static_cast<int>(bands.begin.size()) - 1, 1, [&](int begin, int end) {
     for (int band = begin; band < end; ++band) drawBand(drawing, static_cast<std::size_t>(band), image, covered);
   });

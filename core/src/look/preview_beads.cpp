@@ -78,7 +78,7 @@ Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows) {
     if (bottom < 0 || top >= static_cast<float>(height)) return;
     const int first = static_cast<int>(std::max(top, 0.0f)) / rows;
     const int last = static_cast<int>(std::min(bottom, static_cast<float>(height - 1))) / rows;
-    for (int band = first; band <= last; ++band) body(static_cast<std::size_t>(band));
+    for (int band = first; band <= last; ++band) body(band);
   };
   for (const Bead& bead : beads) forEachBand(bead, [&](std::size_t band) { ++sorted.begin[band + 1]; });
   for (std::size_t band = 0; band + 1 < sorted.begin.size(); ++band) sorted.begin[band + 1] += sorted.begin[band];
@@ -120,7 +120,7 @@ void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, in
     const float right = std::max(x0, x1) + reach;
     const int begin = static_cast<int>(std::clamp(left + kBeyond, 0.0f, static_cast<float>(width)));
     const int end = static_cast<int>(std::clamp(right + 1 - kBeyond, 0.0f, static_cast<float>(width)));
-    const std::size_t line = static_cast<std::size_t>(row - firstRow) * static_cast<std::size_t>(width);
+    const std::size_t line = indexOf(0, row - firstRow, width);
     const F4 fromY = splat(y - bead.a.y);
     for (int column = begin; column < end; column += 4) {
       const F4 fromX = splat(static_cast<float>(column)) + F4{0.5f, 1.5f, 2.5f, 3.5f} - splat(bead.a.x);
@@ -133,7 +133,7 @@ void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, in
       const F4 offset2 = offX * offX + offY * offY;
       const F4 radius2 = radius * radius;
       // Write the bead where it is nearer than the one held. No division is needed to compare.
-      const std::size_t at = line + static_cast<std::size_t>(column);
+      const std::size_t at = line + column;
       const F4 held = load4(&hits.squaredOffset[at]);
       const I4 nearer = (offset2 < held * radius2) & (I4{0, 1, 2, 3} < splatInt(end - column));
       store4(&hits.squaredOffset[at], select4(nearer, offset2 / radius2, held));

@@ -146,7 +146,7 @@ struct Hits {
 
   /// Makes all samples see nothing.
   void clear(int width, int rows) {
-    const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows) + 4;
+    const std::size_t count = cellCount(width, rows) + 4;
     squaredOffset.assign(count, 1);
     bead.assign(count, 0);
   }
@@ -182,18 +182,14 @@ inline Colour asColour(Rgb c) {
 }
 
 inline void put(RgbImage& image, int x, int y, Rgb colour) {
-  std::uint8_t* p =
-      &image.rgb[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) *
-                 3];
+  std::uint8_t* p = &image.rgb[indexOf(x, y, image.width) * 3];
   p[0] = colour.red;
   p[1] = colour.green;
   p[2] = colour.blue;
 }
 
 inline Rgb at(const RgbImage& image, int x, int y) {
-  const std::uint8_t* p =
-      &image.rgb[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) *
-                 3];
+  const std::uint8_t* p = &image.rgb[indexOf(x, y, image.width) * 3];
   return {p[0], p[1], p[2]};
 }
 

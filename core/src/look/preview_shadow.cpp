@@ -10,7 +10,7 @@ namespace {
 void boxBlur(std::vector<float>& values, int width, int height, int radius) {
   std::vector<float> line;  // a copy of one line with zeros before and after it
   const auto blurLine = [&](float* first, std::ptrdiff_t step, int count) {
-    line.assign(static_cast<std::size_t>(count + 2 * radius), 0);
+    line.assign(count + 2 * radius, 0);
     float* const middle = line.data() + radius;
     for (int k = 0; k < count; ++k) middle[k] = first[step * k];
     const float share = 1 / static_cast<float>(2 * radius + 1);
@@ -23,8 +23,7 @@ void boxBlur(std::vector<float>& values, int width, int height, int radius) {
       sum -= middle[k - radius];
     }
   };
-  for (int y = 0; y < height; ++y)
-    blurLine(&values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)], 1, width);
+  for (int y = 0; y < height; ++y) blurLine(&values[indexOf(0, y, width)], 1, width);
   for (int x = 0; x < width; ++x) blurLine(&values[x], width, height);
 }
 
@@ -40,15 +39,12 @@ Shadow shadowOf(const std::vector<std::uint8_t>& covered, int samples, const Box
   shadow.border = 4 * blur;
   shadow.width = (page.width - 1) / shadow.cell + 1 + 2 * shadow.border;
   shadow.height = (page.height - 1) / shadow.cell + 1 + 2 * shadow.border;
-  shadow.dark.assign(static_cast<std::size_t>(shadow.width) * static_cast<std::size_t>(shadow.height), 0);
+  shadow.dark.assign(cellCount(shadow.width, shadow.height), 0);
   const float share = 1 / static_cast<float>(shadow.cell * shadow.cell * samples);
   const std::uint8_t* pixel = covered.data();
   // Each pixel adds the share of its samples that the plate covers.
   for (int y = 0; y < page.height; ++y) {
-    float* const row =
-        &shadow
-             .dark[static_cast<std::size_t>(y / shadow.cell + shadow.border) * static_cast<std::size_t>(shadow.width) +
-                   static_cast<std::size_t>(shadow.border)];
+    float* const row = &shadow.dark[indexOf(shadow.border, y / shadow.cell + shadow.border, shadow.width)];
     for (int x = 0; x < page.width; ++x) row[x / shadow.cell] += static_cast<float>(*pixel++) * share;
   }
   for (int pass = 0; pass < 3; ++pass) boxBlur(shadow.dark, shadow.width, shadow.height, blur);
@@ -65,8 +61,7 @@ float shadowAt(const Shadow& shadow, float x, float y) {
   const int j = static_cast<int>(v);
   const float fu = u - static_cast<float>(i);
   const float fv = v - static_cast<float>(j);
-  const float* row =
-      &shadow.dark[static_cast<std::size_t>(j) * static_cast<std::size_t>(shadow.width) + static_cast<std::size_t>(i)];
+  const float* row = &shadow.dark[indexOf(i, j, shadow.width)];
   const float* below = row + shadow.width;
   return (row[0] * (1 - fu) + row[1] * fu) * (1 - fv) + (below[0] * (1 - fu) + below[1] * fu) * fv;
 }

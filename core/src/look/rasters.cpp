@@ -15,7 +15,7 @@ struct Span {
 
 /// Weights from `from` samples to `to`: linear interpolation where there are more, box means where there are fewer.
 std::vector<Span> spansOf(int from, int to) {
-  std::vector<Span> spans(static_cast<std::size_t>(to));
+  std::vector<Span> spans(to);
   const double step = static_cast<double>(from) / to;
   for (int k = 0; k < to; ++k) {
     Span& span = spans[k];
@@ -56,8 +56,8 @@ void blurLine(float* first, std::size_t step, std::size_t count, float share, st
 std::vector<float> blurred(std::vector<float> values, int width, int height, float sigma) {
   // The share with which the four exponentials together have the variance of the Gaussian.
   const float share = 2 * (std::sqrt(1 + sigma * sigma) - 1) / (sigma * sigma);
-  const auto columns = static_cast<std::size_t>(width);
-  const auto rows = static_cast<std::size_t>(height);
+  const std::size_t columns = width;
+  const std::size_t rows = height;
   std::vector<float> line;
   for (int pass = 0; pass < 2; ++pass) {
     for (std::size_t y = 0; y < rows; ++y) blurLine(&values[y * columns], 1, columns, share, line);
@@ -71,8 +71,8 @@ Tones means(const Tones& values, int width, int height) {
   if (values.width == width && values.height == height) return values;
   const std::vector<Span> columns = spansOf(values.width, width), rows = spansOf(values.height, height);
   Tones out{width, height, {}};
-  out.value.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  std::vector<float> line(static_cast<std::size_t>(values.width));
+  out.value.resize(cellCount(width, height));
+  std::vector<float> line(values.width);
   for (int y = 0; y < height; ++y) {
     const Span& row = rows[y];
     std::fill(line.begin(), line.end(), 0.0f);
@@ -85,9 +85,9 @@ Tones means(const Tones& values, int width, int height) {
       const Span& column = columns[x];
       float sum = 0;
       for (std::size_t i = 0; i < column.weights.size(); ++i) {
-        sum += column.weights[i] * line[static_cast<std::size_t>(column.first) + i];
+        sum += column.weights[i] * line[column.first + i];
       }
-      out.value[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] = sum;
+      out.value[indexOf(x, y, width)] = sum;
     }
   }
   return out;

@@ -100,12 +100,11 @@ Tones greysOf(const Image& image, Grey&& grey) {
   const bool large = static_cast<std::int64_t>(image.width) * image.height > kMaxImagePixels;
   const int halved = large ? 1 : 0;
   Tones tones{image.width >> halved, image.height >> halved, {}};
-  tones.value.resize(static_cast<std::size_t>(tones.width) * static_cast<std::size_t>(tones.height));
-  const auto channels = static_cast<std::size_t>(image.channels);
+  tones.value.resize(cellCount(tones.width, tones.height));
+  const std::size_t channels = image.channels;
   for (int y = 0; y < tones.height << halved; ++y) {
-    const std::uint16_t* pixel =
-        &image.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) * channels];
-    float* const row = &tones.value[static_cast<std::size_t>(y >> halved) * static_cast<std::size_t>(tones.width)];
+    const std::uint16_t* pixel = &image.samples[indexOf(0, y, image.width) * channels];
+    float* const row = &tones.value[indexOf(0, y >> halved, tones.width)];
     for (int x = 0; x < tones.width << halved; ++x, pixel += channels) {
       const float solid = channels % 2 == 0 ? codeOfSample(pixel[channels - 1]) : 1;
       const float code = channels < 3 ? codeOfSample(pixel[0]) : grey(pixel);

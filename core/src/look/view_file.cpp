@@ -52,7 +52,7 @@ Raster emptyRaster(Vec2 page, double spacing, double most) {
   };
   raster.width = side(page.x);
   raster.height = side(page.y);
-  raster.texels.resize(static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height));
+  raster.texels.resize(cellCount(raster.width, raster.height));
   return raster;
 }
 
@@ -102,8 +102,7 @@ void draw(const Capsule& capsule, Raster& raster) {
       const std::uint16_t bits = samplesWithin(capsule, x, y);
       if (bits == 0) continue;
       const auto count = static_cast<float>(countOf(bits));
-      Texel& texel = raster.texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width) +
-                                   static_cast<std::size_t>(x)];
+      Texel& texel = raster.texels[indexOf(x, y, raster.width)];
       // Doubled angles, so that beads in opposite senses add up.
       texel.z = texel.z + capsule.z * count;
       texel.width += capsule.width * count;

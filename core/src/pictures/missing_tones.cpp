@@ -15,7 +15,7 @@ constexpr int kSteps = 360;      // directions among which the darkest one is so
 void blurLines(std::vector<float>& values, std::size_t lines, std::size_t lineStep, int count, std::size_t step) {
   constexpr float kWeights[] = {1, 0.135f};
   constexpr int kRadius = 1;
-  std::vector<float> line(static_cast<std::size_t>(count));
+  std::vector<float> line(count);
   for (std::size_t j = 0; j < lines; ++j) {
     float* first = values.data() + j * lineStep;
     for (int k = 0; k < count; ++k) {
@@ -59,17 +59,14 @@ void addMissingTones(std::span<const float> light, const Tones& asked, const Lob
   const auto columns = static_cast<std::size_t>(asked.width), rows = static_cast<std::size_t>(asked.height);
   blurLines(missing, rows, columns, asked.width, 1);
   blurLines(missing, columns, 1, asked.height, columns);
-  const auto at = [&](int x, int y) {
-    return missing[static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x)];
-  };
+  const auto at = [&](int x, int y) { return missing[static_cast<std::size_t>(y) * columns + x]; };
   for (int y = 0; y < next.height; ++y) {
     const Between row = cellsAt(y, next.height, asked.height);
     for (int x = 0; x < next.width; ++x) {
       const Between column = cellsAt(x, next.width, asked.width);
       const float above = at(column.left, row.left) * (1 - column.share) + at(column.right, row.left) * column.share;
       const float below = at(column.left, row.right) * (1 - column.share) + at(column.right, row.right) * column.share;
-      float& tone =
-          next.value[static_cast<std::size_t>(y) * static_cast<std::size_t>(next.width) + static_cast<std::size_t>(x)];
+      float& tone = next.value[indexOf(x, y, next.width)];
       tone = std::clamp(tone + kShare * (above * (1 - row.share) + below * row.share), 0.0f, 1.0f);
     }
   }

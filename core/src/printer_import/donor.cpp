@@ -85,7 +85,7 @@ void replaceParameters(std::string& line, ValueOf&& valueOf) {
   std::string out;
   std::size_t done = 0;
   forEachParameter(line, [&](const std::string& key, std::string_view old) {
-    const auto at = static_cast<std::size_t>(old.data() - line.data());
+    const std::size_t at = old.data() - line.data();
     if (at < done) return;
     out.append(line, done, at - done).append(valueOf(key, old));
     done = at + old.size();
@@ -444,7 +444,7 @@ void Donor::scan(std::string_view text) {
 
 // Takes the settings that the file states. The blocks among them are templates only; those in the file were printed.
 void Donor::takeOwnSettings() {
-  chooseTool(settings_, static_cast<std::size_t>(tool_));
+  chooseTool(settings_, tool_);
   for (const char* key : {"machine_start_gcode", "start_gcode"}) {
     if (const auto told = settings_.find(key); told != settings_.end() && template_.empty())
       template_ = unescaped(told->second);

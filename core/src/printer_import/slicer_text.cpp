@@ -18,7 +18,7 @@ std::optional<double> firstNumber(std::string_view text) {
   text = trimmed(text);
   const auto read = fast_float::from_chars(text.data(), text.data() + text.size(), value);
   if (read.ec != std::errc{} || !(std::abs(value) < 1e9)) return std::nullopt;
-  const std::string_view rest(read.ptr, static_cast<std::size_t>(text.data() + text.size() - read.ptr));
+  const std::string_view rest(read.ptr, text.data() + text.size() - read.ptr);
   const bool ends = rest.empty() || rest[0] == ',' || rest[0] == ';' || rest[0] == '%';
   return ends && !rest.starts_with('%') ? std::optional<double>(value) : std::nullopt;
 }
@@ -60,9 +60,7 @@ char separatorOf(std::string_view list) { return list.find_first_of(";\"") != st
 
 }  // namespace
 
-std::size_t itemsOf(std::string_view list) {
-  return 1 + static_cast<std::size_t>(std::count(list.begin(), list.end(), separatorOf(list)));
-}
+std::size_t itemsOf(std::string_view list) { return 1 + std::count(list.begin(), list.end(), separatorOf(list)); }
 
 std::string itemOf(std::string_view list, std::size_t index) {
   const char separator = separatorOf(list);

@@ -229,7 +229,7 @@ namespace {
 bool isCutOut(const Image& image) {
   if (image.channels % 2 != 0) return false;
   std::size_t clear = 0;
-  const auto step = static_cast<std::size_t>(image.channels);
+  const std::size_t step = image.channels;
   for (std::size_t k = step - 1; k < image.samples.size(); k += step) clear += image.samples[k] < 0x8000 ? 1 : 0;
   return 100 * clear >= image.samples.size() / step;
 }

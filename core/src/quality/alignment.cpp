@@ -22,15 +22,13 @@ struct Asked {
   double shallow;  ///< [mm] from the border, depth of the perimeters, in which no bead is constrained
 
   [[nodiscard]] Vec2f lineAt(TexelIndex at) const {
-    return lines[directions.angle[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(directions.width) +
-                                  static_cast<std::size_t>(at.x)]];
+    return lines[directions.angle[indexOf(at.x, at.y, directions.width)]];
   }
 
   [[nodiscard]] DirectionMode modeAt(Vec2 p) const {
     if (modes.mode.size() == 1) return modes.mode.front();
     const TexelIndex at = texelAt(p, page, modes.width, modes.height);
-    return modes
-        .mode[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(modes.width) + static_cast<std::size_t>(at.x)];
+    return modes.mode[indexOf(at.x, at.y, modes.width)];
   }
 };
 

@@ -138,7 +138,7 @@ void sortIntoTiles(BeadRaster& laid) {
   const auto forTiles = [&](const Bead& bead, const auto& visit) {
     const Reach r = reachOf(bead, laid);
     for (int y = r.y0; y <= r.y1; ++y) {
-      for (int x = r.x0; x <= r.x1; ++x) visit(static_cast<std::size_t>(y * laid.tilesAcross + x));
+      for (int x = r.x0; x <= r.x1; ++x) visit(y * laid.tilesAcross + x);
     }
   };
   std::vector<std::size_t>& begin = laid.begin;
@@ -285,7 +285,7 @@ class TilePasses {
   // Marks the pixels of a mask that are covered by stretches that are not near it.
   void countTwice(const Mask& mask) {
     for (int y = mask.begin; y < mask.end; ++y) {
-      const auto row = static_cast<std::size_t>(y);
+      const std::size_t row = y;
       RowBits twice = mask.rows[row] & covered_[row];
       for (std::size_t k = 0; k < std::min(used_, masks_.size()) && any(twice); ++k) {
         const Mask& near = masks_[k];
@@ -402,12 +402,12 @@ int offBorder(const BeadRaster& laid, const BorderIndex& border, const Tile& til
 BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const BorderIndex& border, const Bounds& box,
                   const RunContext& run) {
   const BeadRaster laid = beadRasterOf(toolpath, shape, box);
-  std::vector<BeadArea> counts(static_cast<std::size_t>(laid.tiles));
+  std::vector<BeadArea> counts(laid.tiles);
   const auto countTiles = [&](int firstTile, int lastTile) {
     TilePasses passes;
     for (int t = firstTile; t < lastTile && !run.cancelled(); ++t) {
       const Tile tile = tileAt(laid, t);
-      const std::size_t end = laid.begin[static_cast<std::size_t>(t) + 1];
+      const std::size_t end = laid.begin[t + 1];
       for (std::size_t at = laid.begin[t]; at < end; ++at) {
         lay(laid, laid.beads[laid.beadOf[at]], tile, passes);
       }

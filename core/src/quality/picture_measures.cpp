@@ -60,7 +60,7 @@ void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, i
   const int top = firstCell * kPointsPerCell;
   const int rows = (endCell - firstCell) * kPointsPerCell;
   const auto stride = static_cast<std::size_t>(width) + 3;  // room for groups of four that pass the end of a row
-  std::vector<float> distance(stride * static_cast<std::size_t>(rows), 1e30f);
+  std::vector<float> distance(stride * rows, 1e30f);
   std::vector<std::uint32_t> nearest(distance.size(), 0);
   for (const std::uint32_t k : inBand) {
     const Segment& s = beads.segments[k];
@@ -87,7 +87,7 @@ void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, i
         const F4 offX = px - dx * t;
         const F4 offY = py - dy * t;
         const F4 away = offX * offX + offY * offY;
-        const std::size_t at = row + static_cast<std::size_t>(x);
+        const std::size_t at = row + x;
         const F4 before = load4(&distance[at]);
         const I4 nearer = (away < within) & (away < before);
         store4(&distance[at], select4(nearer, away, before));
@@ -109,8 +109,7 @@ void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, i
           sum += beads.light[nearest[at] * beads.pictures + k];
           ++seen;
         }
-        const std::size_t cell =
-            static_cast<std::size_t>(cy) * static_cast<std::size_t>(cells.width) + static_cast<std::size_t>(cx);
+        const std::size_t cell = indexOf(cx, cy, cells.width);
         lights[k][cell] = 2 * seen >= kPointsPerCell * kPointsPerCell ? sum / static_cast<float>(seen) : -1.0f;
       }
     }
@@ -160,8 +159,7 @@ double ssimOf(const std::vector<float>& seen, const Tones& picture, std::span<co
       bool whole = true;
       for (int j = -kRadius; j <= kRadius && whole; ++j) {
         for (int i = -kRadius; i <= kRadius; ++i) {
-          const std::size_t at = static_cast<std::size_t>(y + j) * static_cast<std::size_t>(picture.width) +
-                                 static_cast<std::size_t>(x + i);
+          const std::size_t at = indexOf(x + i, y + j, picture.width);
           whole = whole && light[at] >= 0;
           s.add(kGauss[std::abs(i)] * kGauss[std::abs(j)], static_cast<double>(seen[at]),
                 static_cast<double>(picture.value[at]));
@@ -193,7 +191,7 @@ Sums sumsOf(std::span<const float> light, const Tones& picture) {
 
 PictureMeasures compareTones(std::span<const float> light, const Tones& picture) {
   PictureMeasures out;
-  const std::size_t cells = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  const std::size_t cells = cellCount(picture.width, picture.height);
   if (light.size() != cells || picture.value.size() != cells) return out;
   const Sums sums = sumsOf(light, picture);
   if (!(sums.weight > 0)) return out;
@@ -260,11 +258,10 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
         for (const Lobe& lobe : lobes) beads.light.push_back(lightOf(lobe, (b - a) * (1 / size)));
       }
     }
-    Lights lights(lamps.size(),
-                  std::vector<float>(static_cast<std::size_t>(cells.width) * static_cast<std::size_t>(cells.height)));
+    Lights lights(lamps.size(), std::vector<float>(cellCount(cells.width, cells.height)));
     constexpr int kBandRows = kBandCells * kPointsPerCell;
     const int bands = (cells.height + kBandCells - 1) / kBandCells;
-    std::vector<std::vector<std::uint32_t>> inBand(static_cast<std::size_t>(bands));
+    std::vector<std::vector<std::uint32_t>> inBand(bands);
     for (std::size_t k = 0; k < beads.segments.size(); ++k) {
       const auto [from, to] = rowsOf(beads.segments[k]);
       const int last = std::min(to / kBandRows, bands - 1);

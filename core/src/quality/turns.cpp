@@ -13,7 +13,7 @@ constexpr int kGrain = 1 << 14;
 
 // Unit vectors along the steps of a cycle.
 std::vector<Vec2f> headingsOf(const Vec2f* points, int n, const RunContext& run) {
-  std::vector<Vec2f> headings(static_cast<std::size_t>(n));
+  std::vector<Vec2f> headings(n);
   parallelFor(run, n, kGrain, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       const Vec2f e = points[k + 1 < n ? k + 1 : 0] - points[k];
@@ -36,7 +36,7 @@ std::int64_t countRuns(const std::vector<Vec2f>& headings, std::size_t apart, fl
     bool before = turnsAt(first > 0 ? static_cast<std::size_t>(first) - 1 : n - 1);
     std::int64_t found = 0;
     for (int k = first; k < last; ++k) {
-      const bool turns = turnsAt(static_cast<std::size_t>(k));
+      const bool turns = turnsAt(k);
       found += turns && !before ? 1 : 0;
       before = turns;
     }

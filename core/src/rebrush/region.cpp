@@ -14,9 +14,7 @@ constexpr double kMostCells = 4e6;    // largest number of cells: larger faces h
 constexpr double kLargestBed = 5000;  // [mm] largest coordinate on any bed
 constexpr int kMargin = 3;            // [cells] margin around the beads, so that outlines close
 
-std::size_t index(const RegionField& field, int x, int y) {
-  return static_cast<std::size_t>(y) * static_cast<std::size_t>(field.columns) + static_cast<std::size_t>(x);
-}
+std::size_t index(const RegionField& field, int x, int y) { return indexOf(x, y, field.columns); }
 
 // Lowers the distances near a bead to those from its edge, up to `beyond` [mm] outside.
 void draw(RegionField& field, const RegionBead& bead, double beyond) {
@@ -86,7 +84,7 @@ void fillNotches(RegionField& field, double radius) {
 void labelParts(RegionField& field) {
   field.part.assign(field.distance.size(), -1);
   std::vector<std::size_t> queue;
-  const auto columns = static_cast<std::size_t>(field.columns);
+  const std::size_t columns = field.columns;
   for (std::size_t seed = 0; seed < field.distance.size(); ++seed) {
     if (field.distance[seed] >= 0 || field.part[seed] >= 0) continue;
     queue.assign(1, seed);
@@ -144,8 +142,7 @@ Result<RegionField> fieldOfBeads(const std::vector<RegionBead>& beads, double no
   field.corner = box.min - Vec2{margin * field.cell, margin * field.cell};
   field.columns = static_cast<int>(std::ceil(size.x / field.cell)) + 2 * margin;
   field.rows = static_cast<int>(std::ceil(size.y / field.cell)) + 2 * margin;
-  field.distance.assign(static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows),
-                        static_cast<float>(beyond));
+  field.distance.assign(cellCount(field.columns, field.rows), static_cast<float>(beyond));
   for (const RegionBead& bead : beads) draw(field, bead, beyond);
   if (notch > 0) fillNotches(field, notch);
   labelParts(field);
@@ -175,15 +172,14 @@ Result<Shape> regionOf(const RegionField& field, int part, double hole, Vec2& co
   mask.width = right - left + 1;
   mask.height = above - below + 1;
   mask.channels = 1;
-  mask.samples.resize(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
+  mask.samples.resize(cellCount(mask.width, mask.height));
   // Grey is one half at the edge, so that the outline runs between cells. Cells of other parts are outside.
   for (int y = 0; y < mask.height; ++y) {
     for (int x = 0; x < mask.width; ++x) {
       const std::size_t cell = index(field, left + x, above - y);
       const bool other = field.part[cell] >= 0 && field.part[cell] != part;
       const double grey = other ? 0 : std::clamp(0.5 - field.distance[cell] / (4 * field.cell), 0.0, 1.0);
-      mask.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(x)] =
-          static_cast<std::uint16_t>(std::lround(65535 * grey));
+      mask.samples[indexOf(x, y, mask.width)] = static_cast<std::uint16_t>(std::lround(65535 * grey));
     }
   }
   corner = field.corner + Vec2{left * field.cell, below * field.cell};
@@ -204,7 +200,7 @@ std::vector<float> depths(const RegionField& field) {
 }
 
 std::vector<double> breadths(const RegionField& field, const std::vector<float>& depth) {
-  std::vector<double> widest(static_cast<std::size_t>(field.parts), 0);
+  std::vector<double> widest(field.parts, 0);
   for (std::size_t k = 0; k < depth.size(); ++k) {
     if (field.part[k] < 0) continue;
     double& most = widest[field.part[k]];

@@ -159,9 +159,9 @@ void draw(const Bead& bead, PrintRelief& relief) {
       const double aside = (v - middle) / across;
       const auto z =
           static_cast<float>(static_cast<double>(bead.top) - kRound * static_cast<double>(bead.height) * aside * aside);
-      const std::size_t row = static_cast<std::size_t>(steep ? u : v);
-      const std::size_t column = static_cast<std::size_t>(steep ? v : u);
-      float& height = relief.heights[row * static_cast<std::size_t>(relief.columns) + column];
+      const std::size_t row = steep ? u : v;
+      const std::size_t column = steep ? v : u;
+      float& height = relief.heights[row * relief.columns + column];
       height = std::max(height, z);
     }
   }
@@ -195,7 +195,7 @@ Result<PrintRelief> printRelief(std::string_view gcode, int side, const RunConte
   relief.cell = std::max(kFinest, std::max(size.x, size.y) / side);
   relief.columns = std::clamp(static_cast<int>(std::ceil(size.x / relief.cell)), 1, side);
   relief.rows = std::clamp(static_cast<int>(std::ceil(size.y / relief.cell)), 1, side);
-  relief.heights.assign(static_cast<std::size_t>(relief.columns) * static_cast<std::size_t>(relief.rows), 0);
+  relief.heights.assign(cellCount(relief.columns, relief.rows), 0);
   Beads again(settings, [&](const Bead& bead) { draw(bead, relief); });
   run.beginStage("drawing", 0.5, 1);
   if (!forEachLine(gcode, run, [&](const GcodeLine& line) { again.line(line); })) {

@@ -24,8 +24,7 @@ void mark(std::vector<bool>& cells, const RegionField& field, double width, Vec2
     const int y = cell / field.columns;
     for (int v = std::max(0, y - reach); v <= std::min(field.rows - 1, y + reach); ++v) {
       for (int u = std::max(0, x - reach); u <= std::min(field.columns - 1, x + reach); ++u) {
-        cells[static_cast<std::size_t>(v) * static_cast<std::size_t>(field.columns) + static_cast<std::size_t>(u)] =
-            true;
+        cells[indexOf(u, v, field.columns)] = true;
       }
     }
   }
@@ -62,7 +61,7 @@ void Skins::add(SurfaceBlock block, const std::shared_ptr<const RegionField>& fi
     stretch.covered.resize(field->part.size());
     std::vector<bool> carried(field->part.size());
     for (const auto& [from, to] : below_) mark(carried, *field, stretch.width, from, to);
-    std::vector<Cells> cells(static_cast<std::size_t>(field->parts));
+    std::vector<Cells> cells(field->parts);
     for (std::size_t k = 0; k < carried.size(); ++k) {
       if (field->part[k] >= 0) cells[field->part[k]].add(carried[k]);
     }
@@ -85,16 +84,16 @@ std::vector<SurfaceBlock> Skins::endLayer() {
     // A top may reach a little under the walls of the next layer. Infill above a skin would cover all of it.
     const RegionField& field = *stretch.field;
     const std::vector<float> depth = depths(field);
-    std::vector<Cells> all(static_cast<std::size_t>(field.parts));
+    std::vector<Cells> all(field.parts);
     std::vector<Cells> deep(all.size());
     for (std::size_t k = 0; k < stretch.covered.size(); ++k) {
       if (field.part[k] < 0) continue;
-      const auto part = static_cast<std::size_t>(field.part[k]);
+      const std::size_t part = field.part[k];
       all[part].add(stretch.covered[k]);
       if (static_cast<double>(depth[k]) * field.cell > kExpanded) deep[part].add(stretch.covered[k]);
     }
     for (Skin& skin : stretch.skins) {
-      const auto part = static_cast<std::size_t>(skin.part);
+      const std::size_t part = skin.part;
       const double covered = all[part].share();
       if (covered > kInside) continue;
       const bool rim = deep[part].share() <= kCovered && covered <= kMostExpanded;

@@ -33,9 +33,7 @@ Map cutMap(const Map& map, const Texels& texels, const Bounds& part, const Bound
       const Vec2 t{(p.x - whole.min.x) / size.x, 1 - (p.y - whole.min.y) / size.y};
       const int column = static_cast<int>(std::clamp(t.x * map.width, 0.0, map.width - 1.0));
       const int row = static_cast<int>(std::clamp(t.y * map.height, 0.0, map.height - 1.0));
-      (cut.*texels)
-          .push_back((map.*texels)[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width) +
-                                   static_cast<std::size_t>(column)]);
+      (cut.*texels).push_back((map.*texels)[indexOf(column, row, map.width)]);
     }
   }
   return cut;

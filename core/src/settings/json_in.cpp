@@ -173,7 +173,7 @@ struct ReadValue {
     const std::vector<std::string> words = splitWords(setting.choices);
     const auto found = std::find(words.begin(), words.end(), text);
     if (found == words.end()) return name + " is " + inQuotes(text) + "; it must be " + choicesText(setting);
-    choose(field, static_cast<std::size_t>(found - words.begin()));
+    choose(field, found - words.begin());
     return "";
   }
 };

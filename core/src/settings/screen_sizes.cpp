@@ -17,7 +17,7 @@ ThumbnailSize sizeFrom(std::string_view word) {
   if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x') return {};
   const auto height = std::from_chars(width.ptr + 1, end, size.height);
   if (height.ec != std::errc{}) return {};
-  const std::string_view format(height.ptr, static_cast<std::size_t>(end - height.ptr));
+  const std::string_view format(height.ptr, end - height.ptr);
   if (format == "/QOI") {
     size.format = ThumbnailFormat::Qoi;
   } else if (!format.empty() && format != "/PNG") {

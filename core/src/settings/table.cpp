@@ -1466,9 +1466,7 @@ SettingsView viewOf(Project& project) { return {&project, &project.toolpath, &pr
 
 std::span<const Setting> settings() { return kSettings; }
 
-SettingWords wordsOf(const Setting& setting) {
-  return kWords.at(static_cast<std::size_t>(&setting - kSettings.data()));
-}
+SettingWords wordsOf(const Setting& setting) { return kWords.at(&setting - kSettings.data()); }
 
 const Setting* findSetting(Section section, std::string_view key) {
   for (const Setting& setting : kSettings) {

@@ -44,10 +44,7 @@ class Reading {
   [[nodiscard]] bool succeeds() const { return findersShow() && formatReads() && blocksRead(); }
 
  private:
-  [[nodiscard]] std::size_t at(int x, int y) const {
-    return static_cast<std::size_t>(y + kQuietZone) * static_cast<std::size_t>(code_.width) +
-           static_cast<std::size_t>(x + kQuietZone);
-  }
+  [[nodiscard]] std::size_t at(int x, int y) const { return indexOf(x + kQuietZone, y + kQuietZone, code_.width); }
   [[nodiscard]] bool wrong(int x, int y) const { return wrong_[at(x, y)] != 0; }
   [[nodiscard]] int dark(int x, int y) const { return code_.samples[at(x, y)] == 0 ? 1 : 0; }
 
@@ -117,7 +114,7 @@ class Reading {
   [[nodiscard]] bool blocksRead() const {
     // The level is two bits of the format: low 1, medium 0, quartile 3, high 2; the mask inverts the upper one.
     const auto level = static_cast<std::size_t>(((dark(0, 8) ^ 1) * 2 + dark(1, 8)) ^ 1);
-    const auto version = static_cast<std::size_t>(version_ - 1);
+    const std::size_t version = version_ - 1;
     const std::size_t blocks = kBlocks[level][version], correction = kCorrectionWords[level][version];
     const std::vector<char> words = wrongWords();
     const std::size_t data = words.size() - blocks * correction, shared = data - data % blocks;

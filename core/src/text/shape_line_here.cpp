@@ -143,7 +143,7 @@ std::u16string lettersOf(std::string_view line) {
   UErrorCode status = U_ZERO_ERROR;
   const auto size = static_cast<std::int32_t>(line.size());
   u_strFromUTF8WithSub(letters.data(), size, &length, line.data(), size, 0xFFFD, nullptr, &status);
-  letters.resize(static_cast<std::size_t>(length));
+  letters.resize(length);
   for (char16_t& letter : letters) {
     const bool control = letter < 0x20 || (letter >= 0x7F && letter < 0xA0) || letter == 0x2028 || letter == 0x2029;
     if (control) letter = u' ';

@@ -48,7 +48,7 @@ std::vector<TextRun> byWay(std::u16string_view line, TextRun whole) {
   for (std::int32_t k = 0; k < count; ++k) {
     std::int32_t start = 0, length = 0;
     const bool toLeft = ubidi_getVisualRun(order.get(), k, &start, &length) == UBIDI_RTL;
-    const std::size_t begin = whole.begin + static_cast<std::size_t>(start);
+    const std::size_t begin = whole.begin + start;
     const TextRun run{begin, begin + static_cast<std::size_t>(length), toLeft};
     // Adjacent runs of one direction, whose levels differ by two, are joined, so that kerning works across them.
     TextRun* const before = ways.empty() || ways.back().toLeft != toLeft ? nullptr : &ways.back();

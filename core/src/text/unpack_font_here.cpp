@@ -25,7 +25,7 @@ class Bytes {
 
   std::uint32_t number(int bytes) {
     std::uint32_t value = 0;
-    for (const char byte : take(static_cast<std::size_t>(bytes))) value = value << 8 | static_cast<unsigned char>(byte);
+    for (const char byte : take(bytes)) value = value << 8 | static_cast<unsigned char>(byte);
     return value;
   }
   std::uint8_t byte() { return static_cast<std::uint8_t>(number(1)); }

@@ -39,7 +39,7 @@ Nearest nearestOn(const PointGrid& grid, Vec2f p, Vec2f normal, float cap, const
   const F4 ny = splat(normal.y);
   grid.around(p, cap, [&](int from, int to) {
     for (int k = from; k < to; k += 4) {
-      const std::size_t s = static_cast<std::size_t>(k);
+      const std::size_t s = k;
       const F4 dx = load4(&grid.x[s]) - px;
       const F4 dy = load4(&grid.y[s]) - py;
       const I4 id = load4(&grid.id[s]);
@@ -76,7 +76,7 @@ void markFollowing(const ClosedCurves& curves, std::vector<char>& tight) {
     const int n = curves.size(c);
     int left = 0;
     for (int k = std::max(0, n - kOwnChain - 1); k < 2 * n; ++k) {  // from before the first point on
-      const std::size_t i = static_cast<std::size_t>(first + (k < n ? k : k - n));
+      const std::size_t i = first + (k < n ? k : k - n);
       if (tight[i] == 1) {
         left = kOwnChain + 1;
       } else if (left > 0) {
@@ -101,7 +101,7 @@ BeadGaps beadGaps(const ClosedCurves& curves, const BorderIndex& border, double 
   parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
     BorderDepth depth(border);
     for (int k = begin; k < end; ++k) {
-      const std::size_t i = static_cast<std::size_t>(k);
+      const std::size_t i = k;
       const int curve = curveOf[i];
       const Vec2f p = curves.points[i];
       const Vec2f tangent = tangentAt(curves, curve, k);

@@ -54,8 +54,8 @@ struct Share {
 std::vector<float> movesWidths(const ClosedCurves& curves, const std::vector<float>& width) {
   std::vector<float> widths(width.size());
   for (int c = 0; c < curves.count(); ++c) {
-    for (int k = curves.begin[c]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
-      const std::size_t i = static_cast<std::size_t>(k);
+    for (int k = curves.begin[c]; k < curves.begin[c + 1]; ++k) {
+      const std::size_t i = k;
       const float wider = std::max(width[previousOf(curves, c, k)], width[nextOf(curves, c, k)]);
       widths[i] = width[i] + 0.5f * std::clamp(wider - width[i], 0.0f, kWidthStep);
     }
@@ -81,7 +81,7 @@ class Beads {
   /// Computes by which factor a point's bead and each of its neighbours may be scaled until they overlap by no more
   /// than is allowed, and returns the smallest. \param growth  the largest factor looked for.
   [[nodiscard]] Share shareOf(int point, float growth) const {
-    const std::size_t i = static_cast<std::size_t>(point);
+    const std::size_t i = point;
     const int c = curveOf_[i];
     const OwnChain chain(point, curves_.begin[c], curves_.size(c), kOwnChain);
     const float reach = std::max(growth * (0.5f * (moves_[i] + widest_) - limits_.allowed), 0.0f);
@@ -98,7 +98,7 @@ class Beads {
     I4 beside = splatInt(-1);
     grid_.around(curves_.points[i], reach, [&](int from, int to) {
       for (int k = from; k < to; k += 4) {
-        const std::size_t s = static_cast<std::size_t>(k);
+        const std::size_t s = k;
         const F4 dx = load4(&grid_.x[s]) - px;
         const F4 dy = load4(&grid_.y[s]) - py;
         const F4 along = tx * dx + ty * dy;
@@ -144,7 +144,7 @@ void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curv
     const float growth = round == 0 ? 1 : kGrowth;
     beads.setWidths(width);
     parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
-      for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      for (std::size_t i = begin; i < static_cast<std::size_t>(end); ++i) {
         if (open[i] == 0) continue;
         shares[i] = beads.shareOf(static_cast<int>(i), growth);
         const float least = std::min(limits.low, width[i]);
@@ -152,7 +152,7 @@ void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curv
       }
     });
     parallelFor(run, grid.count(), 8192, [&](int begin, int end) {
-      for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      for (std::size_t i = begin; i < static_cast<std::size_t>(end); ++i) {
         const bool mayGrow = width[i] < wanted[i] && (round > 0 || gaveWay(shares, i));
         open[i] = static_cast<char>(open[i] != 0 && mayGrow);
       }
@@ -174,7 +174,7 @@ Result<BeadWidths> beadWidths(const ClosedCurves& curves, const BeadGaps& gaps, 
   parallelFor(run, static_cast<int>(curves.points.size()), 4096, [&](int begin, int end) {
     BorderDepth depth(border);
     for (int k = begin; k < end; ++k) {
-      const std::size_t i = static_cast<std::size_t>(k);
+      const std::size_t i = k;
       const float least = std::min(gaps.left[i], gaps.right[i]);  // Eq. 16
       const float both = 0.5f * (gaps.left[i] + gaps.right[i]);
       float width = std::clamp(least + balance * (both - least), low, high);

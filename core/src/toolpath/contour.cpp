@@ -51,25 +51,25 @@ class Signs {
   explicit Signs(const Lattice& lattice)
       : lattice_(lattice),
         words_((static_cast<std::size_t>(lattice.grid.nx) + 63) / 64),
-        bits_(words_ * static_cast<std::size_t>(lattice.grid.ny)) {}
+        bits_(words_ * lattice.grid.ny) {}
 
   [[nodiscard]] std::size_t words() const { return words_; }  ///< words in a row
 
   // Packs one row of signs into words; zero counts as positive.
   void read(int y) {
-    const std::size_t nx = static_cast<std::size_t>(lattice_.grid.nx);
+    const std::size_t nx = lattice_.grid.nx;
     const float* values = &lattice_.values[lattice_.grid.index(0, y)];
     for (std::size_t w = 0; w < words_; ++w) {
       const std::size_t count = std::min<std::size_t>(64, nx - 64 * w);
       Word bits = 0;
       for (std::size_t k = 0; k < count; ++k) bits |= static_cast<Word>(values[64 * w + k] >= 0 ? 1 : 0) << k;
-      bits_[words_ * static_cast<std::size_t>(y) + w] = bits;
+      bits_[words_ * y + w] = bits;
     }
   }
 
   /// Bit x: a vertex lies on (x, y)-(x + 1, y).
   [[nodiscard]] Word along(int y, std::size_t w) const {
-    const Word* row = &bits_[words_ * static_cast<std::size_t>(y)];
+    const Word* row = &bits_[words_ * y];
     const Word next = w + 1 < words_ ? row[w + 1] << 63 : 0;
     return (row[w] ^ (row[w] >> 1 | next)) & within(w, lattice_.grid.nx - 1);
   }
@@ -77,7 +77,7 @@ class Signs {
   /// Bit x: a vertex lies on (x, y)-(x, y + 1).
   [[nodiscard]] Word up(int y, std::size_t w) const {
     if (y + 1 >= lattice_.grid.ny) return 0;
-    const std::size_t at = words_ * static_cast<std::size_t>(y) + w;
+    const std::size_t at = words_ * y + w;
     return bits_[at] ^ bits_[at + words_];
   }
 
@@ -150,7 +150,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
   // 2. Number the vertices row by row: first the edges along the row, then those up to the next row. The bits of each
   // row are counted, and sums of the counts tell where each row begins, so that rows can be worked on at the same time.
   std::vector<std::int64_t> first(static_cast<std::size_t>(grid.ny) + 1, 0);
-  std::vector<int> firstUp(static_cast<std::size_t>(grid.ny), 0);  // offset within its row
+  std::vector<int> firstUp(grid.ny, 0);  // offset within its row
   parallelFor(run, grid.ny, grain, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       int along = 0;
@@ -159,7 +159,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
         along += std::popcount(signs.along(y, w));
         up += std::popcount(signs.up(y, w));
       }
-      first[static_cast<std::size_t>(y) + 1] = along + up;
+      first[y + 1] = along + up;
       firstUp[y] = along;
     }
   });
@@ -174,7 +174,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
   std::vector<int> next(static_cast<std::size_t>(total), -1);
   parallelFor(run, grid.ny - 1, grain, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      const std::size_t row = static_cast<std::size_t>(y);
+      const std::size_t row = y;
       int along = static_cast<int>(first[row]);  // the next vertex of each kind
       int above = static_cast<int>(first[row + 1]);
       int up = along + firstUp[row];

@@ -191,7 +191,7 @@ void roundKinks(ClosedCurves& curves, const BorderIndex& border, double spacing,
     // Points whose two segments differ by 26 degrees or more are looked at closely; few are.
     std::vector<int> suspects;
     for (int c = 0; c < curves.count(); ++c) {
-      const int end = curves.begin[static_cast<std::size_t>(c) + 1];
+      const int end = curves.begin[c + 1];
       for (int k = curves.begin[c]; k < end; ++k) {
         const Vec2f p = at(k);
         if (turnsMore(p - at(previousOf(curves, c, k)), at(nextOf(curves, c, k)) - p, kSuspect)) suspects.push_back(k);

@@ -71,7 +71,7 @@ Sides besides(const Beads& beads, const Joining& joining, int point, float reach
 template <class Item, class Find>
 std::vector<Item> found(int count, const RunContext& run, const Find& find) {
   constexpr int kGrain = 1024;
-  std::vector<std::vector<Item>> some(static_cast<std::size_t>((count + kGrain - 1) / kGrain));
+  std::vector<std::vector<Item>> some((count + kGrain - 1) / kGrain);
   parallelFor(run, count, kGrain, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) find(k, some[begin / kGrain]);
   });
@@ -120,7 +120,7 @@ struct Possible {
 class Taken {
  public:
   /// \param apart  points from one joint to the next
-  Taken(int points, int apart) : apart_(apart), at_(static_cast<std::size_t>(points / apart + 2)) {}
+  Taken(int points, int apart) : apart_(apart), at_(points / apart + 2) {}
 
   void take(const Joint& joint) { at_[joint.i / apart_].push_back({joint.i, joint.j}); }
 

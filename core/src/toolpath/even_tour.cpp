@@ -30,7 +30,7 @@ Tour::Tour(int size, std::vector<int> cuts, const std::vector<Link>& links, doub
   const int count = static_cast<int>(cuts_.size());
   for (int e = 0; e < count; ++e) {
     order_[e] = rank_[e] = e;
-    length_[e] = (e + 1 < count ? cuts_[static_cast<std::size_t>(e) + 1] : size_) - cuts_[e];
+    length_[e] = (e + 1 < count ? cuts_[e + 1] : size_) - cuts_[e];
   }
   // Table of lateness by delay in steps of kLateStep points, as it is looked up for every link of every move.
   for (int k = 0; k <= size_ / kLateStep; ++k) late_.push_back(latenessAfter((k + 0.5) * kLateStep * pointSeconds));
@@ -67,8 +67,8 @@ Tour::Tour(int size, std::vector<int> cuts, const std::vector<Link>& links, doub
   // entered at both of its elements.
   firstBeside_.assign(cuts_.size() + 1, 0);
   for (const Bond& bond : bonds_) {
-    ++firstBeside_[static_cast<std::size_t>(bond.a) + 1];
-    ++firstBeside_[static_cast<std::size_t>(bond.b) + 1];
+    ++firstBeside_[bond.a + 1];
+    ++firstBeside_[bond.b + 1];
   }
   for (std::size_t e = 0; e < cuts_.size(); ++e) firstBeside_[e + 1] += firstBeside_[e];
   beside_.resize(2 * bonds_.size());
@@ -116,7 +116,7 @@ double Tour::gain(const Cuts& cuts) const {
     if (block == longest) return;
     for (int r = rankAt(from), end = rankAt(to); r < end; ++r) {
       const int e = order_[r];
-      for (int k = firstBeside_[e]; k < firstBeside_[static_cast<std::size_t>(e) + 1]; ++k) {
+      for (int k = firstBeside_[e]; k < firstBeside_[e + 1]; ++k) {
         const Beside& beside = beside_[k];
         const int there = begin_[beside.other];
         const int other = blockOf(there);
@@ -162,10 +162,10 @@ std::vector<double> Tour::latenessOfBegins(const std::vector<Link>& links) const
     if (a > b) std::swap(a, b);
     // A path that begins between the two places goes the other way round.
     const int other = late(size_ - (b - a)) - late(b - a);
-    steps[static_cast<std::size_t>(a) + 1] += other;
-    steps[static_cast<std::size_t>(b) + 1] -= other;
+    steps[a + 1] += other;
+    steps[b + 1] -= other;
   }
-  std::vector<double> sums(static_cast<std::size_t>(size_));
+  std::vector<double> sums(size_);
   std::int64_t sum = 0;
   for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = static_cast<double>(sum += steps[k]) / kUnit;
   return sums;
@@ -224,7 +224,7 @@ Tour::Split::Cut Tour::Split::cutAt(int a, int b) const {
     cut.out += tour_.size_;
     rankOut += tour_.order_.size();
   }
-  cut.late = kept_ + added_[static_cast<std::size_t>(tour_.rank_[in]) + 1] + added_[rankOut];
+  cut.late = kept_ + added_[tour_.rank_[in] + 1] + added_[rankOut];
   return cut;
 }
 

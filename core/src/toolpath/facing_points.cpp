@@ -45,9 +45,9 @@ std::vector<std::pair<int, int>> facingPoints(const Parts& parts, const std::vec
   }
   // Spread to the four neighbours within the same part. At a cell that has an owner, the two owners face each other.
   for (std::size_t k = 0; k < front.size(); ++k) {
-    const std::size_t cell = static_cast<std::size_t>(front[k]);
-    const int x = static_cast<int>(cell % static_cast<std::size_t>(grid.nx));
-    const int y = static_cast<int>(cell / static_cast<std::size_t>(grid.nx));
+    const std::size_t cell = front[k];
+    const int x = static_cast<int>(cell % grid.nx);
+    const int y = static_cast<int>(cell / grid.nx);
     const auto spread = [&](int toX, int toY) {
       if (toX < 0 || toY < 0 || toX >= grid.nx || toY >= grid.ny) return;
       const std::size_t to = grid.index(toX, toY);

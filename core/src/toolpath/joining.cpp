@@ -32,7 +32,7 @@ Joining::Joining(const ClosedCurves& curves, const PointGrid& grid, const LineFi
       next_(curves.points.size()),
       previous_(curves.points.size()),
       used_(curves.points.size(), kFree),
-      root_(static_cast<std::size_t>(curves.count())) {
+      root_(curves.count()) {
   // At first every curve is a set of its own, and each point leads to the next along its curve.
   for (int c = 0; c < curves.count(); ++c) {
     for (int k = 0; k < curves.size(c); ++k) {
@@ -194,7 +194,7 @@ ClosedCurves Joining::joined() const {
     if (root_[c] != c) continue;
     // Begin at a point that is still part of the path.
     int start = curves_.begin[c];
-    while (start < curves_.begin[static_cast<std::size_t>(c) + 1] && inner(start)) ++start;
+    while (start < curves_.begin[c + 1] && inner(start)) ++start;
     if (beginOf[c] >= 0 && !inner(beginOf[c])) start = beginOf[c];
     out.begin.push_back(static_cast<int>(out.points.size()));
     int k = start;

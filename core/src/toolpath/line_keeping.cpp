@@ -50,13 +50,13 @@ std::vector<Vec2f> movesToLines(const ClosedCurves& curves, const LineField& lin
   std::vector<char> kept;     // tells whether the segment is to be turned
   std::vector<float> share;   // share of the next point's move in that of point k
   for (int c = 0; c < curves.count(); ++c) {
-    const auto first = static_cast<std::size_t>(curves.begin[c]);
-    const auto n = static_cast<std::size_t>(curves.size(c));
+    const std::size_t first = curves.begin[c];
+    const std::size_t n = curves.size(c);
     excess.assign(n, {});
     kept.assign(n, 0);
     share.assign(n, 0);
     parallelFor(run, static_cast<int>(n), 8192, [&](int begin, int end) {
-      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      for (std::size_t k = begin; k < static_cast<std::size_t>(end); ++k) {
         const Vec2f a = curves.points[first + k];
         const Vec2f b = curves.points[first + (k + 1) % n];
         const Vec2f step = b - a;

@@ -57,7 +57,7 @@ std::vector<Vec2f> movesOf(const ClosedCurves& curves, const BeadGaps& gaps, con
     const int n = curves.size(c);
     parallelFor(run, n, 8192, [&](int begin, int end) {
       for (int k = begin; k < end; ++k) {
-        const std::size_t i = static_cast<std::size_t>(first + k);
+        const std::size_t i = first + k;
         const Vec2f tangent = tangentAt(curves, c, first + k);
         const Vec2 p = wide(curves.points[i]);
         const float part = border.blockDistance(p) < spacing ? atBorder : strength;
@@ -92,7 +92,7 @@ std::vector<float> sharesOf(const ClosedCurves& curves, float spacing) {
   std::vector<float> share(curves.points.size(), 1.0f);
   for (int c = 0; c < curves.count(); ++c) {
     const int first = curves.begin[c];
-    const float step = length(curves.points[static_cast<std::size_t>(first) + 1] - curves.points[first]);
+    const float step = length(curves.points[first + 1] - curves.points[first]);
     if (step * static_cast<float>(curves.size(c)) < kDot * spacing)
       std::fill_n(share.begin() + first, curves.size(c), 0.0f);
   }
@@ -113,13 +113,13 @@ ClosedCurves moved(const ClosedCurves& curves, const Moves& moves, const std::ve
     const int first = curves.begin[c];
     const int n = curves.size(c);
     const auto at = [&](int k) {
-      const std::size_t i = static_cast<std::size_t>(first + wrapped(k, n));
+      const std::size_t i = first + wrapped(k, n);
       return curves.points[i] + moves.by[i] * share[i];
     };
     parallelFor(run, n, 8192, [&](int begin, int end) {
       BorderDepth depth(border);
       for (int k = begin; k < end; ++k) {
-        const std::size_t i = static_cast<std::size_t>(first + k);
+        const std::size_t i = first + k;
         const Vec2f p = at(k);
         const Vec2f to = p + ((at(k - 1) + at(k + 1)) * 0.5f - p) * (moves.smoothing * share[i]);
         out.points[i] = heldInside(curves.points[i], to, border, depth, spacing);

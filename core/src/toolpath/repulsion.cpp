@@ -51,7 +51,7 @@ ClosedCurves repulsed(ClosedCurves curves, const Grid& lattice, const ToolpathPa
   // The curve of each point tells which points are its own chain.
   std::vector<int> curveOf(curves.points.size());
   for (int c = 0; c < curves.count(); ++c) {
-    std::fill(curveOf.begin() + curves.begin[c], curveOf.begin() + curves.begin[static_cast<std::size_t>(c) + 1], c);
+    std::fill(curveOf.begin() + curves.begin[c], curveOf.begin() + curves.begin[c + 1], c);
   }
   for (int round = 0; round < params.repulsionRounds && !run.cancelled(); ++round) {
     // Nearer points than half a spacing push, unless they are the bead's own.

@@ -121,8 +121,8 @@ std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curve
 // Rounds a curve to whole micrometres, and removes points that coincide then.
 Curve roundedCurve(const ClosedCurves& curves, const BeadWidths& widths, int c) {
   Curve out;
-  for (int k = curves.begin[c]; k < curves.begin[static_cast<std::size_t>(c) + 1]; ++k) {
-    const std::size_t i = static_cast<std::size_t>(k);
+  for (int k = curves.begin[c]; k < curves.begin[c + 1]; ++k) {
+    const std::size_t i = k;
     const Vec2f p{rounded(curves.points[i].x), rounded(curves.points[i].y)};
     if (!out.points.empty() && out.points.back() == p) continue;
     out.points.push_back(p);

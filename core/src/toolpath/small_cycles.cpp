@@ -169,7 +169,7 @@ ClosedCurves regularizeSmallCycles(const ClosedCurves& curves, const BorderIndex
     }
     if (circle.empty()) {
       settled.points.insert(settled.points.end(), curves.points.begin() + curves.begin[c],
-                            curves.points.begin() + curves.begin[static_cast<std::size_t>(c) + 1]);
+                            curves.points.begin() + curves.begin[c + 1]);
     } else {
       settled.points.insert(settled.points.end(), circle.begin(), circle.end());
     }

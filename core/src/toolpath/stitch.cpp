@@ -79,7 +79,7 @@ SetsToJoin setsToJoin(const ClosedCurves& curves, const std::vector<int>& partOf
   const std::size_t count = partOfCurve.size();
   SetsToJoin sets{std::vector<int>(count), std::vector<char>(count, 0), std::vector<char>(count, 0)};
   std::vector<int> points(count, 0);
-  std::vector<int> setsOfPart(static_cast<std::size_t>(parts), 0);
+  std::vector<int> setsOfPart(parts, 0);
   for (std::size_t c = 0; c < count; ++c) {
     sets.ofCurve[c] = joining.setOf(static_cast<int>(c));
     points[sets.ofCurve[c]] += curves.size(static_cast<int>(c));
@@ -127,7 +127,7 @@ std::vector<std::int32_t> freeSets(const Strands& strands, const Joining& joinin
                                    const RunContext& run) {
   std::vector<std::int32_t> free(strands.grid.id.size(), -1);
   parallelFor(run, strands.grid.count(), 8192, [&](int begin, int end) {
-    for (std::size_t s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s) {
+    for (std::size_t s = begin; s < static_cast<std::size_t>(end); ++s) {
       if (!joining.used(strands.grid.id[s])) free[s] = sets.ofCurve[strands.curveAt[s]];
     }
   });
@@ -179,7 +179,7 @@ void findNearest(const Strands& strands, const Joining& joining, const std::vect
   NearestLanes right{splat(reach2)};
   strands.grid.around(p, seeker.reach, [&](int first, int last) {
     for (int k = first; k < last; k += 4) {
-      const std::size_t s = static_cast<std::size_t>(k);
+      const std::size_t s = k;
       const F4 dx = load4(&strands.grid.x[s]) - splat(p.x);
       const F4 dy = load4(&strands.grid.y[s]) - splat(p.y);
       const F4 distance2 = dx * dx + dy * dy;
@@ -200,18 +200,18 @@ void findNearest(const Strands& strands, const Joining& joining, const std::vect
 void findPartners(const Strands& strands, const Joining& joining, const SetsToJoin& sets, const Limits& limits, int i,
                   std::vector<Partner>& partners) {
   partners.clear();
-  const std::size_t c = static_cast<std::size_t>(joining.curveOf(i));
+  const std::size_t c = joining.curveOf(i);
   const int own = sets.ofCurve[c];
   const int part = strands.partOfCurve[c];
   const Vec2f p = joining.at(i);
   const float reach2 = limits.reach * limits.reach;
   strands.grid.around(p, limits.reach, [&](int first, int last) {
     for (int k = first; k < last; ++k) {
-      const std::size_t s = static_cast<std::size_t>(k);
+      const std::size_t s = k;
       const Vec2f to{strands.grid.x[s] - p.x, strands.grid.y[s] - p.y};
       const float distance2 = dot(to, to);
       if (distance2 > reach2) continue;
-      const std::size_t other = static_cast<std::size_t>(strands.curveAt[s]);
+      const std::size_t other = strands.curveAt[s];
       const int j = strands.grid.id[s];
       if (sets.ofCurve[other] == own || strands.partOfCurve[other] != part || joining.used(j)) continue;
       partners.push_back({distance2, j});
@@ -226,7 +226,7 @@ void findPartners(const Strands& strands, const Joining& joining, const SetsToJo
 template <class Find>
 std::vector<Candidate> cheapestFirst(int count, const RunContext& run, const Find& find) {
   constexpr int kGrain = 4096;
-  std::vector<std::vector<Candidate>> found(static_cast<std::size_t>((count + kGrain - 1) / kGrain));
+  std::vector<std::vector<Candidate>> found((count + kGrain - 1) / kGrain);
   parallelFor(run, count, kGrain, [&](int begin, int end) { find(begin, end, found[begin / kGrain]); });
   std::vector<Candidate> candidates;
   for (const std::vector<Candidate>& some : found) candidates.insert(candidates.end(), some.begin(), some.end());
@@ -246,7 +246,7 @@ std::vector<Candidate> nearCandidates(const Strands& strands, const Joining& joi
   return cheapestFirst(count, run, [&](int begin, int end, std::vector<Candidate>& out) {
     std::vector<Partner> partners;
     for (int i = begin; i < end; ++i) {
-      const std::size_t c = static_cast<std::size_t>(joining.curveOf(i));
+      const std::size_t c = joining.curveOf(i);
       if (!sets.seeking[c] || (i - strands.curves.begin[c]) % limits.stride != 0 || joining.used(i)) continue;
       if (limits.nearestOnly) {
         findNearest(strands, joining, free, {i, sets.ofCurve[c], limits.reach}, partners);
@@ -273,7 +273,7 @@ Pairs neighboursOf(Pairs pairs, const Strands& strands, const Joining& joining, 
   pairs.resize(std::min(pairs.size(), kNearest));
   const auto neighbours = [&](int point) {
     const int curve = joining.curveOf(point);
-    const std::size_t c = static_cast<std::size_t>(curve);
+    const std::size_t c = curve;
     const int begin = strands.curves.begin[c];
     const int size = strands.curves.size(curve);
     std::vector<int> found;
@@ -281,7 +281,7 @@ Pairs neighboursOf(Pairs pairs, const Strands& strands, const Joining& joining, 
     const float reach = 0.5f * spacing;
     strands.grid.around(joining.at(point), reach, [&](int first, int last) {
       for (int k = first; k < last; ++k) {
-        const std::size_t s = static_cast<std::size_t>(k);
+        const std::size_t s = k;
         const int id = strands.grid.id[s];
         const bool sameSet = sets.ofCurve[strands.curveAt[s]] == sets.ofCurve[c];
         if (sameSet && length(joining.at(id) - joining.at(point)) <= reach) found.push_back(id);
@@ -307,7 +307,7 @@ std::vector<Candidate> facingCandidates(const Strands& strands, const Joining& j
                                         bool andNeighbours, float spacing, const RunContext& run) {
   std::vector<int> setOfPoint(strands.curves.points.size(), -1);
   for (std::size_t i = 0; i < setOfPoint.size(); ++i) {
-    const std::size_t c = static_cast<std::size_t>(joining.curveOf(static_cast<int>(i)));
+    const std::size_t c = joining.curveOf(static_cast<int>(i));
     if (sets.open[c] && !joining.used(static_cast<int>(i))) setOfPoint[i] = sets.ofCurve[c];
   }
   // All free points of open sets spread; used ones cannot serve a joint.
@@ -359,10 +359,10 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
   // Number of parts that hold a curve: so many curves should be left.
   const int held = static_cast<int>(std::unique(labels.begin(), labels.end()) - labels.begin());
   const int most = labels.empty() ? 0 : *std::max_element(partOfCurve.begin(), partOfCurve.end()) + 1;
-  std::vector<int> curveAt(static_cast<std::size_t>(grid.count()));
+  std::vector<int> curveAt(grid.count());
   std::vector<int> partAt(grid.id.size(), -1);
   parallelFor(run, grid.count(), 8192, [&](int begin, int end) {
-    for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+    for (std::size_t k = begin; k < static_cast<std::size_t>(end); ++k) {
       curveAt[k] = joining.curveOf(grid.id[k]);
       partAt[k] = partOfCurve[curveAt[k]];
     }
@@ -401,13 +401,13 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
 
 // Middles of the boxes of the curves that Stitched::apart lists: all but the longest of each part.
 std::vector<Vec2> middlesOfApart(const ClosedCurves& curves, const Parts& parts) {
-  std::vector<int> longest(static_cast<std::size_t>(parts.count), -1);  // longest curve, by part
+  std::vector<int> longest(parts.count, -1);  // longest curve, by part
   std::vector<int> part;
   for (int c = 0; c < curves.count(); ++c) {
     const Vec2f first = curves.points[curves.begin[c]];
     part.push_back(parts.label[cellInPart(parts, first)]);
     if (part.back() < 0) continue;
-    const std::size_t label = static_cast<std::size_t>(part.back());
+    const std::size_t label = part.back();
     if (label >= longest.size()) longest.resize(label + 1, -1);
     if (longest[label] < 0 || curves.size(c) > curves.size(longest[label])) longest[label] = c;
   }

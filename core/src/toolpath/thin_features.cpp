@@ -32,7 +32,7 @@ std::vector<std::vector<std::size_t>> placesOf(const std::vector<std::size_t>& f
   std::vector<std::vector<std::size_t>> places;
   std::vector<char> seen(found.size(), 0);
   std::vector<std::size_t> place;  // indices into `found`
-  const auto nx = static_cast<std::size_t>(nodes.nx);
+  const std::size_t nx = nodes.nx;
   for (std::size_t first = 0; first < found.size(); ++first) {
     if (seen[first] != 0) continue;
     seen[first] = 1;
@@ -42,7 +42,7 @@ std::vector<std::vector<std::size_t>> placesOf(const std::vector<std::size_t>& f
       for (const std::size_t j : {i - 1, i + 1, i - nx, i + nx}) {
         const auto next = std::lower_bound(found.begin(), found.end(), j);
         if (next == found.end() || *next != j) continue;
-        const auto at = static_cast<std::size_t>(next - found.begin());
+        const std::size_t at = next - found.begin();
         if (seen[at] != 0) continue;
         seen[at] = 1;
         place.push_back(at);
@@ -64,7 +64,7 @@ void fillThinFeatures(const Grid& nodes, const std::vector<float>& distance, con
   const float missed = deep + missedDepth(nodes.cell);
   const auto band = static_cast<float>(-spacing);
   const auto widest = static_cast<float>(-kWidestThin * spacing);
-  const auto nx = static_cast<std::size_t>(nodes.nx);
+  const std::size_t nx = nodes.nx;
   const auto fill = [&](const std::vector<std::size_t>& found, std::size_t smallest, float value) {
     for (const std::vector<std::size_t>& place : placesOf(found, nodes)) {
       if (place.size() < smallest) continue;
@@ -110,7 +110,7 @@ void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, const Bor
   const Grid& grid = parts.grid;
   const Grid nodes = nodeLattice(grid);
   // Parts with a negative value have a contour.
-  std::vector<char> kept(static_cast<std::size_t>(parts.count), 0);
+  std::vector<char> kept(parts.count, 0);
   for (int y = 0; y < nodes.ny; ++y) {
     for (int x = 0; x < nodes.nx; ++x) {
       if (values[nodes.index(x, y)] >= 0) continue;
@@ -122,7 +122,7 @@ void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, const Bor
   // be joined with kinks.
   const auto deep = static_cast<float>(-0.5 * spacing);
   const float missed = deep + missedDepth(grid.cell);
-  std::vector<std::vector<std::size_t>> roomy(static_cast<std::size_t>(parts.count));
+  std::vector<std::vector<std::size_t>> roomy(parts.count);
   for (int y = 0; y < grid.ny; ++y) {
     for (int x = 0; x < grid.nx; ++x) {
       const std::size_t i = grid.index(x, y);
@@ -133,7 +133,7 @@ void keepThinParts(const Parts& parts, const SignedDistanceField& sdf, const Bor
     }
   }
   // In a dot only the deepest cell is filled. The centre of cell (x, y) is the node (2 x + 1, 2 y + 1).
-  const auto nx = static_cast<std::size_t>(grid.nx);
+  const std::size_t nx = grid.nx;
   for (std::vector<std::size_t>& cells : roomy) {
     if (cells.size() <= kDotCells) {
       const auto deepest = std::min_element(

@@ -36,6 +36,15 @@ constexpr Vec2 wide(Vec2T<T> v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
 
+/// Index of a cell of a raster that is stored row by row. \param width  cells in a row
+constexpr std::size_t indexOf(int x, int y, int width) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(x);
+}
+
+/// Number of cells of a raster, also where an int could not hold it.
+constexpr std::size_t cellCount(int columns, int rows) { return indexOf(0, rows, columns); }
+
 /// An axis-parallel box [mm]; it is empty while max < min.
 struct Bounds {
   Vec2 min{1e30, 1e30};

@@ -90,7 +90,7 @@ ListedCells listed(const Image& image, const std::vector<Colour>& list, const Bo
 
 /// Gives cells without a number that of the nearest numbered cell, by breadth-first search.
 void spread(ListedCells& cells) {
-  const auto width = static_cast<std::size_t>(cells.width);
+  const std::size_t width = cells.width;
   std::vector<std::size_t> front, next;
   for (std::size_t k = 0; k < cells.number.size(); ++k) {
     if (cells.number[k] >= 0) front.push_back(k);
@@ -132,7 +132,7 @@ LineAt colourLines(const TonesLayer& tones, const LayerContent& content, const P
   return [kept = std::make_shared<const ListedCells>(std::move(cells)), place, box = content.size, lines](Vec2 at) {
     const auto texel = texelOf(*kept, place.toOwn(at), box);
     const int number = texel ? kept->number[*texel] : -1;
-    return number >= 0 ? lines[static_cast<std::size_t>(number)] : Vec2f{1, 0};
+    return number >= 0 ? lines[number] : Vec2f{1, 0};
   };
 }
 

@@ -37,8 +37,7 @@ LineField slopesOf(const Tones& tones, float tall) {
       const float rise = static_cast<float>(std::max(1, below - above)) * tall;
       const float right = (tones.at(after, row) - tones.at(before, row)) / run;
       const float up = (tones.at(column, above) - tones.at(column, below)) / rise;
-      const std::size_t k =
-          static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+      const std::size_t k = indexOf(column, row, width);
       slopes.x.value[k] = right * right - up * up;
       slopes.y.value[k] = 2 * right * up;
     }
@@ -84,11 +83,11 @@ LineField shrunk(const LineField& field, int width, int height) {
 void sweep(Tones& values, const Tones& told, const Tones& weight) {
   const int width = values.width, height = values.height;
   for (int y = 0; y < height; ++y) {
-    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+    const std::size_t row = indexOf(0, y, width);
     for (int x = 0; x < width; ++x) {
       const float around = values.at(x, std::max(0, y - 1)) + values.at(x, std::min(height - 1, y + 1)) +
                            values.at(std::max(0, x - 1), y) + values.at(std::min(width - 1, x + 1), y);
-      const std::size_t k = row + static_cast<std::size_t>(x);
+      const std::size_t k = row + x;
       const float pull = 8 * weight.value[k];
       values.value[k] = (around + pull * told.value[k]) / (4 + pull);
     }

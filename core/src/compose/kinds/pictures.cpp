@@ -103,8 +103,7 @@ class SolvedPictures {
       for (int x = 0; x < width; ++x) {
         const Vec2 own = place_.toOwn(centre(x, y, width, height));
         const bool covered = std::abs(own.x) <= content_.size.x / 2 && std::abs(own.y) <= content_.size.y / 2;
-        if (!covered)
-          inside[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] = 0;
+        if (!covered) inside[indexOf(x, y, width)] = 0;
       }
     }
     const bool none = std::find(inside.begin(), inside.end(), 1) == inside.end();

@@ -22,8 +22,8 @@ struct TexelBox {
   int left = 0, top = 0, right = 0, bottom = 0;
 
   [[nodiscard]] bool empty() const { return left >= right || top >= bottom; }
-  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(right - left); }
-  [[nodiscard]] std::size_t count() const { return empty() ? 0 : columns() * static_cast<std::size_t>(bottom - top); }
+  [[nodiscard]] std::size_t columns() const { return right - left; }
+  [[nodiscard]] std::size_t count() const { return empty() ? 0 : columns() * (bottom - top); }
   void add(const TexelBox& other) {
     if (other.empty()) return;
     if (empty()) {
@@ -119,7 +119,7 @@ class Brushes {
   void forEachTexel(const TexelBox& box, const Visit& visit) const {
     std::size_t k = 0;
     for (int y = box.top; y < box.bottom; ++y) {
-      const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(plate_.width);
+      const std::size_t row = indexOf(0, y, plate_.width);
       for (int x = box.left; x < box.right; ++x) visit(row + static_cast<std::size_t>(x), k++);
     }
   }
@@ -207,10 +207,8 @@ class Brushes {
       const float strength = trace.strength[k];
       if (!(strength > 0)) return;
       LayerStack::Texel& texel = stack_.texels[number];
-      const auto x =
-          static_cast<std::size_t>(static_cast<int>(number % static_cast<std::size_t>(plate_.width)) - erased_.left);
-      const auto y =
-          static_cast<std::size_t>(static_cast<int>(number / static_cast<std::size_t>(plate_.width)) - erased_.top);
+      const auto x = static_cast<std::size_t>(static_cast<int>(number % plate_.width) - erased_.left);
+      const auto y = static_cast<std::size_t>(static_cast<int>(number / plate_.width) - erased_.top);
       const LayerStack::Texel& before = below_[y * erased_.columns() + x];
       LayerStack::Texel mixed = strength >= 0.5F ? before : texel;
       if (strength < 1) {

@@ -33,7 +33,7 @@ std::string placeOf(const Node& node, std::string_view text, const char* buffer)
   std::string place = "<" + std::string(elementName(node));
   if (const auto id = attribute(node, "id")) place += " id=" + quoted(*id);
   // RapidXML's names point into the buffer it parsed, a copy of the text.
-  return place + "> in line " + std::to_string(lineAt(text, static_cast<std::size_t>(node.name() - buffer))) + ": ";
+  return place + "> in line " + std::to_string(lineAt(text, node.name() - buffer)) + ": ";
 }
 
 // Records the program that wrote the file if it counts other pixels than CSS does.
@@ -94,7 +94,7 @@ Result<SvgPainting> readSvgPainting(std::string_view text, const SvgOptions& opt
     const std::string place = current ? placeOf(*current, text, buffer.data()) : std::string();
     return Error{refused.code, "SVG: " + place + refused.problem};
   } catch (const rapidxml::parse_error& error) {
-    const std::size_t offset = static_cast<std::size_t>(error.where<char>() - buffer.data());
+    const std::size_t offset = error.where<char>() - buffer.data();
     return Error{ErrorCode::InvalidFile, "SVG: the file is not well-formed XML: " + std::string(error.what()) +
                                              " in line " + std::to_string(lineAt(text, offset))};
   }

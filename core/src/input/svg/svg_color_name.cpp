@@ -77,7 +77,7 @@ constexpr Table kTable = [] {
 std::optional<std::uint32_t> namedColour(std::string_view name) {
   const auto found = std::find(kTable.digests.begin(), kTable.digests.end(), digest(name));
   if (found == kTable.digests.end()) return std::nullopt;
-  const auto& [red, green, blue] = kTable.colours[static_cast<std::size_t>(found - kTable.digests.begin())];
+  const auto& [red, green, blue] = kTable.colours[found - kTable.digests.begin()];
   return std::uint32_t{red} << 16 | std::uint32_t{green} << 8 | blue;
 }
 

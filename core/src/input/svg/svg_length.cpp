@@ -74,7 +74,7 @@ double UserUnits::ofStyle(std::string_view text, double full) const {
   if (text[0] == '+') text.remove_prefix(1);
   const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || !std::isfinite(value)) return kNone;
-  const std::string unit = lowered(text.substr(static_cast<std::size_t>(end - text.data())));
+  const std::string unit = lowered(text.substr(end - text.data()));
   if (unit == "%") return value / 100 * full;
   const auto known = unitOf(unit);
   return known ? of(value, *known) : kNone;

@@ -9,7 +9,7 @@
 namespace sillon::svg {
 namespace {
 
-constexpr std::size_t kNoStyle = static_cast<std::size_t>(-1);
+constexpr std::size_t kNoStyle = -1;
 const std::string kSquare = "M0 0H1V1H0Z";
 constexpr double kLineWidth = 0.1;  // thickness of lines under, through and above letters in browsers [em]
 constexpr double kSlant = 0.25;     // slant that browsers give to italic letters of an upright font

@@ -176,7 +176,7 @@ std::optional<double> leadingNumber(std::string_view text, std::string_view& res
   double value = 0;
   const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
-  rest = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  rest = trimmed(text.substr(end - text.data()));
   return value;
 }
 

@@ -51,7 +51,7 @@ Image paintedPicture(const SvgPainting& painting, int longest) {
   const auto pixels = [&](double side) { return std::max(1, static_cast<int>(std::lround(scale * side))); };
   Image image{pixels(page.x), pixels(page.y), 4, {}};
   const auto stride = 4 * static_cast<std::size_t>(image.width);
-  image.samples.resize(stride * static_cast<std::size_t>(image.height));
+  image.samples.resize(stride * image.height);
   const Vec2 step{page.x / image.width, page.y / image.height};
   for (std::size_t k = 0; k < painting.paints.size(); ++k) {
     Shape one;

@@ -71,7 +71,7 @@ struct Line {
   bool closed = false;       ///< if true, the last point may repeat the first
 };
 
-inline constexpr std::size_t kNoRing = static_cast<std::size_t>(-1);
+inline constexpr std::size_t kNoRing = -1;
 
 /// A part of a path that stays open.
 struct LoosePiece {
