@@ -293,7 +293,8 @@ TEST_CASE("the sentences of warnings, notes, findings and refusals are listed by
   CHECK(kinds["findings"]["too-hot"] == "hotter than {limit} degrees: {degrees}");
   for (const auto& [kind, sentences] : kinds.items()) {
     for (const auto& [code, text] : sentences.items()) {
-      CAPTURE(code);
+      const auto codeNow = code;  // clang 14 captures no structured binding
+      CAPTURE(codeNow);
       const std::string sentence = text;
       CHECK((!code.empty() && !sentence.empty() && sentence.back() != '.'));
       const auto plain = [](char c) { return c >= ' ' && c <= '~'; };

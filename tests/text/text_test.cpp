@@ -87,7 +87,8 @@ TEST_CASE("letters have the area that another reader finds in the font") {
                                                                {"Fredoka", "fredoka"},
                                                                {"Caveat", "caveat"}};
   for (const auto& [name, file] : fonts) {
-    CAPTURE(name);
+    const auto nameNow = name;  // clang 14 captures no structured binding
+    CAPTURE(nameNow);
     const bool overlaps = name == "Caveat" || name == "Fredoka";  // of strokes within a letter: counted twice there
     const Expected expected = expectedOf(fontFile(file), U"Hamburgé 0123");
     Lettering lettering{"Hamburg\u00e9 0123", name, 20};
@@ -207,7 +208,8 @@ TEST_CASE("a variable font is as heavy as asked") {
   const ReadInput read = [&](const std::string&, const std::string&) { return Result<InputFile>(InputFile(bytes)); };
   // A bar of 100 units by 700, which grows to 500 between the weights of 100 and 900.
   for (const auto& [weight, width] : {std::pair(0, 100.0), {100, 100.0}, {500, 300.0}, {900, 500.0}, {1000, 500.0}}) {
-    CAPTURE(weight);
+    const auto weightNow = weight;  // clang 14 captures no structured binding
+    CAPTURE(weightNow);
     Lettering lettering{"H", "own.ttf", 7};
     lettering.weight = weight;
     const auto shape = textShape(lettering, read);
