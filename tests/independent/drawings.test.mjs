@@ -17,7 +17,6 @@ const renderer = '@resvg/resvg-js@2.6.2';
 const faint = [
   'cassandra/cassandra-original-wordmark.svg',
   'cassandra/cassandra-original.svg',
-  'cypressio/cypressio-original-wordmark.svg',
   'cypressio/cypressio-original.svg',
   'dot-net/dot-net-original-wordmark.svg',
   'dot-net/dot-net-original.svg',
@@ -57,7 +56,8 @@ test('what is off counts faint paint as solid', (context) => {
   painted(read).forEach(({ solid, touched }, k) => {
     const { file, area } = read[k];
     assert.ok(area > 1.03 * solid, `${nameOf(file)} is no exception any more`);
-    assert.ok(Math.abs(area / touched - 1) <= 0.03, `${nameOf(file)}: ${area} mm2 read, ${touched} mm2 painted at all`);
+    // Gradients that fade out end where they are hardly seen: somewhat before the last paint.
+    assert.ok(area <= 1.03 * touched, `${nameOf(file)}: ${area} mm2 read, ${touched} mm2 painted at all`);
   });
 });
 
