@@ -27,6 +27,9 @@ const faint = [
   'python/python-original.svg',
 ].map((file) => `devicon/icons/${file}`);
 
+/** Those of them with gradients that fade out: they end where little is seen, before the last paint. */
+const fading = new Set(faint.filter((file) => /gimp|linux/.test(file)));
+
 const painter = fileURLToPath(new URL('painted.mjs', import.meta.url));
 const batch = 40; // the renderer does not give back its memory before its process ends
 const folder = mkdtempSync(join(tmpdir(), 'sillon-drawings-'));
@@ -56,8 +59,9 @@ test('what is off counts faint paint as solid', (context) => {
   painted(read).forEach(({ solid, touched }, k) => {
     const { file, area } = read[k];
     assert.ok(area > 1.03 * solid, `${nameOf(file)} is no exception any more`);
-    // Gradients that fade out end where they are hardly seen: somewhat before the last paint.
-    assert.ok(area <= 1.03 * touched, `${nameOf(file)}: ${area} mm2 read, ${touched} mm2 painted at all`);
+    const told = `${nameOf(file)}: ${area} mm2 read, ${touched} mm2 painted at all`;
+    if (fading.has(faint[k])) assert.ok(area < 0.97 * touched, told);
+    else assert.ok(Math.abs(area / touched - 1) <= 0.03, told);
   });
 });
 

@@ -131,8 +131,8 @@ struct Relaxed {
 /// Evens out gaps in rounds. Each moves every point by `relaxationStrength` times the difference of its gaps towards
 /// the wider side (more beside the border and where the difference is above a quarter of tau; at most 0.15 tau),
 /// smooths the moves along the path, pulls each point towards the middle of its neighbours and resamples at tau/4.
-/// Where a round would make the path meet itself, its moves are halved there, to nothing in the end: a simple path
-/// stays simple (checked exactly on 1 µm). The last round ends with `roundKinks`. The published repulsion pushes apart
+/// Moves of a round that would make the path meet itself are halved there, to nothing in the end: a simple path stays
+/// simple (checked exactly on 1 µm). The last round ends with `roundKinks`. The published repulsion pushes apart
 /// only points nearer than tau/2.
 /// \param asked  if not null, every round but the last turns the beads towards these lines, the last time less, and
 /// gaps are evened out by at least a quarter of their difference: the tones of a picture come nearer to those asked

@@ -46,6 +46,7 @@ float cutNearest(const OnEdge& edge, Vec2f centre, float radius) {
 // Eq. 15: every vertex moves half-way to the mean of the places at which circles of tau/2 around its neighbours cut its
 // edge. All vertices of a round move at once, from the old places.
 ClosedCurves repulsed(ClosedCurves curves, const Grid& lattice, const ToolpathParams& params, const RunContext& run) {
+  if (params.repulsionRounds == 0) return curves;
   const float reach = 0.5f * static_cast<float>(params.spacing);
   const float cell = static_cast<float>(lattice.cell);
   // The curve of each point tells which points are its own chain.

@@ -546,7 +546,7 @@ test('random bytes and damage end in a plate or in an error of ours', async () =
     },
   ];
   let opened = 0;
-  for (let k = 0; k < 700; ++k) {
+  for (let k = 0; k < 1400; ++k) {
     const make = cases[k % cases.length];
     const bytes = make?.() ?? '';
     try {
@@ -556,8 +556,7 @@ test('random bytes and damage end in a plate or in an error of ours', async () =
       assert.ok(error instanceof StudioError, `case ${k}: ${String(error)}`);
     }
   }
-  // How many damages are harmless is the chance of a seed, and changes with each setting: some must be.
-  assert.ok(opened > 4, `only ${opened} were harmless`);
+  assert.ok(opened > 10, `only ${opened} were harmless`);
 });
 
 // --- What a browser has kept ---------------------------------------------------------------------------------------------
