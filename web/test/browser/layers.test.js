@@ -101,33 +101,6 @@ const near = (found, wanted, within = 0.1) => {
   wanted.forEach((value, k) => assert.ok(Math.abs(found[k] - value) <= within, `${found} is not ${wanted}`));
 };
 
-// This test comes first: after the nine others the letters are those of the built-in fonts, for a reason that is not known yet.
-test('a web font that is dropped makes letters, and a packed drawing is opened', { skip }, async () => {
-  const visit = await bench.open({ small: true });
-  await visit.until(({ plate }) => plate.width === 24);
-  await visit.drop([fileAt(join(inputs, '../../tests/fuzz/seeds/font/kerned.woff2'))]);
-  await visit.until(({ plate }) => plate.layers[1]?.font.name === 'kerned.woff2');
-  await visit.page.evaluate(() => {
-    const { studio } = document.querySelector('sillon-app');
-    // Without the size that a new layer gets once its place is known: letters have their own then.
-    const write = (one, k) => (k === 1 ? { ...one, text: 'AV', textSize: 6, size: [0, 0] } : one);
-    studio.change((plate) => ({ ...plate, layers: plate.layers.map(write) }));
-  });
-  const drawn = await visit.page.evaluate(async () => {
-    const { studio } = document.querySelector('sillon-app');
-    const boxes = await studio.services.layerBoxes(studio.store.state.plate);
-    return [...boxes.values()].map(({ size, reason }) => ({ size, reason: reason ?? '' }));
-  });
-  const letters = drawn.find(({ size }) => size[1] > 5.9 && size[1] < 6.2);
-  assert.ok(letters !== undefined && letters.size[0] > 6 && letters.size[0] < 12, JSON.stringify(drawn));
-  assert.equal(await visit.state(({ notices }) => notices.length), 0);
-  await visit.drop([fileAt(join(inputs, '../../tests/data/field/packed.svgz'))]);
-  await visit.until(
-    ({ plate }) =>
-      plate.layers.some(({ file }) => file?.name === 'packed.svg') || plate.shape.file?.name === 'packed.svg',
-  );
-});
-
 test('cards fill the ground, alone or chosen, and leave what lies on top of it', { skip }, async () => {
   const visit = await open();
   const { page } = visit;
@@ -522,6 +495,32 @@ test('a font that is dropped on a plate that has but its ground makes a text', {
   await visit.drop([fileOf('lobster.ttf', Buffer.from([0, 1, 0, 0, 0, 0]))]);
   await visit.until(({ plate, panel }) => panel === 'layers' && plate.layers[1]?.font.name === 'lobster.ttf');
   assert.equal(await visit.state(({ notices }) => notices.length), 0);
+});
+
+test('a web font that is dropped makes letters, and a packed drawing is opened', { skip }, async () => {
+  const visit = await bench.open({ small: true });
+  await visit.until(({ plate }) => plate.width === 24);
+  await visit.drop([fileAt(join(inputs, '../../tests/fuzz/seeds/font/kerned.woff2'))]);
+  await visit.until(({ plate }) => plate.layers[1]?.font.name === 'kerned.woff2');
+  await visit.page.evaluate(() => {
+    const { studio } = document.querySelector('sillon-app');
+    // Without the size that a new layer gets once its place is known: letters have their own then.
+    const write = (one, k) => (k === 1 ? { ...one, text: 'AV', textSize: 6, size: [0, 0] } : one);
+    studio.change((plate) => ({ ...plate, layers: plate.layers.map(write) }));
+  });
+  const drawn = await visit.page.evaluate(async () => {
+    const { studio } = document.querySelector('sillon-app');
+    const boxes = await studio.services.layerBoxes(studio.store.state.plate);
+    return [...boxes.values()].map(({ size, reason }) => ({ size, reason: reason ?? '' }));
+  });
+  const letters = drawn.find(({ size }) => size[1] > 5.9 && size[1] < 6.2);
+  assert.ok(letters !== undefined && letters.size[0] > 6 && letters.size[0] < 12, JSON.stringify(drawn));
+  assert.equal(await visit.state(({ notices }) => notices.length), 0);
+  await visit.drop([fileAt(join(inputs, '../../tests/data/field/packed.svgz'))]);
+  await visit.until(
+    ({ plate }) =>
+      plate.layers.some(({ file }) => file?.name === 'packed.svg') || plate.shape.file?.name === 'packed.svg',
+  );
 });
 
 test('new layers and copies lie beside those that are there, inside the shape', { skip }, async () => {

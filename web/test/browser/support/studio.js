@@ -34,6 +34,9 @@ async function beginAgain({ language, printed }) {
   const shown = Object.entries(store.state).filter(([name]) => !followsFromPlate.includes(name));
   globalThis.begun ??= { ...Object.fromEntries(shown), notices: [] };
   const { plate, ...others } = globalThis.begun;
+  // Services that a test has replaced by its own would answer the next test, too.
+  globalThis.ownServices ??= { ...studio.services };
+  Object.assign(studio.services, globalThis.ownServices);
   const frames = async () => {
     for (let k = 0; k < 2; ++k) await new Promise((resolve) => requestAnimationFrame(resolve));
   };
