@@ -165,8 +165,7 @@ SpiralModel::Sharpened SpiralModel::sharpened(std::size_t which, const Rows& lig
     for (int h = 0; h < kPhases; ++h) {
       const int turns = std::min(h, kPhases - h);
       const double factor = 1 + amount * (1 - exact::exp(-rate * turns * turns));
-      for (std::size_t d = 0; d < kPhases; ++d)
-        kernel[d] += factor * waves().turn[(static_cast<std::size_t>(h) * d) % kPhases] / kPhases;
+      for (std::size_t d = 0; d < kPhases; ++d) kernel[d] += factor * waves().turn[(h * d) % kPhases] / kPhases;
     }
     std::array<Point, kPhases> points;
     for (std::size_t p = 0; p < kPhases; ++p) points[p] = codeAt(light[k * kPhases + p], contrast);

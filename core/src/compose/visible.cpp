@@ -80,7 +80,7 @@ InkCount countIn(const Window& window, const Region& region, const LayerStack& s
           window.bottom + static_cast<std::int64_t>(window.rows - 1 - row) * window.step + window.step / 2;
       const std::int64_t y = stack.height - 1 - up;
       const bool onPage = x >= 0 && y >= 0 && x < stack.width && y < stack.height;
-      count.add(onPage ? stack.texels[static_cast<std::size_t>(y * stack.width + x)].place : Place::Beside);
+      count.add(onPage ? stack.texels[toSize(y * stack.width + x)].place : Place::Beside);
     }
   }
   return count;
@@ -140,8 +140,8 @@ bool reads(const PlacedCode& code, const Layer& layer, double module, double spa
   for (std::size_t k = 0; k < code.texels.size(); ++k) {
     bool right = false;
     const int texel = code.texels[k];
-    if (texel >= 0 && stack.texels[static_cast<std::size_t>(texel)].place == Place::Open) {
-      const Vec2 seen = laid.line(static_cast<std::size_t>(texel));
+    if (texel >= 0 && stack.texels[texel].place == Place::Open) {
+      const Vec2 seen = laid.line(texel);
       const double nearer = dot(seen, dark - light);
       right = (code.modules.samples[k] == 0 ? nearer : -nearer) >= kClear * contrast;
     }

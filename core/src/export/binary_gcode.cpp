@@ -54,11 +54,11 @@ Result<BinaryFile> readBlocks(std::string_view file) {
     if (at + 8 > file.size()) return damaged("is cut off");
     block.type = number(file, at, 2);
     block.compression = number(file, at + 2, 2);
-    block.size = static_cast<std::size_t>(number(file, at + 4, 4));
+    block.size = toSize(number(file, at + 4, 4));
     if (block.type > ThumbnailBlock || block.compression > 3) return damaged("has a block of an unknown kind");
     const std::size_t header = block.compression == 0 ? 8 : 12;
     if (at + header > file.size()) return damaged("is cut off");
-    const std::size_t length = block.compression == 0 ? block.size : static_cast<std::size_t>(number(file, at + 8, 4));
+    const std::size_t length = block.compression == 0 ? block.size : toSize(number(file, at + 8, 4));
     const std::size_t parameters = block.type == ThumbnailBlock ? 6 : 2;
     const std::size_t end = at + header + parameters + length + (out.checksums ? 4 : 0);
     if (length > file.size() || end > file.size()) return damaged("is cut off");
@@ -213,7 +213,7 @@ std::string unshrunk(std::string_view data, int windowBits, std::size_t most) {
       out += static_cast<char>(take(8));
       continue;
     }
-    if (bit + static_cast<std::size_t>(windowBits + kRunBits) > bits) break;
+    if (bit + windowBits + kRunBits > bits) break;
     const std::size_t back = take(windowBits) + 1;
     for (std::size_t run = take(kRunBits) + 1; run > 0 && out.size() < most; --run) {
       out += back <= out.size() ? out[out.size() - back] : '\0';  // the window is zeros before the first byte

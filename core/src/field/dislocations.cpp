@@ -73,9 +73,9 @@ std::vector<Vec2f> smoothed(const Grid& grid, const std::vector<Vec2f>& z, const
   std::vector<Vec2f> out(z.size());
   // Sums go tap by tap over whole rows, which compilers turn into vector code; the order of each sum stays the same.
   const auto add = [&](std::vector<Vec2f>& to, std::size_t at, const std::vector<Vec2f>& from, std::size_t fromAt,
-                       int count, int tap) {
+                       std::size_t count, int tap) {
     const float w = weight[std::abs(tap)];
-    for (std::size_t x = 0; x < static_cast<std::size_t>(count); ++x) to[at + x] = to[at + x] + from[fromAt + x] * w;
+    for (std::size_t x = 0; x < count; ++x) to[at + x] = to[at + x] + from[fromAt + x] * w;
   };
   const int grain = rowGrain(run, grid.ny, 10.0 * grid.nx);
   parallelFor(run, grid.ny, grain, [&](int begin, int end) {
@@ -184,7 +184,7 @@ Dislocations findDislocations(const LineField& lines, const SineField& waves, co
             cells.zone[up + 1] == Zone::Masked) {
           continue;
         }
-        const PhaseTurn turn = roundBlock(lower, upper, static_cast<std::size_t>(x));
+        const PhaseTurn turn = roundBlock(lower, upper, x);
         (turn.flips ? singular : counts)[y] += turn.flips ? 1 : std::abs(turn.index);
       }
     }

@@ -23,8 +23,8 @@ struct Cell {
 Cell cellAt(Vec2 p) {
   constexpr double kReach = kTile * kTiles / 2.0;
   if (!(std::abs(p.x) < kReach && std::abs(p.y) < kReach)) return {};
-  const auto x = static_cast<std::size_t>(p.x + kReach);
-  const auto y = static_cast<std::size_t>(p.y + kReach);
+  const std::size_t x = toSize(p.x + kReach);
+  const std::size_t y = toSize(p.y + kReach);
   return {y / kTile * kTiles + x / kTile, y % kTile * kTile + x % kTile, true};
 }
 

@@ -195,7 +195,7 @@ CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segmen
   parallelFor(run, count, grain, [&](int from, int to) {
     Share& share = all[from / grain];
     share.next.assign(cells, 0);
-    share.pairs.reserve(2 * static_cast<std::size_t>(to - from));
+    share.pairs.reserve(2 * (to - from));
     for (int k = from; k < to; ++k) {
       const int s = segments[k];
       raster.forCells(corners[s], corners[s + 1], [&](std::int32_t cell) {

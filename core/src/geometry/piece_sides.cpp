@@ -64,7 +64,7 @@ class SideRays {
     const double stacked = std::max(climb / height, 1e-3);  // average number of pieces that a row meets
     const double rows = std::clamp(count * std::min(std::sqrt(0.2 / stacked), 16 / stacked), 1.0, 65536.0);
     row_ = height / rows;
-    buckets_.resize(static_cast<std::size_t>(rows) + 1);
+    buckets_.resize(toSize(rows) + 1);
     ends_.resize(buckets_.size());
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const std::size_t first = bucketOf(std::min(pieces[k].a.y, pieces[k].b.y));
@@ -184,7 +184,7 @@ class SideRays {
     for (Ray& ray : row.rays) {
       const auto end = std::partition_point(row.across.begin(), row.across.end(),
                                             [&](const Span& span) { return isLeft(span, ray.p); });
-      ray.before = static_cast<std::size_t>(end - row.across.begin());
+      ray.before = end - row.across.begin();
     }
     sortBy(row.rays, [](const Ray& ray) { return ray.before; });
   }
@@ -208,7 +208,7 @@ class SideRays {
 
   [[nodiscard]] std::size_t bucketOf(double y) const {
     const double row = std::clamp((y - bottom_) / row_, 0.0, static_cast<double>(buckets_.size() - 1));
-    return static_cast<std::size_t>(row);
+    return toSize(row);
   }
 
   const std::vector<PathEdge>& pieces_;

@@ -62,10 +62,10 @@ Side exitOf(const MaskField& field, int x, int y, Side entry) {
     const bool aroundTopLeft = (topLeft >= 0) != joined;
     constexpr std::array<Side, 4> kTopLeft{Side::Left, Side::Bottom, Side::Right, Side::Top};
     constexpr std::array<Side, 4> kTopRight{Side::Right, Side::Top, Side::Left, Side::Bottom};
-    return (aroundTopLeft ? kTopLeft : kTopRight)[static_cast<std::size_t>(entry)];
+    return (aroundTopLeft ? kTopLeft : kTopRight)[toSize(entry)];
   }
   for (const Side side : {Side::Top, Side::Right, Side::Bottom, Side::Left}) {
-    if (side != entry && crossed[static_cast<std::size_t>(side)]) return side;
+    if (side != entry && crossed[toSize(side)]) return side;
   }
   return entry;  // unreachable, because crossings come in pairs
 }
@@ -185,7 +185,7 @@ class MaskTracer {
 
 Result<Shape> shapeFromMask(const Image& mask, double width) {
   if (mask.width <= 0 || mask.height <= 0 || mask.channels < 1 || mask.channels > 4 ||
-      mask.samples.size() != cellCount(mask.width, mask.height) * static_cast<std::size_t>(mask.channels)) {
+      mask.samples.size() != cellCount(mask.width, mask.height) * mask.channels) {
     return Error{ErrorCode::InvalidArgument, "The mask has no pixels; it needs a picture of 1 to 4 channels"};
   }
   if (!validSize(width)) return sizeError("The width of the mask", width);

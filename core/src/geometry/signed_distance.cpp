@@ -245,7 +245,7 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
   for (std::size_t k = 0; k < root.candidates.size(); ++k) root.candidates[k] = static_cast<int>(k);
 
   const bool byMemory = run.memory() < kMaxCandidates * kBytesPerCandidate;
-  const auto most = static_cast<std::size_t>(byMemory ? run.memory() / kBytesPerCandidate : kMaxCandidates);
+  const std::size_t most = toSize(byMemory ? run.memory() / kBytesPerCandidate : kMaxCandidates);
   std::atomic<std::size_t> kept{0};
   const auto hasRoom = [&](const Block& block) { return (kept += block.candidates.size()) <= most; };
 

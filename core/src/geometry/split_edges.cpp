@@ -131,9 +131,7 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
   // their keys, some 64 digests per edge, because most drawings are combined of thousands of small ones.
   const int bits = std::min(static_cast<int>(std::bit_width(edges.all.size())) + 6, 20);
   std::vector<char> busy(std::size_t{1} << bits);
-  const auto digestOf = [&](std::uint64_t key) {
-    return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15U) >> (64 - bits));
-  };
+  const auto digestOf = [&](std::uint64_t key) { return toSize((key * 0x9E3779B97F4A7C15U) >> (64 - bits)); };
   for (const bool fresh : {true, false}) {
     for (std::size_t k = 0; k < edges.all.size(); ++k) {
       if ((edges.fresh[k] != 0) != fresh) continue;
@@ -220,7 +218,7 @@ class KnownPoints {
   [[nodiscard]] std::size_t slotOf(Cell cell) const {
     const auto mixed = (static_cast<std::uint64_t>(cell.x) * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(cell.y)) *
                        0xC2B2AE3D27D4EB4FU;
-    for (auto at = static_cast<std::size_t>(mixed >> 32);; ++at) {
+    for (std::size_t at = toSize(mixed >> 32);; ++at) {
       at &= slots_.size() - 1;
       if (slots_[at] < 0) return at;
       const Cell other = cellOf(points_[slots_[at]]);

@@ -8,6 +8,7 @@
 #include "base/checksums.hpp"
 #include "base/deflate.hpp"
 #include "input/inflate.hpp"
+#include "sillon/base/types.hpp"
 
 namespace sillon {
 namespace {
@@ -55,7 +56,7 @@ Result<std::string> packed(std::string header, std::string_view text) {
 Result<std::string> unzipped(std::string_view file, std::size_t most) {
   const std::size_t begin = endOfHeader(file);
   if (begin == 0) return damaged("is cut off, or packed in an unknown way");
-  const auto size = static_cast<std::size_t>(number(file, file.size() - 4, 4));
+  const auto size = toSize(number(file, file.size() - 4, 4));
   const std::string_view data = file.substr(begin, file.size() - kTrailer - begin);
   if (size > most) {
     return Error{ErrorCode::TooLarge, "the .gz holds " + std::to_string(size >> 20) +

@@ -69,7 +69,7 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, boo
 // A counting sort: the first pass counts the beads of each band, the second one writes their indices.
 Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows) {
   const int bands = (height + rows - 1) / rows;
-  Bands sorted{rows, std::vector<std::size_t>(static_cast<std::size_t>(bands) + 1, 0), {}};
+  Bands sorted{rows, std::vector<std::size_t>(bands + 1, 0), {}};
   // Calls body(band) for each band that a bead may touch; one sample of reach is added for rounding.
   const auto forEachBand = [&](const Bead& bead, const auto& body) {
     const float reach = std::max(bead.radiusA, bead.radiusB) + 1;

@@ -142,7 +142,7 @@ void sortIntoTiles(BeadRaster& laid) {
     }
   };
   std::vector<std::size_t>& begin = laid.begin;
-  begin.assign(static_cast<std::size_t>(laid.tiles) + 1, 0);
+  begin.assign(laid.tiles + 1, 0);
   for (const Bead& bead : laid.beads) forTiles(bead, [&](std::size_t t) { ++begin[t + 1]; });
   for (std::size_t t = 1; t < begin.size(); ++t) begin[t] += begin[t - 1];
   laid.beadOf.resize(begin.back());

@@ -59,7 +59,7 @@ void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, i
   const int width = cells.width * kPointsPerCell;
   const int top = firstCell * kPointsPerCell;
   const int rows = (endCell - firstCell) * kPointsPerCell;
-  const auto stride = static_cast<std::size_t>(width) + 3;  // room for groups of four that pass the end of a row
+  const std::size_t stride = width + 3;  // room for groups of four that pass the end of a row
   std::vector<float> distance(stride * rows, 1e30f);
   std::vector<std::uint32_t> nearest(distance.size(), 0);
   for (const std::uint32_t k : inBand) {
@@ -80,7 +80,7 @@ void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, i
     const I4 label = splatInt(static_cast<std::int32_t>(k));
     for (int y = y0; y <= y1; ++y) {
       const F4 py = splat(static_cast<float>(y) + 0.5f - s.a.y);
-      const std::size_t row = static_cast<std::size_t>(y - top) * stride;
+      const std::size_t row = (y - top) * stride;
       for (int x = x0; x <= x1; x += 4) {
         const F4 px = toFloat(I4{x, x + 1, x + 2, x + 3}) + splat(0.5f) - splat(s.a.x);
         const F4 t = max4(min4((px * dx + py * dy) * perSquared, all), none);
@@ -102,9 +102,8 @@ void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, i
         float sum = 0;
         int seen = 0;
         for (int j = 0; j < kPointsPerCell * kPointsPerCell; ++j) {
-          const std::size_t at =
-              static_cast<std::size_t>((cy - firstCell) * kPointsPerCell + j / kPointsPerCell) * stride +
-              static_cast<std::size_t>(cx * kPointsPerCell + j % kPointsPerCell);
+          const std::size_t at = ((cy - firstCell) * kPointsPerCell + j / kPointsPerCell) * stride +
+                                 (cx * kPointsPerCell + j % kPointsPerCell);
           if (!(distance[at] < 1e30f)) continue;
           sum += beads.light[nearest[at] * beads.pictures + k];
           ++seen;

@@ -1477,7 +1477,7 @@ const Setting* findSetting(Section section, std::string_view key) {
 
 const char* sectionName(Section section) {
   constexpr std::array kNames{"shape", "layers", "pictures", "toolpath", "print", "printer"};
-  return kNames[static_cast<std::size_t>(section)];
+  return kNames[toSize(section)];
 }
 
 std::string fullName(const Setting& setting) { return std::string(sectionName(setting.section)) + "." + setting.key; }

@@ -113,7 +113,7 @@ class Reading {
   /// Tells whether each block has few enough wrong words to be corrected.
   [[nodiscard]] bool blocksRead() const {
     // The level is two bits of the format: low 1, medium 0, quartile 3, high 2; the mask inverts the upper one.
-    const auto level = static_cast<std::size_t>(((dark(0, 8) ^ 1) * 2 + dark(1, 8)) ^ 1);
+    const std::size_t level = ((dark(0, 8) ^ 1) * 2 + dark(1, 8)) ^ 1;
     const std::size_t version = version_ - 1;
     const std::size_t blocks = kBlocks[level][version], correction = kCorrectionWords[level][version];
     const std::vector<char> words = wrongWords();

@@ -73,7 +73,7 @@ class Beads {
   void setWidths(const std::vector<float>& width) {
     moves_ = movesWidths(curves_, width);
     widest_ = moves_.empty() ? 0 : *std::max_element(moves_.begin(), moves_.end());
-    for (std::size_t s = 0; s < static_cast<std::size_t>(grid_.count()); ++s) {
+    for (std::size_t s = 0, count = grid_.count(); s < count; ++s) {
       sortedHalf_[s] = 0.5f * moves_[grid_.id[s]];
     }
   }
@@ -143,16 +143,16 @@ void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curv
   for (int round = 0; round < kRounds && !run.cancelled(); ++round) {
     const float growth = round == 0 ? 1 : kGrowth;
     beads.setWidths(width);
-    parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
-      for (std::size_t i = begin; i < static_cast<std::size_t>(end); ++i) {
+    parallelFor(run, grid.count(), 2048, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
         if (open[i] == 0) continue;
         shares[i] = beads.shareOf(static_cast<int>(i), growth);
         const float least = std::min(limits.low, width[i]);
         width[i] = std::min(wanted[i], std::max(least, width[i] * shares[i].factor));
       }
     });
-    parallelFor(run, grid.count(), 8192, [&](int begin, int end) {
-      for (std::size_t i = begin; i < static_cast<std::size_t>(end); ++i) {
+    parallelFor(run, grid.count(), 8192, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
         const bool mayGrow = width[i] < wanted[i] && (round > 0 || gaveWay(shares, i));
         open[i] = static_cast<char>(open[i] != 0 && mayGrow);
       }

@@ -120,7 +120,7 @@ class Brushes {
     std::size_t k = 0;
     for (int y = box.top; y < box.bottom; ++y) {
       const std::size_t row = indexOf(0, y, plate_.width);
-      for (int x = box.left; x < box.right; ++x) visit(row + static_cast<std::size_t>(x), k++);
+      for (int x = box.left; x < box.right; ++x) visit(row + x, k++);
     }
   }
 
@@ -153,8 +153,7 @@ class Brushes {
     const Vec2f line = square > 0 ? lineAlong(way) : Vec2f{};
     const double rim = std::max(radius * std::min(1.0, std::max(0.0, stroke.soft)), 1e-9);
     for (int row = box.top; row < box.bottom; ++row) {
-      std::size_t k = static_cast<std::size_t>(row - trace.box.top) * trace.box.columns() +
-                      static_cast<std::size_t>(box.left - trace.box.left);
+      std::size_t k = (row - trace.box.top) * trace.box.columns() + (box.left - trace.box.left);
       for (int column = box.left; column < box.right; ++column, ++k) {
         const Vec2 from = Vec2{(column + 0.5) * step_.x, (plate_.height - row - 0.5) * step_.y} - piece.begin;
         // Most texels lie beside an end of a piece, where no division is needed.
@@ -207,8 +206,8 @@ class Brushes {
       const float strength = trace.strength[k];
       if (!(strength > 0)) return;
       LayerStack::Texel& texel = stack_.texels[number];
-      const auto x = static_cast<std::size_t>(static_cast<int>(number % plate_.width) - erased_.left);
-      const auto y = static_cast<std::size_t>(static_cast<int>(number / plate_.width) - erased_.top);
+      const std::size_t x = number % plate_.width - erased_.left;
+      const std::size_t y = number / plate_.width - erased_.top;
       const LayerStack::Texel& before = below_[y * erased_.columns() + x];
       LayerStack::Texel mixed = strength >= 0.5F ? before : texel;
       if (strength < 1) {

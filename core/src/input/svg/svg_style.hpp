@@ -189,7 +189,7 @@ inline constexpr std::array<std::string_view, 68> kPropertyNames{"alignment-base
                                                                  "word-spacing",
                                                                  "writing-mode"};
 
-constexpr std::string_view nameOf(Property property) { return kPropertyNames[static_cast<std::size_t>(property)]; }
+constexpr std::string_view nameOf(Property property) { return kPropertyNames[toSize(property)]; }
 
 /// Value of a property. Of several declarations, the last of the most specific ones wins.
 struct Declared {
