@@ -112,7 +112,7 @@ class SideRays {
         };
         own(ray.piece);
         for (const std::size_t k : groups_.others[ray.piece]) own(k);
-        for (const Span& span : row.ending) {
+        for (const RaySpan& span : row.ending) {
           if (ray.p.y < span.low || ray.p.y >= span.high || !isLeft(span, ray.p)) continue;
           if (groups_.first[span.piece] != ray.piece) extra.emplace_back(span.piece, 1);
         }
@@ -124,14 +124,14 @@ class SideRays {
         crossGroup(ray.piece, -1, winding);
         for (const auto& [piece, times] : extra) cross(piece, -times, winding);
       }
-      for (const Span& span : row.across) rank[span.piece] = kNowhere;
+      for (const RaySpan& span : row.across) rank[span.piece] = kNowhere;
     }
   }
 
  private:
   // A piece as rays see it. The pieces of a bucket are scattered in memory, and a ray meets hundreds of them; without
   // this copy, all rays of a map's strokes took three times as long.
-  struct Span {
+  struct RaySpan {
     /// Range of y. A ray at `high` passes over the piece, as in crossesRow().
     double low;
     double high;
@@ -151,9 +151,9 @@ class SideRays {
   // Pieces of a row. They meet at their ends only, so that those across all rays of the row have one order, and a ray
   // finds its place among them by bisection.
   struct PieceRow {
-    std::vector<Ray> rays;     ///< sorted by `before`
-    std::vector<Span> across;  ///< pieces across all rays, from left to right
-    std::vector<Span> ending;  ///< pieces that end within the row
+    std::vector<Ray> rays;        ///< sorted by `before`
+    std::vector<RaySpan> across;  ///< pieces across all rays, from left to right
+    std::vector<RaySpan> ending;  ///< pieces that end within the row
   };
 
   /// Collects the rays of a row, and sorts the pieces across all of them from left to right.
@@ -180,16 +180,16 @@ class SideRays {
       (across ? row.across : row.ending)
           .push_back({bottom, top, left, right, k, across ? crossingX(piece, (low + high) / 2) : 0});
     }
-    sortBy(row.across, [](const Span& span) { return span.at; });
+    sortBy(row.across, [](const RaySpan& span) { return span.at; });
     for (Ray& ray : row.rays) {
       const auto end = std::partition_point(row.across.begin(), row.across.end(),
-                                            [&](const Span& span) { return isLeft(span, ray.p); });
+                                            [&](const RaySpan& span) { return isLeft(span, ray.p); });
       ray.before = end - row.across.begin();
     }
     sortBy(row.rays, [](const Ray& ray) { return ray.before; });
   }
 
-  [[nodiscard]] bool isLeft(const Span& span, Vec2 p) const {
+  [[nodiscard]] bool isLeft(const RaySpan& span, Vec2 p) const {
     if (p.x <= span.left) return false;
     return span.right < p.x || crossingX(pieces_[span.piece], p.y) < p.x;
   }

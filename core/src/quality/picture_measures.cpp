@@ -29,7 +29,7 @@ struct Segment {
   float radius = 0;
 };
 
-struct Cells {
+struct PictureCells {
   int width = 0;
   int height = 0;
 };
@@ -48,14 +48,14 @@ struct LitBeads {
   std::vector<Segment> segments;
   std::vector<float> light;  ///< light of each segment, per picture
   std::size_t pictures;
-  Cells cells;
+  PictureCells cells;
 };
 
 /// Rasters a band of cells: each point takes the light of its nearest segment, and each cell the mean of its points.
 /// \param inBand  segments that reach the rows of the band, in their order; the first of equally near ones counts.
 void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, int firstCell, int endCell,
               Lights& lights) {
-  const Cells cells = beads.cells;
+  const PictureCells cells = beads.cells;
   const int width = cells.width * kPointsPerCell;
   const int top = firstCell * kPointsPerCell;
   const int rows = (endCell - firstCell) * kPointsPerCell;
@@ -234,7 +234,7 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
   if (across * down * kPointsPerCell * kPointsPerCell > static_cast<double>(kMaxImagePixels)) {
     return Error{ErrorCode::TooLarge, "the pictures would be judged at more than 100 million points"};
   }
-  const Cells cells{static_cast<int>(across), static_cast<int>(down)};
+  const PictureCells cells{static_cast<int>(across), static_cast<int>(down)};
 
   std::vector<Lobe> lobes;
   for (const Lamp& lamp : lamps) lobes.push_back(lobeOf(lamp, roughness));

@@ -65,7 +65,7 @@ Wrong wrongPair(const Setting& setting, Vec2 value, Range range) {
 
 /// Checks the length of a text, and its characters: blocks may have several lines, other texts must not.
 Wrong wrongText(const Setting& setting, const std::string& value) {
-  const auto bytes = toSize(setting.high);
+  const std::size_t bytes = toSize(setting.high);
   if (setting.type == SettingType::Block) {
     if (value.size() <= bytes && value.find('\0') == std::string::npos) return std::nullopt;
     return wrong(fullName(setting) + " has " + std::to_string(value.size()) + " bytes; it must be text of at most " +

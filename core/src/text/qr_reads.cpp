@@ -36,9 +36,9 @@ constexpr std::array<PerVersion, 4> kBlocks{{
 }};
 
 /// Reading of a code. Modules are counted from the code's upper left corner, without the quiet zone.
-class Reading {
+class CodeReading {
  public:
-  Reading(const Image& code, const std::vector<char>& wrong)
+  CodeReading(const Image& code, const std::vector<char>& wrong)
       : code_(code), wrong_(wrong), side_(code.width - 2 * kQuietZone), version_((side_ - 17) / 4) {}
 
   [[nodiscard]] bool succeeds() const { return findersShow() && formatReads() && blocksRead(); }
@@ -135,6 +135,6 @@ class Reading {
 
 }  // namespace
 
-bool qrReads(const Image& code, const std::vector<char>& wrong) { return Reading(code, wrong).succeeds(); }
+bool qrReads(const Image& code, const std::vector<char>& wrong) { return CodeReading(code, wrong).succeeds(); }
 
 }  // namespace sillon

@@ -44,7 +44,7 @@ struct WidthLimits {
 };
 
 // Factor by which a bead may be wider before it meets another.
-struct Share {
+struct SharedRoom {
   float factor = 1;  ///< the same for both beads: both give way, or grow, alike
   int beside = -1;   ///< the point that the bead would meet first; -1: none
 };
@@ -64,10 +64,10 @@ std::vector<float> movesWidths(const ClosedCurves& curves, const std::vector<flo
 }
 
 // All beads of a path, each as wide as the moves that meet at its points.
-class Beads {
+class WideBeads {
  public:
-  Beads(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, const PointGrid& grid,
-        const WidthLimits& limits)
+  WideBeads(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, const PointGrid& grid,
+            const WidthLimits& limits)
       : curves_(curves), curveOf_(curveOf), grid_(grid), limits_(limits), sortedHalf_(grid.id.size(), 0.0f) {}
 
   void setWidths(const std::vector<float>& width) {
@@ -80,7 +80,7 @@ class Beads {
 
   /// Computes by which factor a point's bead and each of its neighbours may be scaled until they overlap by no more
   /// than is allowed, and returns the smallest. \param growth  the largest factor looked for.
-  [[nodiscard]] Share shareOf(int point, float growth) const {
+  [[nodiscard]] SharedRoom shareOf(int point, float growth) const {
     const std::size_t i = point;
     const int c = curveOf_[i];
     const OwnChain chain(point, curves_.begin[c], curves_.size(c), kOwnChain);
@@ -126,8 +126,8 @@ class Beads {
 };
 
 // Tells whether the bead that a point would meet first has given way to a third one, so that there is room now.
-bool gaveWay(const std::vector<Share>& shares, std::size_t point) {
-  const Share& share = shares[point];
+bool gaveWay(const std::vector<SharedRoom>& shares, std::size_t point) {
+  const SharedRoom& share = shares[point];
   return share.beside >= 0 && shares[share.beside].factor < kYielding * share.factor;
 }
 
@@ -136,9 +136,9 @@ bool gaveWay(const std::vector<Share>& shares, std::size_t point) {
 void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, const WidthLimits& limits,
                std::vector<float>& width, const RunContext& run) {
   const PointGrid grid(curves.points, 0.75f * limits.spacing, run);
-  Beads beads(curves, curveOf, grid, limits);
+  WideBeads beads(curves, curveOf, grid, limits);
   const std::vector<float> wanted = width;
-  std::vector<Share> shares(width.size());
+  std::vector<SharedRoom> shares(width.size());
   std::vector<char> open(width.size(), 1);  // tells whether the width may still change: all at first, later a few
   for (int round = 0; round < kRounds && !run.cancelled(); ++round) {
     const float growth = round == 0 ? 1 : kGrowth;

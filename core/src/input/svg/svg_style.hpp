@@ -359,7 +359,7 @@ struct PaintState {
   bool strokeScales = true;  ///< width scales with transforms; false for non-scaling-stroke
   FillRule fillRule = FillRule::NonZero;
   FillRule clipRule = FillRule::NonZero;
-  Stroke line;
+  LineStroke line;
   LetterStyle letters;
 
   [[nodiscard]] double fillAlpha() const { return visible ? fill.alpha * fillOpacity * opacity : 0; }
