@@ -12,6 +12,8 @@
 #include <string_view>
 #include <utility>
 
+#include "sillon/base/types.hpp"
+
 #if defined(__unix__) || defined(__APPLE__)
 #include <dirent.h>
 #include <fcntl.h>
@@ -303,7 +305,7 @@ sillon::Result<std::string> readFile(const std::string& path, const std::string&
   // Reserves the size: a string that grows step by step would hold a large file twice. A pipe or device has no size.
   const std::uintmax_t size = fs::file_size(pathOf(path), error);
   if (!error && size > maxBytes) return tooLarge;
-  if (!error) bytes.reserve(static_cast<std::size_t>(size) + 1);
+  if (!error) bytes.reserve(sillon::toSize(size) + 1);
   std::array<char, 65536> buffer;
   while (bytes.size() <= maxBytes) {
     const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get());

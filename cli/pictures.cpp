@@ -170,8 +170,7 @@ bool looksLikePicture(const std::string& path) {
   std::array<char, 32> head{};
   std::ifstream in(pathOf(path), std::ios::binary);
   in.read(head.data(), head.size());
-  return sillon::beginsLikePicture(
-      {reinterpret_cast<const std::uint8_t*>(head.data()), static_cast<std::size_t>(in.gcount())});
+  return sillon::beginsLikePicture({reinterpret_cast<const std::uint8_t*>(head.data()), sillon::toSize(in.gcount())});
 }
 
 sillon::LookParams previewLook(const PictureOptions& options, const sillon::Project& project,

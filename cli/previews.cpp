@@ -49,7 +49,7 @@ Result<std::string> loopFile(const sillon::Toolpath& toolpath, sillon::Vec2 page
   // A quality applies to the whole loop, because frames of different quality would flicker.
   for (const int quality : sillon::loopQualities()) {
     Result<std::string> bytes = encodeWebp(frames, quality, run);
-    if (!bytes || bytes.value().size() <= static_cast<std::size_t>(sillon::loopBytes())) return bytes;
+    if (!bytes || bytes.value().size() <= sillon::toSize(sillon::loopBytes())) return bytes;
   }
   return Error{ErrorCode::TooLarge, "a moving picture " + std::to_string(side) + " pixels large takes more than " +
                                         std::to_string(sillon::loopBytes()) +

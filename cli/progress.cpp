@@ -23,8 +23,7 @@ void ProgressBar::show(std::string_view stage, double fraction) {
   last_ = now;
   drawn_ = true;
   const int full = std::clamp(static_cast<int>(fraction * kCells), 0, kCells);
-  const std::string bar =
-      std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(kCells - full), '.');
+  const std::string bar = std::string(full, '#') + std::string(kCells - full, '.');
   // Blanks overwrite a longer text; escape codes would be shown literally by old consoles of Windows.
   const int blanks = static_cast<int>(std::max(length_, stage.size()) - stage.size());
   length_ = stage.size();

@@ -1,4 +1,4 @@
-# Writes the built-in fonts as a source file: cmake -DFONTS="a.ttf;b.ttf" -DOUT=fonts.cpp -P embed_fonts.cmake
+# Writes the built-in fonts as a source file: cmake -DFONTS="a.ttf;b.ttf" -DOUT=FILE -P embed_fonts.cmake
 set(arrays "")
 set(rows "")
 foreach(font ${FONTS})

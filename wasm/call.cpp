@@ -107,7 +107,7 @@ val room(double size) {
                     std::ceil(size / kMiB), most);
       return convert::failure("TooLarge", text);
     }
-    call::incoming.resize(static_cast<std::size_t>(size));
+    call::incoming.resize(sillon::toSize(size));
     return convert::success(val(
         emscripten::typed_memory_view(call::incoming.size(), reinterpret_cast<std::uint8_t*>(call::incoming.data()))));
   });

@@ -49,13 +49,13 @@ template <class T>
 std::vector<T> stretched(const std::vector<T>& values, Sides from, Sides to) {
   if (from == to) return values;
   const auto below = [](int k, int count, int own) {
-    return static_cast<std::size_t>((2 * std::int64_t{k} + 1) * own / (2 * std::int64_t{count}));
+    return sillon::toSize((2 * std::int64_t{k} + 1) * own / (2 * std::int64_t{count}));
   };
   std::vector<std::size_t> columns;
   for (int x = 0; x < to.width; ++x) columns.push_back(below(x, to.width, from.width));
   std::vector<T> out;
   for (int y = 0; y < to.height; ++y) {
-    const T* const row = values.data() + below(y, to.height, from.height) * static_cast<std::size_t>(from.width);
+    const T* const row = values.data() + below(y, to.height, from.height) * from.width;
     for (const std::size_t column : columns) out.push_back(row[column]);
   }
   return out;

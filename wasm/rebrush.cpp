@@ -149,7 +149,7 @@ val rebrush(const std::string& projectJson, const val& files, const std::string&
                   : fit == "bed"  ? sillon::PictureFit::Bed
                   : fit == "all"  ? sillon::PictureFit::All
                                   : sillon::PictureFit::Face;
-    for (const double index : convert::numbers<double>(only)) options.only.push_back(static_cast<std::size_t>(index));
+    for (const double index : convert::numbers<double>(only)) options.only.push_back(sillon::toSize(index));
     options.onSurface = [&](std::size_t done, std::size_t all) {
       const double share = 1.0 / static_cast<double>(all);
       tell(run, onProgress, static_cast<double>(done) * share, static_cast<double>(done + 1) * share);

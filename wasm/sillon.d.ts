@@ -337,7 +337,7 @@ export interface PrintRelief {
   heights: Float32Array;
 }
 
-/** Why a surface cannot be replaced: `core/include/sillon/rebrush/surfaces.hpp` lists them. */
+/** Why a surface cannot be replaced: `core/include/sillon/rebrush/rebrush.hpp` lists them. */
 export type LeftReason =
   | 'Narrow'
   | 'Small'

@@ -310,7 +310,7 @@ void addSurfaces(Options& options, Arguments& arguments) {
         if (!number || !(*number >= 1 && *number <= 1e6) || *number != std::floor(*number)) {
           refuse("--only", word, "a number that --list shows; the first is 1");
         }
-        arguments.options.only.push_back(static_cast<std::size_t>(*number) - 1);
+        arguments.options.only.push_back(sillon::toSize(*number) - 1);
       },
       ',');
 }

@@ -55,8 +55,8 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
            "; slicers may find no layers in it, so repair it first\n";
   }
   char line[160];
-  if (const std::size_t count = zones.zones.size(); count < static_cast<std::size_t>(arguments.request.params.most)) {
-    const bool narrow = static_cast<std::size_t>(zones.found) > count;
+  if (const int count = static_cast<int>(zones.zones.size()); count < arguments.request.params.most) {
+    const bool narrow = zones.found > count;
     std::snprintf(line, sizeof line, narrow ? "others are narrower than %g mm (--least)" : "no more directions differ",
                   arguments.request.params.least);
     out += "note   " + plural(count, "zone") + " instead of " + std::to_string(arguments.request.params.most) + ": " +

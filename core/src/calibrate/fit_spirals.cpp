@@ -33,7 +33,7 @@ constexpr double kFaintSharpening = 0.05, kClearSharpening = 0.15;  // share of 
 constexpr double kUsualLobe = 0.15;                                 // [radians] lobe width at the start, in bead angle
 
 /// Values of all unknowns.
-struct State {
+struct Unknowns {
   Globals globals;
   std::array<double, kLight> light{};  // terms of the highlights, of the light sent in all directions, of the veil
   std::vector<Vec2> offsets;           // offsets of the spirals from their places in the map [mm]
@@ -61,7 +61,7 @@ class Fitter {
 
   /// Sets the priors of veil and sharpening by the values found. Most photographs have neither and some have much, so
   /// that the prior of a value that is clearly there is wide.
-  void expectAsFound(const State& state) {
+  void expectAsFound(const Unknowns& state) {
     const auto held = [](double faint, double clear, double found) {
       return faint * (1 + (found / clear) * (found / clear));
     };
@@ -74,7 +74,7 @@ class Fitter {
 
   /// Gives less weight to bins with large residuals: base between loose turns, dirt, anything that the model does not
   /// describe.
-  void doubt(const State& state) {
+  void doubt(const Unknowns& state) {
     trust_.assign(spirals_.size(), evenly());
     std::vector<double> all;
     std::vector<Rows> off, bright;
@@ -103,7 +103,7 @@ class Fitter {
   }
 
   /// Minimises the cost by the method of Levenberg and Marquardt. \return the cost that is reached.
-  double descend(State& state, int rounds, const RunContext& run) const {
+  double descend(Unknowns& state, int rounds, const RunContext& run) const {
     double lambda = 1e-2;
     double now = cost(state);
     for (int round = 0; round < rounds && !run.cancelled(); ++round) {
@@ -112,7 +112,7 @@ class Fitter {
       for (int attempt = 0; attempt < 6 && !better; ++attempt) {
         NormalEquations damped = normal;
         for (std::size_t k = 0; k < normal.size; ++k) damped.at(k, k) += lambda * (normal.at(k, k) + 1e-9);
-        const State tried = moved(state, damped.solved());
+        const Unknowns tried = moved(state, damped.solved());
         const double then = cost(tried);
         if (then < now) {
           better = true;
@@ -129,8 +129,8 @@ class Fitter {
   }
 
   /// Starts from given globals: solves for the light of highlight, body and base, which is linear, under even light.
-  State begin(const Globals& globals) const {
-    State state{globals, {}, std::vector<Vec2>(spirals_.size()), {}};
+  Unknowns begin(const Globals& globals) const {
+    Unknowns state{globals, {}, std::vector<Vec2>(spirals_.size()), {}};
     NormalEquations normal{3};
     for (std::size_t k = 0; k < 3; ++k) normal.at(k, k) = 1e-6;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
@@ -148,14 +148,14 @@ class Fitter {
   }
 
   /// Normal equations of the Gauss-Newton step, which would remove all residuals if the model were linear.
-  [[nodiscard]] NormalEquations assemble(const State& state) const {
+  [[nodiscard]] NormalEquations assemble(const Unknowns& state) const {
     constexpr double kStep = 1e-4;
     constexpr std::size_t kColumns = kShared + kOwn;
     NormalEquations normal{kShared + kOwn * spirals_.size()};
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const LitSpiral& s = spirals_[k];
       const auto light = lightOf(k, state.globals[9]);
-      const SpiralModel::Shape shape = model_.shapeOf(k, state.globals);
+      const SpiralModel::Unblurred shape = model_.shapeOf(k, state.globals);
       const Basis basis = model_.basisOf(k, shape, state.globals, state.offsets[k]);
       const Vec3 gains = gainsOf(k, state);
       std::vector<std::array<double, kColumns>> jacobian(kRows);  // derivatives of the light that falls on the camera
@@ -303,14 +303,14 @@ class Fitter {
   }
 
   /// Light of the veil at a spiral's place.
-  [[nodiscard]] double veilOf(std::size_t which, const State& state) const {
+  [[nodiscard]] double veilOf(std::size_t which, const Unknowns& state) const {
     const Vec2 axis = spirals_[which].fromAxis;
     const double* terms = state.light.data() + kVeil;
     return terms[0] + axis.x * terms[1] + axis.y * terms[2];
   }
 
   /// Light of a spiral as the camera shows it, with its unsharp mask.
-  [[nodiscard]] Rows shownBy(std::size_t which, const State& state) const {
+  [[nodiscard]] Rows shownBy(std::size_t which, const Unknowns& state) const {
     const Basis basis = basisOf(which, state.globals, state.offsets[which]);
     const Vec3 gains = gainsOf(which, state);
     const double veil = veilOf(which, state);
@@ -320,13 +320,13 @@ class Fitter {
   }
 
   /// Light of highlight, body and base at a spiral's place: the factors of its Basis.
-  [[nodiscard]] Vec3 gainsOf(std::size_t which, const State& state) const {
+  [[nodiscard]] Vec3 gainsOf(std::size_t which, const Unknowns& state) const {
     const double r = dot(spirals_[which].fromAxis, spirals_[which].fromAxis);
     return {state.light[0] + r * state.light[1], state.light[kTerms] + r * state.light[kTerms + 1], state.bases[which]};
   }
 
   /// Sum of the weighted squares of all residuals and priors.
-  double cost(const State& state) const {
+  double cost(const Unknowns& state) const {
     double sum = 0;
     for (std::size_t k = 0; k < spirals_.size(); ++k) {
       const auto [weight, seen] = lightOf(k, state.globals[9]);
@@ -345,8 +345,8 @@ class Fitter {
   }
 
   /// Takes a step, and keeps every unknown within its range.
-  static State moved(const State& from, const std::vector<double>& step) {
-    State to = from;
+  static Unknowns moved(const Unknowns& from, const std::vector<double>& step) {
+    Unknowns to = from;
     Globals& g = to.globals;
     for (std::size_t p = 0; p < kGlobals; ++p) g[p] += step[p];
     for (std::size_t p = 0; p < kLight; ++p) to.light[p] += step[kGlobals + p];
@@ -416,7 +416,7 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
   const double azimuth = azimuthOf(spirals, fit.contrast);
   Fitter fitter(spirals, camera, elevation);
   double least = 1e300;
-  State best;
+  Unknowns best;
   if (before != nullptr) {
     Globals g = before->globals;
     g[7] = g[11] = g[12] = 0;  // camera and middles are better known now, so these start from 0
@@ -432,7 +432,7 @@ SpiralFit fitSpirals(const std::vector<LitSpiral>& spirals, const SeenFrom& came
         Globals g = Fitter::usualOnes();
         g[0] = size * exact::cos(azimuth + side), g[1] = size * exact::sin(azimuth + side);
         g[2] = 2 * exact::log(kUsualLobe * size);
-        State state = fitter.begin(g);
+        Unknowns state = fitter.begin(g);
         const double cost = fitter.descend(state, kFirstRounds, run);
         if (cost < least) least = cost, best = std::move(state);
       }

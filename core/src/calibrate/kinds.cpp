@@ -114,7 +114,7 @@ std::optional<Error> checkValues(const CalibrationRequest& request, const std::v
 
 }  // namespace
 
-const CalibrationRow& rowOf(CalibrationKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
+const CalibrationRow& rowOf(CalibrationKind kind) { return kKinds[toSize(kind)]; }
 
 double fastest(const Printer& printer, const PrintParams& print, double width) {
   const double byFlow =

@@ -15,17 +15,17 @@ Vec2 cell(int k, Vec2 step) { return {(k % 4) * step.x, -(k / 4) * step.y}; }
 /// Lays one disc per flow, with its value on a band below it.
 void discs(PlateBuilder& plate) {
   constexpr double kRadius = 6.5;
-  constexpr double kAround = kRadius + 0.5;
+  constexpr double kBackingRadius = kRadius + 0.5;
   constexpr double kNumbers = 5;  // [mm] height of the band below a disc
   constexpr double kTouch = 0.7;  // [mm] overlap of a band with its neighbours above and below
   plate.print().layers = 2;
   for (std::size_t k = 0; k < plate.values().size(); ++k) {
     const double value = plate.values()[k];
-    const Vec2 corner = cell(static_cast<int>(k), {2 * kAround, 2 * kAround + kNumbers - kTouch});
-    const Vec2 centre = corner + Vec2{kAround, kNumbers + kAround};
-    plate.base(disc(centre, kAround));
-    plate.base(box(corner, corner + Vec2{2 * kAround, kNumbers + kTouch}));
-    plate.labelAt(written(value, 2), corner + Vec2{kAround, (kTouch + kNumbers) / 2});
+    const Vec2 corner = cell(static_cast<int>(k), {2 * kBackingRadius, 2 * kBackingRadius + kNumbers - kTouch});
+    const Vec2 centre = corner + Vec2{kBackingRadius, kNumbers + kBackingRadius};
+    plate.base(disc(centre, kBackingRadius));
+    plate.base(box(corner, corner + Vec2{2 * kBackingRadius, kNumbers + kTouch}));
+    plate.labelAt(written(value, 2), corner + Vec2{kBackingRadius, (kTouch + kNumbers) / 2});
     plate.value(value, written(value, 2), centre);
     for (const int layer : {1, 2})
       plate.patch({spiral(centre, kRadius, plate.width(), plate.width())}, layer).flow = value;

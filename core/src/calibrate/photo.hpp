@@ -296,25 +296,25 @@ class SpiralModel {
   /// Harmonics of the pattern across a pitch, with the mean: lenses leave no more.
   static constexpr std::size_t kHarmonics = 6;
   /// A complex amplitude.
-  struct Wave {
+  struct Amplitude {
     double re = 0, im = 0;
   };
-  using Pattern = std::array<Wave, kHarmonics>;
+  using Pattern = std::array<Amplitude, kHarmonics>;
 
   /// Light that a spiral sends, before lens and shift. It does not depend on the globals for blur, contrast, sharpening
   /// and offset.
-  struct Shape {
+  struct Unblurred {
     double light = 1;                                       ///< factor that follows from the lamp's distance
     Pattern body{};                                         ///< pattern of the bead itself, the same at every angle
     std::array<Pattern, std::size_t{2} * kAngles> shine{};  ///< pattern of the highlight, at two points of each angle
     std::array<Pattern, std::size_t{2} * kAngles> floor{};  ///< pattern of the base that is lit and seen, likewise
   };
-  [[nodiscard]] Shape shapeOf(std::size_t which, const Globals& g) const;
+  [[nodiscard]] Unblurred shapeOf(std::size_t which, const Globals& g) const;
 
   /// Light of a spiral's bins for a highlight of 1, for a body of 1, and for a base of 1 that shows between turns where
   /// no bead stands before the lamp or the camera.
   /// \param off  offset of the spiral from the place about which it was folded [mm].
-  [[nodiscard]] Basis basisOf(std::size_t which, const Shape& shape, const Globals& g, Vec2 off) const;
+  [[nodiscard]] Basis basisOf(std::size_t which, const Unblurred& shape, const Globals& g, Vec2 off) const;
 
   /// Light after an unsharp mask over codes, which adds what a blur takes off them.
   struct Sharpened {

@@ -142,7 +142,7 @@ std::optional<Error> unfit(const Image& photograph, const PhotoRequest& request)
   }
   const std::int64_t pixels = std::int64_t{photograph.width} * photograph.height;
   if (photograph.channels < 1 || photograph.channels > 4 ||
-      photograph.samples.size() != static_cast<std::size_t>(pixels) * static_cast<std::size_t>(photograph.channels)) {
+      photograph.samples.size() != toSize(pixels) * photograph.channels) {
     return Error{ErrorCode::InvalidArgument, "the photograph's size and its samples differ"};
   }
   if (std::min(photograph.width, photograph.height) < kLeastSide) {

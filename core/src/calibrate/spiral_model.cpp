@@ -21,14 +21,14 @@ constexpr double kLeadSpread = 0.15;            // variance of 1 / r over a spir
 constexpr double kSharp = 1.5;                  // [pixels] standard deviation of an unsharp mask's blur
 constexpr double kEdge = 0.9;  // height of the edge that casts a bead's shadow over the layer's: beads are round
 
-using Wave = SpiralModel::Wave;
+using Amplitude = SpiralModel::Amplitude;
 using Pattern = SpiralModel::Pattern;
 constexpr std::size_t kHarmonics = SpiralModel::kHarmonics;
 constexpr std::size_t kPoints = std::size_t{2} * kAngles;
 
-Wave waveOf(double size, double angle) { return {size * exact::cos(angle), size * exact::sin(angle)}; }
+Amplitude amplitudeOf(double size, double angle) { return {size * exact::cos(angle), size * exact::sin(angle)}; }
 
-Wave product(Wave a, Wave b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
+Amplitude product(Amplitude a, Amplitude b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
 
 /// Place i across a bead, outward from its middle [pitch].
 double placeOf(int i) { return (i + 0.5) / kFine - 0.5; }
@@ -46,11 +46,11 @@ const Waves& waves() {
     Waves w;
     for (std::size_t h = 0; h < kHarmonics; ++h) {
       const auto turns = 2 * std::numbers::pi * static_cast<double>(h);
-      for (int k = 0; k < kFine; ++k) w.fine[k][h] = waveOf(1.0 / kFine, -turns * placeOf(k));
+      for (int k = 0; k < kFine; ++k) w.fine[k][h] = amplitudeOf(1.0 / kFine, -turns * placeOf(k));
       const double x = turns / (2 * kPhases);
       const double mean = h == 0 ? 1 : 2 * exact::sin(x) / x;
       for (int k = 0; k < kPhases; ++k) {
-        w.phase[k][h] = waveOf(mean, turns * (k + 0.5) / kPhases);
+        w.phase[k][h] = amplitudeOf(mean, turns * (k + 0.5) / kPhases);
       }
     }
     for (std::size_t k = 0; k < kPhases; ++k) {
@@ -165,8 +165,7 @@ SpiralModel::Sharpened SpiralModel::sharpened(std::size_t which, const Rows& lig
     for (int h = 0; h < kPhases; ++h) {
       const int turns = std::min(h, kPhases - h);
       const double factor = 1 + amount * (1 - exact::exp(-rate * turns * turns));
-      for (std::size_t d = 0; d < kPhases; ++d)
-        kernel[d] += factor * waves().turn[(static_cast<std::size_t>(h) * d) % kPhases] / kPhases;
+      for (std::size_t d = 0; d < kPhases; ++d) kernel[d] += factor * waves().turn[(h * d) % kPhases] / kPhases;
     }
     std::array<Point, kPhases> points;
     for (std::size_t p = 0; p < kPhases; ++p) points[p] = codeAt(light[k * kPhases + p], contrast);
@@ -183,7 +182,7 @@ SpiralModel::Sharpened SpiralModel::sharpened(std::size_t which, const Rows& lig
   return out;
 }
 
-SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) const {
+SpiralModel::Unblurred SpiralModel::shapeOf(std::size_t which, const Globals& g) const {
   const LitSpiral& s = spirals_[which];
   const bool loose = s.kind == SpiralKind::Loose;
   const double pitch = s.spiral.pitch;
@@ -201,7 +200,7 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
   const Vec2 shadow = reach(unit(lamp - 1e-3 * g[8] * middle)), hidden = reach(unit(from - middle));
   constexpr double kPiece = 2 * std::numbers::pi / kSpiralSteps;
   const double spread = kPiece * kPiece / 12 + lead * lead * kLeadSpread;
-  Shape shape;
+  Unblurred shape;
   const Vec3 way = lamp - 1e-3 * g[8] * middle;
   shape.light = 1 / dot(way, way);    // the light falls with the square of the distance
   std::array<double, kFine> share{};  // share of each place that the bead covers: smooth in its width
@@ -252,11 +251,11 @@ SpiralModel::Shape SpiralModel::shapeOf(std::size_t which, const Globals& g) con
   return shape;
 }
 
-SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, const Globals& g, Vec2 off) const {
+SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Unblurred& shape, const Globals& g, Vec2 off) const {
   const LitSpiral& s = spirals_[which];
   const double pitch = s.spiral.pitch, blur = exact::exp(g[4]);
   const Vec2 shifted = off + Vec2{g[11], g[12]};
-  const auto add = [](Wave& sum, Wave by) { sum.re += by.re, sum.im += by.im; };
+  const auto add = [](Amplitude& sum, Amplitude by) { sum.re += by.re, sum.im += by.im; };
   const Waves& waving = waves();
   Basis basis;
   for (std::size_t k = 0; k < kAngles; ++k) {
@@ -267,8 +266,8 @@ SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, c
       const double w = 2 * std::numbers::pi / pitch;
       // A Gaussian blur multiplies harmonic h by b^(h²): from one harmonic to the next by b, b³, b⁵ ...
       const double least = exact::exp(-0.5 * w * w * blur * blur * (x * x + y * y));
-      const Wave turn = waveOf(1, -w * dot(shifted, n));
-      Wave move{0.5, 0};
+      const Amplitude turn = amplitudeOf(1, -w * dot(shifted, n));
+      Amplitude move{0.5, 0};
       double by = least;
       for (std::size_t h = 0; h < kHarmonics; ++h) {
         add(body[h], product(shape.body[h], move));
@@ -281,7 +280,7 @@ SpiralModel::Basis SpiralModel::basisOf(std::size_t which, const Shape& shape, c
     for (std::size_t p = 0; p < kPhases; ++p) {
       double covered = 0, lit = 0, open = 0;
       for (std::size_t h = 0; h < kHarmonics; ++h) {
-        const Wave wave = waving.phase[p][h];
+        const Amplitude wave = waving.phase[p][h];
         covered += body[h].re * wave.re - body[h].im * wave.im;
         lit += shine[h].re * wave.re - shine[h].im * wave.im;
         open += floor[h].re * wave.re - floor[h].im * wave.im;

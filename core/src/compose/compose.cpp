@@ -210,10 +210,9 @@ PlateInput Composition::laid() const {
     for (int x = 0; x < layers.width; ++x) {
       const auto k = indexOf(x, y, layers.width);
       const LayerStack::Texel& texel = layers.texels[k];
-      const auto column = static_cast<std::size_t>(below(x, layers.width, ground.modes.width));
-      const auto row = static_cast<std::size_t>(below(y, layers.height, ground.modes.height));
-      modes.mode[k] =
-          texel.mode.value_or(ground.modes.mode[row * static_cast<std::size_t>(ground.modes.width) + column]);
+      const int column = below(x, layers.width, ground.modes.width);
+      const int row = below(y, layers.height, ground.modes.height);
+      modes.mode[k] = texel.mode.value_or(ground.modes.mode[indexOf(column, row, ground.modes.width)]);
       if (texel.cover == 0) {
         directions.angle[k] = background.angleAt(x, y);
         continue;

@@ -32,7 +32,7 @@ template <class Picture>
 std::optional<std::size_t> texelOf(const Picture& picture, Vec2 own, Vec2 size) {
   const double x = (own.x / size.x + 0.5) * picture.width, y = (0.5 - own.y / size.y) * picture.height;
   if (!(x >= 0 && y >= 0 && x < picture.width && y < picture.height)) return std::nullopt;
-  return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
+  return indexOf(static_cast<int>(x), static_cast<int>(y), picture.width);
 }
 
 // Lines of each kind of layer. Their arguments must outlive the result.

@@ -80,7 +80,7 @@ InkCount countIn(const Window& window, const Region& region, const LayerStack& s
           window.bottom + static_cast<std::int64_t>(window.rows - 1 - row) * window.step + window.step / 2;
       const std::int64_t y = stack.height - 1 - up;
       const bool onPage = x >= 0 && y >= 0 && x < stack.width && y < stack.height;
-      count.add(onPage ? stack.texels[static_cast<std::size_t>(y * stack.width + x)].place : Place::Beside);
+      count.add(onPage ? stack.texels[toSize(y * stack.width + x)].place : Place::Beside);
     }
   }
   return count;
@@ -105,9 +105,9 @@ PlacedCode placedCode(const LayerContent& content, const Placement& place, const
 }
 
 /// A stack of layers on the directions below it.
-class Laid {
+class LaidLayers {
  public:
-  Laid(const LayerStack& stack, const DirectionMap& below)
+  LaidLayers(const LayerStack& stack, const DirectionMap& below)
       : stack_(stack), background_(below, stack.width, stack.height) {}
 
   [[nodiscard]] Vec2 below(std::size_t k) const {
@@ -129,7 +129,7 @@ class Laid {
 
 /// Tells whether a code can be read. \param spacing  spacing of the beads [mm]; narrower modules contain none.
 bool reads(const PlacedCode& code, const Layer& layer, double module, double spacing, const LayerStack& stack,
-           const Laid& laid) {
+           const LaidLayers& laid) {
   constexpr double kContrast = 0.5;  // contrast of directions 30 degrees apart, 1 - cos 60 degrees
   constexpr double kClear = 0.25;    // share of the way from midway between the directions to either
   const CodeLines lines = codeLines(*layer.as<CodeLayer>());
@@ -140,8 +140,8 @@ bool reads(const PlacedCode& code, const Layer& layer, double module, double spa
   for (std::size_t k = 0; k < code.texels.size(); ++k) {
     bool right = false;
     const int texel = code.texels[k];
-    if (texel >= 0 && stack.texels[static_cast<std::size_t>(texel)].place == Place::Open) {
-      const Vec2 seen = laid.line(static_cast<std::size_t>(texel));
+    if (texel >= 0 && stack.texels[texel].place == Place::Open) {
+      const Vec2 seen = laid.line(texel);
       const double nearer = dot(seen, dark - light);
       right = (code.modules.samples[k] == 0 ? nearer : -nearer) >= kClear * contrast;
     }
@@ -209,7 +209,7 @@ std::vector<SeenLayer> seeLayers(const Project& project, const std::vector<Place
   const LayerStack& stack = composition.layers;
   std::vector<SeenLayer> seen;
   if (stack.inks.empty()) return seen;
-  const Laid laid(stack, composition.ground.directions);
+  const LaidLayers laid(stack, composition.ground.directions);
   std::vector<std::size_t> onTop(project.layers.size() + 1), turned(onTop.size());
   for (std::size_t k = 0; k < stack.texels.size(); ++k) {
     const Texel& texel = stack.texels[k];

@@ -148,7 +148,7 @@ int widthOfPng(std::string_view png) {
 /// Replaces the value of an attribute; an empty value changes nothing.
 void replaceAttribute(std::string& xml, std::string_view before, std::string_view name, const std::string& value,
                       std::size_t from, std::size_t& to) {
-  const Place place = attribute(xml, before, name, from, to);
+  const TextRange place = attribute(xml, before, name, from, to);
   if (value.empty() || place.end == 0) return;
   xml.replace(place.begin, place.end - place.begin, value);
   to = to + value.size() - (place.end - place.begin);
@@ -167,7 +167,7 @@ std::string newPrediction(std::string_view old, std::string_view before, std::st
 }
 
 // Finds the part of slice_info.config about a plate; empty without one.
-Place partOf(std::string_view xml, std::string_view plate) {
+TextRange partOf(std::string_view xml, std::string_view plate) {
   const std::size_t from = xml.find("<metadata key=\"index\" value=\"" + std::string(plate) + "\"");
   if (from == std::string::npos) return {};
   return {from, std::min(xml.find("</plate>", from), xml.size())};
@@ -178,7 +178,7 @@ std::string newSliceInfo(std::string xml, std::string_view plate, std::string_vi
   auto [from, to] = partOf(xml, plate);
   if (to == 0) return xml;
   constexpr std::string_view kPrediction = "<metadata key=\"prediction\"";
-  const Place old = attribute(xml, kPrediction, "value", from, to);
+  const TextRange old = attribute(xml, kPrediction, "value", from, to);
   const std::string told = xml.substr(old.begin, old.end - old.begin);
   replaceAttribute(xml, kPrediction, "value", newPrediction(told, before, after), from, to);
   if (weightOf(before) == weightOf(after) && metresOf(before) == metresOf(after)) return xml;
@@ -293,7 +293,7 @@ Result<GcodeContainer> readGcodeContainer(std::string file) {
     return container;
   }
   if (isGzip(bytes)) {
-    Result<std::string> text = unzipped(bytes, kMostGcodeBytes);
+    Result<std::string> text = gunzipped(bytes, kMostGcodeBytes);
     if (!text) return text.error();
     container.kind = GcodeContainerKind::Gzip;
     container.gcode = std::move(text).value();
@@ -326,7 +326,7 @@ Result<std::string> writeGcodeContainer(const GcodeContainer& container, std::st
     case GcodeContainerKind::Binary:
       return binaryWithText(container.file, gcode);
     case GcodeContainerKind::Gzip:
-      return zippedLike(container.file, gcode);
+      return gzippedLike(container.file, gcode);
     case GcodeContainerKind::Package3mf:
       break;
   }
@@ -383,7 +383,7 @@ std::optional<Error> writeGcodeContainer(const GcodeContainer& container, const 
   if (!info) return info.error();
   const Result<std::string> plateJson = unpacked(std::string(path) + ".json");
   if (!plateJson) return plateJson.error();
-  const Place part = partOf(info.value(), index);
+  const TextRange part = partOf(info.value(), index);
   const std::string_view xml = info.value();
   const PlateLists lists{part.end == 0 ? xml : xml.substr(part.begin, part.end - part.begin), plateJson.value()};
   if (auto error = packageDisagrees(lists, {loadedFilaments({container.gcode}), container.gcode},
@@ -421,7 +421,7 @@ std::optional<Error> writeGcodeContainer(const GcodeContainer& container, const 
   return std::nullopt;
 }
 
-Result<std::string> gzipGcode(std::string_view gcode) { return zipped(gcode); }
+Result<std::string> gzipGcode(std::string_view gcode) { return gzipped(gcode); }
 
 Result<std::string> unpackGcode(std::string file) {
   Result<GcodeContainer> container = readGcodeContainer(std::move(file));

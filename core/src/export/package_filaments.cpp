@@ -26,7 +26,7 @@ std::vector<Listed> listedIn(std::string_view plate) {
   for (std::size_t at = plate.find("<filament "); at != std::string_view::npos; at = plate.find("<filament ", at + 1)) {
     const std::string_view tag = plate.substr(at, plate.find('>', at) - at);
     const auto value = [tag](const char* name) {
-      const Place place = attribute(tag, "<filament", name, 0, tag.size());
+      const TextRange place = attribute(tag, "<filament", name, 0, tag.size());
       return tag.substr(place.begin, place.end - place.begin);
     };
     const std::optional<double> id = plainNumber(value(" id"));  // the blank excludes group_id
@@ -69,8 +69,8 @@ Error disagree(const std::string& package, const std::string& gcode) {
 
 }  // namespace
 
-Place attribute(std::string_view xml, std::string_view before, std::string_view name, std::size_t from,
-                std::size_t to) {
+TextRange attribute(std::string_view xml, std::string_view before, std::string_view name, std::size_t from,
+                    std::size_t to) {
   std::size_t at = xml.find(before, from);
   if (at == std::string::npos || at >= to) return {};
   at = xml.find(std::string(name) + "=\"", at + before.size());

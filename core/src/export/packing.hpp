@@ -58,14 +58,15 @@ Bounds printedBox(const std::vector<std::string_view>& gcode);
 // The filaments that a .gcode.3mf and its G-code name. They must agree, because the printer feeds the filaments of the
 // package at the temperature of the G-code.
 
-/// A range of bytes in a text.
-struct Place {
+/// A range of bytes in a text; none if `end` is 0.
+struct TextRange {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// Finds the value of `name="..."`, the first after `from` and before `to`; both ends are 0 where there is none.
-Place attribute(std::string_view xml, std::string_view before, std::string_view name, std::size_t from, std::size_t to);
+/// Finds the value of `name="..."`, the first after `from` and before `to`, if there is one.
+TextRange attribute(std::string_view xml, std::string_view before, std::string_view name, std::size_t from,
+                    std::size_t to);
 
 /// Finds the filaments that the G-code loads, numbered from 0, in rising order. \param gcode  in parts of whole lines.
 std::vector<int> loadedFilaments(const std::vector<std::string_view>& gcode);

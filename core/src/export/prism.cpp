@@ -14,7 +14,7 @@
 namespace sillon {
 namespace {
 
-struct Edge {
+struct PrismEdge {
   PrismPoint a;
   PrismPoint b;
 };
@@ -28,24 +28,24 @@ bool comesBefore(PrismPoint a, PrismPoint b, PrismPoint c) {
 }
 
 // Rounds the segments of an outline to µm and sorts them by their starts.
-std::vector<Edge> edgesOf(const Outline& outline, PrismPoint offset) {
+std::vector<PrismEdge> edgesOf(const Outline& outline, PrismPoint offset) {
   const auto exact = [&](Vec2 p) { return PrismPoint{std::llround(p.x * 1000), std::llround(p.y * 1000)} + offset; };
-  std::vector<Edge> edges;
+  std::vector<PrismEdge> edges;
   for (const BorderSegment& piece : outline.segments) edges.push_back({exact(piece.a), exact(piece.b)});
   std::sort(edges.begin(), edges.end(),
-            [](const Edge& e, const Edge& f) { return e.a != f.a ? less(e.a, f.a) : less(e.b, f.b); });
+            [](const PrismEdge& e, const PrismEdge& f) { return e.a != f.a ? less(e.a, f.a) : less(e.b, f.b); });
   return edges;
 }
 
 // Joins edges into rings with the inside on their left; as many edges must leave each point as reach it. Where several
 // meet in a point, a ring goes on with the edge that bounds the same corner of the inside, so that holes that touch
 // become one ring.
-PrismRings ringsOf(const std::vector<Edge>& edges, std::vector<PrismPoint>& points) {
+PrismRings ringsOf(const std::vector<PrismEdge>& edges, std::vector<PrismPoint>& points) {
   PrismRings rings;
   std::vector<char> used(edges.size(), 0);
   const auto from = [&](PrismPoint p) {
     const auto at =
-        std::lower_bound(edges.begin(), edges.end(), p, [](const Edge& e, PrismPoint q) { return less(e.a, q); });
+        std::lower_bound(edges.begin(), edges.end(), p, [](const PrismEdge& e, PrismPoint q) { return less(e.a, q); });
     return at - edges.begin();
   };
   for (std::size_t first = 0; first < edges.size(); ++first) {

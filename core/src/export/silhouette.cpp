@@ -22,7 +22,7 @@ Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner) {
   mask.channels = 1;
   // Difference array: number of triangles at each pixel less that at the pixel to its left, so that a triangle costs
   // two entries per row, however wide it is.
-  const auto stride = static_cast<std::size_t>(mask.width) + 1;
+  const std::size_t stride = mask.width + 1;
   std::vector<std::int32_t> more(stride * mask.height, 0);
   const double pitch = size.x / mask.width;
   for (const auto& t : body.triangles) {
@@ -47,7 +47,7 @@ Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner) {
       const int left = std::max(0, static_cast<int>(std::ceil(from / pitch - 0.5)));
       const int right = std::min(mask.width - 1, static_cast<int>(std::floor(to / pitch - 0.5)));
       if (left > right) continue;
-      std::int32_t* const at = more.data() + static_cast<std::size_t>(mask.height - 1 - row) * stride;
+      std::int32_t* const at = more.data() + (mask.height - 1 - row) * stride;
       ++at[left];
       --at[right + 1];
     }

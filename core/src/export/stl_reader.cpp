@@ -56,7 +56,7 @@ Result<std::vector<Corner>> cornersOfText(std::string_view text) {
       while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || text[at] == '+')) ++at;
       const auto read = fast_float::from_chars(text.data() + at, text.data() + text.size(), value);
       if (read.ec != std::errc{}) return broken("has a corner that is not three numbers");
-      at = static_cast<std::size_t>(read.ptr - text.data());
+      at = read.ptr - text.data();
     }
     if (corners.size() > 3 * kMostFacets) return corners;
   }
@@ -67,7 +67,7 @@ Result<std::vector<Corner>> cornersOfText(std::string_view text) {
 }  // namespace
 
 Result<Mesh> readStl(std::string_view bytes) {
-  const std::size_t facets = bytes.size() >= kHeader ? static_cast<std::size_t>(number(bytes, 80, 4)) : 0;
+  const std::size_t facets = bytes.size() >= kHeader ? toSize(number(bytes, 80, 4)) : 0;
   const bool binary = bytes.size() >= kHeader && facets <= kMostFacets && bytes.size() == kHeader + kFacet * facets;
   const std::string_view text = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
   if (!binary && !text.starts_with("solid")) return broken("is cut off, or another kind of file");

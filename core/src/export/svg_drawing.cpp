@@ -68,13 +68,13 @@ void appendColour(std::string& out, Rgb colour) {
 }
 
 /// One segment of a bead: its mean width [µm] and the place of its direction on the wheel of colours.
-struct Bead {
+struct DrawnBead {
   std::int64_t width = 0;
   double colour = 0;
 };
 
 /// Tells whether a bead can share a stroke with another one, by width and colour.
-bool fits(const Bead& bead, const Bead& stroke) {
+bool fits(const DrawnBead& bead, const DrawnBead& stroke) {
   const double apart = std::abs(bead.colour - stroke.colour);
   return std::abs(bead.width - stroke.width) <= kWidthTolerance &&
          std::min(apart, kDirectionColours - apart) <= kColourTolerance;
@@ -92,16 +92,16 @@ void appendCycle(std::string& out, const Cycle& cycle, double pageHeight, std::s
   };
   const auto beadAt = [&](std::size_t k) {
     const Micron a = at(k), b = at(k + 1);
-    return Bead{std::max<std::int64_t>(0, (widthAt(k) + widthAt(k + 1)) / 2),
-                directionColourPlace(static_cast<double>(b.x - a.x), static_cast<double>(a.y - b.y))};
+    return DrawnBead{std::max<std::int64_t>(0, (widthAt(k) + widthAt(k + 1)) / 2),
+                     directionColourPlace(static_cast<double>(b.x - a.x), static_cast<double>(a.y - b.y))};
   };
 
   out += "<g id=\"cycle";
   out += std::to_string(number);
   out += "\">\n";
-  Bead stroke;
+  DrawnBead stroke;
   for (std::size_t k = 0; k < count; ++k) {
-    const Bead bead = beadAt(k);
+    const DrawnBead bead = beadAt(k);
     if (k == 0 || !fits(bead, stroke)) {
       if (k > 0) out += "\"/>\n";
       stroke = bead;

@@ -30,17 +30,17 @@ Result<ZipDirectory> readZip(std::string_view zip) {
   directory.end = from + last;
   const std::uint64_t count = number(zip, directory.end + 10, 2);
   std::uint64_t at = number(zip, directory.end + 16, 4);
-  directory.begin = static_cast<std::size_t>(at);
+  directory.begin = toSize(at);
   std::vector<std::size_t> begins;
   for (std::uint64_t k = 0; k < count; ++k) {
-    if (at + kListedSize > directory.end || number(zip, static_cast<std::size_t>(at), 4) != 0x02014b50) {
+    if (at + kListedSize > directory.end || number(zip, toSize(at), 4) != 0x02014b50) {
       return damaged("has a broken directory");
     }
     ZipEntry entry;
-    entry.listed = static_cast<std::size_t>(at);
+    entry.listed = toSize(at);
     const std::uint64_t name = number(zip, entry.listed + 28, 2);
     if (at + kListedSize + name > directory.end) return damaged("has a broken directory");
-    entry.name = zip.substr(entry.listed + kListedSize, static_cast<std::size_t>(name));
+    entry.name = zip.substr(entry.listed + kListedSize, toSize(name));
     entry.flags = number(zip, entry.listed + 8, 2);
     entry.method = number(zip, entry.listed + 10, 2);
     entry.crc = number(zip, entry.listed + 16, 4);
@@ -48,7 +48,7 @@ Result<ZipDirectory> readZip(std::string_view zip) {
     entry.size = number(zip, entry.listed + 24, 4);
     const std::uint64_t begin = number(zip, entry.listed + 42, 4);
     if (begin + kLocalSize > directory.begin) return damaged("has a broken entry");
-    entry.begin = static_cast<std::size_t>(begin);
+    entry.begin = toSize(begin);
     begins.push_back(entry.begin);
     directory.entries.push_back(entry);
     at += kListedSize + name + number(zip, entry.listed + 30, 2) + number(zip, entry.listed + 32, 2);
@@ -77,11 +77,10 @@ Result<std::string> unpackEntry(std::string_view zip, const ZipEntry& entry, std
     return damaged("has a broken entry");
   }
   // stb_image's inflate reads 4 bytes past the end, where at least the directory follows.
-  const auto begin = static_cast<std::size_t>(data);
-  const auto length = static_cast<std::size_t>(entry.packed);
-  std::optional<std::string> out = entry.method == 0
-                                       ? std::string(zip.substr(begin, length))
-                                       : inflated(zip.substr(begin, length + 4), static_cast<std::size_t>(entry.size));
+  const std::size_t begin = toSize(data);
+  const std::size_t length = toSize(entry.packed);
+  std::optional<std::string> out = entry.method == 0 ? std::string(zip.substr(begin, length))
+                                                     : inflated(zip.substr(begin, length + 4), toSize(entry.size));
   if (!out || crc32(*out) != entry.crc) return damaged("is damaged: its checksum does not fit");
   return std::move(*out);
 }

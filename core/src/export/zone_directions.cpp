@@ -33,7 +33,7 @@ std::vector<double> chosenDirections(const DirectionPicture& picture, int most) 
   double all = 0;
   for (std::size_t k = 0; k < picture.inside.size(); ++k) {
     if (picture.inside[k] == 0) continue;
-    weights[static_cast<std::size_t>(picture.degrees[k] / 180 * kBins) % kBins] += 1;
+    weights[toSize(picture.degrees[k] / 180 * kBins) % kBins] += 1;
     all += 1;
   }
   std::vector<double> best;

@@ -126,7 +126,7 @@ void widen(Labels& label, int count, const DirectionPicture& picture, double lea
     if (std::none_of(kept.begin(), kept.end(), [](std::int32_t zone) { return zone >= 0; })) {
       // All zones are too narrow: the largest one takes the whole shape.
       std::array<std::size_t, 16> cells{};
-      for (const std::int32_t zone : label) cells[zone >= 0 ? static_cast<std::size_t>(zone) : 15] += zone >= 0 ? 1 : 0;
+      for (const std::int32_t zone : label) cells[zone >= 0 ? zone : 15] += zone >= 0 ? 1 : 0;
       const auto most = static_cast<std::int32_t>(std::max_element(cells.begin(), cells.end()) - cells.begin());
       for (std::int32_t& zone : label) zone = zone >= 0 ? most : zone;
       return;

@@ -44,7 +44,7 @@ std::vector<Slab> slabsOf(const Mesh& body, double layerHeight, std::size_t most
     high = std::max(high, p[2]);
   }
   // Heights are counted in steps of one layer, which need not coincide with the slicer's layers.
-  const auto stepOf = [&](double z) { return static_cast<std::size_t>((z - low) / layerHeight); };
+  const auto stepOf = [&](double z) { return toSize((z - low) / layerHeight); };
   const std::size_t count = stepOf(high) + 1;
   std::vector<double> level(count, 0);       // area of the tops in each step [mm²]
   std::vector<double> change(count + 1, 0);  // difference of the slopes' area from the step below [mm²]

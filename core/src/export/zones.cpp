@@ -38,11 +38,11 @@ DirectionPicture rastered(const Shape& shape, const DirectionMap& map) {
         if (p.x < span.begin || p.x >= span.end) continue;
         picture.inside[grid.index(x, y)] = 1;
         const auto texel = [](double share, int count) {
-          return static_cast<std::size_t>(std::clamp(share * count, 0.0, count - 1.0));
+          return static_cast<int>(std::clamp(share * count, 0.0, count - 1.0));
         };
-        const std::size_t row = texel(1 - p.y / shape.page.y, map.height);
-        const std::size_t column = texel(p.x / shape.page.x, map.width);
-        const double angle = map.angle[row * static_cast<std::size_t>(map.width) + column] / 65535.0 * 180 - 90;
+        const int row = texel(1 - p.y / shape.page.y, map.height);
+        const int column = texel(p.x / shape.page.x, map.width);
+        const double angle = map.angle[indexOf(column, row, map.width)] / 65535.0 * 180 - 90;
         picture.degrees[grid.index(x, y)] = static_cast<float>(angle < 0 ? angle + 180 : angle);
       }
     }

@@ -17,17 +17,17 @@ constexpr int kSigma = 4;           ///< sigma of the smoothing [cells]: 2 tau
 constexpr int kReach = 3 * kSigma;  ///< reach of its Gaussian [cells]
 
 // A cell's wave with its phase as an angle.
-struct Wave {
+struct CellWave {
   Vec2f k;
   double phi = 0;
 };
 
 // The same wave seen along a direction that agrees with `k`: (k, phi) = (-k, pi - phi).
-Wave alike(Vec2f k, Wave w) { return dot(k, w.k) < 0 ? Wave{-w.k, kTurn / 2 - w.phi} : w; }
+CellWave alike(Vec2f k, CellWave w) { return dot(k, w.k) < 0 ? CellWave{-w.k, kTurn / 2 - w.phi} : w; }
 
 // Reads the waves of one row: the arc tangent of each cell is taken once, not for each of its four blocks. Its error of
 // 1e-5 falls out of the sum round a block, where each angle is added and taken off again.
-void wavesOfRow(const SineField& waves, int y, std::vector<Wave>& row) {
+void wavesOfRow(const SineField& waves, int y, std::vector<CellWave>& row) {
   row.resize(waves.grid.nx);
   for (int x = 0; x < waves.grid.nx; ++x) {
     const std::size_t i = waves.grid.index(x, y);
@@ -46,14 +46,14 @@ struct PhaseTurn {
 };
 
 // Goes round the block whose lower left cell is at x, counter-clockwise, and adds up the phase from cell to cell.
-PhaseTurn roundBlock(const std::vector<Wave>& lower, const std::vector<Wave>& upper, std::size_t x) {
+PhaseTurn roundBlock(const std::vector<CellWave>& lower, const std::vector<CellWave>& upper, std::size_t x) {
   constexpr double kHalfStep = kTurn / 8;  // phase of the unit wave over half a cell of tau/2
   constexpr std::array<Vec2f, 4> kMoves{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-  const std::array<Wave, 4> corners{lower[x], lower[x + 1], upper[x + 1], upper[x]};
-  Wave here = corners[0];
+  const std::array<CellWave, 4> corners{lower[x], lower[x + 1], upper[x + 1], upper[x]};
+  CellWave here = corners[0];
   double sum = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    const Wave there = alike(here.k, corners[(k + 1) % 4]);
+    const CellWave there = alike(here.k, corners[(k + 1) % 4]);
     const double step = kHalfStep * static_cast<double>(dot(kMoves[k], here.k + there.k));
     // The waves predict `step`; the rest is taken to the nearest whole turn.
     const double gain = there.phi - here.phi - step;
@@ -73,9 +73,9 @@ std::vector<Vec2f> smoothed(const Grid& grid, const std::vector<Vec2f>& z, const
   std::vector<Vec2f> out(z.size());
   // Sums go tap by tap over whole rows, which compilers turn into vector code; the order of each sum stays the same.
   const auto add = [&](std::vector<Vec2f>& to, std::size_t at, const std::vector<Vec2f>& from, std::size_t fromAt,
-                       int count, int tap) {
+                       std::size_t count, int tap) {
     const float w = weight[std::abs(tap)];
-    for (std::size_t x = 0; x < static_cast<std::size_t>(count); ++x) to[at + x] = to[at + x] + from[fromAt + x] * w;
+    for (std::size_t x = 0; x < count; ++x) to[at + x] = to[at + x] + from[fromAt + x] * w;
   };
   const int grain = rowGrain(run, grid.ny, 10.0 * grid.nx);
   parallelFor(run, grid.ny, grain, [&](int begin, int end) {
@@ -170,8 +170,8 @@ Dislocations findDislocations(const LineField& lines, const SineField& waves, co
   std::vector<std::int64_t> counts(grid.ny, 0);
   std::vector<std::int64_t> singular(grid.ny, 0);
   parallelFor(run, grid.ny - 1, rowGrain(run, grid.ny, 40.0 * grid.nx), [&](int begin, int end) {
-    std::vector<Wave> lower;
-    std::vector<Wave> upper;
+    std::vector<CellWave> lower;
+    std::vector<CellWave> upper;
     wavesOfRow(waves, begin, upper);
     for (int y = begin; y < end; ++y) {
       // Each row of waves serves the blocks below and above it.
@@ -184,7 +184,7 @@ Dislocations findDislocations(const LineField& lines, const SineField& waves, co
             cells.zone[up + 1] == Zone::Masked) {
           continue;
         }
-        const PhaseTurn turn = roundBlock(lower, upper, static_cast<std::size_t>(x));
+        const PhaseTurn turn = roundBlock(lower, upper, x);
         (turn.flips ? singular : counts)[y] += turn.flips ? 1 : std::abs(turn.index);
       }
     }

@@ -125,7 +125,7 @@ void fillEdges(PhaseLevel& level, std::size_t e, std::size_t colour, std::size_t
   const F4 step = splat(level.step);
   const F4 share = splat(midpoint ? 0.5f * level.step : level.step);
   Transport& edge = level.edges[e];
-  for (std::size_t k = 0; k < static_cast<std::size_t>(level.shape.px); k += 4) {
+  for (std::size_t k = 0, cells = level.shape.px; k < cells; k += 4) {
     F4 ox = splat(static_cast<float>(-kEdgeX[e]));
     F4 oy = splat(static_cast<float>(-kEdgeY[e]));
     if (!move.x.empty()) {

@@ -183,7 +183,7 @@ Result<std::vector<float>> evaluateSineField(const SineField& field, const std::
     // Eq. 13: the nodes' sums of the weighted waves of the cells around them. The sum of the weights is in `weights`.
     const auto flush = [&](int j) {
       NodeRow& row = rows[j % kOpen];
-      const std::size_t first = static_cast<std::size_t>(j) * columns;
+      const std::size_t first = j * columns;
       for (std::size_t x = 0; x <= nx; ++x) {
         values[first + 2 * x] = borderRamp(row.even[x + 2], nodeDistance[first + 2 * x], spacing);
         if (x < nx) values[first + 2 * x + 1] = borderRamp(row.odd[x + 2], nodeDistance[first + 2 * x + 1], spacing);

@@ -102,13 +102,11 @@ struct SkewedRows {
   std::size_t pitch;  ///< steps of a band and of the padding that is read beside it
 
   explicit SkewedRows(const CoarseGrid& grid)
-      : bands((grid.ny + 3) / 4), steps(grid.nx + 6), pitch(static_cast<std::size_t>(steps) + 2 * kBeside) {}
+      : bands((grid.ny + 3) / 4), steps(grid.nx + 6), pitch(steps + 2 * kBeside) {}
 
   static constexpr int kBeside = 7;
-  [[nodiscard]] std::size_t size() const { return (static_cast<std::size_t>(bands) + 2) * pitch; }  // [vectors]
-  [[nodiscard]] std::size_t at(int band, int step) const {
-    return static_cast<std::size_t>(band + 1) * pitch + (step + kBeside);
-  }
+  [[nodiscard]] std::size_t size() const { return (bands + 2) * pitch; }  // [vectors]
+  [[nodiscard]] std::size_t at(int band, int step) const { return (band + 1) * pitch + (step + kBeside); }
 };
 
 // The wishes of the 8 neighbours of four cells: each asks for u at its own place minus the target, with a weight;

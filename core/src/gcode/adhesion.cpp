@@ -40,11 +40,11 @@ BeadPath purgePath(const Bounds& box, const Printer& printer, double width, doub
   const Vec2 hi = printer.bedMax;
   for (const double edge : {kEdge, kNarrowEdge}) {
     const double inset = edge + width / 2;
-    struct Side {
+    struct PageSide {
       Vec2 corner, along, across;
       double room;
     };
-    std::vector<Side> sides;
+    std::vector<PageSide> sides;
     const auto add = [&](Vec2 corner, Vec2 along, Vec2 across, double room) {
       sides.push_back({corner, along, across, room});
       const Vec2 zone = printer.excludedMax - printer.excludedMin;  // the excluded box; there may be room behind it
@@ -68,7 +68,7 @@ BeadPath purgePath(const Bounds& box, const Printer& printer, double width, doub
       add({lo.x + inset, hi.y - inset}, {1, 0}, {0, -1}, room.x);
       add({hi.x - inset, lo.y + inset}, {0, 1}, {-1, 0}, room.y);
     }
-    for (const Side& side : sides) {
+    for (const PageSide& side : sides) {
       const double pass = std::min({side.room, kLongestPass, wanted});
       if (pass < kShortestPass) continue;
       const int passes = static_cast<int>(std::ceil(wanted / pass - 1e-9));

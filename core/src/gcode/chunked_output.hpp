@@ -38,7 +38,7 @@ class ChunkedOutput {
   ChunkedOutput& scaled(std::int64_t value, int digits) {
     if (sink_ == nullptr) return *this;
     if (kSize - used_ < 24) flush();
-    used_ = static_cast<std::size_t>(printScaled(buffer_.data() + used_, value, digits) - buffer_.data());
+    used_ = printScaled(buffer_.data() + used_, value, digits) - buffer_.data();
     return *this;
   }
 

@@ -234,7 +234,7 @@ class Evaluation {
     if (index >= 0) {  // one item of a list
       failed_ = !(index < static_cast<double>(old->values.size())) || made.values.empty();
       if (failed_) return true;
-      old->values[static_cast<std::size_t>(index)] = made.values.front();
+      old->values[toSize(index)] = made.values.front();
       old->whole = old->whole && made.whole;
     } else if (old != own_.end()) {
       *old = std::move(made);
@@ -483,7 +483,7 @@ class Evaluation {
     const bool counts = index >= 0 && index < kMostItems;
     std::optional<FoundValue> value;
     for (const std::vector<TemplateValue>* list : {&std::as_const(own_), &values_}) {
-      if (counts && !value) value = templateValue(name, static_cast<std::size_t>(index), *list);
+      if (counts && !value) value = templateValue(name, toSize(index), *list);
     }
     if (value) return termOf(*value);
     return skipped_ > 0 ? Term{} : fail();
@@ -558,7 +558,7 @@ class Evaluation {
     if (!(width >= 0 && width <= 20 && decimals >= 0 && decimals <= 6)) return fail();
     std::string text = fixed(arguments[0].number, static_cast<int>(decimals));
     const std::size_t at = filler == '0' && text.starts_with('-') ? 1 : 0;
-    const auto least = static_cast<std::size_t>(width);
+    const std::size_t least = toSize(width);
     if (text.size() < least) text.insert(at, least - text.size(), filler);
     return words(std::move(text));
   }
@@ -584,7 +584,7 @@ std::optional<FoundValue> templateValue(std::string_view name, std::size_t index
   // The index may also stand behind the name: first_layer_temperature_0.
   const std::size_t line = name.rfind('_');
   if (found == values.end() && line != std::string_view::npos && line + 2 == name.size() && isDigit(name.back())) {
-    index = static_cast<std::size_t>(name.back() - '0');
+    index = name.back() - '0';
     found = find(name.substr(0, line));
   }
   if (found == values.end() || found->values.empty()) return std::nullopt;

@@ -22,7 +22,7 @@ std::size_t kindOf(const FileLayer& layer) {
   if (layer.index == 0) return layer.copy == 0 ? 0 : 1;
   if (layer.rim) return 8;
   if (layer.across != NextTo::Base) return layer.across == NextTo::Oriented ? 6 : 7;
-  return layer.onBed ? 5 : layer.oriented ? 4 : static_cast<std::size_t>(2 + layer.turn % 2);
+  return layer.onBed ? 5 : layer.oriented ? 4 : 2 + layer.turn % 2;
 }
 
 }  // namespace sillon

@@ -77,7 +77,7 @@ double lengthOf(const Polyline& line) {
 }
 
 // A zigzag under construction: its last line and the end it stopped at.
-struct Run {
+struct Zigzag {
   std::size_t polyline;
   Interval line;
   bool atEnd;
@@ -88,14 +88,14 @@ struct Run {
 // \param radius    radius of the disc around every such centre that lies within the shape [mm].
 std::vector<Polyline> zigzags(const std::vector<Row>& halfRows, double firstY, double lineWidth, double radius) {
   std::vector<Polyline> result;
-  std::vector<Run> previous;
-  std::vector<Run> current;
+  std::vector<Zigzag> previous;
+  std::vector<Zigzag> current;
   const double longest = kLongestJoint * lineWidth;
   for (std::size_t r = 0; r < halfRows.size(); r += 2) {
     const double y = firstY + static_cast<double>(r / 2) * lineWidth;
     current.clear();
     std::size_t candidate = 0;
-    const auto joins = [&](const Run& before, const Interval& line) {
+    const auto joins = [&](const Zigzag& before, const Interval& line) {
       const double from = before.atEnd ? before.line.end : before.line.begin;
       const double to = before.atEnd ? line.end : line.begin;
       if (std::abs(to - from) > longest) return false;
@@ -109,7 +109,7 @@ std::vector<Polyline> zigzags(const std::vector<Row>& halfRows, double firstY, d
     };
     for (const Interval& line : halfRows[r]) {
       while (candidate < previous.size() && previous[candidate].line.end + longest < line.begin) ++candidate;
-      Run run{result.size(), line, true};
+      Zigzag run{result.size(), line, true};
       for (std::size_t k = candidate; k < previous.size() && previous[k].line.begin <= line.end + longest; ++k) {
         if (!joins(previous[k], line)) continue;
         run.polyline = previous[k].polyline;

@@ -34,7 +34,7 @@ inline double safeHeight(const Printer& printer, const PrintParams& params) {
   return std::min(params.startHeight + 10, highest(printer));
 }
 
-/// A patch (sillon/gcode/patches.hpp) whose lines have been placed on the bed.
+/// A patch (sillon/gcode/writer.hpp) whose lines have been placed on the bed.
 struct PlacedPatch {
   Patch how;  ///< settings of the patch; `paths` replace its lines
   std::vector<BeadPath> paths;

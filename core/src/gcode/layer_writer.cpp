@@ -18,7 +18,7 @@ constexpr double kSlowestPace = 5;   // [mm/s]; a slower nozzle drips more than 
 constexpr double kSeamStep = 0.382;  // golden section, which keeps the seams of neighbouring layers far apart
 
 // Number of seams from the one of a layer to that of the next.
-std::size_t toSeam(std::size_t count) { return static_cast<std::size_t>(kSeamStep * static_cast<double>(count)); }
+std::size_t toSeam(std::size_t count) { return toSize(kSeamStep * static_cast<double>(count)); }
 
 }  // namespace
 
@@ -112,7 +112,7 @@ void LayerWriter::paths(const std::vector<BeadPath>& paths, const Role& role, do
       // visible layer keeps that start; the others begin elsewhere.
       const bool kept = oriented && path.beginsUnseen;
       const bool seen = layer.onBed || layer.index == layersBelowRim(params_) - 1;
-      const std::size_t chosen = static_cast<std::size_t>(layer.turn + (kept ? 1 : 0)) * toSeam(count) % count;
+      const std::size_t chosen = (layer.turn + (kept ? 1 : 0)) * toSeam(count) % count;
       start = kept && seen ? 0 : path.seams.empty() ? chosen : path.seams[chosen];
     }
     lay(path, start, limits, layer, oriented);
@@ -128,7 +128,7 @@ void LayerWriter::rim(const FileLayer& layer) {
   const std::size_t count = job_.rim.size();
   for (std::size_t k = 0; k < count; ++k) {
     for (const BeadPath& path : job_.rim[layer.turn % 2 == 0 ? k : count - 1 - k]) {
-      const auto turn = static_cast<std::size_t>(layer.turn) * toSeam(path.seams.size());
+      const std::size_t turn = layer.turn * toSeam(path.seams.size());
       lay(path, path.seams[turn % path.seams.size()], limits, layer, false);
       if (nozzle_.out().failed()) return;
       rimEnd_ = &path;

@@ -115,7 +115,7 @@ void splitWidths(Motion& motion) {
       split.lengths.push_back(length * (motion.lengths[i] / sum));
       along += length;
     }
-    if (i < motion.beads) split.beads += static_cast<std::size_t>(pieces) - 1;
+    if (i < motion.beads) split.beads += pieces - 1;
   }
   split.points.push_back(motion.points.back());
   split.widths.push_back(motion.widths.back());

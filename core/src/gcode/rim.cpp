@@ -56,7 +56,7 @@ void addAlong(const BeadPath& loop, std::size_t from, std::size_t to, std::vecto
 }
 
 // The points at which two loops are closest, as indices, and their distance.
-struct Crossing {
+struct LoopCrossing {
   std::size_t leave = 0;
   std::size_t enter = 0;
   double length = std::numeric_limits<double>::infinity();  // distance [mm]
@@ -64,10 +64,10 @@ struct Crossing {
 
 // Finds where two loops are closest, by alternating nearest points from several places; the result may be a local
 // minimum.
-Crossing crossing(const BeadPath& from, const BeadPath& to) {
-  Crossing best;
+LoopCrossing crossing(const BeadPath& from, const BeadPath& to) {
+  LoopCrossing best;
   for (std::size_t k = 0; k < kSought; ++k) {
-    Crossing one;
+    LoopCrossing one;
     one.leave = nearestPoint(from, to.points[k * to.points.size() / kSought]);
     one.enter = nearestPoint(to, from.points[one.leave]);
     one.leave = nearestPoint(from, to.points[one.enter]);
@@ -144,11 +144,11 @@ std::vector<PointUm> wayAlong(const BeadPath& from, PointUm at, const BeadPath& 
                               std::size_t start) {
   std::vector<PointUm> way;
   if (lengthMm(to.points[start] - at) <= kStraight) return way;
-  Crossing last = crossing(from, to);
+  LoopCrossing last = crossing(from, to);
   std::size_t begin = nearestPoint(from, at);
   const BeadPath* leaves = &from;
-  const Crossing there = crossing(from, via);
-  const Crossing back = crossing(via, to);
+  const LoopCrossing there = crossing(from, via);
+  const LoopCrossing back = crossing(via, to);
   if (there.length + back.length < last.length) {
     addAlong(from, begin, there.leave, way);
     begin = there.enter;

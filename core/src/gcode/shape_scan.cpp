@@ -31,14 +31,13 @@ ShapeScan scanShape(const Shape& shape, const Bounds& box) {
 
 bool holds(const ShapeScan& scan, Vec2 p) {
   const double row = (p.y - scan.firstY) / scan.step + 0.5;  // row number, counted from the lower edge of the first one
-  return row >= 0 && row < static_cast<double>(scan.rows.size()) &&
-         rowHolds(scan.rows[static_cast<std::size_t>(row)], p.x);
+  return row >= 0 && row < static_cast<double>(scan.rows.size()) && rowHolds(scan.rows[toSize(row)], p.x);
 }
 
 std::int64_t countOutside(const Toolpath& toolpath, const ShapeScan& scan) {
   const auto last = static_cast<double>(scan.rows.size()) - 1;
   const auto holds = [&](double row, double x) {
-    return row >= 0 && row <= last && rowHolds(scan.rows[static_cast<std::size_t>(row)], x);
+    return row >= 0 && row <= last && rowHolds(scan.rows[toSize(row)], x);
   };
   std::int64_t outside = 0;
   for (const Cycle& cycle : toolpath.cycles) {

@@ -34,7 +34,7 @@ BeadRaster::BeadRaster(const Bounds& box, double finest) : min_(box.min) {
   perMm_ = 1 / cell_;
   columns_ = static_cast<int>(size.x / cell_) + 1;
   rows_ = static_cast<int>(size.y / cell_) + 1;
-  rowWords_ = static_cast<std::size_t>(columns_ - 1) / 64 + 1;
+  rowWords_ = (columns_ - 1) / 64 + 1;
 }
 
 std::int64_t BeadRaster::draw(Vec2f from, Vec2f to, double width, Bits& bits) const {
@@ -53,7 +53,7 @@ std::int64_t BeadRaster::draw(Vec2f from, Vec2f to, double width, Bits& bits) co
     for (int k = 0; k < count; ++k) {
       const int first = runs.begin[k];
       const int last = runs.end[k];
-      if (first < last) fillCells(&bits[static_cast<std::size_t>(row + k) * rowWords_], first, last - 1);
+      if (first < last) fillCells(&bits[(row + k) * rowWords_], first, last - 1);
       visits += std::max(1, last - first);
     }
   }
@@ -64,7 +64,7 @@ void BeadRaster::fill(int row, double begin, double end, Bits& bits) const {
   const auto onRaster = [&](double x) { return std::clamp((x - min_.x) * perMm_ - 0.5, -1.0, columns_ + 0.0); };
   const int first = std::max(0, static_cast<int>(std::ceil(onRaster(begin))));
   const int last = std::min(columns_ - 1, static_cast<int>(std::floor(onRaster(end))));
-  if (first <= last) fillCells(&bits[static_cast<std::size_t>(row) * rowWords_], first, last);
+  if (first <= last) fillCells(&bits[row * rowWords_], first, last);
 }
 
 std::int64_t countOf(const BeadRaster::Bits& bits) {

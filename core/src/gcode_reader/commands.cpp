@@ -35,7 +35,7 @@ using enum CommandKind;
 enum Source : unsigned { Marlin = 1, Klipper = 2, RepRap = 4, Prusa = 8, Bambu = 16, Wiki = 32 };
 
 // One row of the table: commands of the same kind and from the same page.
-struct Row {
+struct CommandRow {
   CommandKind kind;
   unsigned sources;        ///< bits of Source: the pages, and so the machines that the row is for
   bool error;              ///< true: a finding about it is an error; false: a warning
@@ -44,7 +44,7 @@ struct Row {
 
 // The table of commands. If several rows have the same command, the one for the machine's own dialect counts. Such rows
 // may differ in warnings only.
-constexpr Row kRows[] = {
+constexpr CommandRow kRows[] = {
     // Moves, modes, homing, levelling, waiting.
     {Safe, Marlin, false, "G0-G4 G10-G12 G17 G20-G21 G27-G32 G34-G35 G60 G80 G90-G92 M82-M84 M17-M18 M400-M402 M420 T"},
     {Safe, Wiki, false, "G22-G23 G75 G81 G161-G162 M101-M103 M126-M129 M70-M72 M132-M133"},
@@ -144,10 +144,10 @@ unsigned sourceOf(GcodeFlavor flavor) {
   return Marlin;
 }
 
-using Rows = std::map<std::string, std::vector<const Row*>, std::less<>>;
+using Rows = std::map<std::string, std::vector<const CommandRow*>, std::less<>>;
 
 // Enters a row under each of its commands, and under every number of its ranges.
-void addNames(Rows& rows, const Row& row) {
+void addNames(Rows& rows, const CommandRow& row) {
   std::string_view rest = row.names;
   while (!rest.empty()) {
     const std::size_t space = std::min(rest.find(' '), rest.size());
@@ -175,16 +175,16 @@ void addNames(Rows& rows, const Row& row) {
 }
 
 // The row for a command by its name: that for the dialect, else the one of the worst kind; null: none.
-const Row* rowOf(std::string_view name, GcodeFlavor flavor) {
+const CommandRow* rowOf(std::string_view name, GcodeFlavor flavor) {
   static const Rows rows = [] {
     Rows made;
-    for (const Row& row : kRows) addNames(made, row);
+    for (const CommandRow& row : kRows) addNames(made, row);
     return made;
   }();
   const auto found = rows.find(name);
   if (found == rows.end()) return nullptr;
-  const Row* worst = nullptr;
-  for (const Row* row : found->second) {
+  const CommandRow* worst = nullptr;
+  for (const CommandRow* row : found->second) {
     if ((row->sources & sourceOf(flavor)) != 0) return row;
     if (worst == nullptr || worst->kind < row->kind) worst = row;
   }
@@ -203,7 +203,7 @@ bool movesOrigin(const GcodeCommand& command) {
 }
 
 // The row for a command as it was read; null: none.
-const Row* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
+const CommandRow* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
   if (command.letter == 0) {
     const std::string name = upperCase(command.name);
     // Prusa's D codes read and write the memory: D0, D-1, D3.
@@ -215,9 +215,9 @@ const Row* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
   if (command.code < 0) return nullptr;
   const std::string name = command.letter + std::to_string(command.code);
   if (command.sub != 0) {
-    if (const Row* row = rowOf(name + "." + std::to_string(command.sub), flavor)) return row;
+    if (const CommandRow* row = rowOf(name + "." + std::to_string(command.sub), flavor)) return row;
     // Marlin runs G1.5 as G1 and others do not, so that its effect cannot be followed.
-    static constexpr Row kOfAnother{Unfollowed, 0, true, ""};
+    static constexpr CommandRow kOfAnother{Unfollowed, 0, true, ""};
     GcodeCommand whole = command;
     whole.sub = 0;
     if (readsWords(whole) || movesOrigin(whole)) return &kOfAnother;
@@ -267,13 +267,13 @@ bool holds(std::string_view text, std::string_view part) { return text.find(part
 constexpr double kMostAdvance = 2.5;  // [s], greatest pressure advance: twice that of the longest tubes
 
 // Limits for the numbers behind some letters of an M command.
-struct Limits {
+struct NumberLimits {
   int code;
   std::string_view letters;
   double low;
   double high;
 };
-constexpr Limits kLimits[] = {
+constexpr NumberLimits kLimits[] = {
     {17, "XYZE", -3, 3},  // current of Bambu's motors [A]
     {92, "E", 20, 10'000},
     {201, "XYZEPRTS", 1, 200'000},
@@ -385,7 +385,7 @@ class Judge {
     second_ = second_ || code.size() < written;
     const GcodeCommand head = commandOf(code);
     const std::string shown = shownName(head);
-    const Row* row = rowOf(head, flavor_);
+    const CommandRow* row = rowOf(head, flavor_);
     byKind(head, row, shown, depth);
     byValue(head, shown);
     // Some firmwares run a command behind another one or behind a remark; others do not.
@@ -407,7 +407,7 @@ class Judge {
   }
 
   // Adds the finding that the row asks for; about macros and unknown commands only if strict.
-  void byKind(const GcodeCommand& head, const Row* row, const std::string& shown, int depth) {
+  void byKind(const GcodeCommand& head, const CommandRow* row, const std::string& shown, int depth) {
     if (row == nullptr) {
       if (!strict_ || depth > 0) return;
       const bool macro = head.letter == 0 && !head.name.starts_with('@');
@@ -487,7 +487,7 @@ class Judge {
       return;
     }
     if (head.letter != 'M') return;
-    for (const Limits& limits : kLimits) {
+    for (const NumberLimits& limits : kLimits) {
       if (limits.code == head.code) within(limits.letters, limits.low, limits.high);
     }
     for (const Telling& telling : kTold) {

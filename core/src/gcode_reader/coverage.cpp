@@ -11,9 +11,9 @@ constexpr double kFinest = 0.05;                   // [mm], side of a cell
 constexpr std::int64_t kMostVisits = 200'000'000;  // visits to cells, a second's worth; 120 x 80 mm take a quarter
 
 // Two rasters of a stack: cells under its base beads, and cells under the current oriented layer.
-class Laid {
+class StackRasters {
  public:
-  explicit Laid(const Bounds& box) : raster_(box, kFinest), base_(raster_.none()), oriented_(raster_.none()) {}
+  explicit StackRasters(const Bounds& box) : raster_(box, kFinest), base_(raster_.none()), oriented_(raster_.none()) {}
 
   /// Draws a bead on the raster of its kind. \return number of cells that it visited.
   std::int64_t draw(const LaidBead& bead) {
@@ -65,7 +65,7 @@ void addStack(std::vector<double>& shares, const LaidBead* begin, const LaidBead
     addUnknown(shares, begin, end);
     return;
   }
-  Laid raster(box);
+  StackRasters raster(box);
   rest -= raster.cells();
   for (const LaidBead* bead = begin; bead != end && rest >= 0; ++bead) {
     if (bead->base) rest -= raster.draw(*bead);

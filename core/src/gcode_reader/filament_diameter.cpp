@@ -52,7 +52,7 @@ bool within(double value, const std::pair<double, double>& range) {
   return value >= range.first && value <= range.second;
 }
 
-struct Bead {
+struct ReadBead {
   Vec2 from;
   Vec2 to;
   double length;
@@ -61,7 +61,7 @@ struct Bead {
 };
 
 /// One place on a bead.
-struct Place {
+struct BeadPlace {
   Vec2 at;
   Vec2 along;      ///< direction, of length 1
   double perFace;  ///< filament per mm of bead and mm of layer height [1/mm]
@@ -81,9 +81,9 @@ struct Distances {
 };
 
 /// Places on the straight beads of a layer, kStep apart or less; ends with the bead that reaches `most` places.
-std::vector<Place> placesOn(const std::vector<Bead>& layer, double height, std::size_t most) {
-  std::vector<Place> places;
-  for (const Bead& bead : layer) {
+std::vector<BeadPlace> placesOn(const std::vector<ReadBead>& layer, double height, std::size_t most) {
+  std::vector<BeadPlace> places;
+  for (const ReadBead& bead : layer) {
     if (!bead.straight || places.size() >= most) continue;
     const int count = static_cast<int>(std::ceil(bead.length / kStep));
     const Vec2 along = 1 / bead.length * (bead.to - bead.from);
@@ -103,7 +103,7 @@ std::int64_t columnOf(double coordinate) {
 
 /// Distance from a place to the nearest parallel bead about as thick as its own [mm]; above kReach: there is none.
 /// \param squares  key of the cell and index of each place, sorted.
-double neighbourOf(const Place& place, const std::vector<Place>& places,
+double neighbourOf(const BeadPlace& place, const std::vector<BeadPlace>& places,
                    const std::vector<std::pair<std::int64_t, std::size_t>>& squares) {
   double nearest = 2 * kReach;
   int compared = 0;
@@ -111,7 +111,7 @@ double neighbourOf(const Place& place, const std::vector<Place>& places,
     const std::int64_t first = squareOf(columnOf(place.at.x) + dx, columnOf(place.at.y) - 1);
     auto found = std::lower_bound(squares.begin(), squares.end(), std::pair{first, std::size_t{0}});
     for (; found != squares.end() && found->first <= first + 2 && ++compared <= kMostCompared; ++found) {
-      const Place& other = places[found->second];
+      const BeadPlace& other = places[found->second];
       const Vec2 d = other.at - place.at;
       const double distance = std::abs(cross(place.along, d));
       if (distance < kSameLine || distance >= nearest || std::abs(dot(place.along, d)) > 0.51 * kStep) continue;
@@ -124,14 +124,14 @@ double neighbourOf(const Place& place, const std::vector<Place>& places,
 }
 
 /// Counts the places of a layer by the distances of their neighbours.
-void judge(const std::vector<Place>& places, Distances& distances) {
+void judge(const std::vector<BeadPlace>& places, Distances& distances) {
   std::vector<std::pair<std::int64_t, std::size_t>> squares;
   for (std::size_t k = 0; k < places.size(); ++k) {
     squares.emplace_back(squareOf(columnOf(places[k].at.x), columnOf(places[k].at.y)), k);
   }
   std::sort(squares.begin(), squares.end());
   distances.places += places.size();
-  for (const Place& place : places) {
+  for (const BeadPlace& place : places) {
     const double distance = neighbourOf(place, places, squares);
     if (distance > kReach) continue;
     const double ratio = distance / (place.perFace * areaOf(kThinFilament));
@@ -150,7 +150,8 @@ class Scale {
   void finish();
 
   [[nodiscard]] const Distances& distances() const { return distances_; }
-  /// Median of Place::perFace, weighted by length [1/mm]. \param flat  gets that of perFace over layer height [1/mm²].
+  /// Median of BeadPlace::perFace, weighted by length [1/mm]. \param flat  gets that of perFace over layer height
+  /// [1/mm²].
   [[nodiscard]] std::optional<double> perFace(double& flat);
   /// Diameter from the header's volume and the filament that was pushed, if it is one that is sold.
   [[nodiscard]] std::optional<double> counted() const;
@@ -162,7 +163,7 @@ class Scale {
   MachineState machine_;
   bool begun_ = false;
   bool purges_ = false;
-  std::vector<Bead> layer_;
+  std::vector<ReadBead> layer_;
   double z_ = 0;
   double below_ = 0;
   std::vector<std::pair<double, double>> faces_;  // perFace [1/mm] and length [mm] of each bead
@@ -207,7 +208,7 @@ void Scale::endLayer() {
   if (layer_.empty()) return;
   const double height = z_ - below_;
   if (height >= kThinnest && height <= kThickest) {
-    for (const Bead& bead : layer_) {
+    for (const ReadBead& bead : layer_) {
       faces_.emplace_back(bead.filament / height, bead.length);
       flats_.emplace_back(bead.filament / height / height, bead.length);
     }

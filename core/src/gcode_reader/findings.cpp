@@ -3,18 +3,10 @@
 #include <array>
 #include <iterator>
 
-#include "base/sentence.hpp"
-
 namespace sillon {
 namespace {
 
-// The sentence of a finding, and the rule it belongs to.
-struct Row {
-  const char* rule;
-  Sentence sentence;
-};
-
-constexpr Row kRows[] = {
+constexpr FindingRow kRows[] = {
     {"commands", {"never", "{command} does not belong in a print file"}},
     {"commands", {"files", "{command} reaches files, the network or the printer's programs"}},
     {"commands", {"unfollowed", "{command} moves or heats in a way that cannot be followed"}},

@@ -15,7 +15,7 @@ void ask(Heater& heater, double degrees) { heater = {degrees, std::min(heater.re
 // Waits until a heater has reached its target.
 void await(Heater& heater) { heater.ready = heater.target; }
 
-std::size_t toIndex(double tool) { return static_cast<std::size_t>(std::clamp(tool, 0.0, 99.0)); }
+std::size_t toolIndex(double tool) { return toSize(std::clamp(tool, 0.0, 99.0)); }
 
 }  // namespace
 
@@ -56,10 +56,10 @@ void Heaters::run(const GcodeCommand& command, const GcodeWords& words, int tool
   const auto heater = [&]() -> Heater& {
     if (bed) return bed_;
     if (chamber) return chamber_;
-    const std::size_t own = toIndex(tool);
+    const std::size_t own = toolIndex(tool);
     if (!words.has(letter)) return tell(separate_ ? own : indexOf(tool));
-    separate_ = separate_ || toIndex(words.at(letter)) != own;
-    return tell(toIndex(words.at(letter)));
+    separate_ = separate_ || toolIndex(words.at(letter)) != own;
+    return tell(toolIndex(words.at(letter)));
   };
   if (command.is('M', 568) && words.has('A') && words.at('A') < 1) return ask(heater(), 0);
   const bool off = klipper && (nozzle || bed);  // Klipper reads no R; without S it switches the heater off
@@ -91,7 +91,7 @@ void Heaters::runNamed(const GcodeCommand& command) {
   if (!bed && !whose.starts_with("EXTRUDER")) return;
   double tool = 0;  // number in EXTRUDER, EXTRUDER1, ...; the first has none
   if (!bed) readNumber(std::string_view(whose).substr(8), tool);
-  Heater& heater = bed ? bed_ : tell(toIndex(tool));
+  Heater& heater = bed ? bed_ : tell(toolIndex(tool));
   if (!waits) return ask(heater, degrees);
   if (told) heater.ready = std::min(heater.target, degrees);
 }

@@ -13,18 +13,18 @@ constexpr double kStep = 0.7;     // [mm] between places on a move; less than a 
 constexpr int kMostSteps = 4096;  // places on a move, at most, which bounds the work
 
 // Address of a cell; not known beyond the tiles.
-struct Cell {
+struct TileCell {
   std::size_t tile = 0;
   std::size_t index = 0;
   bool known = false;
 };
 
 // The cell of 1 mm that a place lies in.
-Cell cellAt(Vec2 p) {
+TileCell cellAt(Vec2 p) {
   constexpr double kReach = kTile * kTiles / 2.0;
   if (!(std::abs(p.x) < kReach && std::abs(p.y) < kReach)) return {};
-  const auto x = static_cast<std::size_t>(p.x + kReach);
-  const auto y = static_cast<std::size_t>(p.y + kReach);
+  const std::size_t x = toSize(p.x + kReach);
+  const std::size_t y = toSize(p.y + kReach);
   return {y / kTile * kTiles + x / kTile, y % kTile * kTile + x % kTile, true};
 }
 
@@ -44,7 +44,7 @@ void follow(const MachineMove& move, Take&& take) {
 void LaidHeights::add(const MachineMove& bead) {
   if (tiles_.empty()) tiles_.resize(std::size_t{kTiles} * kTiles);
   follow(bead, [&](Vec2 p, double z) {
-    const Cell cell = cellAt(p);
+    const TileCell cell = cellAt(p);
     if (!cell.known) return;
     std::vector<float>& tile = tiles_[cell.tile];
     if (tile.empty()) tile.resize(std::size_t{kTile} * kTile);
@@ -57,7 +57,7 @@ double LaidHeights::depthOf(const MachineMove& move) const {
   if (std::min(move.zFrom, move.z) >= top_) return 0;
   double depth = 0;
   follow(move, [&](Vec2 p, double z) {
-    const Cell cell = cellAt(p);
+    const TileCell cell = cellAt(p);
     if (!cell.known) return;
     const std::vector<float>& tile = tiles_[cell.tile];
     if (tile.empty() || tile[cell.index] == 0) return;
@@ -71,7 +71,7 @@ double LaidHeights::touched(const MachineMove& move, double gap) const {
   int places = 0;
   int touching = 0;
   follow(move, [&](Vec2 p, double z) {
-    const Cell cell = cellAt(p);
+    const TileCell cell = cellAt(p);
     ++places;
     if (!cell.known) return;
     const std::vector<float>& tile = tiles_[cell.tile];

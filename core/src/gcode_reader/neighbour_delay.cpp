@@ -14,7 +14,7 @@ constexpr auto kAlong = static_cast<float>(kNeighbourAlong);
 constexpr float kUnknown = std::numeric_limits<float>::infinity();
 
 // A piece of a bead, about as long as the bead is wide.
-struct Piece {
+struct BeadPiece {
   Vec2f at;
   Vec2f along;  // direction, of length 1
   float width;
@@ -30,7 +30,7 @@ struct Wait {
 };
 
 // Cuts a bead into pieces.
-void cutUp(const LaidBead& bead, std::vector<Piece>& pieces) {
+void cutUp(const LaidBead& bead, std::vector<BeadPiece>& pieces) {
   const Vec2f d = bead.to - bead.from;
   const float size = length(d);
   if (!(size > 0) || !(bead.width > 0)) return;
@@ -45,10 +45,10 @@ void cutUp(const LaidBead& bead, std::vector<Piece>& pieces) {
 // Pieces of a layer, sorted into square cells with a side of the greatest distance of neighbours.
 class Neighbourhood {
  public:
-  explicit Neighbourhood(const std::vector<Piece>& pieces) {
+  explicit Neighbourhood(const std::vector<BeadPiece>& pieces) {
     Bounds box;
     float widest = 0;
-    for (const Piece& piece : pieces) {
+    for (const BeadPiece& piece : pieces) {
       box.add(Vec2{piece.at.x, piece.at.y});
       widest = std::max(widest, piece.width);
     }
@@ -58,15 +58,15 @@ class Neighbourhood {
     columns_ = static_cast<int>(box.size().x / cell_) + 1;
     rows_ = static_cast<int>(box.size().y / cell_) + 1;
     first_.assign(cellCount(columns_, rows_) + 1, 0);
-    for (const Piece& piece : pieces) ++first_[cellOf(piece.at) + 1];
+    for (const BeadPiece& piece : pieces) ++first_[cellOf(piece.at) + 1];
     for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
     std::vector<int> next(first_.begin(), first_.end() - 1);
     ordered_.resize(pieces.size());
-    for (const Piece& piece : pieces) ordered_[next[cellOf(piece.at)]++] = piece;
+    for (const BeadPiece& piece : pieces) ordered_[next[cellOf(piece.at)]++] = piece;
   }
 
   /// Waits for the neighbours on either side, of which the longer counts; infinite without any.
-  [[nodiscard]] Wait wait(const Piece& piece) const {
+  [[nodiscard]] Wait wait(const BeadPiece& piece) const {
     float left = kUnknown;  // [s], negative: the neighbour was laid earlier
     float right = kUnknown;
     const int column = columnOf(piece.at);
@@ -75,7 +75,7 @@ class Neighbourhood {
       const int begin = y * columns_ + std::max(column - 1, 0);
       const int end = y * columns_ + std::min(column + 1, columns_ - 1) + 1;
       for (int k = first_[begin]; k < first_[end]; ++k) {
-        const Piece& other = ordered_[k];
+        const BeadPiece& other = ordered_[k];
         const Vec2f to = other.at - piece.at;
         const float mean = 0.5f * (piece.width + other.width);
         const float across = cross(piece.along, to);
@@ -99,19 +99,19 @@ class Neighbourhood {
   double cell_ = 0;
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<int> first_;      // first index in ordered_ for each cell
-  std::vector<Piece> ordered_;  // cell by cell, since jumps in memory cost more than the comparisons
+  std::vector<int> first_;          // first index in ordered_ for each cell
+  std::vector<BeadPiece> ordered_;  // cell by cell, since jumps in memory cost more than the comparisons
 };
 
 // Adds the waits in the oriented beads of one layer.
 void addWaits(const LaidBead* begin, const LaidBead* end, std::vector<Wait>& waits) {
-  std::vector<Piece> pieces;
+  std::vector<BeadPiece> pieces;
   for (const LaidBead* bead = begin; bead != end; ++bead) {
     if (!bead->base) cutUp(*bead, pieces);
   }
   if (pieces.empty()) return;
   const Neighbourhood neighbourhood(pieces);
-  for (const Piece& piece : pieces) {
+  for (const BeadPiece& piece : pieces) {
     const Wait wait = neighbourhood.wait(piece);
     if (wait.seconds != kUnknown) waits.push_back(wait);
   }

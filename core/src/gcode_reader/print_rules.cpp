@@ -8,19 +8,12 @@
 #include <utility>
 
 #include "base/numbers.hpp"
-#include "base/sentence.hpp"
 #include "gcode_reader/macros.hpp"
 
 namespace sillon {
 namespace {
 
-// The sentence of a finding, and the rule it belongs to.
-struct Row {
-  const char* rule;
-  Sentence sentence;
-};
-
-constexpr Row kRows[] = {
+constexpr FindingRow kRows[] = {
     {"heating", {"heat-changed", "the nozzle goes to {degrees} degrees in mid-print; it began with {told}"}},
     {"heating", {"bed-changed", "the bed goes to {degrees} degrees in mid-print; it began with {told}"}},
     {"flow", {"flow-changed", "the flow goes to {percent} % in mid-print; it began with {told} %"}},

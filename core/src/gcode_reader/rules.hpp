@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/sentence.hpp"
 #include "gcode_reader/coverage.hpp"
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/layers.hpp"
@@ -20,6 +21,12 @@ namespace sillon {
 // Makes findings from codes, whose rules and sentences are in findings.cpp.
 
 using FindingValues = std::vector<std::pair<std::string, std::string>>;
+
+/// A finding's sentence, and the rule it belongs to.
+struct FindingRow {
+  const char* rule;
+  Sentence sentence;
+};
 
 /// Makes a finding; its line and count are left to the caller.
 /// \param code  one of the list in findings.cpp. \param values  values of the sentence's {names}.

@@ -51,11 +51,11 @@ Parts labelParts(const SignedDistanceField& sdf, const BorderIndex& border, doub
   Parts parts{grid, std::vector<std::int32_t>(grid.size(), -1), 0};
 
   // Finds runs of connected cells in each row and joins them to the runs of the row below.
-  struct Run {
+  struct CellRun {
     int begin;
     int end;
   };
-  std::vector<Run> runs;
+  std::vector<CellRun> runs;
   std::vector<std::size_t> rowBegin;
   for (int y = 0; y < grid.ny; ++y) {
     rowBegin.push_back(runs.size());

@@ -53,11 +53,11 @@ bool sharePoint(PointUm32 a, PointUm32 b, PointUm32 c, PointUm32 d) {
 
 /// Rounded points of all curves. Each curve repeats its first point at its end, so that segment k is at[k] to at[k +
 /// 1].
-struct Corners {
+struct CurveCorners {
   std::vector<int> begin;  ///< offsets of the curves in `at`, and the end
   std::vector<PointUm32> at;
 
-  Corners(const ClosedCurves& curves, const RunContext& run) {
+  CurveCorners(const ClosedCurves& curves, const RunContext& run) {
     for (const int first : curves.begin) begin.push_back(first + static_cast<int>(begin.size()));
     if (begin.empty()) return;
     at.resize(begin.back());
@@ -95,7 +95,7 @@ struct Corners {
 };
 
 // Returns the segments to be tested in ascending order, without vanishing ones.
-std::vector<int> segmentsOf(const ClosedCurves& curves, const Corners& corners, const std::vector<char>& among) {
+std::vector<int> segmentsOf(const ClosedCurves& curves, const CurveCorners& corners, const std::vector<char>& among) {
   std::vector<int> segments;
   if (among.empty()) segments.reserve(curves.points.size());
   for (int c = 0; c < curves.count(); ++c) {
@@ -118,7 +118,7 @@ struct CellRaster {
   int nx = 0;
   int ny = 0;
 
-  CellRaster(const Corners& corners, const std::vector<int>& segments) {
+  CellRaster(const CurveCorners& corners, const std::vector<int>& segments) {
     low = corners[segments.front()];
     PointUm32 high = low;
     std::int64_t longerSides = 0;
@@ -177,7 +177,7 @@ struct CellEntries {
 
 // Sorts segments into cells by counting, in parallel shares; within a cell they stay in order, whatever the number of
 // shares.
-CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segments, const CellRaster& raster,
+CellEntries sortIntoCells(const CurveCorners& corners, const std::vector<int>& segments, const CellRaster& raster,
                           const RunContext& run) {
   const std::size_t cells = cellCount(raster.nx, raster.ny);
   const int count = static_cast<int>(segments.size());
@@ -187,15 +187,15 @@ CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segmen
     std::int32_t cell;
     std::int32_t segment;
   };
-  struct Share {
+  struct CellShare {
     std::vector<Pair> pairs;
     std::vector<int> next;  ///< for each cell the number of its segments, later the position of the next one
   };
-  std::vector<Share> all(shares);
+  std::vector<CellShare> all(shares);
   parallelFor(run, count, grain, [&](int from, int to) {
-    Share& share = all[from / grain];
+    CellShare& share = all[from / grain];
     share.next.assign(cells, 0);
-    share.pairs.reserve(2 * static_cast<std::size_t>(to - from));
+    share.pairs.reserve(2 * (to - from));
     for (int k = from; k < to; ++k) {
       const int s = segments[k];
       raster.forCells(corners[s], corners[s + 1], [&](std::int32_t cell) {
@@ -209,7 +209,7 @@ CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segmen
   int sum = 0;
   for (std::size_t at = 0; at < cells; ++at) {
     out.begin[at] = sum;
-    for (Share& share : all) {
+    for (CellShare& share : all) {
       const int size = share.next[at];
       share.next[at] = sum;
       sum += size;
@@ -219,7 +219,7 @@ CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segmen
   out.entries.resize(sum);
   parallelFor(run, shares, 1, [&](int from, int to) {
     for (int k = from; k < to; ++k) {
-      Share& share = all[k];
+      CellShare& share = all[k];
       for (const Pair& pair : share.pairs) {
         out.entries[share.next[pair.cell]++] = pair.segment;
       }
@@ -236,7 +236,7 @@ bool segmentsMeet(Vec2f a, Vec2f b, Vec2f c, Vec2f d) {
 
 std::vector<std::pair<int, int>> findCrossings(const ClosedCurves& curves, const RunContext& run,
                                                const std::vector<char>& among) {
-  const Corners corners(curves, run);
+  const CurveCorners corners(curves, run);
   const std::vector<int> segments = segmentsOf(curves, corners, among);
   if (segments.empty()) return {};
   const CellRaster raster(corners, segments);

@@ -7,12 +7,12 @@
 namespace sillon {
 
 std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double firstY, double step, int rows) {
-  struct Crossing {
+  struct RowCrossing {
     double x;
     int path;
     int direction;
   };
-  std::vector<std::vector<Crossing>> crossings(std::max(rows, 0));
+  std::vector<std::vector<RowCrossing>> crossings(std::max(rows, 0));
   for (const PathEdge& edge : edgesOf(shape.paths)) {
     const double low = std::ceil((std::min(edge.a.y, edge.b.y) - firstY) / step) - 1;
     const double high = std::floor((std::max(edge.a.y, edge.b.y) - firstY) / step) + 1;
@@ -27,13 +27,13 @@ std::vector<std::vector<Interval>> insideIntervals(const Shape& shape, double fi
   std::vector<std::vector<Interval>> intervals(crossings.size());
   WindingState winding(shape.paths);
   for (std::size_t row = 0; row < crossings.size(); ++row) {
-    std::vector<Crossing>& line = crossings[row];
-    std::sort(line.begin(), line.end(), [](const Crossing& a, const Crossing& b) {
+    std::vector<RowCrossing>& line = crossings[row];
+    std::sort(line.begin(), line.end(), [](const RowCrossing& a, const RowCrossing& b) {
       return a.x != b.x ? a.x < b.x : (a.path != b.path ? a.path < b.path : a.direction < b.direction);
     });
     winding.reset();
     double begin = 0;
-    for (const Crossing& crossing : line) {
+    for (const RowCrossing& crossing : line) {
       const bool before = winding.inside();
       winding.cross(crossing.path, crossing.direction);
       if (!before && winding.inside()) begin = crossing.x;

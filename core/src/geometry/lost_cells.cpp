@@ -12,7 +12,7 @@ namespace {
 // Returns the first marked sample from `from` on, or `end`.
 std::size_t nextMarked(const std::vector<char>& marks, std::size_t from, std::size_t end) {
   const void* found = from < end ? std::memchr(&marks[from], 1, end - from) : nullptr;
-  return found != nullptr ? static_cast<std::size_t>(static_cast<const char*>(found) - marks.data()) : end;
+  return found != nullptr ? toSize(static_cast<const char*>(found) - marks.data()) : end;
 }
 
 // Returns how many samples after one with this distance certainly do not lie between `deep` and `shallow`, or -1 if the

@@ -64,7 +64,7 @@ class SideRays {
     const double stacked = std::max(climb / height, 1e-3);  // average number of pieces that a row meets
     const double rows = std::clamp(count * std::min(std::sqrt(0.2 / stacked), 16 / stacked), 1.0, 65536.0);
     row_ = height / rows;
-    buckets_.resize(static_cast<std::size_t>(rows) + 1);
+    buckets_.resize(toSize(rows) + 1);
     ends_.resize(buckets_.size());
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const std::size_t first = bucketOf(std::min(pieces[k].a.y, pieces[k].b.y));
@@ -112,7 +112,7 @@ class SideRays {
         };
         own(ray.piece);
         for (const std::size_t k : groups_.others[ray.piece]) own(k);
-        for (const Span& span : row.ending) {
+        for (const RaySpan& span : row.ending) {
           if (ray.p.y < span.low || ray.p.y >= span.high || !isLeft(span, ray.p)) continue;
           if (groups_.first[span.piece] != ray.piece) extra.emplace_back(span.piece, 1);
         }
@@ -124,14 +124,14 @@ class SideRays {
         crossGroup(ray.piece, -1, winding);
         for (const auto& [piece, times] : extra) cross(piece, -times, winding);
       }
-      for (const Span& span : row.across) rank[span.piece] = kNowhere;
+      for (const RaySpan& span : row.across) rank[span.piece] = kNowhere;
     }
   }
 
  private:
   // A piece as rays see it. The pieces of a bucket are scattered in memory, and a ray meets hundreds of them; without
   // this copy, all rays of a map's strokes took three times as long.
-  struct Span {
+  struct RaySpan {
     /// Range of y. A ray at `high` passes over the piece, as in crossesRow().
     double low;
     double high;
@@ -151,9 +151,9 @@ class SideRays {
   // Pieces of a row. They meet at their ends only, so that those across all rays of the row have one order, and a ray
   // finds its place among them by bisection.
   struct PieceRow {
-    std::vector<Ray> rays;     ///< sorted by `before`
-    std::vector<Span> across;  ///< pieces across all rays, from left to right
-    std::vector<Span> ending;  ///< pieces that end within the row
+    std::vector<Ray> rays;        ///< sorted by `before`
+    std::vector<RaySpan> across;  ///< pieces across all rays, from left to right
+    std::vector<RaySpan> ending;  ///< pieces that end within the row
   };
 
   /// Collects the rays of a row, and sorts the pieces across all of them from left to right.
@@ -180,16 +180,16 @@ class SideRays {
       (across ? row.across : row.ending)
           .push_back({bottom, top, left, right, k, across ? crossingX(piece, (low + high) / 2) : 0});
     }
-    sortBy(row.across, [](const Span& span) { return span.at; });
+    sortBy(row.across, [](const RaySpan& span) { return span.at; });
     for (Ray& ray : row.rays) {
       const auto end = std::partition_point(row.across.begin(), row.across.end(),
-                                            [&](const Span& span) { return isLeft(span, ray.p); });
-      ray.before = static_cast<std::size_t>(end - row.across.begin());
+                                            [&](const RaySpan& span) { return isLeft(span, ray.p); });
+      ray.before = end - row.across.begin();
     }
     sortBy(row.rays, [](const Ray& ray) { return ray.before; });
   }
 
-  [[nodiscard]] bool isLeft(const Span& span, Vec2 p) const {
+  [[nodiscard]] bool isLeft(const RaySpan& span, Vec2 p) const {
     if (p.x <= span.left) return false;
     return span.right < p.x || crossingX(pieces_[span.piece], p.y) < p.x;
   }
@@ -208,7 +208,7 @@ class SideRays {
 
   [[nodiscard]] std::size_t bucketOf(double y) const {
     const double row = std::clamp((y - bottom_) / row_, 0.0, static_cast<double>(buckets_.size() - 1));
-    return static_cast<std::size_t>(row);
+    return toSize(row);
   }
 
   const std::vector<PathEdge>& pieces_;

@@ -38,8 +38,7 @@ class PointGrid {
     const int shares = std::clamp(std::min(run.threads(), count / (1 << 14)), 1, 8);
     const int grain = (count + shares - 1) / shares;
     std::vector<std::int32_t> bucketOf(points.size());
-    std::vector<std::vector<std::int32_t>> next(static_cast<std::size_t>(shares),
-                                                std::vector<std::int32_t>(buckets, 0));
+    std::vector<std::vector<std::int32_t>> next(shares, std::vector<std::int32_t>(buckets, 0));
     parallelFor(run, count, grain, [&](int begin, int end) {
       std::vector<std::int32_t>& share = next[begin / grain];
       for (int k = begin; k < end; ++k) {
@@ -82,7 +81,7 @@ class PointGrid {
     for (int by = row(p.y - reach); by <= y1; ++by) {
       const std::size_t first = indexOf(0, by, nx_);
       const int begin = begin_[first + x0];
-      const int end = begin_[first + static_cast<std::size_t>(x1) + 1];
+      const int end = begin_[first + x1 + 1];
       if (begin < end) visit(begin, end);
     }
   }

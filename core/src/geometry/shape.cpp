@@ -45,11 +45,11 @@ class MaskField {
   bool useAlpha_ = false;
 };
 
-enum class Side { Top, Right, Bottom, Left };
+enum class CellSide { Top, Right, Bottom, Left };
 
 // Returns the side through which a contour leaves a cell that it enters through `entry`. The cell's corners are the
 // samples (x, y) .. (x+1, y+1).
-Side exitOf(const MaskField& field, int x, int y, Side entry) {
+CellSide exitOf(const MaskField& field, int x, int y, CellSide entry) {
   const double topLeft = field.at(x, y);
   const double topRight = field.at(x + 1, y);
   const double bottomLeft = field.at(x, y + 1);
@@ -60,12 +60,12 @@ Side exitOf(const MaskField& field, int x, int y, Side entry) {
     // A saddle: the mean decides whether the two inner corners join; the contour goes round a corner of the other kind.
     const bool joined = topLeft + topRight + bottomLeft + bottomRight >= 0;
     const bool aroundTopLeft = (topLeft >= 0) != joined;
-    constexpr std::array<Side, 4> kTopLeft{Side::Left, Side::Bottom, Side::Right, Side::Top};
-    constexpr std::array<Side, 4> kTopRight{Side::Right, Side::Top, Side::Left, Side::Bottom};
-    return (aroundTopLeft ? kTopLeft : kTopRight)[static_cast<std::size_t>(entry)];
+    constexpr std::array<CellSide, 4> kTopLeft{CellSide::Left, CellSide::Bottom, CellSide::Right, CellSide::Top};
+    constexpr std::array<CellSide, 4> kTopRight{CellSide::Right, CellSide::Top, CellSide::Left, CellSide::Bottom};
+    return (aroundTopLeft ? kTopLeft : kTopRight)[toSize(entry)];
   }
-  for (const Side side : {Side::Top, Side::Right, Side::Bottom, Side::Left}) {
-    if (side != entry && crossed[static_cast<std::size_t>(side)]) return side;
+  for (const CellSide side : {CellSide::Top, CellSide::Right, CellSide::Bottom, CellSide::Left}) {
+    if (side != entry && crossed[toSize(side)]) return side;
   }
   return entry;  // unreachable, because crossings come in pairs
 }
@@ -109,10 +109,10 @@ class MaskTracer {
   }
 
   // Returns the point where the level crosses a side of a cell.
-  [[nodiscard]] Vec2 crossing(int x, int y, Side side) const {
-    if (side == Side::Bottom) ++y;
-    if (side == Side::Right) ++x;
-    const bool horizontal = side == Side::Top || side == Side::Bottom;
+  [[nodiscard]] Vec2 crossing(int x, int y, CellSide side) const {
+    if (side == CellSide::Bottom) ++y;
+    if (side == CellSide::Right) ++x;
+    const bool horizontal = side == CellSide::Top || side == CellSide::Bottom;
     const double a = field_.at(x, y);
     const double b = horizontal ? field_.at(x + 1, y) : field_.at(x, y + 1);
     const double t = a / (a - b);
@@ -125,37 +125,37 @@ class MaskTracer {
     // Passes the start edge downwards if its left sample is inside, upwards otherwise.
     int x = startX;
     int y = leftInside ? startY : startY - 1;
-    Side entry = leftInside ? Side::Top : Side::Bottom;
+    CellSide entry = leftInside ? CellSide::Top : CellSide::Bottom;
     while (true) {
-      if (entry == Side::Top || entry == Side::Bottom) {
-        const std::size_t mark = edge(x, entry == Side::Top ? y : y + 1);
+      if (entry == CellSide::Top || entry == CellSide::Bottom) {
+        const std::size_t mark = edge(x, entry == CellSide::Top ? y : y + 1);
         if (visited_[mark]) break;
         visited_[mark] = true;
       }
       add(ring, crossing(x, y, entry));
       if (static_cast<std::int64_t>(ring.size()) > limit) return ring;
-      const Side exit = exitOf(field_, x, y, entry);
+      const CellSide exit = exitOf(field_, x, y, entry);
       // In a corner cell of the picture, add the corner itself: otherwise the outline would cut it off.
       if ((x < 0 || x == width_ - 1) && (y < 0 || y == height_ - 1)) {
-        const bool across = entry == Side::Top || entry == Side::Bottom;
+        const bool across = entry == CellSide::Top || entry == CellSide::Bottom;
         add(ring, {crossing(x, y, across ? entry : exit).x, crossing(x, y, across ? exit : entry).y});
       }
       switch (exit) {
-        case Side::Top:
+        case CellSide::Top:
           --y;
-          entry = Side::Bottom;
+          entry = CellSide::Bottom;
           break;
-        case Side::Right:
+        case CellSide::Right:
           ++x;
-          entry = Side::Left;
+          entry = CellSide::Left;
           break;
-        case Side::Bottom:
+        case CellSide::Bottom:
           ++y;
-          entry = Side::Top;
+          entry = CellSide::Top;
           break;
-        case Side::Left:
+        case CellSide::Left:
           --x;
-          entry = Side::Right;
+          entry = CellSide::Right;
           break;
       }
     }
@@ -185,7 +185,7 @@ class MaskTracer {
 
 Result<Shape> shapeFromMask(const Image& mask, double width) {
   if (mask.width <= 0 || mask.height <= 0 || mask.channels < 1 || mask.channels > 4 ||
-      mask.samples.size() != cellCount(mask.width, mask.height) * static_cast<std::size_t>(mask.channels)) {
+      mask.samples.size() != cellCount(mask.width, mask.height) * mask.channels) {
     return Error{ErrorCode::InvalidArgument, "The mask has no pixels; it needs a picture of 1 to 4 channels"};
   }
   if (!validSize(width)) return sizeError("The width of the mask", width);

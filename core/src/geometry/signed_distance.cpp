@@ -40,7 +40,7 @@ double squaredAcross(const BorderSegment& s, Vec2 p) {
   return across * across / dot(along, along);
 }
 
-struct Block {
+struct CellBlock {
   int x;  ///< in leaf blocks
   int y;
   int side;  ///< in leaf blocks, a power of two
@@ -74,7 +74,7 @@ class Subdivision {
 
   // Calls visit(block, lowest distance) for every block of side `leaf` under `block`, until visit returns false.
   template <class Visit>
-  bool descend(const Block& block, int leaf, const Visit& visit) const {
+  bool descend(const CellBlock& block, int leaf, const Visit& visit) const {
     std::vector<double> scratch;
     return descend(Square{block.x, block.y, block.side}, block.candidates, leaf, visit, scratch);
   }
@@ -97,7 +97,7 @@ class Subdivision {
     double lowest = 0;
     std::vector<int> candidates =
         nearestCandidates(segments_, list, centre, side * 0.70710678118654757, lowest, scratch);
-    if (size <= leaf) return visit(Block{x, y, size, std::move(candidates)}, lowest);
+    if (size <= leaf) return visit(CellBlock{x, y, size, std::move(candidates)}, lowest);
     const int half = size / 2;
     for (int k = 0; k < 4; ++k) {
       const Square quarter{x + (k & 1) * half, y + (k >> 1) * half, half};
@@ -239,20 +239,20 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
                    (grid.ny - 1) / kBlockCells + 1};
   const Grid& blocks = index.blocks_;
 
-  Block root{0, 0, 1, {}};
+  CellBlock root{0, 0, 1, {}};
   while (root.side < std::max(blocks.nx, blocks.ny)) root.side *= 2;
   root.candidates.resize(outline.segments.size());
   for (std::size_t k = 0; k < root.candidates.size(); ++k) root.candidates[k] = static_cast<int>(k);
 
   const bool byMemory = run.memory() < kMaxCandidates * kBytesPerCandidate;
-  const auto most = static_cast<std::size_t>(byMemory ? run.memory() / kBytesPerCandidate : kMaxCandidates);
+  const std::size_t most = toSize(byMemory ? run.memory() / kBytesPerCandidate : kMaxCandidates);
   std::atomic<std::size_t> kept{0};
-  const auto hasRoom = [&](const Block& block) { return (kept += block.candidates.size()) <= most; };
+  const auto hasRoom = [&](const CellBlock& block) { return (kept += block.candidates.size()) <= most; };
 
   // Splits into a few large blocks on this thread, then divides each of them on any thread.
   const Subdivision subdivision(index.segments_, blocks);
-  std::vector<Block> tasks;
-  if (subdivision.descend(root, std::max(1, root.side / 16), [&](Block block, double) {
+  std::vector<CellBlock> tasks;
+  if (subdivision.descend(root, std::max(1, root.side / 16), [&](CellBlock block, double) {
         tasks.push_back(std::move(block));
         return hasRoom(tasks.back());
       })) {
@@ -266,7 +266,7 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
   std::vector<std::vector<Leaf>> leaves(tasks.size());
   parallelFor(run, static_cast<int>(tasks.size()), 1, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
-      subdivision.descend(tasks[k], 1, [&](Block block, double lowest) {
+      subdivision.descend(tasks[k], 1, [&](CellBlock block, double lowest) {
         if (!hasRoom(block)) return false;
         leaves[k].push_back(
             {blocks.index(block.x, block.y), static_cast<float>(lowest * (1 - 1e-6)), std::move(block.candidates)});

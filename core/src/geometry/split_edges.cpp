@@ -18,7 +18,7 @@ constexpr int kMaxGridRounds = 50;                ///< rounds on a grid; five su
 constexpr std::size_t kMaxPieces = 4'000'000;     ///< more than any drawing has that a spacing of 0.05 mm could show
 constexpr std::uint64_t kMaxPairs = 800'000'000;  ///< tests of two edges; some ten seconds: strokes of a world map
 
-struct Split {
+struct EdgeSplit {
   int edge;
   double t;  ///< position along the edge, in (0, 1)
   Vec2 at;
@@ -27,7 +27,7 @@ struct Split {
 // Adds a split where an end of another edge lies on this edge. On the grid, the test is whether the edge passes through
 // the pixel of that end, so that crossings stay crossings and the splitting terminates (iterated snap rounding;
 // Halperin and Packer 2002).
-void splitAtEnd(const PathEdge& edge, int index, Vec2 end, Points points, std::vector<Split>& splits) {
+void splitAtEnd(const PathEdge& edge, int index, Vec2 end, Points points, std::vector<EdgeSplit>& splits) {
   const Vec2 along = edge.b - edge.a;
   const double size = length(along);
   const double t = dot(end - edge.a, along) / (size * size);
@@ -38,7 +38,7 @@ void splitAtEnd(const PathEdge& edge, int index, Vec2 end, Points points, std::v
 }
 
 // Adds the splits of two edges: at each other's ends if these touch, otherwise at their crossing.
-void splitPair(const std::vector<PathEdge>& edges, int i, int j, Points points, std::vector<Split>& splits) {
+void splitPair(const std::vector<PathEdge>& edges, int i, int j, Points points, std::vector<EdgeSplit>& splits) {
   const PathEdge& e = edges[i];
   const PathEdge& f = edges[j];
   const std::size_t before = splits.size();
@@ -78,7 +78,7 @@ struct Edges {
 };
 
 // A square raster over the edges, to find neighbours.
-struct Cells {
+struct EdgeRaster {
   Vec2 low;
   double size;
   double reach;  ///< margin within which an edge counts as in a cell [unit of the edges]
@@ -115,13 +115,14 @@ struct Cells {
 
 // Finds all places where edges meet away from their own ends. Returns false if it takes too much work, together with
 // earlier rounds.
-bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vector<Split>& splits, std::uint64_t& work) {
+bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vector<EdgeSplit>& splits,
+                std::uint64_t& work) {
   const double reach = points == Points::OnGrid ? 1 : kNear;
   double total = 0;
   for (const PathEdge& edge : edges.all) total += length(edge.b - edge.a);
   const Vec2 size = box.size();
-  const Cells cells{box.min, std::max(total / static_cast<double>(edges.all.size()), std::max(size.x, size.y) / 1e6),
-                    reach};
+  const EdgeRaster cells{
+      box.min, std::max(total / static_cast<double>(edges.all.size()), std::max(size.x, size.y) / 1e6), reach};
   struct Entry {
     std::uint64_t key;
     int edge;
@@ -131,9 +132,7 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
   // their keys, some 64 digests per edge, because most drawings are combined of thousands of small ones.
   const int bits = std::min(static_cast<int>(std::bit_width(edges.all.size())) + 6, 20);
   std::vector<char> busy(std::size_t{1} << bits);
-  const auto digestOf = [&](std::uint64_t key) {
-    return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15U) >> (64 - bits));
-  };
+  const auto digestOf = [&](std::uint64_t key) { return toSize((key * 0x9E3779B97F4A7C15U) >> (64 - bits)); };
   for (const bool fresh : {true, false}) {
     for (std::size_t k = 0; k < edges.all.size(); ++k) {
       if ((edges.fresh[k] != 0) != fresh) continue;
@@ -167,7 +166,7 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
     }
     if (splits.size() > 2 * kMaxPieces) return false;
   }
-  std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
+  std::sort(splits.begin(), splits.end(), [](const EdgeSplit& a, const EdgeSplit& b) {
     return a.edge != b.edge ? a.edge < b.edge : (a.t != b.t ? a.t < b.t : a.at.x < b.at.x);
   });
   return true;
@@ -185,9 +184,9 @@ class KnownPoints {
   }
 
   // Moves each split to the known point nearest to it, if that is within kTouch, and adds the others as known points.
-  void unify(std::vector<Split>& splits) {
-    for (Split& split : splits) {
-      const Cell cell = cellOf(split.at);
+  void unify(std::vector<EdgeSplit>& splits) {
+    for (EdgeSplit& split : splits) {
+      const PointCell cell = cellOf(split.at);
       const Vec2* best = nullptr;
       for (std::int64_t x = cell.x - 1; x <= cell.x + 1; ++x) {
         for (std::int64_t y = cell.y - 1; y <= cell.y + 1; ++y) {
@@ -207,23 +206,23 @@ class KnownPoints {
   }
 
  private:
-  struct Cell {
+  struct PointCell {
     std::int64_t x, y;
   };
 
-  static Cell cellOf(Vec2 p) {
+  static PointCell cellOf(Vec2 p) {
     constexpr double kCell = 2 * kTouch;
     return {static_cast<std::int64_t>(std::floor(p.x / kCell)), static_cast<std::int64_t>(std::floor(p.y / kCell))};
   }
 
   /// Returns the slot of the point in a cell, or the free slot where it would be stored.
-  [[nodiscard]] std::size_t slotOf(Cell cell) const {
+  [[nodiscard]] std::size_t slotOf(PointCell cell) const {
     const auto mixed = (static_cast<std::uint64_t>(cell.x) * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(cell.y)) *
                        0xC2B2AE3D27D4EB4FU;
-    for (auto at = static_cast<std::size_t>(mixed >> 32);; ++at) {
+    for (std::size_t at = toSize(mixed >> 32);; ++at) {
       at &= slots_.size() - 1;
       if (slots_[at] < 0) return at;
-      const Cell other = cellOf(points_[slots_[at]]);
+      const PointCell other = cellOf(points_[slots_[at]]);
       if (other.x == cell.x && other.y == cell.y) return at;
     }
   }
@@ -245,7 +244,7 @@ class KnownPoints {
 };
 
 /// Splits edges into pieces that meet at their ends only. Every ring stays closed.
-Edges piecesOf(const std::vector<PathEdge>& edges, const std::vector<Split>& splits) {
+Edges piecesOf(const std::vector<PathEdge>& edges, const std::vector<EdgeSplit>& splits) {
   Edges pieces;
   pieces.all.reserve(edges.size() + splits.size());
   pieces.fresh.reserve(edges.size() + splits.size());
@@ -276,12 +275,12 @@ std::optional<std::vector<PathEdge>> splitEdges(const std::vector<PathEdge>& edg
   // may cross edges that it did not cross before; so splitting is repeated.
   std::uint64_t work = 0;
   for (int round = 0; round < (grid ? kMaxGridRounds : kMaxRounds); ++round) {
-    std::vector<Split> splits;
+    std::vector<EdgeSplit> splits;
     if (!findSplits(pieces, box, points, splits, work)) return std::nullopt;
     if (known) {
       known->unify(splits);
     } else {
-      for (Split& split : splits) split.at = onGrid(split.at);
+      for (EdgeSplit& split : splits) split.at = onGrid(split.at);
     }
     const std::size_t before = pieces.all.size();
     pieces = piecesOf(pieces.all, splits);

@@ -8,6 +8,7 @@
 #include "base/checksums.hpp"
 #include "base/deflate.hpp"
 #include "input/inflate.hpp"
+#include "sillon/base/types.hpp"
 
 namespace sillon {
 namespace {
@@ -52,10 +53,10 @@ Result<std::string> packed(std::string header, std::string_view text) {
 
 }  // namespace
 
-Result<std::string> unzipped(std::string_view file, std::size_t most) {
+Result<std::string> gunzipped(std::string_view file, std::size_t most) {
   const std::size_t begin = endOfHeader(file);
   if (begin == 0) return damaged("is cut off, or packed in an unknown way");
-  const auto size = static_cast<std::size_t>(number(file, file.size() - 4, 4));
+  const std::size_t size = toSize(number(file, file.size() - 4, 4));
   const std::string_view data = file.substr(begin, file.size() - kTrailer - begin);
   if (size > most) {
     return Error{ErrorCode::TooLarge, "the .gz holds " + std::to_string(size >> 20) +
@@ -76,13 +77,13 @@ Result<std::string> unzipped(std::string_view file, std::size_t most) {
   return std::move(*text);
 }
 
-Result<std::string> zippedLike(std::string_view file, std::string_view text) {
+Result<std::string> gzippedLike(std::string_view file, std::string_view text) {
   const std::size_t begin = endOfHeader(file);
   if (begin == 0) return damaged("is cut off, or packed in an unknown way");
   return packed(std::string(file.substr(0, begin)), text);
 }
 
-Result<std::string> zipped(std::string_view text) {
+Result<std::string> gzipped(std::string_view text) {
   return packed(std::string("\x1f\x8b\x08\0\0\0\0\0\0\xff", kHeader), text);
 }
 

@@ -38,14 +38,14 @@ inline bool isGzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"
 /// Unpacks a gzip file.
 /// \param most  largest number of bytes that may come out.
 /// \return InvalidFile for a file that is damaged or has several members; TooLarge for more bytes.
-Result<std::string> unzipped(std::string_view file, std::size_t most);
+Result<std::string> gunzipped(std::string_view file, std::size_t most);
 
 /// Packs the text behind the header of `file`, which keeps its name and date.
-/// \return the errors of unzipped() for the header; TooLarge above 1 GiB.
-Result<std::string> zippedLike(std::string_view file, std::string_view text);
+/// \return the errors of gunzipped() for the header; TooLarge above 1 GiB.
+Result<std::string> gzippedLike(std::string_view file, std::string_view text);
 
 /// Packs the text behind a header without name and date. \return TooLarge above 1 GiB.
-Result<std::string> zipped(std::string_view text);
+Result<std::string> gzipped(std::string_view text);
 
 // Limits on packed files of any kind.
 

@@ -112,7 +112,7 @@ bool readTgaHeader(Bytes b, TgaHeader& header) {
   header.type = type;
   header.pixelBytes = (bits + 7) / 8;
   header.pixels = static_cast<std::uint64_t>(le16(b, 12)) * le16(b, 14);
-  header.dataAt = 18 + static_cast<std::size_t>(b[0]) + paletteLength * ((paletteBits + 7) / 8);
+  header.dataAt = 18 + b[0] + paletteLength * ((paletteBits + 7) / 8);
   return header.pixels > 0;
 }
 
@@ -122,11 +122,12 @@ std::string tgaDefect(Bytes bytes) {
   readTgaHeader(bytes, header);
   const std::uint64_t size = bytes.size();
   if ((header.type & 8) == 0) return header.dataAt + header.pixels * header.pixelBytes > size ? "it is cut off" : "";
-  std::uint64_t at = header.dataAt, pixels = 0;
+  std::size_t at = header.dataAt;
+  std::uint64_t pixels = 0;
   while (pixels < header.pixels) {
     if (at >= size) return "it is cut off";
-    const std::uint64_t run = (bytes[static_cast<std::size_t>(at)] & 127u) + 1;
-    at += 1 + ((bytes[static_cast<std::size_t>(at)] & 128u) != 0 ? 1 : run) * header.pixelBytes;
+    const std::size_t run = (bytes[at] & 127u) + 1;
+    at += 1 + ((bytes[at] & 128u) != 0 ? 1 : run) * header.pixelBytes;
     pixels += run;
   }
   return at > size ? "it is cut off" : "";
@@ -247,7 +248,7 @@ Image uprighted(const void* stored, bool deep, int orientation, Image image) {
   };
   const auto* bytes = static_cast<const std::uint8_t*>(stored);
   const auto* pairs = static_cast<const std::uint16_t*>(stored);
-  image.samples.reserve(cellCount(width, height) * static_cast<std::size_t>(channels));
+  image.samples.reserve(cellCount(width, height) * channels);
   for (int y = 0; y < image.height; ++y) {
     std::ptrdiff_t at = place(0, y);
     const std::ptrdiff_t step = place(1, y) - at;
@@ -430,14 +431,14 @@ int paeth(int left, int above, int between) {
 /// Filters the rows of a PNG; each begins with the number of its filter.
 std::string rowsOf(int width, int height, std::span<const std::uint8_t> rgb, bool plain) {
   constexpr std::size_t kPixel = 3;
-  const std::size_t size = static_cast<std::size_t>(width) * kPixel;
+  const std::size_t size = width * kPixel;
   // Each row begins with one empty pixel, so that the loop has no branches and compilers can vectorise it.
   std::vector<std::uint8_t> above(size + kPixel);
   std::vector<std::uint8_t> row = above;
-  std::string rows((size + 1) * static_cast<std::size_t>(height), plain ? '\0' : '\4');
+  std::string rows((size + 1) * height, plain ? '\0' : '\4');
   auto* out = reinterpret_cast<std::uint8_t*>(rows.data());
   for (int y = 0; y < height; ++y, row.swap(above)) {
-    std::copy_n(rgb.data() + static_cast<std::size_t>(y) * size, size, row.data() + kPixel);
+    std::copy_n(rgb.data() + y * size, size, row.data() + kPixel);
     ++out;
     const std::uint8_t* const r = row.data();
     const std::uint8_t* const a = above.data();

@@ -5,9 +5,8 @@
 namespace sillon {
 
 std::string imageDefect(const Image& image) {
-  const bool consistent =
-      image.width > 0 && image.height > 0 && image.channels >= 1 && image.channels <= 4 &&
-      image.samples.size() == cellCount(image.width, image.height) * static_cast<std::size_t>(image.channels);
+  const bool consistent = image.width > 0 && image.height > 0 && image.channels >= 1 && image.channels <= 4 &&
+                          image.samples.size() == cellCount(image.width, image.height) * image.channels;
   if (consistent) return "";
   return "picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels with " +
          std::to_string(image.channels) + " channels and " + std::to_string(image.samples.size()) +

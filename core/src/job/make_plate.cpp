@@ -19,10 +19,10 @@ constexpr double kTrials = 0.7;  // three plates of a hundred beads each, which 
 constexpr double kMeasures = 0.15;
 
 /// Progress of a job whose parts have known weights.
-class Parts {
+class PartsProgress {
  public:
   /// \param ahead  total weight of all parts that are known so far.
-  Parts(const RunContext& run, double ahead) : run_(run), whole_(run, 0, 1), ahead_(ahead) {}
+  PartsProgress(const RunContext& run, double ahead) : run_(run), whole_(run, 0, 1), ahead_(ahead) {}
 
   /// Adds a part that was not known before.
   void add(double weight) { ahead_ += weight; }
@@ -135,7 +135,7 @@ class Maker {
   const ReadInput& read_;
   const PlateOptions& options_;
   const RunContext& run_;
-  Parts parts_;
+  PartsProgress parts_;
 };
 
 }  // namespace

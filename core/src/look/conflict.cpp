@@ -50,7 +50,7 @@ PictureConflict conflictOf(const DirectionMap& directions, std::span<const Shown
     for (std::size_t k = 0; k < directions.angle.size(); ++k) {
       // Angles of maps begin at -90 degrees; the table begins at 0.
       const float step = (static_cast<float>(directions.angle[k]) / 65535.0f + 0.5f) * kSteps;
-      const auto before = static_cast<std::size_t>(step);
+      const std::size_t before = toSize(step);
       const float share = step - static_cast<float>(before);
       const float seen = code[before % kSteps] * (1 - share) + code[(before + 1) % kSteps] * share;
       missing.push_back(std::clamp(asked.value[k] - (seen - low) / range, -1.0f, 1.0f));
@@ -67,10 +67,9 @@ RgbImage conflictImage(const PictureConflict& conflict, std::size_t picture, con
   image.rgb.reserve(3 * cellCount(image.width, image.height));
   Tones made;
   const Tones& greys = onRaster(tones, conflict.width, conflict.height, made);
-  const std::size_t columns = conflict.width;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      const std::size_t cell = static_cast<std::size_t>(y / scale) * columns + (x / scale);
+      const std::size_t cell = indexOf(x / scale, y / scale, conflict.width);
       // Ink over the grey, the more of it the more is missing.
       const float grey = kPalest + (kBrightest - kPalest) * greys.value[cell];
       const float off = conflict.missing[picture][cell];

@@ -88,7 +88,7 @@ int energiesOf(const ToneCells& cells, const LampTables& t, int x, int y, float 
   const float* error[kMaxPictures];
   for (std::size_t p = 0; p < pictures; ++p) {
     const auto asked = static_cast<int>(cells.asked[p][here] * (kCodes - 1) + 0.5f);
-    error[p] = &t.error[p][static_cast<std::size_t>(std::clamp(asked, 0, kCodes - 1)) * kLabels];
+    error[p] = &t.error[p][std::clamp(asked, 0, kCodes - 1) * kLabels];
   }
   // Cells outside of the shape have no tone, and only follow their neighbours.
   if (!cells.weight.empty()) toneWeight *= cells.weight[here];
@@ -186,7 +186,7 @@ LampTables tablesOf(const std::vector<Lamp>& lamps, const Roughness& roughness, 
     std::vector<float> code = lightTable(lobeOf(lamp, roughness), kLabels);
     for (float& v : code) v = codeOfLight(v);
     std::vector<float> error;
-    error.reserve(static_cast<std::size_t>(kCodes) * kLabels);
+    error.reserve(kCodes * kLabels);
     for (int asked = 0; asked < kCodes; ++asked) {
       for (const float v : code) {
         const float off = v - static_cast<float>(asked) / (kCodes - 1);

@@ -72,7 +72,7 @@ double errorOf(const ToneCells& cells, const LampTables& tables, const std::vect
     for (std::size_t k = 0; k < cells.z.size(); ++k) {
       if (cells.isOutside(k)) continue;
       const float turn = atan2Approx(cells.z[k].y, cells.z[k].x) / (2 * kPi) + 1;
-      const auto label = static_cast<std::size_t>(turn * kLabels + 0.5f) % kLabels;
+      const std::size_t label = toSize(turn * kLabels + 0.5f) % kLabels;
       seen.push_back(static_cast<double>(tables.code[p][label]));
       const double asked = static_cast<double>(shown[p].value[k]);
       wanted.push_back(asked);

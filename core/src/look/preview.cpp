@@ -23,7 +23,7 @@ constexpr int kBandRows = 16;  // pixel rows that one task rasterises and shades
 
 /// Tells how clearly single beads can be seen: 0 below 1.5 pixels of width, 1 above 3.5. In between their relief fades,
 /// which keeps fine plates free of moiré.
-float reliefOf(const Bead& bead) {
+float reliefOf(const ShadedBead& bead) {
   const float pixels = (bead.radiusA + bead.radiusB) / kSamples;
   return std::clamp((pixels - 1.5f) / 2, 0.0f, 1.0f);
 }
@@ -40,7 +40,7 @@ float furrow(float squaredOffset, float relief) {
 }
 
 /// Colour of a place on a bead in the first panel, from the direction there.
-Colour directionShade(const Bead& bead, float squaredOffset, float t) {
+Colour directionShade(const ShadedBead& bead, float squaredOffset, float t) {
   const Rgb colour = directionColourAt(bead.colourA + bead.colourDelta * t);
   return asColour(colour) * furrow(squaredOffset, reliefOf(bead));
 }
@@ -118,7 +118,7 @@ float fineHighlights(const Lobe& lobe, Vec2f along, float side, float relief) {
 
 /// Light that reaches the eye from a place on a bead, linear. \param side  signed offset from the axis in radii,
 /// positive to its left.
-Colour lookShade(const Bead& bead, float t, float side, const Lobe& lobe, const Look& look) {
+Colour lookShade(const ShadedBead& bead, float t, float side, const Lobe& lobe, const Look& look) {
   const Vec2f along = unit(bead.tangentA + (bead.tangentB - bead.tangentA) * t);
   const float relief = reliefOf(bead);
   // The part of the round top that is too fine to be seen counts with its mean.
@@ -143,16 +143,16 @@ std::uint8_t toneMapped(float linear) {
 // ---- both, row by row ----
 
 /// Everything that the bands read.
-struct Drawing {
+struct BandDrawing {
   const Layout& layout;
-  const std::vector<Bead>& beads;
+  const std::vector<ShadedBead>& beads;
   const Bands& bands;
   Look look;
 };
 
 /// Draws one band of the plate in both panels. \param covered  receives, per pixel of the page, the number of samples
 /// that show the plate.
-void drawBand(const Drawing& drawing, std::size_t band, RgbImage& image, std::vector<std::uint8_t>& covered) {
+void drawBand(const BandDrawing& drawing, std::size_t band, RgbImage& image, std::vector<std::uint8_t>& covered) {
   const Layout& layout = drawing.layout;
   const int pageWidth = layout.look.width;
   const int pageHeight = layout.look.height;
@@ -186,7 +186,7 @@ void drawBand(const Drawing& drawing, std::size_t band, RgbImage& image, std::ve
         const float squaredOffset = hits.squaredOffset[at];
         if (!(squaredOffset < 1)) continue;
         ++count;
-        const Bead& bead = drawing.beads[hits.bead[at]];
+        const ShadedBead& bead = drawing.beads[hits.bead[at]];
         const Vec2f p{static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f};
         const float t = shareAlong(bead, p);
         const float left = cross(bead.b - bead.a, p - bead.a) < 0 ? 1.0f : -1.0f;  // samples run y down
@@ -211,9 +211,9 @@ void drawBand(const Drawing& drawing, std::size_t band, RgbImage& image, std::ve
 
 /// Draws the background around the pages and where the look leaves samples free: darker where the plate stands between
 /// it and the light. It is mixed in after tone mapping, so that edges stay smooth against the dark page.
-void drawBackground(const Drawing& drawing, const Shadow& shadow, const std::vector<std::uint8_t>& covered, int y,
+void drawBackground(const BandDrawing& drawing, const Shadow& shadow, const std::vector<std::uint8_t>& covered, int y,
                     RgbImage& image) {
-  const Box& page = drawing.layout.look;
+  const PixelBox& page = drawing.layout.look;
   const float away = static_cast<float>(page.width) / 90;  // the shadow falls away from the light
   const Vec2f from{0.5f + drawing.look.lampSide.x * away, 0.5f - drawing.look.lampSide.y * away};
   for (int x = 0; x < image.width; ++x) {
@@ -256,12 +256,12 @@ Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layou
   image.rgb.resize(cellCount(layout.width, layout.height) * 3);
 
   const bool directions = layout.directions.width > 0;
-  const std::vector<Bead> beads = beadsOf(toolpath, page, layout.pixelsPerMm * kSamples, directions);
+  const std::vector<ShadedBead> beads = beadsOf(toolpath, page, layout.pixelsPerMm * kSamples, directions);
   const Bands bands = sortIntoBands(beads, layout.look.height * kSamples, kBandRows * kSamples);
-  const Drawing drawing{layout, beads, bands, lookOf(params.look, std::max(layout.look.width, layout.look.height))};
+  const BandDrawing drawing{layout, beads, bands, lookOf(params.look, std::max(layout.look.width, layout.look.height))};
   std::vector<std::uint8_t> covered(cellCount(layout.look.width, layout.look.height));
   parallelFor(run, static_cast<int>(bands.begin.size()) - 1, 1, [&](int begin, int end) {
-    for (int band = begin; band < end; ++band) drawBand(drawing, static_cast<std::size_t>(band), image, covered);
+    for (int band = begin; band < end; ++band) drawBand(drawing, band, image, covered);
   });
   // The shadow needs the whole plate, so that the background comes after all bands.
   const Shadow shadow = shadowOf(covered, kSamples * kSamples, layout.look);

@@ -10,7 +10,7 @@ namespace {
 constexpr float kBeyond = 0.49f;  // distance of a sample's middle from its edge, a hundredth less for rounding
 
 // A segment of the path.
-struct Piece {
+struct PathSegment {
   Vec2f along;  // unit
   float length;
 };
@@ -18,7 +18,7 @@ struct Piece {
 /// Direction at the joint of two pieces: their mean, so that curves look round. A piece keeps its own direction at
 /// sharp turns and where it is long against its width: a straight bead is straight up to its end, and a short neighbour
 /// begins with its direction.
-Vec2f jointTangent(const Piece& own, const Piece& other, float width) {
+Vec2f jointTangent(const PathSegment& own, const PathSegment& other, float width) {
   constexpr float kLong = 4;  // [widths]
   if (dot(own.along, other.along) < 0.5f || own.length > kLong * width) return own.along;
   return other.length > kLong * width ? other.along : unit(own.along + other.along);
@@ -27,12 +27,12 @@ Vec2f jointTangent(const Piece& own, const Piece& other, float width) {
 }  // namespace
 
 // Turns segments of the toolpath into beads in samples, rows down.
-std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, bool colours) {
-  std::vector<Bead> beads;
+std::vector<ShadedBead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, bool colours) {
+  std::vector<ShadedBead> beads;
   std::size_t total = 0;
   for (const Cycle& cycle : toolpath.cycles) total += cycle.points.size();
   beads.reserve(total);
-  std::vector<Piece> pieces;
+  std::vector<PathSegment> pieces;
   for (const Cycle& cycle : toolpath.cycles) {
     const std::size_t count = cycle.points.size();
     const auto around = [&](std::size_t k) { return k < count ? k : (k - count) % count; };  // mostly no division
@@ -48,7 +48,7 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, boo
       pieces.push_back({unit(step), length(step)});
     }
     for (std::size_t k = 0; k < count; ++k) {
-      Bead& bead = beads.emplace_back();
+      ShadedBead& bead = beads.emplace_back();
       bead.a = sampleAt(k);
       bead.b = sampleAt(k + 1);
       bead.radiusA = radiusAt(k);
@@ -67,11 +67,11 @@ std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, boo
 }
 
 // A counting sort: the first pass counts the beads of each band, the second one writes their indices.
-Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows) {
+Bands sortIntoBands(const std::vector<ShadedBead>& beads, int height, int rows) {
   const int bands = (height + rows - 1) / rows;
-  Bands sorted{rows, std::vector<std::size_t>(static_cast<std::size_t>(bands) + 1, 0), {}};
+  Bands sorted{rows, std::vector<std::size_t>(bands + 1, 0), {}};
   // Calls body(band) for each band that a bead may touch; one sample of reach is added for rounding.
-  const auto forEachBand = [&](const Bead& bead, const auto& body) {
+  const auto forEachBand = [&](const ShadedBead& bead, const auto& body) {
     const float reach = std::max(bead.radiusA, bead.radiusB) + 1;
     const float top = std::min(bead.a.y, bead.b.y) - reach;
     const float bottom = std::max(bead.a.y, bead.b.y) + reach;
@@ -80,7 +80,7 @@ Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows) {
     const int last = static_cast<int>(std::min(bottom, static_cast<float>(height - 1))) / rows;
     for (int band = first; band <= last; ++band) body(band);
   };
-  for (const Bead& bead : beads) forEachBand(bead, [&](std::size_t band) { ++sorted.begin[band + 1]; });
+  for (const ShadedBead& bead : beads) forEachBand(bead, [&](std::size_t band) { ++sorted.begin[band + 1]; });
   for (std::size_t band = 0; band + 1 < sorted.begin.size(); ++band) sorted.begin[band + 1] += sorted.begin[band];
   sorted.beads.resize(sorted.begin.back());
   std::vector<std::size_t> next = sorted.begin;
@@ -92,7 +92,7 @@ Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows) {
 
 // Visits the samples within reach of a capsule, four in a row at a time; each keeps the bead with the smaller offset in
 // radii.
-void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, int width, Hits& hits) {
+void rasterise(const ShadedBead& bead, std::uint32_t index, int firstRow, int rows, int width, Hits& hits) {
   const Vec2f d = bead.b - bead.a;
   const float squared = dot(d, d);
   const float perSquared = squared > 0 ? 1 / squared : 0;

@@ -74,14 +74,14 @@ inline Rgb directionColourAt(double place) {
 }
 
 /// A rectangle of pixels.
-struct Box {
+struct PixelBox {
   int x = 0;
   int y = 0;
   int width = 0;
   int height = 0;
 };
 
-inline bool holds(const Box& box, int x, int y) {
+inline bool holds(const PixelBox& box, int x, int y) {
   return x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height;
 }
 
@@ -89,8 +89,8 @@ inline bool holds(const Box& box, int x, int y) {
 struct Layout {
   int width = 0;
   int height = 0;
-  Box directions;  // the page in panel 1 [pixels]; no width: only the look is drawn
-  Box look;        // the page in panel 2
+  PixelBox directions;  // the page in panel 1 [pixels]; no width: only the look is drawn
+  PixelBox look;        // the page in panel 2
   double pixelsPerMm = 0;
   double legendX = 0;  // centre of the half wheel's base
   double legendY = 0;
@@ -107,7 +107,7 @@ Layout layOut(Vec2 page, int panelWidth);
 Layout layOutLook(Vec2 page, int width, int height);
 
 /// One bead segment in samples, y down, with all that shading needs at both ends.
-struct Bead {
+struct ShadedBead {
   Vec2f a;
   Vec2f b;
   float radiusA = 0;
@@ -127,7 +127,7 @@ inline Vec2f unit(Vec2f v) {
 
 /// Makes the beads of a toolpath. \param scale  samples per mm. \param colours  tells whether the colours of directions
 /// are wanted, too.
-std::vector<Bead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, bool colours);
+std::vector<ShadedBead> beadsOf(const Toolpath& toolpath, Vec2 page, double scale, bool colours);
 
 /// Beads by the bands of rows that they touch, in order of index, so that ties fall the same way everywhere.
 struct Bands {
@@ -137,7 +137,7 @@ struct Bands {
 };
 
 /// Sorts beads into bands. \param height  rows of all samples. \param rows  rows of a band.
-Bands sortIntoBands(const std::vector<Bead>& beads, int height, int rows);
+Bands sortIntoBands(const std::vector<ShadedBead>& beads, int height, int rows);
 
 /// The bead that each sample sees: the one whose axis is nearest in relation to its width.
 struct Hits {
@@ -153,7 +153,7 @@ struct Hits {
 };
 
 /// Share of the way from a to b at which the axis is nearest to p.
-inline float shareAlong(const Bead& bead, Vec2f p) {
+inline float shareAlong(const ShadedBead& bead, Vec2f p) {
   const Vec2f d = bead.b - bead.a;
   const float squared = dot(d, d);
   return squared > 0 ? std::clamp(dot(p - bead.a, d) / squared, 0.0f, 1.0f) : 0.0f;
@@ -161,7 +161,7 @@ inline float shareAlong(const Bead& bead, Vec2f p) {
 
 /// Rasterises one capsule with linearly varying width: samples that see it keep it instead of the bead before.
 /// \param hits  width * rows samples from sample row `firstRow` on.
-void rasterise(const Bead& bead, std::uint32_t index, int firstRow, int rows, int width, Hits& hits);
+void rasterise(const ShadedBead& bead, std::uint32_t index, int firstRow, int rows, int width, Hits& hits);
 
 inline constexpr Rgb kBackground{38, 36, 34};  ///< warm grey, dark enough for both panels
 inline constexpr Rgb kInk{168, 162, 154};      ///< ticks of the legend
@@ -209,7 +209,7 @@ struct Shadow {
 
 /// Makes the shadow by three box blurs, which are nearly Gaussian.
 /// \param covered  samples that the plate covers, for each pixel of the page. \param samples  samples of a pixel.
-Shadow shadowOf(const std::vector<std::uint8_t>& covered, int samples, const Box& page);
+Shadow shadowOf(const std::vector<std::uint8_t>& covered, int samples, const PixelBox& page);
 
 /// Darkness of the shadow at a place, bilinear. \param x  pixels from the page's left edge. \param y  pixels from its
 /// top. \return 0..1.

@@ -30,7 +30,7 @@ void boxBlur(std::vector<float>& values, int width, int height, int radius) {
 }  // namespace
 
 // Counts the covered samples of each coarse cell, and blurs three times.
-Shadow shadowOf(const std::vector<std::uint8_t>& covered, int samples, const Box& page) {
+Shadow shadowOf(const std::vector<std::uint8_t>& covered, int samples, const PixelBox& page) {
   Shadow shadow;
   // Coarse cells, 400 to 800 across a large page, are enough, as the shadow is soft.
   shadow.cell = std::max(1, page.width / 400);

@@ -8,17 +8,17 @@ namespace sillon {
 namespace {
 
 /// Samples of one axis that make one sample of another raster: their weights, from `first` on.
-struct Span {
+struct SampleWeights {
   int first = 0;
   std::vector<float> weights;
 };
 
 /// Weights from `from` samples to `to`: linear interpolation where there are more, box means where there are fewer.
-std::vector<Span> spansOf(int from, int to) {
-  std::vector<Span> spans(to);
+std::vector<SampleWeights> spansOf(int from, int to) {
+  std::vector<SampleWeights> spans(to);
   const double step = static_cast<double>(from) / to;
   for (int k = 0; k < to; ++k) {
-    Span& span = spans[k];
+    SampleWeights& span = spans[k];
     // Enlarging: between the two nearest centres, clamped at the ends.
     if (step <= 1) {
       const double place = std::clamp((k + 0.5) * step - 0.5, 0.0, from - 1.0);
@@ -69,12 +69,12 @@ std::vector<float> blurred(std::vector<float> values, int width, int height, flo
 // The two axes are separable: sums over rows first, then over columns.
 Tones means(const Tones& values, int width, int height) {
   if (values.width == width && values.height == height) return values;
-  const std::vector<Span> columns = spansOf(values.width, width), rows = spansOf(values.height, height);
+  const std::vector<SampleWeights> columns = spansOf(values.width, width), rows = spansOf(values.height, height);
   Tones out{width, height, {}};
   out.value.resize(cellCount(width, height));
   std::vector<float> line(values.width);
   for (int y = 0; y < height; ++y) {
-    const Span& row = rows[y];
+    const SampleWeights& row = rows[y];
     std::fill(line.begin(), line.end(), 0.0f);
     for (std::size_t j = 0; j < row.weights.size(); ++j) {
       for (int x = 0; x < values.width; ++x) {
@@ -82,7 +82,7 @@ Tones means(const Tones& values, int width, int height) {
       }
     }
     for (int x = 0; x < width; ++x) {
-      const Span& column = columns[x];
+      const SampleWeights& column = columns[x];
       float sum = 0;
       for (std::size_t i = 0; i < column.weights.size(); ++i) {
         sum += column.weights[i] * line[column.first + i];

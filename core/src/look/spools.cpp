@@ -41,7 +41,7 @@ const Spool* findSpool(std::string_view key) {
 }
 
 // SpoolName lists the spools in the table's order.
-const Spool& spoolOf(SpoolName name) { return spools()[static_cast<std::size_t>(name)]; }
+const Spool& spoolOf(SpoolName name) { return spools()[toSize(name)]; }
 
 // Between the two nozzles that were measured, slopes are interpolated; beyond them the nearer one counts.
 Roughness roughnessOf(const Spool& spool, double nozzle, bool bedSide) {

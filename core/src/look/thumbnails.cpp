@@ -19,7 +19,7 @@ RgbImage reduced(const RgbImage& large, int width, int height) {
     unsigned count = 0;
     for (int v = y * large.height / height; v < (y + 1) * large.height / height; ++v) {
       for (int u = x * large.width / width; u < (x + 1) * large.width / width; ++u, ++count) {
-        for (std::size_t c = 0; c < 3; ++c) sum[c] += large.rgb[static_cast<std::size_t>(v * large.width + u) * 3 + c];
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += large.rgb[indexOf(u, v, large.width) * 3 + c];
       }
     }
     for (const unsigned s : sum) small.rgb.push_back(static_cast<std::uint8_t>((s + count / 2) / count));

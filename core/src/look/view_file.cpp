@@ -25,7 +25,7 @@ constexpr int kGapless = 12;                   // samples from which a texel cou
 constexpr int kWidthSteps = 8;                 // steps of width per spacing: finer ones would only make the file larger
 
 // A texel while capsules are drawn.
-struct Texel {
+struct DrawnTexel {
   Vec2f z;                    // sum of unit directions of doubled angle, weighted by samples
   float width = 0;            // sum of widths, weighted by samples
   float weight = 0;           // samples, counted once for each bead
@@ -37,7 +37,7 @@ struct Raster {
   int width = 0;
   int height = 0;
   double texelsPerMm = 0;
-  std::vector<Texel> texels;  // row 0 on top
+  std::vector<DrawnTexel> texels;  // row 0 on top
 };
 
 /// Chooses the resolution: about kUsualTexels, 1.5 to 4 texels per bead, and never more than the limit.
@@ -57,7 +57,7 @@ Raster emptyRaster(Vec2 page, double spacing, double most) {
 }
 
 /// A piece of bead in texels, y down.
-struct Capsule {
+struct BeadCapsule {
   Vec2f a;
   Vec2f b;
   float radiusA = 0;
@@ -67,7 +67,7 @@ struct Capsule {
 };
 
 /// Samples of the texel (x, y) that lie within the capsule, as bits.
-std::uint16_t samplesWithin(const Capsule& capsule, int x, int y) {
+std::uint16_t samplesWithin(const BeadCapsule& capsule, int x, int y) {
   const Vec2f d = capsule.b - capsule.a;
   const float squared = dot(d, d);
   std::uint16_t bits = 0;
@@ -89,7 +89,7 @@ int countOf(std::uint16_t bits) {
 }
 
 /// Adds a capsule to the texels that it covers, weighted by samples.
-void draw(const Capsule& capsule, Raster& raster) {
+void draw(const BeadCapsule& capsule, Raster& raster) {
   const float reach = std::max(capsule.radiusA, capsule.radiusB);
   const auto first = [&](float p, float q) { return static_cast<int>(std::max(0.0f, std::min(p, q) - reach)); };
   const auto last = [&](float p, float q, int count) {
@@ -102,7 +102,7 @@ void draw(const Capsule& capsule, Raster& raster) {
       const std::uint16_t bits = samplesWithin(capsule, x, y);
       if (bits == 0) continue;
       const auto count = static_cast<float>(countOf(bits));
-      Texel& texel = raster.texels[indexOf(x, y, raster.width)];
+      DrawnTexel& texel = raster.texels[indexOf(x, y, raster.width)];
       // Doubled angles, so that beads in opposite senses add up.
       texel.z = texel.z + capsule.z * count;
       texel.width += capsule.width * count;
@@ -139,7 +139,7 @@ std::vector<std::uint8_t> pixelsOf(const Raster& raster, double spacing) {
   std::vector<std::uint8_t> rgb(raster.texels.size() * 3);
   const auto byte = [](float v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5f, 0.0f, 255.0f)); };
   for (std::size_t k = 0; k < raster.texels.size(); ++k) {
-    const Texel& texel = raster.texels[k];
+    const DrawnTexel& texel = raster.texels[k];
     std::uint8_t* pixel = &rgb[3 * k];
     if (texel.weight == 0) {
       // An empty texel takes its neighbour's values: that costs nothing in the file, and is smooth where pages

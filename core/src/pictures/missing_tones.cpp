@@ -22,12 +22,12 @@ void blurLines(std::vector<float>& values, std::size_t lines, std::size_t lineSt
       float sum = 0, weight = 0;
       for (int d = std::max(-kRadius, -k); d <= std::min(kRadius, count - 1 - k); ++d) {
         const float w = kWeights[std::abs(d)];
-        sum += w * first[static_cast<std::size_t>(k + d) * step];
+        sum += w * first[(k + d) * step];
         weight += w;
       }
       line[k] = sum / weight;
     }
-    for (int k = 0; k < count; ++k) first[static_cast<std::size_t>(k) * step] = line[k];
+    for (int k = 0; k < count; ++k) first[k * step] = line[k];
   }
 }
 
@@ -56,10 +56,10 @@ void addMissingTones(std::span<const float> light, const Tones& asked, const Lob
   for (std::size_t k = 0; k < light.size(); ++k) {
     if (light[k] >= 0) missing[k] = asked.value[k] - (codeOfLight(light[k]) - low) / range;
   }
-  const auto columns = static_cast<std::size_t>(asked.width), rows = static_cast<std::size_t>(asked.height);
+  const std::size_t columns = asked.width, rows = asked.height;
   blurLines(missing, rows, columns, asked.width, 1);
   blurLines(missing, columns, 1, asked.height, columns);
-  const auto at = [&](int x, int y) { return missing[static_cast<std::size_t>(y) * columns + x]; };
+  const auto at = [&](int x, int y) { return missing[y * columns + x]; };
   for (int y = 0; y < next.height; ++y) {
     const Between row = cellsAt(y, next.height, asked.height);
     for (int x = 0; x < next.width; ++x) {

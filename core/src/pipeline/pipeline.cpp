@@ -6,7 +6,7 @@ namespace sillon {
 namespace {
 
 // Makes a plate: Alg. 1 of the paper. \param stages  receives the result of each stage; may be null.
-Result<ToolpathResult> makePlate(const PlateInput& input, const ToolpathParams& params, const RunContext& run,
+Result<ToolpathResult> runStages(const PlateInput& input, const ToolpathParams& params, const RunContext& run,
                                  const PathOptions& options, Stages* stages = nullptr) {
   if (auto wrong = wrongInput(input, params)) return *wrong;
   StageClock clock(run);
@@ -22,16 +22,16 @@ Result<ToolpathResult> makePlate(const PlateInput& input, const ToolpathParams& 
 
 Result<ToolpathResult> generateToolpath(const PlateInput& input, const ToolpathParams& params, const RunContext& run,
                                         bool countDislocations) {
-  return makePlate(input, params, run, {BeadLines::Asked, countDislocations});
+  return runStages(input, params, run, {BeadLines::Asked, countDislocations});
 }
 
 Result<ToolpathResult> generateAcross(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {
-  return makePlate(input, params, run, {BeadLines::Across, false});
+  return runStages(input, params, run, {BeadLines::Across, false});
 }
 
 Result<Stages> generateStages(const PlateInput& input, const ToolpathParams& params, const RunContext& run) {
   Stages stages;
-  const Result<ToolpathResult> result = makePlate(input, params, run, {}, &stages);
+  const Result<ToolpathResult> result = runStages(input, params, run, {}, &stages);
   if (!result) return result.error();
   return stages;
 }

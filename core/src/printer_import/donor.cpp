@@ -245,7 +245,7 @@ void Donor::startBlock(std::string_view block) {
   const std::string folded = withSettings(template_, settings_, templateValues(out_.printer, {}, {}));
   const bool asks = folded.size() <= kMaxBlockBytes && folded.find_first_of("{[") != std::string::npos;
   const auto expanded = expandTemplate(asks ? folded : "", templateValues(out_.printer, {}, beads_), "");
-  const Stretch said = expanded ? whereSaid(block, expanded.value()) : Stretch{};
+  const TextRange said = expanded ? whereSaid(block, expanded.value()) : TextRange{};
   const auto lines = [this](std::string_view rest) {
     while (!rest.empty() && out_.printer.startGcode.size() <= kMaxBlockBytes) startLine(nextLine(rest));
   };

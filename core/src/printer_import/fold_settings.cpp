@@ -164,7 +164,7 @@ class Folding {
       if (close == npos || (readNumber(inside, number) != inside.size() && !(first && first->text == "0"))) {
         return std::nullopt;
       }
-      index = static_cast<std::size_t>(std::clamp(number, 0.0, 100.0));
+      index = toSize(std::clamp(number, 0.0, 100.0));
       rest.remove_prefix(close + 1);
     }
     text = rest;

@@ -71,7 +71,7 @@ bool isOfOldPrint(std::string_view line) {
 
 std::string_view firstWord(std::string_view text) { return text.substr(0, text.find(' ')); }
 
-Stretch whereSaid(std::string_view done, std::string_view told) {
+TextRange whereSaid(std::string_view done, std::string_view told) {
   const std::vector<BlockLine> all = linesOf(done);
   const std::vector<BlockLine> wanted = linesOf(told);
   if (wanted.empty()) return {};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/lines.hpp"
+#include "export/packing.hpp"
 #include "gcode/blocks.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
@@ -127,15 +128,10 @@ std::string_view firstWord(std::string_view text);
 /// Tells whether a line concerns only the print that it was made for: its progress, its objects, its layers.
 bool isOfOldPrint(std::string_view line);
 
-/// A range of a text [bytes]; none if end is 0.
-struct Stretch {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
-
 /// Finds the lines of a block that say the same as a template's, one by one and with no command between: the same
 /// commands with about the same numbers, since the slicer knows the plate's edge, but a donor shows its beads alone.
-/// \param done  the block. \param told  the template with the donor's own values.
-Stretch whereSaid(std::string_view done, std::string_view told);
+/// \return none where the block lacks them. \param done  the block. \param told  the template with the donor's own
+/// values.
+TextRange whereSaid(std::string_view done, std::string_view told);
 
 }  // namespace sillon

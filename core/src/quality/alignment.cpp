@@ -33,31 +33,31 @@ struct Asked {
 };
 
 // Segments begin to end - 1 of one cycle: the unit of work that threads share.
-struct Stretch {
+struct SegmentRange {
   const Cycle* cycle;
   std::size_t begin;
   std::size_t end;
 };
 
-// Cuts the cycles into stretches of at most kSegments segments.
-std::vector<Stretch> stretchesOf(const Toolpath& toolpath) {
+// Cuts the cycles into ranges of at most kSegments segments.
+std::vector<SegmentRange> rangesOf(const Toolpath& toolpath) {
   constexpr std::size_t kSegments = 4096;
-  std::vector<Stretch> stretches;
+  std::vector<SegmentRange> ranges;
   for (const Cycle& cycle : toolpath.cycles) {
     for (std::size_t begin = 0; begin < cycle.points.size(); begin += kSegments)
-      stretches.push_back({&cycle, begin, std::min(begin + kSegments, cycle.points.size())});
+      ranges.push_back({&cycle, begin, std::min(begin + kSegments, cycle.points.size())});
   }
-  return stretches;
+  return ranges;
 }
 
-// Sums the alignment over the pieces of a stretch.
-Alignment sumsOf(const Stretch& stretch, const Asked& asked) {
+// Sums the alignment over the segments of a range.
+Alignment sumsOf(const SegmentRange& range, const Asked& asked) {
   Alignment sums;
-  const std::vector<Vec2f>& points = stretch.cycle->points;
+  const std::vector<Vec2f>& points = range.cycle->points;
   TexelIndex last{-1, -1};
   Vec2f z;          // doubled-angle line of the last texel
   double away = 0;  // lower bound of the distance from the border at the start of a segment [mm]
-  for (std::size_t k = stretch.begin; k < stretch.end; ++k) {
+  for (std::size_t k = range.begin; k < range.end; ++k) {
     const Vec2 a = wide(points[k]);
     const Vec2 b = wide(points[k + 1 < points.size() ? k + 1 : 0]);
     const double size = length(b - a);
@@ -103,10 +103,10 @@ Alignment alignmentOf(const Toolpath& toolpath, const BorderIndex& border, const
                     input.modes,
                     params.spacing,
                     (perimeters + 0.05) * params.spacing};
-  const std::vector<Stretch> stretches = stretchesOf(toolpath);
-  std::vector<Alignment> sums(stretches.size());
-  parallelFor(run, static_cast<int>(stretches.size()), 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) sums[k] = sumsOf(stretches[k], asked);
+  const std::vector<SegmentRange> ranges = rangesOf(toolpath);
+  std::vector<Alignment> sums(ranges.size());
+  parallelFor(run, static_cast<int>(ranges.size()), 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) sums[k] = sumsOf(ranges[k], asked);
   });
   Alignment out;
   for (const Alignment& part : sums) {

@@ -50,7 +50,7 @@ RowBits firstPixels(int n) {
 RowBits rowOf(int begin, int end) { return firstPixels(end) & ~firstPixels(begin); }
 
 // A bead from a to b, as the union of discs centred on its segment; `along` is the arc length of a on its cycle [mm].
-struct Bead {
+struct MeasuredBead {
   Vec2f a;
   Vec2f b;
   float ra;
@@ -67,21 +67,21 @@ struct Stretches {
 };
 
 // The raster and the beads and shape on it; made once, read by all tiles.
-struct BeadRaster {
+struct TiledBeads {
   Grid raster;
   double perMm = 0;  ///< pixels per mm
   int tilesAcross = 0;
   int tiles = 0;
   float pieceLength = 0;               ///< longest piece of a bead that is laid at once [mm]
   std::vector<Stretches> stretchesOf;  ///< stretches of each cycle
-  std::vector<Bead> beads;
+  std::vector<MeasuredBead> beads;
   std::vector<std::size_t> begin;             ///< tile t has beadOf[begin[t]] .. beadOf[begin[t + 1] - 1]
   std::vector<std::int32_t> beadOf;           ///< indices of beads, ascending within a tile
   std::vector<std::vector<Interval>> inside;  ///< intervals of each row inside the shape
 };
 
 // Adds the beads of all cycles and cuts each cycle into stretches.
-void addBeads(const Toolpath& toolpath, BeadRaster& laid) {
+void addBeads(const Toolpath& toolpath, TiledBeads& laid) {
   const double stretch = kApart * toolpath.spacing / (kNear + 0.5);
   laid.pieceLength = static_cast<float>(stretch);
   for (std::size_t c = 0; c < toolpath.cycles.size(); ++c) {
@@ -120,7 +120,7 @@ struct Reach {
 };
 
 // Finds the tiles that a bead may touch.
-Reach reachOf(const Bead& bead, const BeadRaster& laid) {
+Reach reachOf(const MeasuredBead& bead, const TiledBeads& laid) {
   const Grid& raster = laid.raster;
   const auto tileOf = [&](double v, double origin, int count, int size) {
     return static_cast<int>(std::clamp((v - origin) * laid.perMm, 0.0, static_cast<double>(count - 1))) / size;
@@ -134,16 +134,16 @@ Reach reachOf(const Bead& bead, const BeadRaster& laid) {
 }
 
 // Sorts beads into tiles by a counting sort, which keeps them in order within a tile, as TilePasses needs.
-void sortIntoTiles(BeadRaster& laid) {
-  const auto forTiles = [&](const Bead& bead, const auto& visit) {
+void sortIntoTiles(TiledBeads& laid) {
+  const auto forTiles = [&](const MeasuredBead& bead, const auto& visit) {
     const Reach r = reachOf(bead, laid);
     for (int y = r.y0; y <= r.y1; ++y) {
       for (int x = r.x0; x <= r.x1; ++x) visit(y * laid.tilesAcross + x);
     }
   };
   std::vector<std::size_t>& begin = laid.begin;
-  begin.assign(static_cast<std::size_t>(laid.tiles) + 1, 0);
-  for (const Bead& bead : laid.beads) forTiles(bead, [&](std::size_t t) { ++begin[t + 1]; });
+  begin.assign(laid.tiles + 1, 0);
+  for (const MeasuredBead& bead : laid.beads) forTiles(bead, [&](std::size_t t) { ++begin[t + 1]; });
   for (std::size_t t = 1; t < begin.size(); ++t) begin[t] += begin[t - 1];
   laid.beadOf.resize(begin.back());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
@@ -153,8 +153,8 @@ void sortIntoTiles(BeadRaster& laid) {
 }
 
 // Makes the raster, with beads and shape.
-BeadRaster beadRasterOf(const Toolpath& toolpath, const Shape& shape, const Bounds& box) {
-  BeadRaster laid;
+TiledBeads tiledBeadsOf(const Toolpath& toolpath, const Shape& shape, const Bounds& box) {
+  TiledBeads laid;
   laid.raster = rasterOf(box, toolpath.spacing);
   const Grid& raster = laid.raster;
   laid.perMm = 1 / raster.cell;
@@ -315,7 +315,7 @@ struct Tile {
   int top;
 };
 
-Tile tileAt(const BeadRaster& laid, int tile) {
+Tile tileAt(const TiledBeads& laid, int tile) {
   const int left = tile % laid.tilesAcross * kTileWidth;
   const int bottom = tile / laid.tilesAcross * kTileHeight;
   return {left, std::min(left + kTileWidth, laid.raster.nx), bottom, std::min(bottom + kTileHeight, laid.raster.ny)};
@@ -338,7 +338,7 @@ std::pair<float, float> withinTile(Vec2f a, Vec2f b, float reach) {
 }
 
 // Lays a bead on a tile in pieces, because a long bead crosses several stretches and tiles.
-void lay(const BeadRaster& laid, const Bead& bead, const Tile& tile, TilePasses& passes) {
+void lay(const TiledBeads& laid, const MeasuredBead& bead, const Tile& tile, TilePasses& passes) {
   const Vec2 origin = laid.raster.centre(tile.left, tile.bottom);
   const auto onTile = [&](Vec2f p) {
     return Vec2f{static_cast<float>((static_cast<double>(p.x) - origin.x) * laid.perMm),
@@ -370,7 +370,7 @@ void lay(const BeadRaster& laid, const Bead& bead, const Tile& tile, TilePasses&
 }
 
 // Pixels of a row of the tile whose centres lie in the shape.
-RowBits insideRow(const BeadRaster& laid, const Tile& tile, int y) {
+RowBits insideRow(const TiledBeads& laid, const Tile& tile, int y) {
   const Grid& raster = laid.raster;
   const double x0 = raster.centre(tile.left, 0).x;
   const auto pixelFrom = [&](double x) {
@@ -385,7 +385,7 @@ RowBits insideRow(const BeadRaster& laid, const Tile& tile, int y) {
 
 // Counts the pixels outside the shape that lie off its border. Beads touch a straight border over its whole length, and
 // if a row of pixels lies on it as well, rounding would decide for all of them.
-int offBorder(const BeadRaster& laid, const BorderIndex& border, const Tile& tile, int y, RowBits outside) {
+int offBorder(const TiledBeads& laid, const BorderIndex& border, const Tile& tile, int y, RowBits outside) {
   int count = 0;
   for (int word = 0; word < 2; ++word) {
     for (std::uint64_t bits = outside[word]; bits != 0; bits &= bits - 1) {
@@ -401,7 +401,7 @@ int offBorder(const BeadRaster& laid, const BorderIndex& border, const Tile& til
 
 BeadArea beadArea(const Toolpath& toolpath, const Shape& shape, const BorderIndex& border, const Bounds& box,
                   const RunContext& run) {
-  const BeadRaster laid = beadRasterOf(toolpath, shape, box);
+  const TiledBeads laid = tiledBeadsOf(toolpath, shape, box);
   std::vector<BeadArea> counts(laid.tiles);
   const auto countTiles = [&](int firstTile, int lastTile) {
     TilePasses passes;

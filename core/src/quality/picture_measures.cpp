@@ -29,7 +29,7 @@ struct Segment {
   float radius = 0;
 };
 
-struct Cells {
+struct PictureCells {
   int width = 0;
   int height = 0;
 };
@@ -48,18 +48,18 @@ struct LitBeads {
   std::vector<Segment> segments;
   std::vector<float> light;  ///< light of each segment, per picture
   std::size_t pictures;
-  Cells cells;
+  PictureCells cells;
 };
 
 /// Rasters a band of cells: each point takes the light of its nearest segment, and each cell the mean of its points.
 /// \param inBand  segments that reach the rows of the band, in their order; the first of equally near ones counts.
 void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, int firstCell, int endCell,
               Lights& lights) {
-  const Cells cells = beads.cells;
+  const PictureCells cells = beads.cells;
   const int width = cells.width * kPointsPerCell;
   const int top = firstCell * kPointsPerCell;
   const int rows = (endCell - firstCell) * kPointsPerCell;
-  const auto stride = static_cast<std::size_t>(width) + 3;  // room for groups of four that pass the end of a row
+  const std::size_t stride = width + 3;  // room for groups of four that pass the end of a row
   std::vector<float> distance(stride * rows, 1e30f);
   std::vector<std::uint32_t> nearest(distance.size(), 0);
   for (const std::uint32_t k : inBand) {
@@ -80,7 +80,7 @@ void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, i
     const I4 label = splatInt(static_cast<std::int32_t>(k));
     for (int y = y0; y <= y1; ++y) {
       const F4 py = splat(static_cast<float>(y) + 0.5f - s.a.y);
-      const std::size_t row = static_cast<std::size_t>(y - top) * stride;
+      const std::size_t row = (y - top) * stride;
       for (int x = x0; x <= x1; x += 4) {
         const F4 px = toFloat(I4{x, x + 1, x + 2, x + 3}) + splat(0.5f) - splat(s.a.x);
         const F4 t = max4(min4((px * dx + py * dy) * perSquared, all), none);
@@ -102,9 +102,8 @@ void drawBand(const LitBeads& beads, const std::vector<std::uint32_t>& inBand, i
         float sum = 0;
         int seen = 0;
         for (int j = 0; j < kPointsPerCell * kPointsPerCell; ++j) {
-          const std::size_t at =
-              static_cast<std::size_t>((cy - firstCell) * kPointsPerCell + j / kPointsPerCell) * stride +
-              static_cast<std::size_t>(cx * kPointsPerCell + j % kPointsPerCell);
+          const std::size_t at = ((cy - firstCell) * kPointsPerCell + j / kPointsPerCell) * stride +
+                                 (cx * kPointsPerCell + j % kPointsPerCell);
           if (!(distance[at] < 1e30f)) continue;
           sum += beads.light[nearest[at] * beads.pictures + k];
           ++seen;
@@ -235,7 +234,7 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
   if (across * down * kPointsPerCell * kPointsPerCell > static_cast<double>(kMaxImagePixels)) {
     return Error{ErrorCode::TooLarge, "the pictures would be judged at more than 100 million points"};
   }
-  const Cells cells{static_cast<int>(across), static_cast<int>(down)};
+  const PictureCells cells{static_cast<int>(across), static_cast<int>(down)};
 
   std::vector<Lobe> lobes;
   for (const Lamp& lamp : lamps) lobes.push_back(lobeOf(lamp, roughness));

@@ -33,7 +33,7 @@ std::int64_t countRuns(const std::vector<Vec2f>& headings, std::size_t apart, fl
   };
   std::atomic<std::int64_t> begins{0};
   parallelFor(run, static_cast<int>(n), kGrain, [&](int first, int last) {
-    bool before = turnsAt(first > 0 ? static_cast<std::size_t>(first) - 1 : n - 1);
+    bool before = turnsAt((first + n - 1) % n);
     std::int64_t found = 0;
     for (int k = first; k < last; ++k) {
       const bool turns = turnsAt(k);

@@ -12,7 +12,7 @@ namespace {
 constexpr double kCornerSpeed = 8;  // [mm/s] square corner velocity: Marlin's usual jerk
 
 // One straight piece of motion.
-struct Stretch {
+struct StraightMove {
   Vec2 direction;
   double length = 0;
   double speed = 0;
@@ -20,7 +20,7 @@ struct Stretch {
 };
 
 // Largest speed at the corner between two pieces [mm/s], by Klipper's junction deviation.
-double cornerSpeed(const Stretch& a, const Stretch& b) {
+double cornerSpeed(const StraightMove& a, const StraightMove& b) {
   if (a.direction == Vec2{} || b.direction == Vec2{}) return 0;
   // Cosine of half the turn; 1 is straight on.
   const double half = std::sqrt(std::max(0.0, (1 + dot(a.direction, b.direction)) / 2));
@@ -31,18 +31,18 @@ double cornerSpeed(const Stretch& a, const Stretch& b) {
 
 // Time of a path that begins and ends at rest [s]. A pass backward and one forward find the speeds at its corners;
 // each piece is then a trapezoid of speed.
-double secondsOf(const std::vector<Stretch>& path) {
+double secondsOf(const std::vector<StraightMove>& path) {
   const std::size_t count = path.size();
   std::vector<double> entry(count + 1, 0);
   for (std::size_t k = 1; k < count; ++k) entry[k] = cornerSpeed(path[k - 1], path[k]);
-  const auto reach = [](double from, const Stretch& s) {
+  const auto reach = [](double from, const StraightMove& s) {
     return std::sqrt(from * from + 2 * s.acceleration * s.length);
   };
   for (std::size_t k = count; k-- > 0;) entry[k] = std::min(entry[k], reach(entry[k + 1], path[k]));
   for (std::size_t k = 0; k < count; ++k) entry[k + 1] = std::min(entry[k + 1], reach(entry[k], path[k]));
   double seconds = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    const Stretch& s = path[k];
+    const StraightMove& s = path[k];
     const double in = entry[k];
     const double out = entry[k + 1];
     const double top = std::min(s.speed, std::sqrt(s.acceleration * s.length + (in * in + out * out) / 2));
@@ -73,7 +73,7 @@ double accelerationOf(std::string_view code) {
 double secondsOfMoves(std::string_view text, const MachineState& before, double acceleration) {
   MachineState machine = before;
   double seconds = 0;
-  std::vector<Stretch> path;
+  std::vector<StraightMove> path;
   const auto stop = [&] {
     seconds += secondsOf(path);
     path.clear();
@@ -88,17 +88,17 @@ double secondsOfMoves(std::string_view text, const MachineState& before, double 
     const double rise = std::abs(move->z - move->zFrom);
     const double size = move->length > 0 ? move->length : std::max(rise, std::abs(move->e));
     if (!(size > 0)) return;
-    Stretch stretch;
-    stretch.length = size;
-    stretch.speed = machine.speed;
-    stretch.acceleration = acceleration;
+    StraightMove straight;
+    straight.length = size;
+    straight.speed = machine.speed;
+    straight.acceleration = acceleration;
     if (move->length > 0 && rise == 0 && length(move->to - move->from) > 0) {
-      stretch.direction = 1 / length(move->to - move->from) * (move->to - move->from);
+      straight.direction = 1 / length(move->to - move->from) * (move->to - move->from);
     } else {
       stop();
     }
-    path.push_back(stretch);
-    if (stretch.direction == Vec2{}) stop();
+    path.push_back(straight);
+    if (straight.direction == Vec2{}) stop();
   });
   stop();
   return seconds;

@@ -75,19 +75,19 @@ class Skins {
     int part = 0;
   };
   // Skins that share a region.
-  struct Stretch {
+  struct SharedRegion {
     std::shared_ptr<const RegionField> field;
     double width = 0;             // width of its beads [mm]
     std::vector<double> carried;  // share of each part that lies on plastic of the layer below
     std::vector<bool> covered;    // cells that lie below plastic of the next layer
     std::vector<Skin> skins;
   };
-  using Bead = std::pair<Vec2, Vec2>;
+  using BeadEnds = std::pair<Vec2, Vec2>;
 
-  std::vector<Bead> beads_;         // beads of this layer
-  std::vector<Bead> below_;         // beads of the layer below
-  std::vector<Stretch> stretches_;  // skins of this layer
-  std::vector<Stretch> waiting_;    // skins of the layer below
+  std::vector<BeadEnds> beads_;        // beads of this layer
+  std::vector<BeadEnds> below_;        // beads of the layer below
+  std::vector<SharedRegion> shared_;   // skins of this layer
+  std::vector<SharedRegion> waiting_;  // skins of the layer below
 };
 
 }  // namespace sillon

@@ -23,7 +23,7 @@ constexpr double kFarthest = 1e4;  // [mm] coordinate that no bed reaches
 constexpr double kRound = 0.35;    // share of its height by which a bead falls towards its sides
 constexpr float kWidest = 3;       // [mm] largest width of a bead: more is a lump of a purge
 
-struct Bead {
+struct HighBead {
   Vec2f from;
   Vec2f to;
   float width = 0;
@@ -32,9 +32,9 @@ struct Bead {
 };
 
 // Hands over all beads of a file, in its order. None is kept: together they would be as large as the text.
-class Beads {
+class BeadReader {
  public:
-  Beads(const FileSettings& settings, std::function<void(const Bead&)> take)
+  BeadReader(const FileSettings& settings, std::function<void(const HighBead&)> take)
       : take_(std::move(take)),
         machine_(settings.flavor),
         area_(settings.volumetric ? 1 : kPi * settings.filamentDiameter * settings.filamentDiameter / 4) {}
@@ -72,7 +72,7 @@ class Beads {
   bool beyond = false;  // true once a bead lies where no bed reaches
 
  private:
-  std::function<void(const Bead&)> take_;
+  std::function<void(const HighBead&)> take_;
 
   // Hands over a move's bead; an arc becomes straight pieces.
   void add(const MachineMove& move, float width, float height) {
@@ -99,9 +99,9 @@ class Beads {
 };
 
 // Box around all beads, cut to a margin around those above the lowest ones: purge lines, skirts and brims fall away.
-class Box {
+class BeadsBox {
  public:
-  void add(const Bead& bead) {
+  void add(const HighBead& bead) {
     if (bead.top < first_) {
       higher_ = whole_;
       first_ = bead.top;
@@ -129,7 +129,7 @@ class Box {
 
 // Draws a bead in steps along its longer axis, with one line of cells across it at each step: a bead costs few cells,
 // whatever its direction.
-void draw(const Bead& bead, PrintRelief& relief) {
+void draw(const HighBead& bead, PrintRelief& relief) {
   const auto toCells = [&](Vec2f p) {
     return Vec2{(static_cast<double>(p.x) - relief.corner.x) / relief.cell - 0.5,
                 relief.rows - 0.5 - (static_cast<double>(p.y) - relief.corner.y) / relief.cell};
@@ -174,8 +174,8 @@ Result<PrintRelief> printRelief(std::string_view gcode, int side, const RunConte
     return Error{ErrorCode::InvalidArgument, "side is " + std::to_string(side) + "; it must be 16 to 4096"};
   }
   const FileSettings settings = readFileSettings(gcode, {});
-  Box around;
-  Beads beads(settings, [&](const Bead& bead) { around.add(bead); });
+  BeadsBox around;
+  BeadReader beads(settings, [&](const HighBead& bead) { around.add(bead); });
   run.beginJob();
   run.beginStage("reading", 0, 0.5);
   if (!forEachLine(gcode, run, [&](const GcodeLine& line) { beads.line(line); })) {
@@ -196,7 +196,7 @@ Result<PrintRelief> printRelief(std::string_view gcode, int side, const RunConte
   relief.columns = std::clamp(static_cast<int>(std::ceil(size.x / relief.cell)), 1, side);
   relief.rows = std::clamp(static_cast<int>(std::ceil(size.y / relief.cell)), 1, side);
   relief.heights.assign(cellCount(relief.columns, relief.rows), 0);
-  Beads again(settings, [&](const Bead& bead) { draw(bead, relief); });
+  BeadReader again(settings, [&](const HighBead& bead) { draw(bead, relief); });
   run.beginStage("drawing", 0.5, 1);
   if (!forEachLine(gcode, run, [&](const GcodeLine& line) { again.line(line); })) {
     return cancelledRun();

@@ -22,7 +22,7 @@ constexpr double kFarEntry = 2;     // [mm] longest way from the slicer's entry 
 constexpr double kShortTravel = 2;  // [mm] longest travel without retraction, as slicers allow
 
 // A straight move that lays plastic.
-struct Bead {
+struct LayingMove {
   Vec2 to;
   double length = 0;  // [mm]
   double volume = 0;  // [mm³] at flow 1
@@ -45,11 +45,11 @@ double distanceTo(Vec2 p, Vec2 a, Vec2 b) {
 }
 
 // Merges the cycle, from its vertex `first` back to it, into few moves within the tolerances. Volumes add up exactly.
-std::vector<Bead> mergedBeads(const Cycle& cycle, std::size_t first, Vec2 offset, double height) {
+std::vector<LayingMove> mergedBeads(const Cycle& cycle, std::size_t first, Vec2 offset, double height) {
   const std::size_t count = cycle.points.size();
   const auto width = [&](std::size_t k) { return static_cast<double>(cycle.widths[(first + k) % count]); };
   const auto point = [&](std::size_t k) { return pointAt(cycle, first + k, offset); };
-  std::vector<Bead> beads;
+  std::vector<LayingMove> beads;
   for (std::size_t from = 0; from < count;) {
     std::size_t to = from + 1;
     double low = std::min(width(from), width(to));
@@ -183,9 +183,9 @@ Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, cons
   if (length(start - surface.entry) > kFarEntry && !staysInside(surface, surface.entry, start)) {
     return leave(LeftBecause::Travel);
   }
-  const std::vector<Bead> beads = mergedBeads(cycle, first, offset, surface.height);
+  const std::vector<LayingMove> beads = mergedBeads(cycle, first, offset, surface.height);
   double volume = 0;
-  for (const Bead& bead : beads) volume += bead.volume;
+  for (const LayingMove& bead : beads) volume += bead.volume;
   const double flow = volume > 0 ? surface.volumeMm3 / volume : 0;
   if (!(flow >= kLeastFlow && flow <= kMostFlow)) return leave(LeftBecause::Flow);
 
@@ -208,7 +208,7 @@ Replacement replaceBeads(std::string_view gcode, const SurfaceBlock& block, cons
   // E has five decimals; the rest that rounding leaves goes into the next move.
   double told = block.before.e;
   double exact = told;
-  for (const Bead& bead : beads) {
+  for (const LayingMove& bead : beads) {
     exact += bead.volume * flow / filamentArea;
     if (bead.to == at) continue;
     const double target = std::round(exact * 1e5) / 1e5;

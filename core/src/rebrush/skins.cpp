@@ -31,7 +31,7 @@ void mark(std::vector<bool>& cells, const RegionField& field, double width, Vec2
 }
 
 // Counts the cells of a part, and those among them that are marked.
-struct Cells {
+struct CellCount {
   std::int64_t all = 0;
   std::int64_t marked = 0;
 
@@ -50,49 +50,49 @@ void leaveBecause(SurfaceBlock& block, LeftBecause why) {
 
 void Skins::bead(Vec2 from, Vec2 to) {
   beads_.emplace_back(from, to);
-  for (Stretch& stretch : waiting_) mark(stretch.covered, *stretch.field, stretch.width, from, to);
+  for (SharedRegion& shared : waiting_) mark(shared.covered, *shared.field, shared.width, from, to);
 }
 
 void Skins::add(SurfaceBlock block, const std::shared_ptr<const RegionField>& field, int part) {
-  if (stretches_.empty() || stretches_.back().field != field) {
-    Stretch& stretch = stretches_.emplace_back();
-    stretch.field = field;
-    stretch.width = block.surface.width;
-    stretch.covered.resize(field->part.size());
+  if (shared_.empty() || shared_.back().field != field) {
+    SharedRegion& shared = shared_.emplace_back();
+    shared.field = field;
+    shared.width = block.surface.width;
+    shared.covered.resize(field->part.size());
     std::vector<bool> carried(field->part.size());
-    for (const auto& [from, to] : below_) mark(carried, *field, stretch.width, from, to);
-    std::vector<Cells> cells(field->parts);
+    for (const auto& [from, to] : below_) mark(carried, *field, shared.width, from, to);
+    std::vector<CellCount> cells(field->parts);
     for (std::size_t k = 0; k < carried.size(); ++k) {
       if (field->part[k] >= 0) cells[field->part[k]].add(carried[k]);
     }
-    for (const Cells& of : cells) stretch.carried.push_back(of.share());
+    for (const CellCount& of : cells) shared.carried.push_back(of.share());
   }
-  Stretch& stretch = stretches_.back();
-  if (stretch.carried[part] < kCarried) leaveBecause(block, LeftBecause::Bridge);
-  stretch.skins.push_back({std::move(block), part});
+  SharedRegion& shared = shared_.back();
+  if (shared.carried[part] < kCarried) leaveBecause(block, LeftBecause::Bridge);
+  shared.skins.push_back({std::move(block), part});
 }
 
 void Skins::leave(LeftBecause why) {
-  for (Stretch& stretch : stretches_) {
-    for (Skin& skin : stretch.skins) leaveBecause(skin.block, why);
+  for (SharedRegion& shared : shared_) {
+    for (Skin& skin : shared.skins) leaveBecause(skin.block, why);
   }
 }
 
 std::vector<SurfaceBlock> Skins::endLayer() {
   std::vector<SurfaceBlock> tops;
-  for (Stretch& stretch : waiting_) {
+  for (SharedRegion& shared : waiting_) {
     // A top may reach a little under the walls of the next layer. Infill above a skin would cover all of it.
-    const RegionField& field = *stretch.field;
+    const RegionField& field = *shared.field;
     const std::vector<float> depth = depths(field);
-    std::vector<Cells> all(field.parts);
-    std::vector<Cells> deep(all.size());
-    for (std::size_t k = 0; k < stretch.covered.size(); ++k) {
+    std::vector<CellCount> all(field.parts);
+    std::vector<CellCount> deep(all.size());
+    for (std::size_t k = 0; k < shared.covered.size(); ++k) {
       if (field.part[k] < 0) continue;
       const std::size_t part = field.part[k];
-      all[part].add(stretch.covered[k]);
-      if (static_cast<double>(depth[k]) * field.cell > kExpanded) deep[part].add(stretch.covered[k]);
+      all[part].add(shared.covered[k]);
+      if (static_cast<double>(depth[k]) * field.cell > kExpanded) deep[part].add(shared.covered[k]);
     }
-    for (Skin& skin : stretch.skins) {
+    for (Skin& skin : shared.skins) {
       const std::size_t part = skin.part;
       const double covered = all[part].share();
       if (covered > kInside) continue;
@@ -101,8 +101,8 @@ std::vector<SurfaceBlock> Skins::endLayer() {
       tops.push_back(std::move(skin.block));
     }
   }
-  waiting_ = std::move(stretches_);
-  stretches_.clear();
+  waiting_ = std::move(shared_);
+  shared_.clear();
   below_ = std::move(beads_);
   beads_.clear();
   return tops;

@@ -281,7 +281,7 @@ StretchSurfaces surfacesOf(const Stretch& stretch, std::string_view gcode) {
     if (part < 0 || std::find(seen.begin(), seen.end(), part) != seen.end()) continue;
     seen.push_back(part);
     const auto behind = std::find(partOf.rbegin(), partOf.rend(), part).base();
-    const std::size_t last = static_cast<std::size_t>(behind - partOf.begin()) - 1;
+    const std::size_t last = behind - partOf.begin() - 1;
     SurfaceBlock block = blockBetween(stretch, shape, first, last);
     if (gcode.substr(block.surface.begin, stretch.lines[first].end - block.surface.begin).ends_with("\r\n"))
       block.lineEnd = "\r\n";

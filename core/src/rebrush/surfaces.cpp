@@ -30,9 +30,9 @@ constexpr Sentence kSentences[] = {
     {"Spill", "the new beads would reach over it"},
     {"After", "the moves that follow would find the machine in another state"},
 };
-static_assert(std::size(kSentences) == static_cast<std::size_t>(LeftBecause::After) + 1);
+static_assert(std::size(kSentences) == toSize(LeftBecause::After) + 1);
 
-const Sentence& sentence(LeftBecause reason) { return kSentences[static_cast<std::size_t>(reason)]; }
+const Sentence& sentence(LeftBecause reason) { return kSentences[toSize(reason)]; }
 
 }  // namespace
 

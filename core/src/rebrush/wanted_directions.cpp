@@ -100,7 +100,8 @@ Shape DirectionSource::shapeOn(const Bounds& page, const SlicedSurface& surface)
   return shape;
 }
 
-Result<DirectionSource::Laid> DirectionSource::lay(const SlicedSurface& surface, const RunContext& run) const {
+Result<DirectionSource::LaidComposition> DirectionSource::lay(const SlicedSurface& surface,
+                                                              const RunContext& run) const {
   const Result<Bounds> page = pageFor(surface);
   if (!page) return page.error();
   const bool below = surface.side == SurfaceSide::Bottom;
@@ -123,7 +124,8 @@ Result<DirectionSource::Laid> DirectionSource::lay(const SlicedSurface& surface,
            [](std::uint16_t angle) { return static_cast<std::uint16_t>(65535 - angle); });
     mirror(input.modes.mode, input.modes.width, [](DirectionMode mode) { return mode; });
   }
-  return Laid{std::move(composed).value(), std::move(input.directions), std::move(input.modes), page.value()};
+  return LaidComposition{std::move(composed).value(), std::move(input.directions), std::move(input.modes),
+                         page.value()};
 }
 
 Result<WantedDirections> DirectionSource::of(std::size_t block, const RunContext& run) {
@@ -136,7 +138,7 @@ Result<WantedDirections> DirectionSource::of(std::size_t block, const RunContext
   if (options_.fit == PictureFit::Object) key += surface.object;
   auto found = laid_.find(key);
   if (found == laid_.end()) {
-    Result<Laid> laid = lay(surface, run);
+    Result<LaidComposition> laid = lay(surface, run);
     if (!laid) return laid.error();
     found = laid_.emplace(key, std::move(laid).value()).first;
   }

@@ -35,7 +35,7 @@ class DirectionSource {
 
  private:
   /// One composition, on the page that several surfaces share, as it is seen from the side that they show.
-  struct Laid {
+  struct LaidComposition {
     Composition composition;
     DirectionMap directions;  ///< map over the page, as seen from above
     ModeMap modes;
@@ -48,12 +48,12 @@ class DirectionSource {
   /// Regions of all surfaces that share a surface's page, as seen from the side that they show.
   [[nodiscard]] Shape shapeOn(const Bounds& page, const SlicedSurface& surface) const;
   /// Composes the layers on the page of a surface.
-  Result<Laid> lay(const SlicedSurface& surface, const RunContext& run) const;
+  Result<LaidComposition> lay(const SlicedSurface& surface, const RunContext& run) const;
 
   const RebrushOptions& options_;
   const SlicedFile& file_;
-  std::map<std::string, Laid> laid_;
-  const Laid* last_ = nullptr;
+  std::map<std::string, LaidComposition> laid_;
+  const LaidComposition* last_ = nullptr;
 };
 
 /// Tells whether the options ask for this surface. \param index  index of SlicedFile::surfaces.

@@ -111,11 +111,11 @@ constexpr bool standInOrder() {
   for (std::size_t k = 1; k < std::size(kSentences); ++k) {
     if (!(std::string_view(kSentences[k - 1].code) < kSentences[k].code)) return false;
   }
-  return std::size(kSentences) == static_cast<std::size_t>(WarningCode::WidthHeld) + 1;
+  return std::size(kSentences) == toSize(WarningCode::WidthHeld) + 1;
 }
 static_assert(standInOrder(), "one sentence per code, in the order of WarningCode");
 
-const Sentence& sentence(WarningCode code) { return kSentences[static_cast<std::size_t>(code)]; }
+const Sentence& sentence(WarningCode code) { return kSentences[toSize(code)]; }
 
 /// Warns of places narrower than a bead.
 std::vector<Warning> lossWarnings(const Measures& measures, Vec2 page, double spacing) {

@@ -25,7 +25,7 @@ inline constexpr const char* kStrokeTools = "comb mode erase";
 /// Wraps an enumeration as a field that is read and set by number.
 template <class Enum>
 ChoiceField choiceField(Enum& at) {
-  return {&at, [](const void* p) { return static_cast<std::size_t>(*static_cast<const Enum*>(p)); },
+  return {&at, [](const void* p) { return toSize(*static_cast<const Enum*>(p)); },
           [](void* p, std::size_t index) { *static_cast<Enum*>(p) = static_cast<Enum>(index); }};
 }
 

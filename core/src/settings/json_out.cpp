@@ -55,9 +55,9 @@ struct ValueJson {
         points += (points.empty() ? "" : ", ") + numberText(point.x) + ", " + numberText(point.y);
       }
       const bool mode = one.tool == StrokeTool::Mode || one.mode != Stroke().mode;
-      return "{\"tool\": \"" + splitWords(kStrokeTools).at(static_cast<std::size_t>(one.tool)) +
+      return "{\"tool\": \"" + splitWords(kStrokeTools).at(toSize(one.tool)) +
              "\", \"radius\": " + numberText(one.radius) + ", \"soft\": " + numberText(one.soft) +
-             (mode ? ", \"mode\": \"" + splitWords(modes.choices).at(static_cast<std::size_t>(one.mode)) + "\"" : "") +
+             (mode ? ", \"mode\": \"" + splitWords(modes.choices).at(toSize(one.mode)) + "\"" : "") +
              ", \"points\": [" + points + "]}";
     });
   }

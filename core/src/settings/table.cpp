@@ -77,14 +77,14 @@ constexpr double kMaxLayerHeight = 1.6;  // [mm], 0.8 of the widest nozzle
 constexpr double kSeeds = 18446744073709551615.0;
 
 /// A setting and its words.
-struct Row {
+struct SettingRow {
   Setting setting;
   SettingWords words;
 };
 
 // Rows of the table. Within a section they stand in the order of written files. The ranges of temperatures, bed corners
 // and layer heights also depend on other settings: validator.cpp.
-constexpr Row kRows[] = {
+constexpr SettingRow kRows[] = {
     {{.section = Shape, .key = "file", .type = Text, .field = at<&Project::shapeFile>, .high = kLine, .level = Basic},
      {.label = "File",
       .help = "SVG, or a mask picture (PNG, JPEG, BMP, TGA): bright, opaque pixels are inside",
@@ -1477,7 +1477,7 @@ const Setting* findSetting(Section section, std::string_view key) {
 
 const char* sectionName(Section section) {
   constexpr std::array kNames{"shape", "layers", "pictures", "toolpath", "print", "printer"};
-  return kNames[static_cast<std::size_t>(section)];
+  return kNames[toSize(section)];
 }
 
 std::string fullName(const Setting& setting) { return std::string(sectionName(setting.section)) + "." + setting.key; }

@@ -65,7 +65,7 @@ Wrong wrongPair(const Setting& setting, Vec2 value, Range range) {
 
 /// Checks the length of a text, and its characters: blocks may have several lines, other texts must not.
 Wrong wrongText(const Setting& setting, const std::string& value) {
-  const auto bytes = static_cast<std::size_t>(setting.high);
+  const std::size_t bytes = toSize(setting.high);
   if (setting.type == SettingType::Block) {
     if (value.size() <= bytes && value.find('\0') == std::string::npos) return std::nullopt;
     return wrong(fullName(setting) + " has " + std::to_string(value.size()) + " bytes; it must be text of at most " +
@@ -81,7 +81,7 @@ Wrong wrongText(const Setting& setting, const std::string& value) {
 }
 
 Wrong tooMany(const Setting& setting, std::size_t count, const char* items) {
-  if (count <= static_cast<std::size_t>(setting.high)) return std::nullopt;
+  if (count <= toSize(setting.high)) return std::nullopt;
   return wrong(fullName(setting) + " has " + std::to_string(count) + " " + items + "; it may have up to " +
                numberText(setting.high));
 }

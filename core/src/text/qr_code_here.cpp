@@ -12,7 +12,7 @@ Result<Image> qrModules(const std::string& text, QrCorrection correction, const 
   using qrcodegen::QrCode;
   constexpr std::array kLevels{QrCode::Ecc::LOW, QrCode::Ecc::MEDIUM, QrCode::Ecc::QUARTILE, QrCode::Ecc::HIGH};
   try {
-    const QrCode code = QrCode::encodeText(text.c_str(), kLevels[static_cast<std::size_t>(correction)]);
+    const QrCode code = QrCode::encodeText(text.c_str(), kLevels[toSize(correction)]);
     const int side = code.getSize();
     Image image{side, side, 1, {}};
     for (int y = 0; y < side; ++y) {

@@ -36,9 +36,9 @@ constexpr std::array<PerVersion, 4> kBlocks{{
 }};
 
 /// Reading of a code. Modules are counted from the code's upper left corner, without the quiet zone.
-class Reading {
+class CodeReading {
  public:
-  Reading(const Image& code, const std::vector<char>& wrong)
+  CodeReading(const Image& code, const std::vector<char>& wrong)
       : code_(code), wrong_(wrong), side_(code.width - 2 * kQuietZone), version_((side_ - 17) / 4) {}
 
   [[nodiscard]] bool succeeds() const { return findersShow() && formatReads() && blocksRead(); }
@@ -113,7 +113,7 @@ class Reading {
   /// Tells whether each block has few enough wrong words to be corrected.
   [[nodiscard]] bool blocksRead() const {
     // The level is two bits of the format: low 1, medium 0, quartile 3, high 2; the mask inverts the upper one.
-    const auto level = static_cast<std::size_t>(((dark(0, 8) ^ 1) * 2 + dark(1, 8)) ^ 1);
+    const std::size_t level = ((dark(0, 8) ^ 1) * 2 + dark(1, 8)) ^ 1;
     const std::size_t version = version_ - 1;
     const std::size_t blocks = kBlocks[level][version], correction = kCorrectionWords[level][version];
     const std::vector<char> words = wrongWords();
@@ -135,6 +135,6 @@ class Reading {
 
 }  // namespace
 
-bool qrReads(const Image& code, const std::vector<char>& wrong) { return Reading(code, wrong).succeeds(); }
+bool qrReads(const Image& code, const std::vector<char>& wrong) { return CodeReading(code, wrong).succeeds(); }
 
 }  // namespace sillon

@@ -161,7 +161,7 @@ std::string utf8Of(UChar32 code) {
   char bytes[4];
   std::int32_t length = 0;
   U8_APPEND_UNSAFE(bytes, length, code);
-  return {bytes, static_cast<std::size_t>(length)};
+  return std::string(bytes, length);
 }
 
 hb_unicode_general_category_t categoryOf(UChar32 code) {
@@ -398,7 +398,7 @@ class LineSetter {
     for (std::size_t at = cluster.begin; at < cluster.end;) {
       const UChar32 code = codeAt(letters_, at);
       if (holds(code)) return code;
-      at += static_cast<std::size_t>(U16_LENGTH(code));
+      at += U16_LENGTH(code);
     }
     return std::nullopt;
   }

@@ -49,7 +49,7 @@ std::vector<TextRun> byWay(std::u16string_view line, TextRun whole) {
     std::int32_t start = 0, length = 0;
     const bool toLeft = ubidi_getVisualRun(order.get(), k, &start, &length) == UBIDI_RTL;
     const std::size_t begin = whole.begin + start;
-    const TextRun run{begin, begin + static_cast<std::size_t>(length), toLeft};
+    const TextRun run{begin, begin + length, toLeft};
     // Adjacent runs of one direction, whose levels differ by two, are joined, so that kerning works across them.
     TextRun* const before = ways.empty() || ways.back().toLeft != toLeft ? nullptr : &ways.back();
     if (before != nullptr && (toLeft ? run.end == before->begin : run.begin == before->end)) {

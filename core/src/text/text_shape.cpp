@@ -40,14 +40,14 @@ std::string placed(const std::string& outline, double scale, exact::SinCos turn,
 }
 
 /// A drawing of letters around the origin, y up.
-struct Drawing {
+struct LetterDrawing {
   std::string paths;
   double reach = 0;  ///< bound on the distance of ink from the origin [mm]
 };
 
 /// Sets lines below each other, aligned to a side or to the middle.
-Drawing straight(const std::vector<ShapedLine>& lines, const Lettering& lettering) {
-  Drawing drawing;
+LetterDrawing straight(const std::vector<ShapedLine>& lines, const Lettering& lettering) {
+  LetterDrawing drawing;
   double widest = 0;
   for (const ShapedLine& line : lines) {
     if (line.capHeight > 0) widest = std::max(widest, widthOf(line) / line.capHeight * lettering.capHeight);
@@ -68,8 +68,8 @@ Drawing straight(const std::vector<ShapedLine>& lines, const Lettering& letterin
 }
 
 /// Sets lines on circles around the origin, each centred at the top or at the bottom.
-Result<Drawing> onCircle(const std::vector<ShapedLine>& lines, const Lettering& lettering) {
-  Drawing drawing;
+Result<LetterDrawing> onCircle(const std::vector<ShapedLine>& lines, const Lettering& lettering) {
+  LetterDrawing drawing;
   const bool below = lettering.circle < 0;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const ShapedLine& line = lines[k];
@@ -100,7 +100,7 @@ Result<Drawing> onCircle(const std::vector<ShapedLine>& lines, const Lettering& 
   return drawing;
 }
 
-Result<Shape> shapeOf(const Drawing& drawing) {
+Result<Shape> shapeOf(const LetterDrawing& drawing) {
   const std::string reach = jsonNumber(drawing.reach), side = jsonNumber(2 * drawing.reach);
   const Result<Shape> read =
       readSvg("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + side + "mm\" height=\"" + side +
@@ -127,7 +127,7 @@ Result<Shape> laidOut(const std::vector<ShapedLine>& lines, const Lettering& let
     const Bounds ink = bounds(shape.value());
     return moved(std::move(shape).value(), ink.min, ink.size());
   }
-  const Result<Drawing> drawing = onCircle(lines, lettering);
+  const Result<LetterDrawing> drawing = onCircle(lines, lettering);
   if (!drawing) return drawing.error();
   Result<Shape> shape = shapeOf(drawing.value());
   if (!shape) return shape;

@@ -76,7 +76,7 @@ void put(std::string& out, int bytes, std::uint32_t value) {
   for (int k = bytes - 1; k >= 0; --k) out += static_cast<char>(value >> (8 * k) & 0xFFU);
 }
 
-struct Table {
+struct FontTable {
   std::string tag;
   std::string_view packed;
   std::size_t size = 0;  ///< size of the unpacked data, or of the transformed data in `packed`
@@ -85,13 +85,13 @@ struct Table {
 };
 
 /// Assembles a font file from tables. Checksums and search fields stay 0, because nothing here reads them.
-std::optional<std::string> fontOf(std::uint32_t flavor, const std::vector<const Table*>& tables) {
+std::optional<std::string> fontOf(std::uint32_t flavor, const std::vector<const FontTable*>& tables) {
   std::string head, body;
   put(head, 4, flavor);
   put(head, 2, static_cast<std::uint32_t>(tables.size()));
   head.append(6, '\0');
   const std::size_t begin = head.size() + 16 * tables.size();
-  for (const Table* table : tables) {
+  for (const FontTable* table : tables) {
     head += table->tag;
     put(head, 4, 0);
     put(head, 4, static_cast<std::uint32_t>(begin + body.size()));
@@ -109,10 +109,10 @@ std::optional<std::string> fromZlib(std::string_view file) {
   head.take(4);
   const std::uint32_t flavor = head.number(4);
   head.take(4);
-  std::vector<Table> tables(head.word());
+  std::vector<FontTable> tables(head.word());
   head.take(30);
   std::size_t size = 0;
-  for (Table& table : tables) {
+  for (FontTable& table : tables) {
     table.tag = head.take(4);
     const std::size_t at = head.number(4), packed = head.number(4);
     table.size = head.number(4);
@@ -122,7 +122,7 @@ std::optional<std::string> fromZlib(std::string_view file) {
     table.packed = file.substr(at, packed);
   }
   constexpr std::size_t kHeader = 2;  // bytes of zlib's header
-  for (Table& table : tables) {
+  for (FontTable& table : tables) {
     if (table.packed.size() == table.size) {
       table.data = table.packed;
       continue;
@@ -132,8 +132,8 @@ std::optional<std::string> fromZlib(std::string_view file) {
     if (!data) return std::nullopt;
     table.data = std::move(*data);
   }
-  std::vector<const Table*> all;
-  for (const Table& table : tables) all.push_back(&table);
+  std::vector<const FontTable*> all;
+  for (const FontTable& table : tables) all.push_back(&table);
   return fontOf(flavor, all);
 }
 
@@ -307,30 +307,31 @@ std::optional<std::string> widthsOf(std::string_view transformed, std::size_t wi
   return out;
 }
 
-Table* tableOf(const std::vector<Table*>& tables, std::string_view tag) {
-  const auto found = std::find_if(tables.begin(), tables.end(), [&](const Table* table) { return table->tag == tag; });
+FontTable* tableOf(const std::vector<FontTable*>& tables, std::string_view tag) {
+  const auto found =
+      std::find_if(tables.begin(), tables.end(), [&](const FontTable* table) { return table->tag == tag; });
   return found == tables.end() ? nullptr : *found;
 }
 
 /// Restores the tables that WOFF2 transforms.
-bool restore(const std::vector<Table*>& tables) {
+bool restore(const std::vector<FontTable*>& tables) {
   constexpr std::size_t kLocaFormat = 50, kWide = 34;  // offsets in `head` and in `hhea`
-  for (Table* table : tables) {
+  for (FontTable* table : tables) {
     if (!table->transformed) table->data = table->packed;
   }
-  Table *const glyf = tableOf(tables, "glyf"), *const loca = tableOf(tables, "loca");
+  FontTable *const glyf = tableOf(tables, "glyf"), *const loca = tableOf(tables, "loca");
   Outlines outlines;
   if (glyf != nullptr && glyf->transformed) {
-    Table* const head = tableOf(tables, "head");
+    FontTable* const head = tableOf(tables, "head");
     if (loca == nullptr || head == nullptr || head->data.size() < kLocaFormat + 2) return false;
     if (!outlines.read(glyf->packed)) return false;
     glyf->data = outlines.glyf;
     loca->data = outlines.loca;
     head->data[kLocaFormat + 1] = 1;  // long offsets
   }
-  Table* const widths = tableOf(tables, "hmtx");
+  FontTable* const widths = tableOf(tables, "hmtx");
   if (widths == nullptr || !widths->transformed) return true;
-  const Table* const hhea = tableOf(tables, "hhea");
+  const FontTable* const hhea = tableOf(tables, "hhea");
   if (hhea == nullptr || hhea->data.size() < kWide + 2) return false;
   std::optional<std::string> restored =
       widthsOf(widths->packed, Bytes(std::string_view(hhea->data).substr(kWide)).word(), outlines);
@@ -345,12 +346,12 @@ std::optional<std::string> fromBrotli(std::string_view file) {
   head.take(4);
   std::uint32_t flavor = head.number(4);
   head.take(4);
-  std::vector<Table> tables(head.word());
+  std::vector<FontTable> tables(head.word());
   head.take(6);
   const std::size_t packed = head.number(4);
   head.take(24);
   std::size_t size = 0;
-  for (Table& table : tables) {
+  for (FontTable& table : tables) {
     const unsigned flags = head.byte(), known = flags & 63U, version = flags >> 6;
     table.tag = known == 63 ? head.take(4) : kTags.substr(4 * known, 4);
     const bool outline = table.tag == "glyf" || table.tag == "loca";
@@ -360,7 +361,7 @@ std::optional<std::string> fromBrotli(std::string_view file) {
     size += table.size;
     if (!head.whole() || size > kMostFontBytes) return std::nullopt;
   }
-  std::vector<Table*> own;
+  std::vector<FontTable*> own;
   if (flavor == kCollection) {
     head.take(4);  // version of the collection
     const std::size_t fonts = head.count();
@@ -376,7 +377,7 @@ std::optional<std::string> fromBrotli(std::string_view file) {
       if (!head.whole()) return std::nullopt;
     }
   } else {
-    for (Table& table : tables) own.push_back(&table);
+    for (FontTable& table : tables) own.push_back(&table);
   }
   const std::string_view stream = head.take(packed);
   std::string data(size, '\0');
@@ -386,7 +387,7 @@ std::optional<std::string> fromBrotli(std::string_view file) {
                               reinterpret_cast<std::uint8_t*>(data.data()));
   if (!head.whole() || result != BROTLI_DECODER_RESULT_SUCCESS || unpacked != size) return std::nullopt;
   Bytes rest(data);
-  for (Table& table : tables) table.packed = rest.take(table.size);
+  for (FontTable& table : tables) table.packed = rest.take(table.size);
   if (!restore(own)) return std::nullopt;
   return fontOf(flavor, {own.begin(), own.end()});
 }

@@ -44,7 +44,7 @@ struct WidthLimits {
 };
 
 // Factor by which a bead may be wider before it meets another.
-struct Share {
+struct SharedRoom {
   float factor = 1;  ///< the same for both beads: both give way, or grow, alike
   int beside = -1;   ///< the point that the bead would meet first; -1: none
 };
@@ -64,23 +64,23 @@ std::vector<float> movesWidths(const ClosedCurves& curves, const std::vector<flo
 }
 
 // All beads of a path, each as wide as the moves that meet at its points.
-class Beads {
+class WideBeads {
  public:
-  Beads(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, const PointGrid& grid,
-        const WidthLimits& limits)
+  WideBeads(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, const PointGrid& grid,
+            const WidthLimits& limits)
       : curves_(curves), curveOf_(curveOf), grid_(grid), limits_(limits), sortedHalf_(grid.id.size(), 0.0f) {}
 
   void setWidths(const std::vector<float>& width) {
     moves_ = movesWidths(curves_, width);
     widest_ = moves_.empty() ? 0 : *std::max_element(moves_.begin(), moves_.end());
-    for (std::size_t s = 0; s < static_cast<std::size_t>(grid_.count()); ++s) {
+    for (std::size_t s = 0, count = grid_.count(); s < count; ++s) {
       sortedHalf_[s] = 0.5f * moves_[grid_.id[s]];
     }
   }
 
   /// Computes by which factor a point's bead and each of its neighbours may be scaled until they overlap by no more
   /// than is allowed, and returns the smallest. \param growth  the largest factor looked for.
-  [[nodiscard]] Share shareOf(int point, float growth) const {
+  [[nodiscard]] SharedRoom shareOf(int point, float growth) const {
     const std::size_t i = point;
     const int c = curveOf_[i];
     const OwnChain chain(point, curves_.begin[c], curves_.size(c), kOwnChain);
@@ -126,8 +126,8 @@ class Beads {
 };
 
 // Tells whether the bead that a point would meet first has given way to a third one, so that there is room now.
-bool gaveWay(const std::vector<Share>& shares, std::size_t point) {
-  const Share& share = shares[point];
+bool gaveWay(const std::vector<SharedRoom>& shares, std::size_t point) {
+  const SharedRoom& share = shares[point];
   return share.beside >= 0 && shares[share.beside].factor < kYielding * share.factor;
 }
 
@@ -136,23 +136,23 @@ bool gaveWay(const std::vector<Share>& shares, std::size_t point) {
 void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curveOf, const WidthLimits& limits,
                std::vector<float>& width, const RunContext& run) {
   const PointGrid grid(curves.points, 0.75f * limits.spacing, run);
-  Beads beads(curves, curveOf, grid, limits);
+  WideBeads beads(curves, curveOf, grid, limits);
   const std::vector<float> wanted = width;
-  std::vector<Share> shares(width.size());
+  std::vector<SharedRoom> shares(width.size());
   std::vector<char> open(width.size(), 1);  // tells whether the width may still change: all at first, later a few
   for (int round = 0; round < kRounds && !run.cancelled(); ++round) {
     const float growth = round == 0 ? 1 : kGrowth;
     beads.setWidths(width);
-    parallelFor(run, grid.count(), 2048, [&](int begin, int end) {
-      for (std::size_t i = begin; i < static_cast<std::size_t>(end); ++i) {
+    parallelFor(run, grid.count(), 2048, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
         if (open[i] == 0) continue;
         shares[i] = beads.shareOf(static_cast<int>(i), growth);
         const float least = std::min(limits.low, width[i]);
         width[i] = std::min(wanted[i], std::max(least, width[i] * shares[i].factor));
       }
     });
-    parallelFor(run, grid.count(), 8192, [&](int begin, int end) {
-      for (std::size_t i = begin; i < static_cast<std::size_t>(end); ++i) {
+    parallelFor(run, grid.count(), 8192, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
         const bool mayGrow = width[i] < wanted[i] && (round > 0 || gaveWay(shares, i));
         open[i] = static_cast<char>(open[i] != 0 && mayGrow);
       }

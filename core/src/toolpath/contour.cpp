@@ -49,9 +49,7 @@ class Signs {
   using Word = std::uint64_t;
 
   explicit Signs(const Lattice& lattice)
-      : lattice_(lattice),
-        words_((static_cast<std::size_t>(lattice.grid.nx) + 63) / 64),
-        bits_(words_ * lattice.grid.ny) {}
+      : lattice_(lattice), words_((lattice.grid.nx + 63) / 64), bits_(words_ * lattice.grid.ny) {}
 
   [[nodiscard]] std::size_t words() const { return words_; }  ///< words in a row
 
@@ -149,7 +147,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
   });
   // 2. Number the vertices row by row: first the edges along the row, then those up to the next row. The bits of each
   // row are counted, and sums of the counts tell where each row begins, so that rows can be worked on at the same time.
-  std::vector<std::int64_t> first(static_cast<std::size_t>(grid.ny) + 1, 0);
+  std::vector<std::int64_t> first(grid.ny + 1, 0);
   std::vector<int> firstUp(grid.ny, 0);  // offset within its row
   parallelFor(run, grid.ny, grain, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
@@ -170,8 +168,8 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
   }
 
   // 3. Place the vertices and link them, square by square. Each row numbers its vertices anew from its own begin.
-  std::vector<Vec2f> vertices(static_cast<std::size_t>(total));
-  std::vector<int> next(static_cast<std::size_t>(total), -1);
+  std::vector<Vec2f> vertices(toSize(total));
+  std::vector<int> next(toSize(total), -1);
   parallelFor(run, grid.ny - 1, grain, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       const std::size_t row = y;
@@ -214,7 +212,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
       cycles.points.push_back(vertices[i]);
       const int to = next[i];
       next[i] = -1;
-      i = static_cast<std::size_t>(to);
+      i = to;
     }
   }
   cycles.begin.push_back(static_cast<int>(cycles.points.size()));

@@ -8,25 +8,25 @@
 namespace sillon {
 namespace {
 
-constexpr int kLongestElement = 640;    ///< longest element [points]
-constexpr double kTurnPrice = 4.5;      ///< price of one U-turn, in mm that are laid late
-constexpr double kDearTurn = 40;        ///< highest price of an added U-turn, in mm laid late; the lowest is a quarter
-constexpr double kMissPrice = 30;       ///< price of one unit of a joint's cost, in mm that are laid late
-constexpr double kDearer = 1.5;         ///< factor by which kMissPrice rises each time that too much is misaligned
-constexpr double kLeastGain = 1;        ///< least gain of a move [mm]
-constexpr double kLeastShare = 0.5;     ///< share of a promised gain that must be left after other moves of the round
-constexpr double kMostTurns = 0.11;     ///< share of U-turns that may be added in all: the border hides most of them
-constexpr double kMostInField = 0.015;  ///< share of them that may be added in the field; relaxation adds a few more
-constexpr double kHidden = 3;           ///< spacings from the border within which nobody sees a U-turn
+constexpr int kLongestElement = 640;  ///< longest element [points]
+constexpr double kTurnPrice = 4.5;    ///< price of one U-turn, in mm that are laid late
+constexpr double kDearTurn = 40;      ///< highest price of an added U-turn, in mm laid late; the lowest is a quarter
+constexpr double kMissPrice = 30;     ///< price of one unit of a joint's cost, in mm that are laid late
+constexpr double kDearer = 1.5;       ///< factor by which kMissPrice rises each time that too much is misaligned
+constexpr double kLeastGain = 1;      ///< least gain of a move [mm]
+constexpr double kLeastShare = 0.5;   ///< share of a promised gain that must be left after other moves of the round
+constexpr double kMostTurnsShare = 0.11;  ///< share of U-turns that may be added in all: the border hides most of them
+constexpr double kMostInField = 0.015;    ///< share of them that may be added in the field; relaxation adds a few more
+constexpr double kHidden = 3;             ///< spacings from the border within which nobody sees a U-turn
 constexpr double kMostMisaligned = 0.0018;  ///< misaligned share of the length that may be added, before relaxation
 constexpr double kMoreMiss = 0.016;  ///< share of misaligned length times `stitchAlignment` added on the way, at most
 // Bounds on the search. Work is counted in links and elements instead of seconds, so that the result depends on nothing
 // but the input. Three times the work makes keychain 5.2 / 0.0 % late instead of 8.7 / 0.7 %.
-constexpr int kRounds = 40;      ///< most rounds of moves per search
-constexpr double kSteps = 8;     ///< steps of improve(), for the progress of the stage
-constexpr double kWork = 100;    ///< elements that may be looked at per point of the path
-constexpr int kBatch = 256;      ///< switches between two checks of the work that is left
-constexpr float kAround = 2.5f;  ///< reach around a move within which switches are looked at again [mm]
+constexpr int kRounds = 40;         ///< most rounds of moves per search
+constexpr double kSteps = 8;        ///< steps of improve(), for the progress of the stage
+constexpr double kWork = 100;       ///< elements that may be looked at per point of the path
+constexpr int kBatch = 256;         ///< switches between two checks of the work that is left
+constexpr float kMoveReach = 2.5f;  ///< reach around a move within which switches are looked at again [mm]
 
 // Cuts the path into elements, which keep their order within. Elements begin after the places at which switches cut, as
 // only these may be exchanged; long ones are divided, so that one mean offset stands for all links of two elements.
@@ -62,9 +62,10 @@ struct Move {
 };
 
 // Local search over double bridge moves of one path, with changing prices and pulls to leave local optima.
-class Search {
+class OrderSearch {
  public:
-  Search(const Beads& beads, const ToolpathParams& params, PathOrder& path, Joining& joining, const RunContext& run)
+  OrderSearch(const Beads& beads, const ToolpathParams& params, PathOrder& path, Joining& joining,
+              const RunContext& run)
       : beads_(beads),
         joining_(joining),
         run_(run),
@@ -255,8 +256,8 @@ class Search {
     const double cost = late + kTurnPrice * std::max(0, now.turns - atFirst_.turns);
     if (now.misaligned > atFirst_.misaligned + kMostMisaligned) {
       missPrice_ *= kDearer;
-    } else if (within(kMostTurns, now.turns, atFirst_.turns) && within(kMostInField, now.inField, atFirst_.inField) &&
-               cost < least_) {
+    } else if (within(kMostTurnsShare, now.turns, atFirst_.turns) &&
+               within(kMostInField, now.inField, atFirst_.inField) && cost < least_) {
       least_ = cost;
       best_ = done_.size();
     }
@@ -319,7 +320,7 @@ class Search {
       sides_.push_back({high, low, s});
     }
     std::sort(sides_.begin(), sides_.end(),
-              [](const Side& a, const Side& b) { return std::tie(a.at, a.of) < std::tie(b.at, b.of); });
+              [](const SwitchEnd& a, const SwitchEnd& b) { return std::tie(a.at, a.of) < std::tie(b.at, b.of); });
     // Look at batches until the work is used up. The work is summed up between batches only, so that threads do not
     // matter.
     std::vector<Move> moves(next.size());
@@ -348,14 +349,14 @@ class Search {
     const auto [low, high] = cutsOf(s);
     Move best{kLeastGain, s, -1, {}};
     if (low == high) return best;
-    struct Partner {
+    struct ExchangePartner {
       double atMost;  ///< upper bound of the move's gain [mm]
       int other;
     };
-    std::vector<Partner> partners;
+    std::vector<ExchangePartner> partners;
     // A partner's cuts alternate with those of this switch: one lies between them, and the other does not.
     const auto first =
-        std::upper_bound(sides_.begin(), sides_.end(), low, [](int at, const Side& side) { return at < side.at; });
+        std::upper_bound(sides_.begin(), sides_.end(), low, [](int at, const SwitchEnd& side) { return at < side.at; });
     for (auto side = first; side != sides_.end() && side->at < high; ++side) {
       const int t = side->of;
       if ((low <= side->other && side->other <= high) || !mayMeet(s, t)) continue;
@@ -366,15 +367,15 @@ class Search {
     // Bound each partner's gain from above (Tour::Split::atMost).
     const Tour::Split split(tour_, low, high, room);
     work += tour_.work();
-    for (Partner& partner : partners) {
+    for (ExchangePartner& partner : partners) {
       const auto [a, b] = ends_[partner.other];
       partner.atMost = linkLength_ * split.atMost(a, b) - costOf(s, partner.other);
     }
-    std::sort(partners.begin(), partners.end(), [](const Partner& a, const Partner& b) {
+    std::sort(partners.begin(), partners.end(), [](const ExchangePartner& a, const ExchangePartner& b) {
       return std::tie(b.atMost, a.other) < std::tie(a.atMost, b.other);
     });
     // Branch and bound: stop at the first partner whose bound is no better than the best exact gain.
-    for (const Partner& partner : partners) {
+    for (const ExchangePartner& partner : partners) {
       if (partner.atMost <= best.gain) break;
       const int t = partner.other;
       const double costs = costOf(s, t);
@@ -418,7 +419,7 @@ class Search {
     for (const int s : {move.first, move.second}) {
       const Vec2f middle = middles_[s];
       for (int t = 0; t < static_cast<int>(again_.size()); ++t) {
-        if (length(middles_[t] - middle) < kAround) again_[t] = 1;
+        if (length(middles_[t] - middle) < kMoveReach) again_[t] = 1;
       }
     }
   }
@@ -462,11 +463,11 @@ class Search {
   double missPrice_;                       ///< price of a unit of a joint's cost [mm]
   double mostMiss_;                        ///< cost of joints that may be added during the search
   std::vector<std::pair<int, int>> ends_;  ///< by switch: the elements after which it cuts
-  struct Side {
+  struct SwitchEnd {
     int at, other;  ///< places of the two cuts
     int of;         ///< number of the switch
   };
-  std::vector<Side> sides_;                ///< ends of all switches, in order of their places now
+  std::vector<SwitchEnd> sides_;           ///< ends of all switches, in order of their places now
   std::vector<Vec2f> middles_;             ///< middle of each switch
   std::vector<double> pull_;               ///< extra cost of a joint for its side [mm]
   std::vector<std::vector<int>> refused_;  ///< partners with which a switch could not be toggled
@@ -485,7 +486,7 @@ class Search {
 
 Tour searchOrder(const Beads& beads, const ToolpathParams& params, PathOrder& path, Joining& joining,
                  const RunContext& run) {
-  Search search(beads, params, path, joining, run);
+  OrderSearch search(beads, params, path, joining, run);
   search.improve();
   return search.takeTour();
 }

@@ -13,7 +13,7 @@ constexpr int kLeastLoop = 40;     ///< shortest loop that a joint within a curv
 constexpr float kStraight = 0.7f;  ///< cosine over four spacings; above it, a joint makes two U-turns
 constexpr float kTurnCost = 0.3f;  ///< price of an added U-turn, to choose between neighbours [mm]
 constexpr float kDearest = 1.5f;   ///< highest cost of a joint at the usual price of misalignment [mm]
-constexpr int kMostTurns = 1;      ///< most U-turns that a joint may add
+constexpr int kTurnsOfJoint = 1;   ///< most U-turns that a joint may add
 constexpr int kTurnsOfRings = 2;   ///< most of them between rings and between windings
 constexpr int kFar = 1200;         ///< least distance along a curve of two of its windings [points]
 constexpr int kFarStride = 40;     ///< points from one that looks for a joint between windings to the next
@@ -38,7 +38,7 @@ bool straightAround(const Beads& beads, const Joining& joining, int point) {
 }
 
 // The nearest points within reach on the left and right across the bead; -1 where there is none.
-struct Sides {
+struct Neighbours {
   int left = -1;
   int right = -1;
 };
@@ -46,10 +46,10 @@ struct Sides {
 template <class Wanted>
 // Finds the nearest wanted point on either side. Points less than 0.4 spacings across or more than 0.7 along are no
 // neighbours: they lie on the same strand, or ahead.
-Sides besides(const Beads& beads, const Joining& joining, int point, float reach, const Wanted& wanted) {
+Neighbours besides(const Beads& beads, const Joining& joining, int point, float reach, const Wanted& wanted) {
   const Vec2f p = joining.at(point);
   const Vec2f t = tangentOf(beads, joining, point);
-  Sides sides;
+  Neighbours sides;
   float left = reach;
   float right = reach;
   beads.grid.around(p, reach, [&](int first, int last) {
@@ -83,7 +83,7 @@ std::vector<Item> found(int count, const RunContext& run, const Find& find) {
 // Counts the U-turns that a joint adds to the four strands at its ends: those of the two joined lines, less those of
 // the two lines as they are.
 int turnsAdded(const Beads& beads, const Joining& joining, const Joint& joint) {
-  constexpr int kAround = 10;
+  constexpr int kStretchedBy = 10;
   const int begin = -(joint.span / 2);
   const int end = begin + joint.span;
   const auto append = [&](std::vector<Vec2f>& line, int point, int from, int to) {
@@ -94,11 +94,11 @@ int turnsAdded(const Beads& beads, const Joining& joining, const Joint& joint) {
   // Each of the two strands as it is, then the line that the joint makes of one strand's begin and the other's end.
   for (const auto& [from, to] : {std::pair{joint.i, joint.j}, std::pair{joint.j, joint.i}}) {
     line.clear();
-    append(line, from, begin - kAround, end + kAround);
+    append(line, from, begin - kStretchedBy, end + kStretchedBy);
     turns -= uTurnsOf(line, beads.spacing);
     line.clear();
-    append(line, from, begin - kAround, begin);
-    append(line, to, end, end + kAround);
+    append(line, from, begin - kStretchedBy, begin);
+    append(line, to, end, end + kStretchedBy);
     turns += uTurnsOf(line, beads.spacing);
   }
   return turns;
@@ -180,7 +180,7 @@ std::vector<Link> linksBeside(const Beads& beads, const Joining& joining, const 
   const int count = static_cast<int>(beads.curves.points.size());
   return found<Link>((count + kPointsPerLink - 1) / kPointsPerLink, run, [&](int k, std::vector<Link>& out) {
     const int point = k * kPointsPerLink;
-    const Sides sides = besides(beads, joining, point, 1.45f * beads.spacing, [](int, Vec2f) { return true; });
+    const Neighbours sides = besides(beads, joining, point, 1.45f * beads.spacing, [](int, Vec2f) { return true; });
     if (sides.left >= 0) out.push_back({point, sides.left});
     if (sides.right >= 0) out.push_back({point, sides.right});
   });
@@ -202,7 +202,7 @@ std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, con
   // 2. Joints with two U-turns tell which pairs of curves are rings; the pair is numbered.
   Rings rings(beads.curves.begin.size() - 1);
   for (Switch& one : switches) {
-    if (one.turns > kMostTurns) one.ring = rings.add(joining.curveOf(one.joint.i), joining.curveOf(one.joint.j));
+    if (one.turns > kTurnsOfJoint) one.ring = rings.add(joining.curveOf(one.joint.i), joining.curveOf(one.joint.j));
   }
 
   // 3. Each second point looks for possible joints with its neighbours in the opposite sense. Within one curve a joint
@@ -226,8 +226,8 @@ std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, con
     // Amid straight strands most points are skipped, as only rings and windings could use them.
     const bool straight = straightAround(beads, joining, i);
     if (straight && i % kFarStride != 0 && !rings.any(joining.curveOf(i))) return;
-    const Sides sides = besides(beads, joining, i, 1.8f * beads.spacing,
-                                [&](int j, Vec2f t) { return dot(t, tangentOf(beads, joining, j)) <= -0.7f; });
+    const Neighbours sides = besides(beads, joining, i, 1.8f * beads.spacing,
+                                     [&](int j, Vec2f t) { return dot(t, tangentOf(beads, joining, j)) <= -0.7f; });
     look(i, sides.left, straight, out);
     look(i, sides.right, straight, out);
   });
@@ -242,7 +242,7 @@ std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, con
     }
   });
   std::erase_if(possible, [](const Possible& one) {
-    return one.made.turns > (one.made.ring == -1 ? kMostTurns : kTurnsOfRings);
+    return one.made.turns > (one.made.ring == -1 ? kTurnsOfJoint : kTurnsOfRings);
   });
   thinOut(possible, taken);
   for (const Possible& one : possible) switches.push_back(one.made);

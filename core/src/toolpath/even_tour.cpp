@@ -155,7 +155,7 @@ void Tour::exchange(const Cuts& cuts) {
 // Takes the difference of lateness at the begin and the end of each link's range, and sums up over places: linear in
 // links and places, where one sum for each place would be quadratic.
 std::vector<double> Tour::latenessOfBegins(const std::vector<Link>& links) const {
-  std::vector<std::int64_t> steps(static_cast<std::size_t>(size_) + 1, 0);
+  std::vector<std::int64_t> steps(size_ + 1, 0);
   for (const Link& link : links) {
     int a = placeNow(link.a);
     int b = placeNow(link.b);
@@ -219,7 +219,7 @@ Tour::Split::Cut Tour::Split::cutAt(int a, int b) const {
   const int in = aIn ? a : b;
   const int out = aIn ? b : a;
   Cut cut{tour_.endOf(in), tour_.endOf(out), 0};
-  std::size_t rankOut = static_cast<std::size_t>(tour_.rank_[out]) + 1;
+  std::size_t rankOut = tour_.rank_[out] + 1;
   if (cut.out < high_) {
     cut.out += tour_.size_;
     rankOut += tour_.order_.size();

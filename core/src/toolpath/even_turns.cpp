@@ -7,8 +7,8 @@
 namespace sillon {
 namespace {
 
-constexpr int kAround = 16;  ///< points on either side of a joint's end, within which its turns end
-constexpr int kMeans = 5;    ///< rounds of smoothing; after five, as many turns are left as on the relaxed path
+constexpr int kTurnReach = 16;  ///< points on either side of a joint's end, within which its turns end
+constexpr int kMeans = 5;       ///< rounds of smoothing; after five, as many turns are left as on the relaxed path
 
 // Resamples the line in place in equal steps, so that headings a fixed number of points apart are comparable.
 void equalSteps(std::vector<Vec2f>& line, float step) {
@@ -46,8 +46,8 @@ class Surroundings {
   Surroundings(const Joining& joining, const Joint& a, const Joint& b) : joining_(joining) {
     const auto [a0, a1] = joining.beginsOf(a);
     const auto [b0, b1] = joining.beginsOf(b);
-    const int beyondA = kAround + (a.on ? 1 : a.span);
-    const int beyondB = kAround + (b.on ? 1 : b.span);
+    const int beyondA = kTurnReach + (a.on ? 1 : a.span);
+    const int beyondB = kTurnReach + (b.on ? 1 : b.span);
     ends_ = {{{a0, beyondA}, {a1, beyondA}, {b0, beyondB}, {b1, beyondB}}};
     // Two joints that exclude each other lie side by side: the one that is on has taken out ends of the other.
     for (std::size_t k = 0; k < ends_.size(); ++k) passed_[k] = !joining.onPath(ends_[k].point);
@@ -61,7 +61,7 @@ class Surroundings {
     // Walk forwards. Each further end on the way prolongs the walk beyond itself and is ticked off.
     int p = beginOfWalk(ends_[at_].point);
     const int from = p;
-    int left = 2 * kAround;
+    int left = 2 * kTurnReach;
     do {
       for (std::size_t k = 0; k < ends_.size(); ++k) {
         if (ends_[k].point != p) continue;
@@ -79,13 +79,13 @@ class Surroundings {
     int beyond;  ///< points to walk after it
   };
 
-  // Steps back from an end until no other end lies within kAround points, so that the walk takes in all of them.
+  // Steps back from an end until no other end lies within kTurnReach points, so that the walk takes in all of them.
   [[nodiscard]] int beginOfWalk(int point) const {
     int p = point;
-    for (int left = kAround; left > 0; --left) {
+    for (int left = kTurnReach; left > 0; --left) {
       p = joining_.before(p);
       if (p == point) break;
-      for (const End& end : ends_) left = end.point == p ? kAround + 1 : left;
+      for (const End& end : ends_) left = end.point == p ? kTurnReach + 1 : left;
     }
     return p;
   }

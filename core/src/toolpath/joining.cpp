@@ -55,8 +55,8 @@ int Joining::setOf(int curve) {
 
 // The patching energy (Eq. 14) with one more term: misaligned length counts, which raises alignment by 0.002 to 0.004.
 float Joining::cost(int i, int j, int span) const {
-  const Piece a = pieceAround(i, span);
-  const Piece b = pieceAround(j, span);
+  const TakenPiece a = pieceAround(i, span);
+  const TakenPiece b = pieceAround(j, span);
   // The sum of the two new edges less the two pieces. Curves run in opposite senses, so the edges that cross over are
   // the shorter ones.
   const float added = length(at(a.begin) - at(b.end)) + length(at(b.begin) - at(a.end)) - a.length - b.length;
@@ -67,10 +67,10 @@ float Joining::cost(int i, int j, int span) const {
 
 // Both new edges together, to the end: candidates are compared by it.
 float Joining::outsideLength(int i, int j, int span) const {
-  const Piece a = pieceAround(i, span);
-  const Piece b = pieceAround(j, span);
+  const TakenPiece a = pieceAround(i, span);
+  const TakenPiece b = pieceAround(j, span);
   constexpr float kAll = std::numeric_limits<float>::infinity();
-  return outsideLength(Edge{a.begin, b.end}, kAll) + outsideLength(Edge{b.begin, a.end}, kAll);
+  return outsideLength(JointEdge{a.begin, b.end}, kAll) + outsideLength(JointEdge{b.begin, a.end}, kAll);
 }
 
 // Joins two sets as in Kruskal's algorithm: refuses a joint within one set, and merges two sets under the lower curve.
@@ -93,12 +93,12 @@ bool Joining::toggle(Joint& joint) {
 
 // Checks a joint, cheap tests first, and makes it.
 bool Joining::make(const Joint& joint) {
-  const Piece a = pieceAround(joint.i, joint.span);
-  const Piece b = pieceAround(joint.j, joint.span);
+  const TakenPiece a = pieceAround(joint.i, joint.span);
+  const TakenPiece b = pieceAround(joint.j, joint.span);
   // A point can serve one joint only.
   if (touchesUsed(a) || touchesUsed(b) || overlap(a, b)) return false;
-  const Edge e{a.begin, b.end};
-  const Edge f{b.begin, a.end};
+  const JointEdge e{a.begin, b.end};
+  const JointEdge f{b.begin, a.end};
   // Each new edge may leave the shape by the joint's gap at most.
   const float outsideE = outsideLength(e, joint.gap);
   if (outsideE > joint.gap) return false;
@@ -110,7 +110,7 @@ bool Joining::make(const Joint& joint) {
   markUsed(b);  // both pieces are taken out, so that the new edges may pass over them
   // The line between the middles must be free, too: where nearly all of a tiny cycle is taken out, the edges may pass
   // round what is left of it, which turns the cycle inside out, and then no joint fits it any more.
-  const Edge middle{joint.i, joint.j};
+  const JointEdge middle{joint.i, joint.j};
   if (meetsLiveEdge(e) || meetsLiveEdge(f) || meetsLiveEdge(middle)) {
     unmark(a);
     unmark(b);
@@ -118,7 +118,7 @@ bool Joining::make(const Joint& joint) {
   }
   // Link the ends crosswise, and register the edges, so that later joints keep off them.
   gapJoints_ += outsideE + outsideF > 0 ? 1 : 0;
-  for (const Edge& edge : {e, f}) {
+  for (const JointEdge& edge : {e, f}) {
     link(edge.from, edge.to);
     addJoint(edge);
   }
@@ -127,10 +127,10 @@ bool Joining::make(const Joint& joint) {
 
 // Puts the two pieces back, unless another joint stands in their way.
 bool Joining::undo(const Joint& joint) {
-  const Piece a = pieceAround(joint.i, joint.span);
-  const Piece b = pieceAround(joint.j, joint.span);
-  const Edge e{a.begin, b.end};
-  const Edge f{b.begin, a.end};
+  const TakenPiece a = pieceAround(joint.i, joint.span);
+  const TakenPiece b = pieceAround(joint.j, joint.span);
+  const JointEdge e{a.begin, b.end};
+  const JointEdge f{b.begin, a.end};
   removeJoint(e);
   removeJoint(f);
   // Curves do not meet, but a later joint may pass over the segments that come back.
@@ -157,7 +157,9 @@ void Joining::link(int from, int to) {
   previous_[to] = from;
 }
 
-bool Joining::leavesShape(const Edge& e, const Edge& f) const { return outsideLength(e, 0) + outsideLength(f, 0) > 0; }
+bool Joining::leavesShape(const JointEdge& e, const JointEdge& f) const {
+  return outsideLength(e, 0) + outsideLength(f, 0) > 0;
+}
 
 // Reads marks only: much cheaper than trying the joint.
 bool Joining::blocked(const Joint& joint) const {
@@ -208,20 +210,20 @@ ClosedCurves Joining::joined() const {
 }
 
 // Piece of `wanted` segments around a point, at most half of its curve, which may be tiny.
-Joining::Piece Joining::pieceAround(int point, int wanted) const {
+Joining::TakenPiece Joining::pieceAround(int point, int wanted) const {
   const int curve = curveOf(point);
   const int first = curves_.begin[curve];
   const int n = curves_.size(curve);
   const int span = std::min(wanted, n / 2);
   const int begin = first + (point - first - span / 2 + n) % n;
   const int end = first + (begin - first + span) % n;
-  Piece piece{begin, end, span, 0};
+  TakenPiece piece{begin, end, span, 0};
   forSegments(piece, [&](int a, int b) { piece.length += length(at(a) - at(b)); });
   return piece;
 }
 
 template <class Visit>
-void Joining::forSegments(const Piece& piece, const Visit& visit) const {
+void Joining::forSegments(const TakenPiece& piece, const Visit& visit) const {
   const int curve = curveOf(piece.begin);
   int a = piece.begin;
   for (int k = 0; k < piece.segments; ++k) {
@@ -242,20 +244,20 @@ float Joining::misalignment(Vec2f a, Vec2f b) const {
   return across * across / size;
 }
 
-float Joining::misalignment(const Piece& piece) const {
+float Joining::misalignment(const TakenPiece& piece) const {
   float sum = 0;
   forSegments(piece, [&](int a, int b) { sum += misalignment(at(a), at(b)); });
   return sum;
 }
 
-bool Joining::touchesUsed(const Piece& piece) const {
+bool Joining::touchesUsed(const TakenPiece& piece) const {
   bool touches = used(piece.begin);
   forSegments(piece, [&](int, int b) { touches = touches || used(b); });
   return touches;
 }
 
 // Compares all points of both pieces: there are five of each at most.
-bool Joining::overlap(const Piece& a, const Piece& b) const {
+bool Joining::overlap(const TakenPiece& a, const TakenPiece& b) const {
   bool meet = a.begin == b.begin;
   forSegments(a, [&](int, int p) {
     meet = meet || p == b.begin;
@@ -265,13 +267,13 @@ bool Joining::overlap(const Piece& a, const Piece& b) const {
 }
 
 // Inner points leave the path; the two ends stay on it, but serve no other joint.
-void Joining::markUsed(const Piece& piece) {
+void Joining::markUsed(const TakenPiece& piece) {
   forSegments(piece, [&](int, int b) { used_[b] = kInner; });
   used_[piece.begin] = kEnd;
   used_[piece.end] = kEnd;
 }
 
-void Joining::unmark(const Piece& piece) {
+void Joining::unmark(const TakenPiece& piece) {
   used_[piece.begin] = kFree;
   forSegments(piece, [&](int, int b) { used_[b] = kFree; });
 }
@@ -285,7 +287,7 @@ bool Joining::live(int point) const {
 
 // Tells whether an edge meets any edge of the path. Looks at it in stretches, so that a long edge costs its length and
 // not the square of it.
-bool Joining::meetsLiveEdge(const Edge& edge) const {
+bool Joining::meetsLiveEdge(const JointEdge& edge) const {
   const Vec2f a = at(edge.from);
   const Vec2f b = at(edge.to);
   const float size = length(b - a);
@@ -303,7 +305,7 @@ bool Joining::meetsLiveEdge(const Edge& edge) const {
 }
 
 // Looks for live edges of curves near to `middle` that meet the edge; those that share an end with it do not count.
-bool Joining::meetsCurve(const Edge& edge, Vec2f middle, float reach) const {
+bool Joining::meetsCurve(const JointEdge& edge, Vec2f middle, float reach) const {
   bool meets = false;
   grid_.around(middle, reach, [&](int begin, int end) {
     for (int k = begin; k < end && !meets; ++k) {
@@ -317,13 +319,13 @@ bool Joining::meetsCurve(const Edge& edge, Vec2f middle, float reach) const {
 }
 
 // Looks for edges of other joints in the cells around `middle` that meet the edge.
-bool Joining::meetsJoint(const Edge& edge, Vec2f middle, int cells) const {
+bool Joining::meetsJoint(const JointEdge& edge, Vec2f middle, int cells) const {
   const auto key = jointCell(middle);
   for (int dy = -cells; dy <= cells; ++dy) {
     for (int dx = -cells; dx <= cells; ++dx) {
       const auto found = joints_.find(packed(key.first + dx, key.second + dy));
       if (found == joints_.end()) continue;
-      for (const Edge& other : found->second) {
+      for (const JointEdge& other : found->second) {
         if (segmentsMeet(at(edge.from), at(edge.to), at(other.from), at(other.to))) return true;
       }
     }
@@ -333,7 +335,7 @@ bool Joining::meetsJoint(const Edge& edge, Vec2f middle, int cells) const {
 
 // Length of an edge outside the shape, by samples. They go from the middle outwards, where a gap lies, and stop once
 // more than `enough` is outside.
-float Joining::outsideLength(const Edge& edge, float enough) const {
+float Joining::outsideLength(const JointEdge& edge, float enough) const {
   const Vec2 a{static_cast<double>(at(edge.from).x), static_cast<double>(at(edge.from).y)};
   const Vec2 b{static_cast<double>(at(edge.to).x), static_cast<double>(at(edge.to).y)};
   const double size = length(b - a);
@@ -358,7 +360,7 @@ std::pair<int, int> Joining::jointCell(Vec2f p) const {
 
 // Calls visit with the joints registered in each cell that an edge passes, by samples half a cell apart.
 template <class Visit>
-void Joining::forCells(const Edge& edge, const Visit& visit) {
+void Joining::forCells(const JointEdge& edge, const Visit& visit) {
   const Vec2f a = at(edge.from);
   const Vec2f b = at(edge.to);
   const int steps = static_cast<int>(length(b - a) / spacing_) + 1;
@@ -370,13 +372,13 @@ void Joining::forCells(const Edge& edge, const Visit& visit) {
   }
 }
 
-void Joining::addJoint(const Edge& edge) {
-  forCells(edge, [&](std::vector<Edge>& in) { in.push_back(edge); });
+void Joining::addJoint(const JointEdge& edge) {
+  forCells(edge, [&](std::vector<JointEdge>& in) { in.push_back(edge); });
 }
 
-void Joining::removeJoint(const Edge& edge) {
-  forCells(edge, [&](std::vector<Edge>& in) {
-    std::erase_if(in, [&](const Edge& other) { return other.from == edge.from && other.to == edge.to; });
+void Joining::removeJoint(const JointEdge& edge) {
+  forCells(edge, [&](std::vector<JointEdge>& in) {
+    std::erase_if(in, [&](const JointEdge& other) { return other.from == edge.from && other.to == edge.to; });
   });
 }
 

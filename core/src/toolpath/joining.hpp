@@ -89,14 +89,14 @@ class Joining {
 
  private:
   // A piece of a curve that a joint takes out, from its first point to its last.
-  struct Piece {
+  struct TakenPiece {
     int begin;
     int end;
     int segments;
     float length;  ///< [mm]
   };
   // A new edge between the ends of two pieces.
-  struct Edge {
+  struct JointEdge {
     int from;
     int to;
   };
@@ -104,25 +104,25 @@ class Joining {
   enum Use : char { kFree, kEnd, kInner };
 
   [[nodiscard]] bool inner(int point) const { return used_[point] == kInner; }
-  [[nodiscard]] Piece pieceAround(int point, int wanted) const;
+  [[nodiscard]] TakenPiece pieceAround(int point, int wanted) const;
   template <class Visit>
-  void forSegments(const Piece& piece, const Visit& visit) const;
-  [[nodiscard]] float misalignment(const Piece& piece) const;
-  [[nodiscard]] bool touchesUsed(const Piece& piece) const;
-  [[nodiscard]] bool overlap(const Piece& a, const Piece& b) const;
-  void markUsed(const Piece& piece);
-  void unmark(const Piece& piece);
+  void forSegments(const TakenPiece& piece, const Visit& visit) const;
+  [[nodiscard]] float misalignment(const TakenPiece& piece) const;
+  [[nodiscard]] bool touchesUsed(const TakenPiece& piece) const;
+  [[nodiscard]] bool overlap(const TakenPiece& a, const TakenPiece& b) const;
+  void markUsed(const TakenPiece& piece);
+  void unmark(const TakenPiece& piece);
   [[nodiscard]] bool live(int point) const;
-  [[nodiscard]] bool meetsLiveEdge(const Edge& edge) const;
-  [[nodiscard]] bool meetsCurve(const Edge& edge, Vec2f middle, float reach) const;
-  [[nodiscard]] bool meetsJoint(const Edge& edge, Vec2f middle, int cells) const;
-  [[nodiscard]] float outsideLength(const Edge& edge, float enough) const;
+  [[nodiscard]] bool meetsLiveEdge(const JointEdge& edge) const;
+  [[nodiscard]] bool meetsCurve(const JointEdge& edge, Vec2f middle, float reach) const;
+  [[nodiscard]] bool meetsJoint(const JointEdge& edge, Vec2f middle, int cells) const;
+  [[nodiscard]] float outsideLength(const JointEdge& edge, float enough) const;
   [[nodiscard]] std::pair<int, int> jointCell(Vec2f p) const;
   template <class Visit>
-  void forCells(const Edge& edge, const Visit& visit);
-  void addJoint(const Edge& edge);
-  void removeJoint(const Edge& edge);
-  [[nodiscard]] bool leavesShape(const Edge& e, const Edge& f) const;
+  void forCells(const JointEdge& edge, const Visit& visit);
+  void addJoint(const JointEdge& edge);
+  void removeJoint(const JointEdge& edge);
+  [[nodiscard]] bool leavesShape(const JointEdge& e, const JointEdge& f) const;
   bool make(const Joint& joint);
   bool undo(const Joint& joint);
   void link(int from, int to);
@@ -138,8 +138,8 @@ class Joining {
   std::vector<int> next_;  ///< successor of each point along the curves as joined
   std::vector<int> previous_;
   std::vector<Use> used_;
-  std::vector<int> root_;                                        ///< parents in the union-find forest of sets
-  std::unordered_map<std::uint64_t, std::vector<Edge>> joints_;  ///< edges of joints, by the cells they pass
+  std::vector<int> root_;                                             ///< parents in the union-find forest of sets
+  std::unordered_map<std::uint64_t, std::vector<JointEdge>> joints_;  ///< edges of joints, by the cells they pass
   std::vector<Joint> made_;
   std::vector<int> begins_;
   int gapJoints_ = 0;

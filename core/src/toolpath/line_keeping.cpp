@@ -55,8 +55,8 @@ std::vector<Vec2f> movesToLines(const ClosedCurves& curves, const LineField& lin
     excess.assign(n, {});
     kept.assign(n, 0);
     share.assign(n, 0);
-    parallelFor(run, static_cast<int>(n), 8192, [&](int begin, int end) {
-      for (std::size_t k = begin; k < static_cast<std::size_t>(end); ++k) {
+    parallelFor(run, static_cast<int>(n), 8192, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
         const Vec2f a = curves.points[first + k];
         const Vec2f b = curves.points[first + (k + 1) % n];
         const Vec2f step = b - a;

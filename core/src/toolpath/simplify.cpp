@@ -70,21 +70,21 @@ std::size_t keptAfter(const Curve& curve, std::size_t at, float tolerance, const
 // meets a point of the next piece's walk, mostly within a few points; from there on both are the same.
 std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curves, float tolerance,
                                                  const std::vector<std::vector<char>>& keep, const RunContext& run) {
-  struct Piece {
+  struct CurvePiece {
     std::size_t curve;
     std::size_t begin;
     std::size_t end;
     std::vector<std::size_t> walk;
   };
   // Each piece is walked as if its first point were kept.
-  std::vector<Piece> pieces;
+  std::vector<CurvePiece> pieces;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (std::size_t begin = 0; begin < curves[c].points.size(); begin += kPiece)
       pieces.push_back({c, begin, std::min(begin + kPiece, curves[c].points.size()), {}});
   }
   parallelFor(run, static_cast<int>(pieces.size()), 1, [&](int first, int last) {
     for (int k = first; k < last; ++k) {
-      Piece& piece = pieces[k];
+      CurvePiece& piece = pieces[k];
       for (std::size_t at = piece.begin; at < piece.end;
            at = keptAfter(curves[piece.curve], at, tolerance, keep[piece.curve]))
         piece.walk.push_back(at);
@@ -94,7 +94,7 @@ std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curve
   std::vector<std::vector<std::size_t>> kept(curves.size());
   if (run.cancelled()) return kept;
   std::size_t at = 0;
-  for (const Piece& piece : pieces) {
+  for (const CurvePiece& piece : pieces) {
     std::vector<std::size_t>& all = kept[piece.curve];
     if (piece.begin == 0) at = 0;
     auto own = piece.walk.begin();

@@ -23,7 +23,7 @@ constexpr int kMaxRounds = 60;         ///< most rounds of one go; far more than
 constexpr int kMaxGoes = 8;            ///< most goes in which the paths so far are curves again
 
 /// Places in which partners are looked for. Each search begins only when the one before leads to no more joints.
-enum class Search {
+enum class SearchKind {
   Nearest,         ///< the nearest point on either side
   Near,            ///< all near points, and shorter pieces
   AcrossGaps,      ///< the same, and joints may leave the shape by the width of a bridged gap
@@ -32,10 +32,10 @@ enum class Search {
   AroundFacing,    ///< the same, and points near to these: a tip may be too sharp, or another strand the outer one
 };
 
-Search wider(Search search) { return static_cast<Search>(static_cast<int>(search) + 1); }
+SearchKind wider(SearchKind search) { return static_cast<SearchKind>(static_cast<int>(search) + 1); }
 
 /// Limits of one search. Searches from Facing on have no limit of distance.
-struct Limits {
+struct SearchLimits {
   float reach;           ///< greatest distance of joined pieces [mm]
   std::size_t partners;  ///< most partners tried per point
   int leastSpan;         ///< segments in the shortest piece
@@ -44,22 +44,22 @@ struct Limits {
   int stride = 1;  ///< points along a curve from one that looks for partners to the next
 };
 
-Limits limitsOf(Search search, const ToolpathParams& params) {
+SearchLimits limitsOf(SearchKind search, const ToolpathParams& params) {
   const float spacing = static_cast<float>(params.spacing);
   const float reach = 1.8f * spacing;
   // Room for joints that cross a gap at a slant (1.2), and for the error of samples.
   const float gap = 1.2f * static_cast<float>(params.bridge.value_or(params.spacing)) + 0.125f * spacing;
   switch (search) {
-    case Search::Nearest:
+    case SearchKind::Nearest:
       return {reach, 2, kSpan, 0, true};
-    case Search::Near:
+    case SearchKind::Near:
       return {reach, 6, 1, 0};
-    case Search::AcrossGaps:
+    case SearchKind::AcrossGaps:
       return {reach, 6, 1, gap};
-    case Search::AcrossWideGaps:
+    case SearchKind::AcrossWideGaps:
       return {2 * reach, 24, 1, 2 * gap};
-    case Search::Facing:
-    case Search::AroundFacing:
+    case SearchKind::Facing:
+    case SearchKind::AroundFacing:
       break;
   }
   return {std::numeric_limits<float>::max(), 1, 1, std::max(2 * gap, kFarthestOutside * spacing)};
@@ -126,8 +126,8 @@ void sortNearestFirst(std::vector<Partner>& partners) {
 std::vector<std::int32_t> freeSets(const Strands& strands, const Joining& joining, const SetsToJoin& sets,
                                    const RunContext& run) {
   std::vector<std::int32_t> free(strands.grid.id.size(), -1);
-  parallelFor(run, strands.grid.count(), 8192, [&](int begin, int end) {
-    for (std::size_t s = begin; s < static_cast<std::size_t>(end); ++s) {
+  parallelFor(run, strands.grid.count(), 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
       if (!joining.used(strands.grid.id[s])) free[s] = sets.ofCurve[strands.curveAt[s]];
     }
   });
@@ -197,8 +197,8 @@ void findNearest(const Strands& strands, const Joining& joining, const std::vect
 }
 
 // Finds all free points of other sets of the same part within reach, nearest first, as many as may be tried.
-void findPartners(const Strands& strands, const Joining& joining, const SetsToJoin& sets, const Limits& limits, int i,
-                  std::vector<Partner>& partners) {
+void findPartners(const Strands& strands, const Joining& joining, const SetsToJoin& sets, const SearchLimits& limits,
+                  int i, std::vector<Partner>& partners) {
   partners.clear();
   const std::size_t c = joining.curveOf(i);
   const int own = sets.ofCurve[c];
@@ -239,7 +239,7 @@ std::vector<Candidate> cheapestFirst(int count, const RunContext& run, const Fin
 // Proposes joints of each seeking point with its neighbours, by pieces of four segments or, where allowed, of two and
 // one.
 std::vector<Candidate> nearCandidates(const Strands& strands, const Joining& joining, const SetsToJoin& sets,
-                                      const Limits& limits, const RunContext& run) {
+                                      const SearchLimits& limits, const RunContext& run) {
   const int count = static_cast<int>(strands.curves.points.size());
   const std::vector<std::int32_t> free =
       limits.nearestOnly ? freeSets(strands, joining, sets, run) : std::vector<std::int32_t>();
@@ -268,7 +268,7 @@ using Pairs = std::vector<std::pair<int, int>>;
 // same set beside it, of which only one faces the other set.
 Pairs neighboursOf(Pairs pairs, const Strands& strands, const Joining& joining, const SetsToJoin& sets, float spacing) {
   constexpr std::size_t kNearest = 16;  ///< pairs that are kept, which bounds the work
-  constexpr int kAround = 4;            ///< points on either side along the curve: one spacing
+  constexpr int kPointsBeside = 4;      ///< points on either side along the curve: one spacing
   sortBy(pairs, [&](const auto& pair) { return length(joining.at(pair.first) - joining.at(pair.second)); });
   pairs.resize(std::min(pairs.size(), kNearest));
   const auto neighbours = [&](int point) {
@@ -277,7 +277,8 @@ Pairs neighboursOf(Pairs pairs, const Strands& strands, const Joining& joining, 
     const int begin = strands.curves.begin[c];
     const int size = strands.curves.size(curve);
     std::vector<int> found;
-    for (int k = -kAround; k <= kAround; ++k) found.push_back(begin + ((point - begin + k) % size + size) % size);
+    for (int k = -kPointsBeside; k <= kPointsBeside; ++k)
+      found.push_back(begin + ((point - begin + k) % size + size) % size);
     const float reach = 0.5f * spacing;
     strands.grid.around(joining.at(point), reach, [&](int first, int last) {
       for (int k = first; k < last; ++k) {
@@ -361,8 +362,8 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
   const int most = labels.empty() ? 0 : *std::max_element(partOfCurve.begin(), partOfCurve.end()) + 1;
   std::vector<int> curveAt(grid.count());
   std::vector<int> partAt(grid.id.size(), -1);
-  parallelFor(run, grid.count(), 8192, [&](int begin, int end) {
-    for (std::size_t k = begin; k < static_cast<std::size_t>(end); ++k) {
+  parallelFor(run, grid.count(), 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
       curveAt[k] = joining.curveOf(grid.id[k]);
       partAt[k] = partOfCurve[curveAt[k]];
     }
@@ -372,20 +373,20 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
   const Strands strands{curves, grid, curveAt, partAt, parts, partOfCurve};
 
   Stitched stitched;
-  Search search = Search::Nearest;
+  SearchKind search = SearchKind::Nearest;
   for (int round = 0; round < kMaxRounds && !run.cancelled(); ++round) {
     const SetsToJoin sets = setsToJoin(curves, partOfCurve, most, joining);
     // All parts are one set each: done.
     if (!sets.any) break;
-    Limits limits = limitsOf(search, params);
+    SearchLimits limits = limitsOf(search, params);
     if (round == 0) limits.stride = kFirstStride;
     const std::vector<Candidate> candidates =
-        search >= Search::Facing ? facingCandidates(strands, joining, sets, search == Search::AroundFacing,
-                                                    static_cast<float>(params.spacing), run)
-                                 : nearCandidates(strands, joining, sets, limits, run);
+        search >= SearchKind::Facing ? facingCandidates(strands, joining, sets, search == SearchKind::AroundFacing,
+                                                        static_cast<float>(params.spacing), run)
+                                     : nearCandidates(strands, joining, sets, limits, run);
     stitched.work += workOf(candidates, joining, params.spacing);
     if (joinInOrder(candidates, limits.gap, joining, run) > 0) continue;
-    if (search == Search::AroundFacing) break;
+    if (search == SearchKind::AroundFacing) break;
     search = wider(search);
   }
   if (run.cancelled()) return cancelledRun();

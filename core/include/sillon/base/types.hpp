@@ -1,9 +1,11 @@
 // Plain data shared by all stages: vectors, boxes, images and the toolpath itself.
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace sillon {
@@ -34,6 +36,15 @@ using Vec2f = Vec2T<float>;  ///< floats, for dense fields and paths: steps of 0
 template <class T>
 constexpr Vec2 wide(Vec2T<T> v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+
+/// Converts an enumerator, a number of 64 bits or a floating one to an index or a size; a fraction
+/// is cut off. An int needs no conversion. Debug builds stop at a negative number, which would
+/// become a huge index.
+template <class T>
+constexpr std::size_t toSize(T value) {
+  if constexpr (std::is_signed_v<T>) assert(value >= 0);
+  return static_cast<std::size_t>(value);
 }
 
 /// Index of a cell of a raster that is stored row by row. \param width  cells in a row
@@ -80,10 +91,7 @@ struct Image {
   std::vector<std::uint16_t> samples;  ///< values, width * height * channels of them
 
   [[nodiscard]] std::uint16_t at(int x, int y, int channel) const {
-    return samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                    static_cast<std::size_t>(x)) *
-                       static_cast<std::size_t>(channels) +
-                   static_cast<std::size_t>(channel)];
+    return samples[indexOf(x, y, width) * channels + channel];
   }
 };
 
@@ -103,7 +111,7 @@ struct ClosedCurves {
 
   [[nodiscard]] int count() const { return begin.empty() ? 0 : static_cast<int>(begin.size()) - 1; }
   [[nodiscard]] int size(int curve) const {
-    return begin[static_cast<std::size_t>(curve) + 1] - begin[curve];
+    return begin[curve + 1] - begin[curve];
   }
 };
 

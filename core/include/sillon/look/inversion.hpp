@@ -25,8 +25,7 @@ struct Tones {
   std::vector<float> value;
 
   [[nodiscard]] float at(int x, int y) const {
-    return value[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                 static_cast<std::size_t>(x)];
+    return value[indexOf(x, y, width)];
   }
   friend bool operator==(const Tones&, const Tones&) = default;
 };

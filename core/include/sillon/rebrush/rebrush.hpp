@@ -193,7 +193,7 @@ struct Rebrushed {
 ///
 /// Every byte outside the replaced lines, and the wipes behind them, stays. Place after the next
 /// travel, E, retraction, modes, speed and what the block set are as before. Times and progress
-/// that the file tells of itself (see rebrush/totals.hpp) change by the estimated difference;
+/// that the file tells of itself (see rebrush/totals.cpp) change by the estimated difference;
 /// filament stays as it is. A surface that cannot be replaced in this way is left, with the reason.
 /// \param file  readSlicedFile's result for this text.
 /// \return InvalidArgument if no surface is left to replace, one is chosen that the file does not

@@ -18,12 +18,12 @@ constexpr int kFaintest = 16;  // opacity below which a pixel does not count as 
 constexpr int kAlike = 10;     // largest step between cells of a gradient, in any channel of 255
 constexpr int kSame = 4;       // difference from a listed colour, in any channel of 255, that counts as rounding
 
-struct Colour {
+struct ByteColour {
   int red = 0, green = 0, blue = 0;  ///< 0..255
   bool painted = false;
 };
 
-Colour colourAt(const Image& image, int x, int y) {
+ByteColour colourAt(const Image& image, int x, int y) {
   const auto byte = [&](int channel) { return (image.at(x, y, channel) + 128) / 257; };
   const bool grey = image.channels < 3;
   const bool painted = image.channels % 2 == 1 || byte(image.channels - 1) >= kFaintest;
@@ -31,18 +31,18 @@ Colour colourAt(const Image& image, int x, int y) {
 }
 
 /// Parses a colour. \param text  "#rrggbb"
-Colour colourOf(const std::string& text) {
+ByteColour colourOf(const std::string& text) {
   int all = 0;
   std::from_chars(text.data() + 1, text.data() + text.size(), all, 16);
   return {all >> 16, all >> 8 & 255, all & 255, true};
 }
 
 /// Returns the largest difference in any channel.
-int farthest(const Colour& a, const Colour& b) {
+int farthest(const ByteColour& a, const ByteColour& b) {
   return std::max({std::abs(a.red - b.red), std::abs(a.green - b.green), std::abs(a.blue - b.blue)});
 }
 
-int squaredDistance(const Colour& a, const Colour& b) {
+int squaredDistance(const ByteColour& a, const ByteColour& b) {
   const int red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
   return red * red + green * green + blue * blue;
 }
@@ -56,7 +56,7 @@ struct ListedCells {
 
 /// Finds the listed colour of each cell; cells that nobody painted stay unknown.
 /// \param edges  if true, smoothed edges get colours, too.
-ListedCells listed(const Image& image, const std::vector<Colour>& list, const BoxCells& cells, bool edges) {
+ListedCells listed(const Image& image, const std::vector<ByteColour>& list, const BoxCells& cells, bool edges) {
   // Cells finer than pixels would take the mixed colour of a smoothed edge for an area.
   const int width = std::min(cells.width, image.width), height = std::min(cells.height, image.height);
   ListedCells out{width, height, {}};
@@ -70,13 +70,13 @@ ListedCells listed(const Image& image, const std::vector<Colour>& list, const Bo
   };
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const Colour own = shown(x, y);
-      const auto nearer = [&](const Colour& a, const Colour& b) {
+      const ByteColour own = shown(x, y);
+      const auto nearer = [&](const ByteColour& a, const ByteColour& b) {
         return squaredDistance(a, own) < squaredDistance(b, own);
       };
       const auto nearest = std::min_element(list.begin(), list.end(), nearer);
       const auto goesOn = [&](int besideX, int besideY) {
-        const Colour other = shown(besideX, besideY);
+        const ByteColour other = shown(besideX, besideY);
         return other.painted && farthest(other, own) <= kAlike;
       };
       const bool known =
@@ -115,7 +115,7 @@ void spread(ListedCells& cells) {
 }  // namespace
 
 LineAt colourLines(const TonesLayer& tones, const LayerContent& content, const Placement& place, double spacing) {
-  std::vector<Colour> list;
+  std::vector<ByteColour> list;
   std::vector<Vec2f> lines;
   for (const ColourAngle& one : tones.colours) {
     list.push_back(colourOf(one.colour));

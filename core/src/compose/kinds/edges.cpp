@@ -20,14 +20,14 @@ constexpr int kSweeps = 4;
 constexpr int kSmallestSide = 2;
 
 /// Field of lines as e^(2i angle) of any length, with the weight of each.
-struct LineField {
+struct WeightedLines {
   Tones x, y;
   Tones weight;
 };
 
 /// Computes the directions of steepest ascent; the length of each vector is the squared slope.
-LineField slopesOf(const Tones& tones, float tall) {
-  LineField slopes{tones, tones, tones};
+WeightedLines slopesOf(const Tones& tones, float tall) {
+  WeightedLines slopes{tones, tones, tones};
   const int width = tones.width, height = tones.height;
   for (int row = 0; row < height; ++row) {
     const int above = std::max(0, row - 1), below = std::min(height - 1, row + 1);
@@ -46,7 +46,7 @@ LineField slopesOf(const Tones& tones, float tall) {
 }
 
 /// Turns slopes into unit lines along the edges, weighted by their steepness relative to the mean.
-void weigh(LineField& field) {
+void weigh(WeightedLines& field) {
   std::vector<float>&x = field.x.value, &y = field.y.value;
   std::vector<float> steep(x.size());
   double sum = 0;
@@ -62,8 +62,8 @@ void weigh(LineField& field) {
 }
 
 /// Shrinks a field to fewer cells by weighted means.
-LineField shrunk(const LineField& field, int width, int height) {
-  LineField small;
+WeightedLines shrunk(const WeightedLines& field, int width, int height) {
+  WeightedLines small;
   small.weight = means(field.weight, width, height);
   const auto mean = [&](Tones values) {
     for (std::size_t k = 0; k < values.value.size(); ++k) values.value[k] *= field.weight.value[k];
@@ -96,8 +96,8 @@ void sweep(Tones& values, const Tones& told, const Tones& weight) {
 
 /// Spreads vectors over cells without weight, from coarse levels to fine ones. Each level is smoothed and
 /// pulled towards the given values.
-void spread(LineField& field) {
-  const LineField told = field;
+void spread(WeightedLines& field) {
+  const WeightedLines told = field;
   const int width = told.x.width, height = told.x.height;
   if (std::max(width, height) > kSmallestSide) {
     field = shrunk(told, (width + 1) / 2, (height + 1) / 2);
@@ -141,14 +141,15 @@ LineAt edgeLines(const TonesLayer& tones, const LayerContent& content, const Pla
   Tones read = means(tonesOf(*content.picture), cells.width, cells.height);
   blur(read, kNoiseBlur);
   // The box has whole numbers of cells, which are therefore only nearly square.
-  LineField field = slopesOf(read, static_cast<float>(content.size.y / cells.height * cells.width / content.size.x));
+  WeightedLines field =
+      slopesOf(read, static_cast<float>(content.size.y / cells.height * cells.width / content.size.x));
   blur(field.x, tones.smoothing / cells.cell);
   blur(field.y, tones.smoothing / cells.cell);
   weigh(field);
   spread(field);
   field.weight = {};
   const Vec2f turn = lineOf(place.rotation() + tones.angle * kDegree);
-  return [kept = std::make_shared<const LineField>(std::move(field)), place, box = content.size, turn](Vec2 at) {
+  return [kept = std::make_shared<const WeightedLines>(std::move(field)), place, box = content.size, turn](Vec2 at) {
     const Vec2 own = place.toOwn(at);
     const double x = (own.x / box.x + 0.5) * kept->x.width, y = (0.5 - own.y / box.y) * kept->x.height;
     const Vec2f line{between(kept->x, x, y), between(kept->y, x, y) * (place.mirror() ? -1.0F : 1.0F)};

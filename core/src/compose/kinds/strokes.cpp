@@ -43,13 +43,13 @@ struct Trace {
 };
 
 /// Straight way of a brush between two places.
-struct Piece {
+struct BrushWay {
   Vec2 begin, end;
 };
 
 /// Splits a stroke into pieces about a step long, which also evens out a shaky hand. A stroke of one point becomes a
 /// piece of length 0.
-std::vector<Piece> piecesOf(const Stroke& stroke) {
+std::vector<BrushWay> piecesOf(const Stroke& stroke) {
   std::vector<Vec2> points;
   for (std::size_t k = 0; k < stroke.points.size(); ++k) {
     const double moved = points.empty() ? stroke.radius : length(stroke.points[k] - points.back());
@@ -57,7 +57,7 @@ std::vector<Piece> piecesOf(const Stroke& stroke) {
     if (moved >= kStep * stroke.radius || (ends && moved > 0)) points.push_back(stroke.points[k]);
   }
   if (points.size() == 1) points.push_back(points[0]);
-  std::vector<Piece> pieces;
+  std::vector<BrushWay> pieces;
   for (std::size_t k = 1; k < points.size(); ++k) pieces.push_back({points[k - 1], points[k]});
   return pieces;
 }
@@ -89,7 +89,7 @@ class Brushes {
 
  private:
   /// Returns the texels within a radius of a piece.
-  [[nodiscard]] TexelBox around(const Piece& piece, double radius) const {
+  [[nodiscard]] TexelBox around(const BrushWay& piece, double radius) const {
     const auto& [a, b] = piece;
     const auto place = [](double texels, int count) {
       return static_cast<int>(std::clamp(texels, 0.0, static_cast<double>(count)));
@@ -99,9 +99,9 @@ class Brushes {
             place(std::ceil((std::max(a.x, b.x) + radius) / step_.x), plate_.width),
             place(std::ceil(plate_.height - (std::min(a.y, b.y) - radius) / step_.y), plate_.height)};
   }
-  [[nodiscard]] TexelBox boxOf(const std::vector<Piece>& pieces, double radius) const {
+  [[nodiscard]] TexelBox boxOf(const std::vector<BrushWay>& pieces, double radius) const {
     TexelBox box;
-    for (const Piece& piece : pieces) box.add(around(piece, radius));
+    for (const BrushWay& piece : pieces) box.add(around(piece, radius));
     return box;
   }
 
@@ -120,23 +120,23 @@ class Brushes {
     std::size_t k = 0;
     for (int y = box.top; y < box.bottom; ++y) {
       const std::size_t row = indexOf(0, y, plate_.width);
-      for (int x = box.left; x < box.right; ++x) visit(row + static_cast<std::size_t>(x), k++);
+      for (int x = box.left; x < box.right; ++x) visit(row + x, k++);
     }
   }
 
   /// Fills the trace of a stroke. Threads share the rows, and each row takes the pieces in their order. \return false
   /// if cancelled.
   bool follow(const Stroke& stroke, const RunContext& run, Trace& trace) const {
-    const std::vector<Piece> pieces = piecesOf(stroke);
+    const std::vector<BrushWay> pieces = piecesOf(stroke);
     trace.box = boxOf(pieces, stroke.radius);
     trace.strength.resize(trace.box.count());
     trace.line.resize(trace.box.count());
     if (trace.box.empty()) return true;
     double texels = 0;
-    for (const Piece& piece : pieces) texels += static_cast<double>(around(piece, stroke.radius).count());
+    for (const BrushWay& piece : pieces) texels += static_cast<double>(around(piece, stroke.radius).count());
     const int rows = trace.box.bottom - trace.box.top;
     parallelFor(run, rows, rowGrain(run, rows, kTexelCost * texels / rows), [&](int begin, int end) {
-      for (const Piece& piece : pieces) {
+      for (const BrushWay& piece : pieces) {
         TexelBox box = around(piece, stroke.radius);
         box.top = std::max(box.top, trace.box.top + begin);
         box.bottom = std::min(box.bottom, trace.box.top + end);
@@ -147,14 +147,13 @@ class Brushes {
   }
 
   /// Adds a piece to a trace. \param box  part of the piece's texels to fill.
-  void followPiece(const Stroke& stroke, const Piece& piece, const TexelBox& box, Trace& trace) const {
+  void followPiece(const Stroke& stroke, const BrushWay& piece, const TexelBox& box, Trace& trace) const {
     const Vec2 way = piece.end - piece.begin;
     const double square = dot(way, way), radius = stroke.radius;
     const Vec2f line = square > 0 ? lineAlong(way) : Vec2f{};
     const double rim = std::max(radius * std::min(1.0, std::max(0.0, stroke.soft)), 1e-9);
     for (int row = box.top; row < box.bottom; ++row) {
-      std::size_t k = static_cast<std::size_t>(row - trace.box.top) * trace.box.columns() +
-                      static_cast<std::size_t>(box.left - trace.box.left);
+      std::size_t k = (row - trace.box.top) * trace.box.columns() + (box.left - trace.box.left);
       for (int column = box.left; column < box.right; ++column, ++k) {
         const Vec2 from = Vec2{(column + 0.5) * step_.x, (plate_.height - row - 0.5) * step_.y} - piece.begin;
         // Most texels lie beside an end of a piece, where no division is needed.
@@ -207,8 +206,8 @@ class Brushes {
       const float strength = trace.strength[k];
       if (!(strength > 0)) return;
       LayerStack::Texel& texel = stack_.texels[number];
-      const auto x = static_cast<std::size_t>(static_cast<int>(number % plate_.width) - erased_.left);
-      const auto y = static_cast<std::size_t>(static_cast<int>(number / plate_.width) - erased_.top);
+      const std::size_t x = number % plate_.width - erased_.left;
+      const std::size_t y = number / plate_.width - erased_.top;
       const LayerStack::Texel& before = below_[y * erased_.columns() + x];
       LayerStack::Texel mixed = strength >= 0.5F ? before : texel;
       if (strength < 1) {

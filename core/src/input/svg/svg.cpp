@@ -68,7 +68,7 @@ Result<SvgPainting> readSvgPainting(std::string_view text, const SvgOptions& opt
   const Node* current = nullptr;
   try {
     if (isGzip(text)) {
-      Result<std::string> plain = unzipped(text, kMaxBytes);
+      Result<std::string> plain = gunzipped(text, kMaxBytes);
       if (!plain) throw Refused{plain.error().code, plain.error().message};
       unpacked = std::move(plain).value();
       text = unpacked;

@@ -129,11 +129,11 @@ std::shared_ptr<const Limit> limitOf(FilledPath area) {
   return limit;
 }
 
-FilledPath flattened(const std::vector<Layer>& layers, Work& work) {
+FilledPath flattened(const std::vector<PaintLayer>& layers, Work& work) {
   if (layers.empty()) return {};
   if (layers.size() == 1) return layers[0].adds ? layers[0].path : FilledPath{};
   std::vector<FilledPath> paths;
-  for (const Layer& layer : layers) paths.push_back(layer.path);
+  for (const PaintLayer& layer : layers) paths.push_back(layer.path);
   return combine(
       paths,
       [&](const std::vector<char>& filled) {

@@ -55,15 +55,15 @@ constexpr std::uint8_t byteOf(std::string_view digits) {
 
 // Stores digests of the names, because the names themselves would make the WebAssembly module larger by 1.5 KB. About
 // one unknown word in 400 is mistaken for a name.
-struct Table {
+struct NameDigests {
   static constexpr std::size_t kCount = (std::count(kNames.begin(), kNames.end(), ' ') + 1) / 2;
   std::array<std::uint16_t, kCount> digests{};
   std::array<std::array<std::uint8_t, 3>, kCount> colours{};
 };
-constexpr Table kTable = [] {
-  Table table;
+constexpr NameDigests kTable = [] {
+  NameDigests table;
   std::string_view rest = kNames;
-  for (std::size_t k = 0; k < Table::kCount; ++k) {
+  for (std::size_t k = 0; k < NameDigests::kCount; ++k) {
     const std::size_t end = rest.find(' ');
     table.digests[k] = digest(rest.substr(0, end));
     for (std::size_t part = 0; part < 3; ++part) table.colours[k][part] = byteOf(rest.substr(end + 1 + 2 * part, 2));

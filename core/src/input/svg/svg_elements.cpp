@@ -26,7 +26,7 @@ constexpr double kMaxPage = 1e5;  // longest side of a page [mm]
 constexpr double kFaint = 0.5;  // opacity up to which paint counts as faint; the second tones of icons have 0.2 to 0.4
 constexpr double kLeastFaint = 0.005;  // share of the shape's area, below which no tone would be missed
 
-struct State {
+struct Inherited {
   Matrix toWorld = Matrix::Identity();
   Vec2 viewport;  // size that percentages refer to, in user units
   PaintState paint;
@@ -62,20 +62,20 @@ bool isAnimated(const Node& node, const Style& style) {
 }
 
 // Aspect of an element that is read.
-enum class Reading {
+enum class Aspect {
   Painted,
   Mask,      // painted shapes, except that black hides
   Clip,      // outlines filled by clip-rule
   Outlines,  // outlines, whatever their paint and limits
 };
 
-class Drawing {
+class DrawingReader {
  public:
-  Drawing(const SvgOptions& options, const Node*& current)
+  DrawingReader(const SvgOptions& options, const Node*& current)
       : options_(options),
         current_(current),
         units_{options.unitlessIsMm ? 1 : kMmPerPx, options.unitlessIsMm ? 16 * kMmPerPx : 16},
-        reading_(options.ignorePaint ? Reading::Outlines : Reading::Painted),
+        reading_(options.ignorePaint ? Aspect::Outlines : Aspect::Painted),
         shaper_(options_.letters) {}
 
   SvgPainting read(const Node& root) {
@@ -90,7 +90,7 @@ class Drawing {
       refuseTooLarge("the height at the width asked for is out of range; it must be more than 0 and at most 100000 mm");
     }
 
-    State state;
+    Inherited state;
     state.paint = initialPaint();
     toPage_ = matrix(units_.mm * scale, 0, 0, -units_.mm * scale, 0, shape_.page.y);
     const Vec2 size = page * (1 / units_.mm);
@@ -99,13 +99,13 @@ class Drawing {
     page_ = *limitOf({{Ring{{0, 0}, {shape_.page.x, 0}, shape_.page, {0, shape_.page.y}}}, FillRule::NonZero});
     drawRoot(root, state, box);
     const bool unread = shape_.drawing.texts + shape_.drawing.images > 0;
-    if (layers_.empty() && !painted_ && !unread && reading_ == Reading::Painted) {
+    if (layers_.empty() && !painted_ && !unread && reading_ == Aspect::Painted) {
       shape_.drawing.unpainted = true;
-      reading_ = Reading::Outlines;
+      reading_ = Aspect::Outlines;
       drawRoot(root, state, box);
     }
     current_ = nullptr;
-    if (reading_ == Reading::Outlines) {
+    if (reading_ == Aspect::Outlines) {
       joinLoose(loose_, layers_);
       alternateNested(layers_);
     }
@@ -116,13 +116,13 @@ class Drawing {
                              : "the drawing has no area to fill; it needs paths, basic shapes, lines with a stroke or "
                                "text that can be set in a built-in font (images do not count)"};
     }
-    shape_.drawing.faintMm2 = reading_ == Reading::Painted ? faintArea() : 0;
+    shape_.drawing.faintMm2 = reading_ == Aspect::Painted ? faintArea() : 0;
     std::vector<PathPaint> paints;
-    for (Layer& layer : layers_) {
+    for (PaintLayer& layer : layers_) {
       shape_.paths.push_back(std::move(layer.path));
       paints.push_back(layer.paint);
     }
-    shape_.drawing.linesOnly = reading_ == Reading::Painted && !filled_;
+    shape_.drawing.linesOnly = reading_ == Aspect::Painted && !filled_;
     if (!offPage_.paths.empty()) {
       const Result<Outline> lost = resolveOutline(offPage_);
       if (lost) shape_.drawing.offPage = lost.value().area;
@@ -174,14 +174,14 @@ class Drawing {
   // Returns the box around all that is painted, or around all outlines if nothing is.
   std::optional<ViewBox> drawnBox(const Node& root) {
     const std::int64_t points = pointsLeft_, letters = lettersLeft_;
-    State state;
+    Inherited state;
     state.paint = initialPaint();
     state.viewport = {300, 150};  // the default size in browsers
     page_ = {{}, {{-kMaxCoordinate, -kMaxCoordinate}, {kMaxCoordinate, kMaxCoordinate}}, true};
     Bounds drawn;
-    for (const Reading reading : {reading_, Reading::Outlines}) {
+    for (const Aspect reading : {reading_, Aspect::Outlines}) {
       if (!drawn.empty()) break;
-      for (const Layer& layer : drawnAs(reading, [&] { drawRoot(root, state, std::nullopt); })) {
+      for (const PaintLayer& layer : drawnAs(reading, [&] { drawRoot(root, state, std::nullopt); })) {
         const Bounds box = boxOf(layer.path.rings);
         drawn.add(box.min);
         drawn.add(box.max);
@@ -201,7 +201,7 @@ class Drawing {
   }
 
   // Reads into `state` the properties that all elements share. Returns false if the element is not displayed.
-  bool enter(const Node& node, State& state) {
+  bool enter(const Node& node, Inherited& state) {
     current_ = &node;
     if (++state.depth > kMaxDepth) {
       refuseTooLarge("<use> nests elements deeper than " + std::to_string(kMaxDepth) + " levels");
@@ -212,14 +212,14 @@ class Drawing {
     applyTo(state.paint, node, style, state.viewport);
     state.toWorld = state.toWorld * transformOf(node, style, state);
     noteUnread(node, style, state);
-    if (reading_ == Reading::Outlines) return true;
+    if (reading_ == Aspect::Outlines) return true;
     addLimits(node, style, state);
     current_ = &node;
     return true;
   }
 
   // Returns `transform` about `transform-origin`.
-  Matrix transformOf(const Node& node, const Style& style, const State& state) {
+  Matrix transformOf(const Node& node, const Style& style, const Inherited& state) {
     const std::string& text = style.value(Property::Transform);
     if (text.empty()) return Matrix::Identity();
     const bool isCss = style.isCss(Property::Transform);
@@ -247,15 +247,15 @@ class Drawing {
   // Notes, once, a feature that viewers show and this reader does not.
   void note(const std::string& what) {
     std::vector<std::string>& unread = shape_.drawing.unread;
-    if (reading_ == Reading::Outlines || unread.size() == kMostUnread) return;
+    if (reading_ == Aspect::Outlines || unread.size() == kMostUnread) return;
     if (std::find(unread.begin(), unread.end(), what) == unread.end()) unread.push_back(what);
   }
 
   // Notes CSS and features of an element that would change what is shown, and are not read.
-  void noteUnread(const Node& node, const Style& style, const State& state) {
+  void noteUnread(const Node& node, const Style& style, const Inherited& state) {
     if (isAnimated(node, style)) note("animation");
     if (!state.paint.visible || style.empty()) return;
-    if (reading_ != Reading::Clip) noteEffects(style);
+    if (reading_ != Aspect::Clip) noteEffects(style);
     const std::string_view function = style.fallsBack() && definesProperty_ ? "var()" : style.unreadFunction();
     if (!function.empty()) note("CSS " + quoted(function));
     const std::string_view name = elementName(node);
@@ -316,7 +316,7 @@ class Drawing {
   }
 
   // Draws the root element and all that it contains.
-  void drawRoot(const Node& root, State state, const std::optional<ViewBox>& box) {
+  void drawRoot(const Node& root, Inherited state, const std::optional<ViewBox>& box) {
     shape_.drawing.texts = shape_.drawing.images = 0;
     if (!styleSheet_.unread().empty()) note("CSS " + styleSheet_.unread());
     if (!enter(root, state)) return;
@@ -327,12 +327,12 @@ class Drawing {
     drawChildren(root, state);
   }
 
-  void drawChildren(const Node& node, const State& state) {
+  void drawChildren(const Node& node, const Inherited& state) {
     for (const Node* child = node.first_node(); child; child = child->next_sibling()) draw(*child, state);
   }
 
   // Draws an element; elements not named here are not drawn: <defs>, <symbol>, <clipPath>, foreign ones, ...
-  void draw(const Node& node, State state) {
+  void draw(const Node& node, Inherited state) {
     const std::string_view name = elementName(node);
     const bool unread = name == "flowRoot" || name == "image";
     if (!isMeant(node)) return;
@@ -351,14 +351,14 @@ class Drawing {
 
   // Counts texts and images that are not drawn. In masks and clip paths they are only noted, because these are read as
   // often as they are used.
-  void noteMedium(bool isImage, const State& state) {
-    if (reading_ != Reading::Outlines && !state.paint.visible) return;
-    if (reading_ == Reading::Mask || reading_ == Reading::Clip) return note(isImage ? "<image>" : "<text>");
+  void noteMedium(bool isImage, const Inherited& state) {
+    if (reading_ != Aspect::Outlines && !state.paint.visible) return;
+    if (reading_ == Aspect::Mask || reading_ == Aspect::Clip) return note(isImage ? "<image>" : "<text>");
     ++(isImage ? shape_.drawing.images : shape_.drawing.texts);
   }
 
   // Draws the content of an element whose own attributes have been read.
-  void drawContent(const Node& node, const State& state) {
+  void drawContent(const Node& node, const Inherited& state) {
     const std::string_view name = elementName(node);
     if (name == "g" || name == "a") drawChildren(node, state);
     if (name == "switch") drawSwitch(node, state);
@@ -369,7 +369,7 @@ class Drawing {
   }
 
   // Draws the first child of a <switch> that isMeant().
-  void drawSwitch(const Node& node, const State& state) {
+  void drawSwitch(const Node& node, const Inherited& state) {
     for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
       const std::string_view name = elementName(*child);
       if (!name.empty() && name != "foreignObject" && isMeant(*child)) return draw(*child, state);
@@ -377,7 +377,7 @@ class Drawing {
   }
 
   // Draws a nested <svg> or a <symbol>. \param use  the element that shows it and may give another size, or null.
-  void drawViewport(const Node& node, State state, const Node* use) {
+  void drawViewport(const Node& node, Inherited state, const Node* use) {
     const UserUnits units = unitsOf(state.paint);
     const auto side = [&](const char* name, double full) {
       if (use && lengthOf(*use, name)) return units.of(*use, name, full, full);
@@ -391,7 +391,7 @@ class Drawing {
     state.toWorld = state.toWorld * shifted(x, y);
     state.viewport = size;
     const std::string overflow = styleSheet_.styleOf(node, work_).word(Property::Overflow);
-    if (reading_ != Reading::Outlines && overflow != "visible" && overflow != "auto") {
+    if (reading_ != Aspect::Outlines && overflow != "visible" && overflow != "auto") {
       state.limits.push_back(rectangleLimit({0, 0}, size, state.toWorld));
     }
     if (const auto box = viewBoxOf(node)) {
@@ -413,7 +413,7 @@ class Drawing {
   }
 
   // Draws the element that a <use> refers to, with the place and size of the <use>.
-  void drawUse(const Node& node, State state) {
+  void drawUse(const Node& node, Inherited state) {
     const Node* const used = usedBy(node);
     if (!used) return;
     const Node& shown = *used;
@@ -435,7 +435,7 @@ class Drawing {
     uses_.pop_back();
   }
 
-  void drawShape(const Node& node, const State& state) {
+  void drawShape(const Node& node, const Inherited& state) {
     Outliner out(state.toWorld, options_.tolerance, pointsLeft_);
     if (!outlineShape(out, node, state.viewport, unitsOf(state.paint))) return;
     if (state.paint.strokeAlpha() >= kFaintest && state.paint.line.dashes && attribute(node, "pathLength")) {
@@ -445,10 +445,10 @@ class Drawing {
   }
 
   // Draws a text; if some letter cannot be drawn, the text counts as left out.
-  void drawText(const Node& node, const State& state) {
+  void drawText(const Node& node, const Inherited& state) {
     LetterRuns letters(lettersLeft_);
     if (!options_.letters.shape) return noteMedium(false, state);
-    std::vector<State> states;
+    std::vector<Inherited> states;
     collectLetters(node, state, letters, states);
     const std::vector<LetterRun> runs = letters.take(state.viewport);
     const Result<std::vector<PlacedLetter>> placed = placeLetters(runs, letters.styles(), shaper_);
@@ -464,11 +464,11 @@ class Drawing {
 
   /// Collects the letters of an element and its children. \param states  receives one state for each of
   /// letters.styles().
-  void collectLetters(const Node& node, const State& state, LetterRuns& letters, std::vector<State>& states) {
+  void collectLetters(const Node& node, const Inherited& state, LetterRuns& letters, std::vector<Inherited>& states) {
     const double length = unitsOf(state.paint).ofStyle(attribute(node, "textLength").value_or(""), state.viewport.x);
     const bool glyphs = attribute(node, "lengthAdjust").value_or("") == "spacingAndGlyphs";
-    std::shared_ptr<const Stretch> around;
-    if (length > 0) around = letters.setStretch(std::make_shared<const Stretch>(Stretch{length, glyphs}));
+    std::shared_ptr<const TextLength> around;
+    if (length > 0) around = letters.setStretch(std::make_shared<const TextLength>(TextLength{length, glyphs}));
     if (around) note("textLength");  // a textLength inside another one is not read
     letters.open(node, unitsOf(state.paint));
     for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
@@ -478,7 +478,7 @@ class Drawing {
       } else if (child->type() == rapidxml::node_element) {
         const std::string_view name = elementName(*child);
         if ((name != "tspan" && name != "a" && name != "textPath") || !isMeant(*child)) continue;
-        State inside = state;
+        Inherited inside = state;
         if (!enter(*child, inside)) continue;
         if (name != "textPath") {
           collectLetters(*child, inside, letters, states);
@@ -494,7 +494,7 @@ class Drawing {
   }
 
   // Returns the path of a <textPath>, or null if it refers to no outline; then its text is not shown.
-  std::shared_ptr<const TextPath> textPathOf(const Node& node, const State& state) {
+  std::shared_ptr<const TextPath> textPathOf(const Node& node, const Inherited& state) {
     const std::string_view target = trimmed(hrefOf(node).value_or(""));
     const auto found = startsWith(target, "#") ? byId_.find(target.substr(1)) : byId_.end();
     const auto data = attribute(node, "path");
@@ -511,7 +511,7 @@ class Drawing {
       return Vec2{at.x(), at.y()};
     };
     TextPath path;
-    for (const Line& line : out.lines()) {
+    for (const PathLine& line : out.lines()) {
       for (std::size_t k = 1; k < line.points.size(); ++k) path.add(user(line.points[k - 1]), user(line.points[k]));
       if (line.closed) path.add(user(line.points.back()), user(line.points.front()));
     }
@@ -526,21 +526,21 @@ class Drawing {
   }
 
   // Fills and strokes an outline according to its paint.
-  void paint(const Outliner& out, const PaintState& paint, const State& state) {
-    if (reading_ == Reading::Outlines) {
+  void paint(const Outliner& out, const PaintState& paint, const Inherited& state) {
+    if (reading_ == Aspect::Outlines) {
       const std::size_t before = loose_.size();
       FilledPath path{out.rings(&loose_), paint.fillRule};
       for (std::size_t k = before; k < loose_.size(); ++k) loose_[k].layer = layers_.size();
       return show(std::move(path), state);
     }
-    if (reading_ == Reading::Clip) {
+    if (reading_ == Aspect::Clip) {
       if (paint.visible) show({out.rings(), paint.clipRule}, state);
       return;
     }
     if (paint.fillAlpha() >= kFaintest) {
       noteServer(paint.fill);
       std::vector<Ring> rings = out.rings();
-      filled_ = filled_ || (reading_ == Reading::Painted && !rings.empty());
+      filled_ = filled_ || (reading_ == Aspect::Painted && !rings.empty());
       show({std::move(rings), paint.fillRule}, state, paint.fill, paint.fillAlpha());
     }
     if (paint.strokeAlpha() >= kFaintest) {
@@ -553,28 +553,28 @@ class Drawing {
 
   void noteServer(const Paint& paint) {
     if (paint.pattern) note("<pattern>");
-    if (paint.gradient && reading_ == Reading::Mask && !paint.black()) note("gradient in <mask>");
+    if (paint.gradient && reading_ == Aspect::Mask && !paint.black()) note("gradient in <mask>");
   }
 
   // Adds the part of a path that lies within all limits and on the page.
-  void show(FilledPath path, const State& state, const Paint& paint = {}, double alpha = 1) {
+  void show(FilledPath path, const Inherited& state, const Paint& paint = {}, double alpha = 1) {
     if (path.rings.empty()) return;
-    if (reading_ == Reading::Outlines) {
+    if (reading_ == Aspect::Outlines) {
       layers_.push_back({std::move(path)});
       return;
     }
-    const bool hides = reading_ == Reading::Mask && paint.black() && !maskByAlpha_;
+    const bool hides = reading_ == Aspect::Mask && paint.black() && !maskByAlpha_;
     if (hides && alpha < 1 - kFaintest) return;  // grey still shows
-    if (reading_ == Reading::Painted) painted_ = true;
+    if (reading_ == Aspect::Painted) painted_ = true;
     std::vector<const Limit*> limits;
     for (const auto& limit : state.limits) limits.push_back(limit.get());
     std::shared_ptr<const Limit> seen;
     if (paint.fading) seen = seenOf(*paint.fading, state, boxOf(path.rings));
     if (seen) limits.push_back(seen.get());
     path = within(std::move(path), limits, work_);
-    if (reading_ == Reading::Painted) path = onPage(std::move(path));
+    if (reading_ == Aspect::Painted) path = onPage(std::move(path));
     if (path.rings.empty()) return;
-    if (reading_ == Reading::Painted) {
+    if (reading_ == Aspect::Painted) {
       if (layers_.empty()) colour_ = paint.colour;
       shape_.drawing.severalColours = shape_.drawing.severalColours || paint.colour != colour_;
     }
@@ -582,7 +582,7 @@ class Drawing {
   }
 
   // Returns the visible part of a gradient, or null if all of it is visible.
-  std::shared_ptr<const Limit> seenOf(const Node& gradient, const State& state, const Bounds& around) {
+  std::shared_ptr<const Limit> seenOf(const Node& gradient, const Inherited& state, const Bounds& around) {
     const Node* const node = current_;
     const GradientPlace place{state.toWorld, userBox(*node, state), state.viewport, unitsOf(state.paint), around};
     current_ = node;
@@ -592,11 +592,11 @@ class Drawing {
 
   // Returns DrawingFacts::faintMm2. Faint shapes on or along firm ones are shadows, not a second tone.
   double faintArea() const {
-    const auto isFaint = [](const Layer& layer) { return layer.paint.alpha <= kFaint; };
+    const auto isFaint = [](const PaintLayer& layer) { return layer.paint.alpha <= kFaint; };
     const auto faint = std::count_if(layers_.begin(), layers_.end(), isFaint);
     if (faint == 0 || faint == std::ssize(layers_)) return 0;
     Shape all, firm;
-    for (const Layer& layer : layers_) {
+    for (const PaintLayer& layer : layers_) {
       all.paths.push_back(layer.path);
       if (!isFaint(layer)) firm.paths.push_back(layer.path);
     }
@@ -620,7 +620,7 @@ class Drawing {
   }
 
   // Adds `clip-path` and `mask` of an element to its limits. A reference to no element limits nothing.
-  void addLimits(const Node& node, const Style& style, State& state) {
+  void addLimits(const Node& node, const Style& style, Inherited& state) {
     const auto named = [&](Property property, const char* kind) -> const Node* {
       const std::string& value = style.value(property);
       const Node* const target = targetOf(value, kind);
@@ -639,7 +639,7 @@ class Drawing {
 
   // Returns the units of a limit: user space, or the element's box if `attributeName` says objectBoundingBox.
   Matrix unitsOf(const Node& limit, const char* attributeName, bool boxIsDefault, const Node& node,
-                 const State& state) {
+                 const Inherited& state) {
     const auto units = attribute(limit, attributeName);
     const bool byBox = units ? trimmed(*units) == "objectBoundingBox" : boxIsDefault;
     if (!byBox) return Matrix::Identity();
@@ -649,7 +649,7 @@ class Drawing {
   }
 
   // Returns the box around all outlines of an element, without strokes, in its user units.
-  Bounds userBox(const Node& node, State state) {
+  Bounds userBox(const Node& node, Inherited state) {
     if (std::abs(state.toWorld.linear().determinant()) < 1e-30) return {};
     const Matrix toUser = state.toWorld.inverse();
     state.limits.clear();
@@ -658,12 +658,12 @@ class Drawing {
     const std::size_t loose = loose_.size();
     const Node* shown = &node;  // a part of a text has the box of the whole text
     while (elementName(*shown) == "tspan" || elementName(*shown) == "textPath") shown = shown->parent();
-    const std::vector<Layer> layers = drawnAs(Reading::Outlines, [&] { drawContent(*shown, state); });
+    const std::vector<PaintLayer> layers = drawnAs(Aspect::Outlines, [&] { drawContent(*shown, state); });
     loose_.resize(loose);
     pointsLeft_ = points;
     shape_.drawing.texts = texts;
     Bounds box;
-    for (const Layer& layer : layers) {
+    for (const PaintLayer& layer : layers) {
       for (const Ring& ring : layer.path.rings) {
         for (const Vec2 p : ring) {
           const Eigen::Vector2d user = toUser * Eigen::Vector2d(p.x, p.y);
@@ -676,10 +676,10 @@ class Drawing {
 
   // Returns the layers that `body` draws, and leaves those of the drawing as they are.
   template <class Body>
-  std::vector<Layer> drawnAs(Reading reading, const Body& body) {
-    std::vector<Layer> kept;
+  std::vector<PaintLayer> drawnAs(Aspect reading, const Body& body) {
+    std::vector<PaintLayer> kept;
     kept.swap(layers_);
-    const Reading before = std::exchange(reading_, reading);
+    const Aspect before = std::exchange(reading_, reading);
     body();
     reading_ = before;
     kept.swap(layers_);
@@ -687,7 +687,7 @@ class Drawing {
   }
 
   // Returns the paint that an element inherits from its place in the document.
-  PaintState inheritedBy(const Node& node, const State& state) {
+  PaintState inheritedBy(const Node& node, const Inherited& state) {
     PaintState paint = initialPaint();
     if (const Node* parent = node.parent(); parent && parent->type() == rapidxml::node_element) {
       paint = inheritedBy(*parent, state);
@@ -699,8 +699,8 @@ class Drawing {
   }
 
   // Returns the initial state for the children of <clipPath> or <mask>.
-  State stateInside(const Node& limit, const State& state) {
-    State inside;
+  Inherited stateInside(const Node& limit, const Inherited& state) {
+    Inherited inside;
     inside.toWorld = state.toWorld;
     inside.viewport = state.viewport;
     inside.paint = inheritedBy(limit, state);
@@ -710,14 +710,14 @@ class Drawing {
   }
 
   // Adds the area of a <clipPath> to the limits of an element.
-  void addClip(const Node& clip, const Node& node, State& state) {
-    State inside = stateInside(clip, state);
+  void addClip(const Node& clip, const Node& node, Inherited& state) {
+    Inherited inside = stateInside(clip, state);
     uses_.push_back(&clip);
     const Style style = styleSheet_.styleOf(clip, work_);
     addLimits(clip, style, inside);
     inside.toWorld =
         inside.toWorld * transformOf(clip, style, inside) * unitsOf(clip, "clipPathUnits", false, node, state);
-    const std::vector<Layer> layers = drawnAs(Reading::Clip, [&] {
+    const std::vector<PaintLayer> layers = drawnAs(Aspect::Clip, [&] {
       for (const Node* child = clip.first_node(); child; child = child->next_sibling()) {
         const Node* const target = elementName(*child) == "use" ? usedBy(*child) : child;  // groups do not count
         const std::string_view name = target ? elementName(*target) : std::string_view();
@@ -729,7 +729,7 @@ class Drawing {
   }
 
   // Adds the frame of a <mask>, and the area that it shows, to the limits of an element.
-  void addMask(const Node& mask, const Node& node, State& state) {
+  void addMask(const Node& mask, const Node& node, Inherited& state) {
     const Matrix frame = unitsOf(mask, "maskUnits", true, node, state);
     const auto frameUnits = attribute(mask, "maskUnits");
     const bool byBox = !frameUnits || trimmed(*frameUnits) == "objectBoundingBox";
@@ -737,13 +737,13 @@ class Drawing {
     const UserUnits units = unitsOf(state.paint);
     const Vec2 corner{units.of(mask, "x", full.x, -0.1 * full.x), units.of(mask, "y", full.y, -0.1 * full.y)};
     const Vec2 size{units.of(mask, "width", full.x, 1.2 * full.x), units.of(mask, "height", full.y, 1.2 * full.y)};
-    State inside = stateInside(mask, state);
+    Inherited inside = stateInside(mask, state);
     inside.toWorld = state.toWorld * unitsOf(mask, "maskContentUnits", false, node, state);
     uses_.push_back(&mask);
     const Style style = styleSheet_.styleOf(mask, work_);
     addLimits(mask, style, inside);
     const bool before = std::exchange(maskByAlpha_, style.word(Property::MaskType) == "alpha");
-    const std::vector<Layer> layers = drawnAs(Reading::Mask, [&] { drawChildren(mask, inside); });
+    const std::vector<PaintLayer> layers = drawnAs(Aspect::Mask, [&] { drawChildren(mask, inside); });
     maskByAlpha_ = before;
     uses_.pop_back();
     state.limits.push_back(
@@ -754,11 +754,11 @@ class Drawing {
   SvgOptions options_;
   const Node*& current_;
   UserUnits units_;
-  Reading reading_;
+  Aspect reading_;
   bool maskByAlpha_ = false;
   Matrix toPage_ = Matrix::Identity();  // from the page's units to mm
   Shape shape_;
-  std::vector<Layer> layers_;
+  std::vector<PaintLayer> layers_;
   std::vector<LoosePiece> loose_;
   Limit page_;
   Shape offPage_;
@@ -780,7 +780,7 @@ class Drawing {
 }  // namespace
 
 SvgPainting drawElements(const Node& root, const SvgOptions& options, const Node*& current) {
-  return Drawing(options, current).read(root);
+  return DrawingReader(options, current).read(root);
 }
 
 }  // namespace sillon::svg

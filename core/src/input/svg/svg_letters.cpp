@@ -284,7 +284,7 @@ std::optional<Error> kern(const std::vector<LetterRun>& runs, const std::deque<P
 /// Applies `textLength`: sets letters apart, or makes them wider.
 void stretch(const std::vector<LetterRun>& runs, std::vector<LaidRun>& laid) {
   for (std::size_t first = 0, end = 0; first < runs.size(); first = end) {
-    const Stretch* const wanted = runs[first].stretch.get();
+    const TextLength* const wanted = runs[first].stretch.get();
     double width = 0, letters = 0;
     for (end = first; end < runs.size() && runs[end].stretch.get() == wanted; ++end) {
       width += laid[end].width + (end > first ? runs[end].shift.x : 0);
@@ -376,17 +376,17 @@ std::vector<std::string_view> unreadOf(const LetterStyle& letters) {
 void TextPath::add(Vec2 from, Vec2 to) {
   const double size = std::sqrt(dot(to - from, to - from));
   if (!(size > 0)) return;
-  sides_.push_back({length_, from, (to - from) * (1 / size)});
+  legs_.push_back({length_, from, (to - from) * (1 / size)});
   length_ += size;
 }
 
 std::optional<Matrix> TextPath::at(double distance) const {
-  if (sides_.empty() || distance < 0 || distance > length_) return std::nullopt;
-  const auto next = std::upper_bound(sides_.begin(), sides_.end(), distance,
-                                     [](double at, const Side& side) { return at < side.begin; });
-  const Side& side = *(next - 1);
-  const Vec2 p = side.from + side.along * (distance - side.begin);
-  return matrix(side.along.x, side.along.y, -side.along.y, side.along.x, p.x, p.y);
+  if (legs_.empty() || distance < 0 || distance > length_) return std::nullopt;
+  const auto next =
+      std::upper_bound(legs_.begin(), legs_.end(), distance, [](double at, const Leg& leg) { return at < leg.begin; });
+  const Leg& leg = *(next - 1);
+  const Vec2 p = leg.from + leg.along * (distance - leg.begin);
+  return matrix(leg.along.x, leg.along.y, -leg.along.y, leg.along.x, p.x, p.y);
 }
 
 void LetterRuns::open(const Node& node, const UserUnits& units) {

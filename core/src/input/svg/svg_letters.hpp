@@ -32,16 +32,16 @@ class TextPath {
   [[nodiscard]] std::optional<Matrix> at(double distance) const;
 
  private:
-  struct Side {
+  struct Leg {
     double begin;
     Vec2 from, along;  // `along` is a unit vector
   };
-  std::vector<Side> sides_;
+  std::vector<Leg> legs_;
   double length_ = 0;
 };
 
 /// The length that `textLength` gives to letters.
-struct Stretch {
+struct TextLength {
   double length = 0;
   bool glyphs = false;  ///< letters are widened to fit the length instead of set apart
 };
@@ -54,7 +54,7 @@ struct LetterRun {
   Vec2 shift;                  ///< dx and dy [user units]
   double turn = 0;             ///< turn about the place of the run's only letter [degrees]
   std::shared_ptr<const TextPath> path;
-  std::shared_ptr<const Stretch> stretch;  ///< shared by all runs of one textLength
+  std::shared_ptr<const TextLength> stretch;  ///< shared by all runs of one textLength
 };
 
 /// The outline of a letter, or of a line under, through or above letters, in the element's user units.
@@ -80,7 +80,7 @@ class LetterRuns {
     return path;
   }
   /// Sets the stretch for letters up to the next call; null: none. \return the stretch before.
-  std::shared_ptr<const Stretch> setStretch(std::shared_ptr<const Stretch> stretch) {
+  std::shared_ptr<const TextLength> setStretch(std::shared_ptr<const TextLength> stretch) {
     std::swap(stretch, stretch_);
     return stretch;
   }
@@ -100,7 +100,7 @@ class LetterRuns {
     Vec2 shift;
     double turn = 0;
     std::shared_ptr<const TextPath> path;
-    std::shared_ptr<const Stretch> stretch;
+    std::shared_ptr<const TextLength> stretch;
   };
   struct Element {
     const Node* node;
@@ -118,7 +118,7 @@ class LetterRuns {
   std::vector<std::size_t> inside_;  // indices of the open elements, outermost first
   std::deque<PaintState> styles_;
   std::shared_ptr<const TextPath> path_;
-  std::shared_ptr<const Stretch> stretch_;
+  std::shared_ptr<const TextLength> stretch_;
   bool afterSpace_ = true;  // true if a further space shows nothing
 };
 

@@ -123,7 +123,7 @@ bool lies(const FilledPath& path, const Bounds& box, const FilledPath& in, const
 
 }  // namespace
 
-void joinLoose(const std::vector<LoosePiece>& pieces, std::vector<Layer>& layers) {
+void joinLoose(const std::vector<LoosePiece>& pieces, std::vector<PaintLayer>& layers) {
   Joiner joiner(pieces);
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     Ring ring;
@@ -134,11 +134,11 @@ void joinLoose(const std::vector<LoosePiece>& pieces, std::vector<Layer>& layers
     }
     layers.push_back({{{std::move(ring)}, FillRule::EvenOdd}});
   }
-  for (Layer& layer : layers) std::erase_if(layer.path.rings, [](const Ring& ring) { return ring.empty(); });
-  std::erase_if(layers, [](const Layer& layer) { return layer.path.rings.empty(); });
+  for (PaintLayer& layer : layers) std::erase_if(layer.path.rings, [](const Ring& ring) { return ring.empty(); });
+  std::erase_if(layers, [](const PaintLayer& layer) { return layer.path.rings.empty(); });
 }
 
-void alternateNested(std::vector<Layer>& layers) {
+void alternateNested(std::vector<PaintLayer>& layers) {
   Order largest;
   for (std::size_t k = 0; k < layers.size(); ++k) {
     const Vec2 size = boxOf(layers[k].path.rings).size();
@@ -173,7 +173,7 @@ void alternateNested(std::vector<Layer>& layers) {
     std::move(rings.begin(), rings.end(), std::back_inserter(whole.rings));
     rings.clear();
   }
-  std::erase_if(layers, [](const Layer& layer) { return layer.path.rings.empty(); });
+  std::erase_if(layers, [](const PaintLayer& layer) { return layer.path.rings.empty(); });
 }
 
 }  // namespace sillon::svg

@@ -120,7 +120,7 @@ void setRule(const std::string& word, FillRule& rule) {
 }
 
 // Reads `stroke-dasharray`; an invalid list counts as solid.
-void setDashes(std::string_view value, const PaintContext& context, Stroke::Dashes& dashes) {
+void setDashes(std::string_view value, const PaintContext& context, LineStroke::Dashes& dashes) {
   if (value.empty() || lowered(value) == "inherit") return;
   std::vector<double> read;
   double sum = 0;
@@ -149,7 +149,7 @@ void setDashes(std::string_view value, const PaintContext& context, Stroke::Dash
 }
 
 // Reads the properties of a stroke apart from its paint.
-void setStroke(const Style& style, const PaintContext& context, Stroke& stroke) {
+void setStroke(const Style& style, const PaintContext& context, LineStroke& stroke) {
   const double width = context.length(style.value(Property::StrokeWidth));
   if (width >= 0) stroke.width = width;
   const std::string cap = style.word(Property::StrokeLinecap);

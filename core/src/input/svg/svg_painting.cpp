@@ -50,7 +50,7 @@ Image paintedPicture(const SvgPainting& painting, int longest) {
   const double scale = pixelsPerMm(painting.shape, longest / std::max(page.x, page.y));
   const auto pixels = [&](double side) { return std::max(1, static_cast<int>(std::lround(scale * side))); };
   Image image{pixels(page.x), pixels(page.y), 4, {}};
-  const auto stride = 4 * static_cast<std::size_t>(image.width);
+  const std::size_t stride = 4 * image.width;
   image.samples.resize(stride * image.height);
   const Vec2 step{page.x / image.width, page.y / image.height};
   for (std::size_t k = 0; k < painting.paints.size(); ++k) {
@@ -63,11 +63,11 @@ Image paintedPicture(const SvgPainting& painting, int longest) {
     const int first = rowAt(box.min.y);
     const auto spans = insideIntervals(one, (first + 0.5) * step.y, step.y, rowAt(box.max.y) - first + 1);
     for (std::size_t up = 0; up < spans.size(); ++up) {
-      const std::size_t row = static_cast<std::size_t>(image.height - 1 - first) - up;
+      const std::size_t row = image.height - 1 - first - up;
       for (const Interval& span : spans[up]) {
         const CellRange cells = cellsWithin(span, step.x, image.width);
         for (int x = cells.begin; x < cells.end; ++x) {
-          layPaint(painting.paints[k], &image.samples[row * stride + 4 * static_cast<std::size_t>(x)]);
+          layPaint(painting.paints[k], &image.samples[row * stride + 4 * x]);
         }
       }
     }

@@ -136,7 +136,7 @@ void Outliner::close() {
 
 std::vector<Ring> Outliner::rings(std::vector<LoosePiece>* loose) const {
   std::vector<Ring> rings;
-  for (const Line& line : lines_) {
+  for (const PathLine& line : lines_) {
     Ring ring = line.points;
     while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
     const bool area = hasArea(ring);

@@ -65,7 +65,7 @@ using Matrix = Eigen::Affine2d;
 Matrix rotation(double degrees);
 
 /// A part of a path, before it is closed for filling.
-struct Line {
+struct PathLine {
   std::vector<Vec2> points;  ///< [mm], without equal neighbours
   std::vector<char> smooth;  ///< 1 for a point within a curve, where a stroke has no join
   bool closed = false;       ///< if true, the last point may repeat the first
@@ -98,7 +98,7 @@ class Outliner {
   void begin(Vec2 from);  ///< begins a part, if none has begun
   void end();             ///< ends a part that stays open
   void close();           ///< closes a part: its end joins its beginning
-  [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
+  [[nodiscard]] const std::vector<PathLine>& lines() const { return lines_; }
   /// Returns the parts that span an area, closed. \param[out] loose  receives those that were open.
   std::vector<Ring> rings(std::vector<LoosePiece>* loose = nullptr) const;
 
@@ -109,8 +109,8 @@ class Outliner {
   Matrix toWorld_;
   double tolerance_;
   std::int64_t& pointsLeft_;
-  Line line_;
-  std::vector<Line> lines_;
+  PathLine line_;
+  std::vector<PathLine> lines_;
 };
 
 inline constexpr std::int64_t kMaxPoints = 2'000'000;  ///< limit on the points of a drawing
@@ -174,7 +174,7 @@ enum class StrokeCap { Butt, Round, Square };
 enum class StrokeJoin { Miter, Round, Bevel };
 
 /// Properties of a stroke; lengths are in user units of the element.
-struct Stroke {
+struct LineStroke {
   double width = 1;
   StrokeCap cap = StrokeCap::Butt;
   StrokeJoin join = StrokeJoin::Miter;
@@ -190,7 +190,7 @@ struct Stroke {
 /// \param toWorld  from the element's units to mm; a singular one yields no area.
 /// \param tolerance  tolerance of round caps and joins [mm].
 /// \param pointsLeft  points that the whole drawing may still have. Throws Refused if there are too many.
-std::vector<Ring> strokeRings(const std::vector<Line>& lines, const Stroke& stroke, const Matrix& toWorld,
+std::vector<Ring> strokeRings(const std::vector<PathLine>& lines, const LineStroke& stroke, const Matrix& toWorld,
                               double tolerance, std::int64_t& pointsLeft);
 
 // Limits of the visible area, and layers.
@@ -203,7 +203,7 @@ struct Limit {
 };
 
 /// A layer, which either adds to those below it or hides them.
-struct Layer {
+struct PaintLayer {
   FilledPath path;
   bool adds = true;
   PathPaint paint = {};
@@ -212,10 +212,10 @@ struct Layer {
 // Outlines without paint.
 
 /// Adds the rings that pieces with meeting ends form, and removes the pieces from their own layers.
-void joinLoose(const std::vector<LoosePiece>& pieces, std::vector<Layer>& layers);
+void joinLoose(const std::vector<LoosePiece>& pieces, std::vector<PaintLayer>& layers);
 /// Makes outlines within others holes, and outlines within holes solid. Outlines that cross form one body.
 /// Throws Refused if there are too many.
-void alternateNested(std::vector<Layer>& layers);
+void alternateNested(std::vector<PaintLayer>& layers);
 
 std::shared_ptr<const Limit> limitOf(FilledPath area);
 /// Tells whether the limit cuts nothing off `box`.
@@ -229,6 +229,6 @@ FilledPath within(FilledPath path, const std::vector<const Limit*>& limits, Work
 /// Cuts a path to the part outside of a limit that is a box, in pieces. Throws Refused.
 std::vector<FilledPath> beyondBox(const FilledPath& path, const Limit& limit, Work& work);
 /// Combines layers, bottom first, to one area. Throws Refused.
-FilledPath flattened(const std::vector<Layer>& layers, Work& work);
+FilledPath flattened(const std::vector<PaintLayer>& layers, Work& work);
 
 }  // namespace sillon::svg

@@ -99,7 +99,7 @@ class Reader {
     const auto [end, error] = fast_float::from_chars(text_.data() + begin, text_.data() + text_.size(), value);
     if (error != std::errc{}) fail("a number");
     if (!std::isfinite(value)) refuse("the number " + quoted(rest()) + " in " + what_ + " is too large");
-    at_ = static_cast<std::size_t>(end - text_.data());
+    at_ = end - text_.data();
     return value;
   }
 

@@ -52,7 +52,7 @@ void closeWhereItMeetsItself(Track& track, StrokeCap cap) {
 }
 
 // Converts a line to the element's units and drops pieces that are too short to have a direction.
-Track trackOf(const Line& line, const Matrix& toUser, StrokeCap cap) {
+Track trackOf(const PathLine& line, const Matrix& toUser, StrokeCap cap) {
   Track track;
   track.closed = line.closed;
   Vec2 last;
@@ -84,7 +84,7 @@ Track reversed(Track track) {
 class Dashes {
  public:
   /// \param period  sum of the stroke's dashes; there must be at least one.
-  Dashes(const Stroke& stroke, double period, std::int64_t& pointsLeft)
+  Dashes(const LineStroke& stroke, double period, std::int64_t& pointsLeft)
       : dashes_(*stroke.dashes), pointsLeft_(pointsLeft) {
     start_ = std::fmod(stroke.dashOffset, period);
     if (start_ < 0) start_ += period;
@@ -157,7 +157,7 @@ class Dashes {
 // either end where they meet, or return to the turn itself.
 class Walker {
  public:
-  Walker(const Stroke& stroke, const Matrix& toWorld, double tolerance, std::int64_t& pointsLeft)
+  Walker(const LineStroke& stroke, const Matrix& toWorld, double tolerance, std::int64_t& pointsLeft)
       : stroke_(stroke), toWorld_(toWorld), pointsLeft_(pointsLeft), half_(stroke.width / 2) {
     const Eigen::Matrix2d m = toWorld.linear();
     const double pp = m.col(0).squaredNorm(), qq = m.col(1).squaredNorm(), pq = m.col(0).dot(m.col(1));
@@ -305,7 +305,7 @@ class Walker {
     ring_.clear();
   }
 
-  const Stroke& stroke_;
+  const LineStroke& stroke_;
   const Matrix& toWorld_;
   std::int64_t& pointsLeft_;
   double half_;
@@ -315,7 +315,7 @@ class Walker {
 
 }  // namespace
 
-std::vector<Ring> strokeRings(const std::vector<Line>& lines, const Stroke& stroke, const Matrix& toWorld,
+std::vector<Ring> strokeRings(const std::vector<PathLine>& lines, const LineStroke& stroke, const Matrix& toWorld,
                               double tolerance, std::int64_t& pointsLeft) {
   std::vector<Ring> rings;
   const double scale = std::sqrt(std::abs(toWorld.linear().determinant()));
@@ -326,7 +326,7 @@ std::vector<Ring> strokeRings(const std::vector<Line>& lines, const Stroke& stro
   std::optional<Dashes> dashes;  // dashes finer than kShortest look solid
   if (period * scale > kShortest) dashes.emplace(stroke, period, pointsLeft);
   Walker walker(stroke, toWorld, tolerance, pointsLeft);
-  for (const Line& line : lines) {
+  for (const PathLine& line : lines) {
     const Track track = trackOf(line, toUser, stroke.cap);
     if (!dashes) {
       walker.walk(track, rings);

@@ -52,12 +52,12 @@ constexpr bool isOfLetters(Property property) {
          {Property::AlignmentBaseline, Property::BaselineShift, Property::DominantBaseline, Property::Font,
           Property::FontFamily, Property::FontSize, Property::FontStyle, Property::LetterSpacing, Property::TextAnchor,
           Property::TextDecoration, Property::TextDecorationLine, Property::WhiteSpace, Property::WordSpacing}) {
-      of[static_cast<std::size_t>(read)] = true;
+      of[toSize(read)] = true;
     }
-    for (const Property unread : kUnreadOfLetters) of[static_cast<std::size_t>(unread)] = true;
+    for (const Property unread : kUnreadOfLetters) of[toSize(unread)] = true;
     return of;
   }();
-  return kOfLetters[static_cast<std::size_t>(property)];
+  return kOfLetters[toSize(property)];
 }
 
 // Tells whether a list of media includes screens.

@@ -189,7 +189,7 @@ inline constexpr std::array<std::string_view, 68> kPropertyNames{"alignment-base
                                                                  "word-spacing",
                                                                  "writing-mode"};
 
-constexpr std::string_view nameOf(Property property) { return kPropertyNames[static_cast<std::size_t>(property)]; }
+constexpr std::string_view nameOf(Property property) { return kPropertyNames[toSize(property)]; }
 
 /// Value of a property. Of several declarations, the last of the most specific ones wins.
 struct Declared {
@@ -359,7 +359,7 @@ struct PaintState {
   bool strokeScales = true;  ///< width scales with transforms; false for non-scaling-stroke
   FillRule fillRule = FillRule::NonZero;
   FillRule clipRule = FillRule::NonZero;
-  Stroke line;
+  LineStroke line;
   LetterStyle letters;
 
   [[nodiscard]] double fillAlpha() const { return visible ? fill.alpha * fillOpacity * opacity : 0; }
