@@ -36,7 +36,7 @@ const isNative = ({ test }) => /(_test|\.sh)$/.test(test);
 /** Commands that build what a test needs, and the one that runs it, or only one case of it. */
 function plan({ test, only }) {
   const file = testFile(test);
-  const build = (...targets) => ['cmake', '--build', 'build/release', '--target', ...targets];
+  const build = (...targets) => ['cmake', '--build', '--preset', 'release', '--target', ...targets];
   if (test.endsWith('_test')) {
     const program = { 'pipeline/memory_test': 'memory_test', 'cli/cli_test': 'cli_test' }[test] ?? test.replace('/', '_');
     const target = program.replace('pipeline_published', 'published');
