@@ -104,7 +104,7 @@ export const breaks = [
     test: 'project/project_test',
     file: 'core/src/project/json_in.cpp',
     text: 'if (keys_.size() == kMaxDepth) {',
-    broken: 'if (keys_.size() == 1000 * kMaxDepth) {',
+    broken: 'if (keys_.size() == 1000000 + kMaxDepth) {',
   },
   {
     promise: 'Any bytes end in a result or an error',
