@@ -103,17 +103,13 @@ function usual(studio: Studio): Action[] {
       group: '',
       label: t('verb.plates'),
       icon: 'gallery',
-      run: () => {
-        studio.show('plates');
-      },
+      run: studio.opens('plates'),
     },
     {
       group: '',
       label: t('section.gallery'),
       icon: 'gallery',
-      run: () => {
-        studio.show('gallery');
-      },
+      run: studio.opens('gallery'),
     },
     {
       group: '',
@@ -141,9 +137,7 @@ function usual(studio: Studio): Action[] {
       label: t('verb.share'),
       icon: 'share',
       also: also('share'),
-      run: () => {
-        studio.show('share');
-      },
+      run: studio.opens('share'),
     },
     {
       group: '',
@@ -166,9 +160,7 @@ function usual(studio: Studio): Action[] {
       label: say(printerWords, 'sheet.title'),
       icon: 'print',
       also: also('printer'),
-      run: () => {
-        studio.show('printer');
-      },
+      run: studio.opens('printer'),
     },
     {
       group: '',
@@ -176,18 +168,14 @@ function usual(studio: Studio): Action[] {
       icon: 'sun',
       keys: 'Ctrl P',
       also: also('card'),
-      run: () => {
-        studio.show('card');
-      },
+      run: studio.opens('card'),
     },
     {
       group: '',
       label: t('help.title'),
       icon: 'help',
       keys: '?',
-      run: () => {
-        studio.show('help');
-      },
+      run: studio.opens('help'),
     },
     ...products.map(([product, name, keys = '']) => ({
       group: t('verb.download'),

@@ -13,6 +13,7 @@ import type { Handed, PointerPlace } from './take-in.js';
 import { composes, offers, ownControls, type Dialog } from '../studio/shown.js';
 import { onShortcut, typesText } from './shortcuts.js';
 import '../stage/stage.js';
+import { button } from '../controls/button.js';
 
 type Tab = [name: Section | 'own', image: IconName, label: string];
 
@@ -236,7 +237,7 @@ export class App extends StudioElement {
       return html`<sillon-stage class="only" role="main" .studio=${this.studio}></sillon-stage>`;
     }
     return html`
-      <button type="button" class="skip" @click=${this.#skip}>${t('app.skip')}</button>
+      ${button('skip', t('app.skip'), this.#skip)}
       <sillon-header role="banner" .studio=${this.studio}></sillon-header>
       <sillon-brought .studio=${this.studio}></sillon-brought>
       <div class="work">
@@ -262,14 +263,9 @@ export class App extends StudioElement {
           ?hidden=${panel === ''}
           tabindex="-1"
         >
-          <button
-            type="button"
-            class="grip"
-            aria-label=${t('verb.close')}
-            @click=${() => {
-              this.studio.setPanel('');
-            }}
-          ></button>
+          ${button({ look: 'grip', label: t('verb.close') }, html``, () => {
+            this.studio.setPanel('');
+          })}
           ${this.#part('panel', panels[panel])}
           ${
             panel === 'layers' && mode === 'edit' && isBare(plate) && this.lazy(loadFacts)

@@ -14,6 +14,7 @@ import { coaster } from '../plates/examples.js';
 import { icon } from '../controls/icons.js';
 import { printerField, takePrinter } from '../print/machine-fields.js';
 import type { Shown } from '../studio/shown.js';
+import { button } from '../controls/button.js';
 
 type First = 'coupon' | 'coaster';
 
@@ -186,15 +187,9 @@ export class FirstPrint extends DialogElement {
         <li class="step">
           <h2>${c('first.download')}</h2>
           <div class="take">
-            <button
-              type="button"
-              class="main"
-              @click=${() => {
-                this.#save();
-              }}
-            >
-              ${icon('download')} ${c('first.download')}
-            </button>
+            ${button('main', html`${icon('download')} ${c('first.download')}`, () => {
+              this.#save();
+            })}
             ${
               this.first === 'coupon' && this.coupon !== undefined
                 ? html`<span class="note figures">${costText(this.coupon)}</span>`
@@ -207,16 +202,9 @@ export class FirstPrint extends DialogElement {
           <ul class="after">
             ${(['first.after1', 'first.after2', 'first.after3'] as const).map((id) => html`<li>${c(id)}</li>`)}
           </ul>
-          <button
-            type="button"
-            @click=${() => {
-              this.close(() => {
-                this.studio.show('calibrate');
-              });
-            }}
-          >
-            ${icon('tune', 16)} ${t('verb.calibrate')}
-          </button>
+          ${button('', html`${icon('tune', 16)} ${t('verb.calibrate')}`, () => {
+            this.close(this.studio.opens('calibrate'));
+          })}
         </li>
       </ol>`;
   }

@@ -8,6 +8,7 @@ import { StudioElement } from '../controls/element.js';
 import { typing } from '../controls/fields.js';
 import { icon, mark, type IconName } from '../controls/icons.js';
 import { offers } from '../studio/shown.js';
+import { button } from '../controls/button.js';
 
 const loadDownloads = (): Promise<unknown> => import('../print/downloads.js');
 const loadMenu = (): Promise<unknown> => import('./menu.js');
@@ -184,16 +185,11 @@ export class Header extends StudioElement {
       <span class="space"></span>
       ${
         edits
-          ? html`<button
-              type="button"
-              class="plain examples"
-              title=${t('section.gallery')}
-              @click=${() => {
-                this.studio.show('gallery');
-              }}
-            >
-              ${icon('gallery')} <span class="words">${t('section.gallery')}</span>
-            </button>`
+          ? button(
+              { look: 'plain examples', title: t('section.gallery') },
+              html`${icon('gallery')} <span class="words">${t('section.gallery')}</span>`,
+              this.studio.opens('gallery'),
+            )
           : nothing
       }
       ${offers(this.state, 'download') ? this.#download(plate) : nothing}
@@ -304,18 +300,12 @@ export class Header extends StudioElement {
     const name = machineName(printer);
     const label = name === '' ? t('export.gcode') : t('export.gcodeFor', { printer: name });
     return html`<div class="files" role="group" aria-label=${t('section.export')}>
-        <button
-          type="button"
-          class="main"
-          aria-label=${label}
-          title=${label}
-          @click=${() => {
-            void this.studio.save('gcode');
-          }}
-        >
-          ${icon('download')}<span class="words long">${name === '' ? t('export.gcode') : label}</span
-          ><span class="words short">${t('export.gcode')}</span>
-        </button>
+        ${button(
+          { look: 'main', name: label },
+          html`${icon('download')}<span class="words long">${name === '' ? t('export.gcode') : label}</span
+            ><span class="words short">${t('export.gcode')}</span>`,
+          () => void this.studio.save('gcode'),
+        )}
         <button
           type="button"
           class="main all"

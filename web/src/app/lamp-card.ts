@@ -15,6 +15,7 @@ import { icon } from '../controls/icons.js';
 import { miniature } from '../views/miniature.js';
 import { smallLook } from '../views/plate-look.js';
 import { filamentName } from '../print/filament-name.js';
+import { button } from '../controls/button.js';
 
 const pictureSide = 640; // [pixels] for 50 mm on paper
 const away = 60; // [cm] from the plate to the lamp
@@ -234,15 +235,9 @@ export class LampCard extends DialogElement {
           </li>`;
         })}
       </ul>
-      <button
-        type="button"
-        class="main take"
-        @click=${() => {
-          print();
-        }}
-      >
-        ${icon('print')} ${say(words, 'card.print')}
-      </button>`;
+      ${button('main take', html`${icon('print')} ${say(words, 'card.print')}`, () => {
+        print();
+      })}`;
   }
 
   /** Returns the kind of lamp, if its size is one of those with a name. */

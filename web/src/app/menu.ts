@@ -8,6 +8,7 @@ import type { Theme } from '../model/state.js';
 import { StudioElement } from '../controls/element.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { menuStyle } from '../controls/menu-style.js';
+import { button } from '../controls/button.js';
 
 /** Set by the build from addresses.json and the version. An empty address has no link. */
 declare const publicLinks: Readonly<Record<'documentation' | 'source' | 'report', string>>;
@@ -52,36 +53,20 @@ export class Menu extends StudioElement {
     return html`${this.#item('plus', t('verb.new'), () => {
         this.studio.services.newPlate();
       })}
-      ${this.#item('open', t('verb.open'), () => {
-        void this.studio.pick().then((files) => this.studio.open(files));
-      })}
-      ${
-        host === ''
-          ? this.#item('gallery', t('verb.plates'), () => {
-              this.studio.show('plates');
-            })
-          : nothing
-      }
-      ${this.#item('share', t('verb.share'), () => {
-        this.studio.show('share');
-      })}
-      ${this.#item('print', t('verb.first'), () => {
-        this.studio.show('first');
-      })}
-      ${this.#item('comb', t('verb.rebrush'), () => {
-        void this.studio.attempt(async () => (await import('./pick-sliced.js')).pickSliced(this.studio));
-      })}
-      ${this.#item('tune', t('verb.calibrate'), () => {
-        this.studio.show('calibrate');
-      })}
-      ${this.#item('help', t('help.title'), () => {
-        this.studio.show('help');
-      })}
+      ${this.#item('open', t('verb.open'), () => void this.studio.pick().then((files) => this.studio.open(files)))}
+      ${host === '' ? this.#item('gallery', t('verb.plates'), this.studio.opens('plates')) : nothing}
+      ${this.#item('share', t('verb.share'), this.studio.opens('share'))}
+      ${this.#item('print', t('verb.first'), this.studio.opens('first'))}
+      ${this.#item('comb', t('verb.rebrush'), () => void this.studio.attempt(async () => (await import('./pick-sliced.js')).pickSliced(this.studio)))}
+      ${this.#item('tune', t('verb.calibrate'), this.studio.opens('calibrate'))}
+      ${this.#item('help', t('help.title'), this.studio.opens('help'))}
       ${
         host === '' && isSecureContext
-          ? this.#item('download', say(words, 'offline.keep'), () => {
-              void this.studio.attempt(async () => (await import('./offline.js')).keepAll(this.studio));
-            })
+          ? this.#item(
+              'download',
+              say(words, 'offline.keep'),
+              () => void this.studio.attempt(async () => (await import('./offline.js')).keepAll(this.studio)),
+            )
           : nothing
       }
       <hr />
@@ -135,15 +120,9 @@ export class Menu extends StudioElement {
   }
 
   #item(name: IconName, label: string, run: () => void): TemplateResult {
-    return html`<button
-      type="button"
-      class="item"
-      @click=${() => {
-        this.dispatchEvent(new Event('done'));
-        run();
-      }}
-    >
-      ${icon(name, 20)}<span>${label}</span>
-    </button>`;
+    return button('item', html`${icon(name, 20)}<span>${label}</span>`, () => {
+      this.dispatchEvent(new Event('done'));
+      run();
+    });
   }
 }

@@ -13,6 +13,7 @@ import type { Shown } from '../studio/shown.js';
 import { markUntried, untriedText } from '../studio/untried-print.js';
 import { filamentField, printerField, swatchStyle } from '../print/machine-fields.js';
 import { loadSpools } from '../print/own-spools.js';
+import { button } from '../controls/button.js';
 
 const rounded = (length: number): number => Math.round(1000 * length) / 1000;
 
@@ -106,28 +107,18 @@ export class PrinterSheet extends DialogElement {
       <section>${thicknessField(this.studio)}</section>
       <p class="note">
         ${untriedText(plate)}
-        <button
-          type="button"
-          class="link"
-          @click=${() => {
-            this.close(() => {
-              this.studio.show('first');
-            });
-          }}
-        >
-          ${t('verb.first')}
-        </button>
+        ${button('link', t('verb.first'), () => {
+          this.close(this.studio.opens('first'));
+        })}
       </p>
       <div class="end">
-        <button
-          type="button"
-          class="main"
-          @click=${() => {
+        ${button(
+          'main',
+          this.purpose === 'printer' ? t('verb.done') : html`${icon('download')} ${this.#file(lacks)}`,
+          () => {
             this.#answer(lacks);
-          }}
-        >
-          ${this.purpose === 'printer' ? t('verb.done') : html`${icon('download')} ${this.#file(lacks)}`}
-        </button>
+          },
+        )}
       </div>`;
   }
 

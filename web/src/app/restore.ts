@@ -61,9 +61,7 @@ export function showKept(studio: Studio, { id, steps, print }: Opened, begin: (p
 
 const listPlates = (studio: Studio): NoticeAction => ({
   label: t('verb.plates'),
-  run: () => {
-    studio.show('plates');
-  },
+  run: studio.opens('plates'),
 });
 
 /** Restores work of an earlier visit, or offers it.

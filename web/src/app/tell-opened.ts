@@ -26,9 +26,7 @@ export async function tellOpened(studio: Studio, { source, role, notes }: Opened
   ];
   const change = {
     label: say(words, 'files.change'),
-    run: () => {
-      studio.show('files');
-    },
+    run: studio.opens('files'),
   };
   const both = {
     label: say(words, 'files.both'),

@@ -7,6 +7,7 @@ import { closesByBack } from './back.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import type { Shown } from '../studio/shown.js';
+import { button } from './button.js';
 
 export abstract class DialogElement extends StudioElement {
   static override styles = [
@@ -58,16 +59,9 @@ export abstract class DialogElement extends StudioElement {
     >
       <div class="head">
         <h2 id="title">${this.heading()}</h2>
-        <button
-          type="button"
-          class="plain square"
-          aria-label=${t('verb.close')}
-          @click=${() => {
-            this.close();
-          }}
-        >
-          ${icon('close')}
-        </button>
+        ${button({ look: 'plain square', label: t('verb.close') }, icon('close'), () => {
+          this.close();
+        })}
       </div>
       <sillon-notices .studio=${this.studio} .known=${this.#known}></sillon-notices>
       <div class="body" tabindex="0">${this.body()}</div>

@@ -7,6 +7,7 @@ import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import { same } from '../model/problem.js';
 import type { Notice, Shown } from '../studio/shown.js';
+import { button } from './button.js';
 
 const loadExact = () => import('../i18n/say-problem.js');
 const loadLinked = () => import('./linked.js');
@@ -147,17 +148,10 @@ export class Notices extends StudioElement {
   }
 
   #close(close: () => void): TemplateResult {
-    return html`<button
-      type="button"
-      class="plain close"
-      aria-label=${t('verb.dismiss')}
-      @click=${() => {
-        this.#refocus();
-        close();
-      }}
-    >
-      ${icon('close', 14)}
-    </button>`;
+    return button({ look: 'plain close', label: t('verb.dismiss') }, icon('close', 14), () => {
+      this.#refocus();
+      close();
+    });
   }
 
   #word({ id, text, actions }: Notice): TemplateResult {
@@ -165,19 +159,12 @@ export class Notices extends StudioElement {
       ${icon('check')}
       <div>
         ${text}
-        ${actions?.map(
-          ({ label, run }) =>
-            html`<button
-              type="button"
-              class="link"
-              @click=${() => {
-                this.#refocus(); // the focus comes back to it from whatever `run` opens
-                this.studio.dismiss(id);
-                run();
-              }}
-            >
-              ${label}
-            </button>`,
+        ${actions?.map(({ label, run }) =>
+          button('link', label, () => {
+            this.#refocus(); // the focus comes back to it from whatever `run` opens
+            this.studio.dismiss(id);
+            run();
+          }),
         )}
       </div>
       ${this.#close(() => {
@@ -213,38 +200,23 @@ export class Notices extends StudioElement {
             ? html`<div class="actions">
                 ${
                   this.studio.store.canUndo
-                    ? html`<button
-                        type="button"
-                        @click=${() => {
-                          this.studio.store.undo();
-                        }}
-                      >
-                        ${icon('undo', 16)} ${t('verb.undo')}
-                      </button>`
+                    ? button('', html`${icon('undo', 16)} ${t('verb.undo')}`, () => {
+                        this.studio.store.undo();
+                      })
                     : nothing
                 }
-                <button
-                  type="button"
-                  @click=${() => {
-                    this.studio.services.retry();
-                  }}
-                >
-                  ${t('verb.retry')}
-                </button>
+                ${button('', t('verb.retry'), () => {
+                  this.studio.services.retry();
+                })}
               </div>`
             : nothing
         }
         ${
           problem.code === 'PartMissing'
             ? html`<div class="actions">
-                <button
-                  type="button"
-                  @click=${() => {
-                    location.reload();
-                  }}
-                >
-                  ${t('verb.reload')}
-                </button>
+                ${button('', t('verb.reload'), () => {
+                  location.reload();
+                })}
               </div>`
             : nothing
         }

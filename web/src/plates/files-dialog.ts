@@ -5,6 +5,7 @@ import { words } from '../i18n/en/files.js';
 import { formatBytes, say, t } from '../i18n/text.js';
 import { DialogElement } from '../controls/dialog.js';
 import type { Opened, Role } from '../model/file-role.js';
+import { button } from '../controls/button.js';
 
 const pictureSide = 192; // [pixels] for 64 CSS pixels on a screen with a pixel ratio of 3
 
@@ -68,15 +69,9 @@ export class Files extends DialogElement {
         ${opened?.files.map((file, k) => this.#row(file, k))}
       </ul>
       <div class="end">
-        <button
-          type="button"
-          class="main"
-          @click=${() => {
-            this.close();
-          }}
-        >
-          ${t('verb.done')}
-        </button>
+        ${button('main', t('verb.done'), () => {
+          this.close();
+        })}
       </div>
     `;
   }

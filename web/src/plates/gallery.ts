@@ -6,6 +6,7 @@ import { DialogElement } from '../controls/dialog.js';
 import type { Example } from '../model/example.js';
 import { examples } from './examples.js';
 import { templates } from './templates.js';
+import { button } from '../controls/button.js';
 
 @customElement('sillon-gallery')
 export class Gallery extends DialogElement {
@@ -54,17 +55,14 @@ export class Gallery extends DialogElement {
       ${[...examples.slice(0, 1), ...templates, ...examples.slice(1)].map(
         (example) =>
           html`<li>
-            <button
-              type="button"
-              @click=${() => {
-                void this.#open(example);
-              }}
-            >
-              <span class="picture"
-                ><img src="gallery/${example.id}.webp" alt="" width="320" height="320" loading="lazy"
-              /></span>
-              <span>${t(`example.${example.id}`)}</span>
-            </button>
+            ${button(
+              '',
+              html`<span class="picture"
+                  ><img src="gallery/${example.id}.webp" alt="" width="320" height="320" loading="lazy"
+                /></span>
+                <span>${t(`example.${example.id}`)}</span>`,
+              () => void this.#open(example),
+            )}
           </li>`,
       )}
     </ul>`;

@@ -9,6 +9,7 @@ import { language, say, t } from '../i18n/text.js';
 import { DialogElement } from '../controls/dialog.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { urlOf } from '../controls/thumbnail.js';
+import { button } from '../controls/button.js';
 
 @customElement('sillon-plates')
 export class Plates extends DialogElement {
@@ -174,15 +175,10 @@ export class Plates extends DialogElement {
               </ul>`
       }
       <div class="end">
-        <button
-          type="button"
-          @click=${() => {
-            this.close();
-            this.studio.services.newPlate();
-          }}
-        >
-          ${icon('plus')} ${say(words, 'plates.new')}
-        </button>
+        ${button('', html`${icon('plus')} ${say(words, 'plates.new')}`, () => {
+          this.close();
+          this.studio.services.newPlate();
+        })}
       </div>
     `;
   }
@@ -192,46 +188,24 @@ export class Plates extends DialogElement {
     if (foreign !== undefined) {
       return html`<div class="told">
         <span>${say(words, 'plates.foreignHelp', { name: this.#nameOf(foreign) })}</span>
-        <button type="button" class="main" @click=${() => void this.#download(foreign)}>
-          ${icon('download', 16)} ${t('verb.download')}
-        </button>
+        ${button('main', html`${icon('download', 16)} ${t('verb.download')}`, () => void this.#download(foreign))}
       </div>`;
     }
     if (asked !== undefined) {
       return html`<div class="told">
         <span>${say(words, 'plates.asked', { name: this.#nameOf(asked) })} ${say(words, 'plates.takeHelp')}</span>
-        <button
-          type="button"
-          class="main"
-          @click=${() => {
-            void this.#open(asked.id, true);
-          }}
-        >
-          ${say(words, 'plates.take')}
-        </button>
-        <button
-          type="button"
-          @click=${() => {
-            void this.#open(asked.id, false);
-          }}
-        >
-          ${say(words, 'plates.copy')}
-        </button>
+        ${button('main', say(words, 'plates.take'), () => void this.#open(asked.id, true))}
+        ${button('', say(words, 'plates.copy'), () => void this.#open(asked.id, false))}
       </div>`;
     }
     if (deleted === undefined) return nothing;
     return html`<div class="told">
       <span>${say(words, 'plates.deleted', { name: deleted.name })}</span>
-      <button
-        type="button"
-        @click=${() => {
-          this.renderRoot.querySelector<HTMLElement>('.body')?.focus(); // as this button goes
-          this.deleted = undefined;
-          void this.#then(deleted.undo);
-        }}
-      >
-        ${icon('undo', 16)} ${t('verb.undo')}
-      </button>
+      ${button('', html`${icon('undo', 16)} ${t('verb.undo')}`, () => {
+        this.renderRoot.querySelector<HTMLElement>('.body')?.focus(); // as this button goes
+        this.deleted = undefined;
+        void this.#then(deleted.undo);
+      })}
     </div>`;
   }
 
@@ -293,16 +267,7 @@ export class Plates extends DialogElement {
   }
 
   #button(name: IconName, label: string, run: () => Promise<void>, disabled = false): TemplateResult {
-    return html`<button
-      type="button"
-      class="plain square"
-      aria-label=${label}
-      title=${label}
-      ?disabled=${disabled}
-      @click=${() => void run()}
-    >
-      ${icon(name, 16)}
-    </button>`;
+    return button({ look: 'plain square', name: label, disabled }, icon(name, 16), () => void run());
   }
 
   /** Runs an action that may fail, and then reads the list again. */

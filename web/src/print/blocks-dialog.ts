@@ -11,6 +11,7 @@ import { withoutBlocks } from '../model/brought.js';
 import { settings, type Setting, type SettingValue } from '../model/settings.js';
 import { DialogElement } from '../controls/dialog.js';
 import { icon } from '../controls/icons.js';
+import { button } from '../controls/button.js';
 
 type Block = 'startGcode' | 'endGcode';
 
@@ -205,47 +206,25 @@ export class Blocks extends DialogElement {
   }
 
   #choice(): TemplateResult {
-    return html`<button
-        type="button"
-        @click=${() => {
-          this.studio.useBrought(true);
-          this.close();
-        }}
-      >
-        ${t('verb.use')}
-      </button>
-      <button
-        type="button"
-        class="main"
-        @click=${() => {
-          this.studio.keepOwnPrinter();
-          this.close();
-        }}
-      >
-        ${t('brought.keep')}
-      </button>`;
+    return html`${button('', t('verb.use'), () => {
+      this.studio.useBrought(true);
+      this.close();
+    })}
+    ${button('main', t('brought.keep'), () => {
+      this.studio.keepOwnPrinter();
+      this.close();
+    })}`;
   }
 
   #download(): TemplateResult {
-    return html`<button
-        type="button"
-        @click=${() => {
-          this.studio.change(withoutBlocks);
-          this.close();
-        }}
-      >
-        ${say(words, 'blocks.remove')}
-      </button>
-      <button
-        type="button"
-        class="main"
-        @click=${() => {
-          this.close(() => {
-            this.studio.goOn();
-          });
-        }}
-      >
-        ${icon('download')} ${t('keys.gcode')}
-      </button>`;
+    return html`${button('', say(words, 'blocks.remove'), () => {
+      this.studio.change(withoutBlocks);
+      this.close();
+    })}
+    ${button('main', html`${icon('download')} ${t('keys.gcode')}`, () => {
+      this.close(() => {
+        this.studio.goOn();
+      });
+    })}`;
   }
 }

@@ -5,6 +5,7 @@ import { broughtText } from '../i18n/say.js';
 import { t } from '../i18n/text.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
+import { button } from '../controls/button.js';
 
 @customElement('sillon-brought')
 export class BroughtBar extends StudioElement {
@@ -51,31 +52,13 @@ export class BroughtBar extends StudioElement {
       ${icon('warn')}
       <p>${broughtText(brought, printer)}</p>
       <div class="buttons">
-        <button
-          type="button"
-          @click=${() => {
-            this.studio.show('brought');
-          }}
-        >
-          ${t('brought.show')}
-        </button>
-        <button
-          type="button"
-          @click=${() => {
-            this.studio.useBrought(false);
-          }}
-        >
-          ${t('verb.use')}
-        </button>
-        <button
-          type="button"
-          class="main"
-          @click=${() => {
-            this.studio.keepOwnPrinter();
-          }}
-        >
-          ${t('brought.keep')}
-        </button>
+        ${button('', t('brought.show'), this.studio.opens('brought'))}
+        ${button('', t('verb.use'), () => {
+          this.studio.useBrought(false);
+        })}
+        ${button('main', t('brought.keep'), () => {
+          this.studio.keepOwnPrinter();
+        })}
       </div>
     </div>`;
   }

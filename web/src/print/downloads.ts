@@ -10,6 +10,7 @@ import { StudioElement } from '../controls/element.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { menuStyle } from '../controls/menu-style.js';
 import type { Product } from '../studio/studio.js';
+import { button } from '../controls/button.js';
 
 const products: readonly (readonly [Product, IconName])[] = [
   ['gcode', 'print'],
@@ -64,22 +65,17 @@ export class Downloads extends StudioElement {
         return this.#item(name, t(`export.${product}`), say(words, help), save, missing);
       })}
       <hr />
-      ${this.#item('share', t('verb.share'), say(words, 'export.link.help'), () => {
-        this.studio.show('share');
-      })}`;
+      ${this.#item('share', t('verb.share'), say(words, 'export.link.help'), this.studio.opens('share'))}`;
   }
 
   #item(name: IconName, label: string, help: string, run: () => void, disabled = false): TemplateResult {
-    return html`<button
-      type="button"
-      class="item"
-      ?disabled=${disabled}
-      @click=${() => {
+    return button(
+      { look: 'item', disabled },
+      html`${icon(name, 20)}<span>${label}</span>${help === '' ? nothing : html`<span class="note">${help}</span>`}`,
+      () => {
         this.dispatchEvent(new Event('done'));
         run();
-      }}
-    >
-      ${icon(name, 20)}<span>${label}</span>${help === '' ? nothing : html`<span class="note">${help}</span>`}
-    </button>`;
+      },
+    );
   }
 }

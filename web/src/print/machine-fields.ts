@@ -20,6 +20,7 @@ import { filamentLabel, filamentName, listedFilament } from './filament-name.js'
 import { spoolColour } from './spool.js';
 import { select, type ChoiceField } from '../controls/fields.js';
 import type { Studio } from '../studio/studio.js';
+import { button } from '../controls/button.js';
 
 /** The visitor's spools that are kept here, and the plate's own, which may have come with a project. */
 export function ownSpools(studio: Studio): readonly OwnSpool[] {
@@ -119,15 +120,9 @@ function startNote(
   if (current !== undefined) return nothing;
   return html`<p class="note">
     ${say(words, 'printer.ownStart', { n: countLines(startGcode) })}
-    <button
-      type="button"
-      class="link"
-      @click=${() => {
-        studio.review();
-      }}
-    >
-      ${t('brought.show')}
-    </button>
+    ${button('link', t('brought.show'), () => {
+      studio.review();
+    })}
   </p>`;
 }
 

@@ -34,6 +34,7 @@ import { panelStyle } from '../controls/panel-style.js';
 import { settingField } from '../controls/setting-field.js';
 import { thicknessField } from '../shape/thickness-field.js';
 import { settingGroups, type GroupName } from '../model/setting-groups.js';
+import { button } from '../controls/button.js';
 
 const mostSeeds = 1e6; // seeds to choose from at random
 
@@ -115,22 +116,8 @@ export class PrintPanel extends StudioElement {
       <section aria-label=${t('section.filament')}>
         ${filamentField(this.studio)}
         <div class="buttons">
-          <button
-            type="button"
-            @click=${() => {
-              this.studio.show('spools');
-            }}
-          >
-            ${c('spools.yours')}
-          </button>
-          <button
-            type="button"
-            @click=${() => {
-              this.studio.show('calibrate');
-            }}
-          >
-            ${icon('tune', 16)} ${t('verb.calibrate')}
-          </button>
+          ${button('', c('spools.yours'), this.studio.opens('spools'))}
+          ${button('', html`${icon('tune', 16)} ${t('verb.calibrate')}`, this.studio.opens('calibrate'))}
         </div>
         ${settingField(this.studio, 'printer.nozzleTemperature')} ${settingField(this.studio, 'printer.bedTemperature')}
         ${settingField(this.studio, 'printer.speed')}
@@ -150,15 +137,7 @@ export class PrintPanel extends StudioElement {
       )}
       ${this.#before()}
       <div class="take">
-        <button
-          type="button"
-          class="main"
-          @click=${() => {
-            void this.studio.save('gcode');
-          }}
-        >
-          ${icon('download')} ${t('keys.gcode')}
-        </button>
+        ${button('main', html`${icon('download')} ${t('keys.gcode')}`, () => void this.studio.save('gcode'))}
       </div>
     `;
   }
@@ -186,15 +165,9 @@ export class PrintPanel extends StudioElement {
         ? nothing
         : html`<p class="note suggestion">
             ${t('setting.suggested', { nozzle, value: usual })}
-            <button
-              type="button"
-              class="link"
-              @click=${() => {
-                this.studio.change((now) => withValue(now, settingOf('toolpath.spacing'), usual));
-              }}
-            >
-              ${t('verb.use')}
-            </button>
+            ${button('link', t('verb.use'), () => {
+              this.studio.change((now) => withValue(now, settingOf('toolpath.spacing'), usual));
+            })}
           </p>`
     }
     ${settingField(this.studio, 'toolpath.perimeterMode')}
@@ -232,15 +205,10 @@ export class PrintPanel extends StudioElement {
   #more(name: GroupName): TemplateResult | undefined {
     if (name !== 'path') return undefined;
     return html`<div class="buttons">
-      <button
-        type="button"
-        @click=${() => {
-          const seed = Math.floor(Math.random() * mostSeeds);
-          this.studio.change((now) => withValue(now, settingOf('toolpath.seed'), seed));
-        }}
-      >
-        ${icon('shuffle', 16)} ${t('verb.shuffle')}
-      </button>
+      ${button('', html`${icon('shuffle', 16)} ${t('verb.shuffle')}`, () => {
+        const seed = Math.floor(Math.random() * mostSeeds);
+        this.studio.change((now) => withValue(now, settingOf('toolpath.seed'), seed));
+      })}
     </div>`;
   }
 
@@ -279,11 +247,7 @@ export class PrintPanel extends StudioElement {
       ${
         notes === 0
           ? nothing
-          : html`<p class="note">
-              <button type="button" class="link" @click=${this.#showNotes}>
-                ${say(words, 'summary.notes', { n: notes })}
-              </button>
-            </p>`
+          : html`<p class="note">${button('link', say(words, 'summary.notes', { n: notes }), this.#showNotes)}</p>`
       }`;
   }
 

@@ -12,6 +12,7 @@ import { readSpools, spoolKey, spoolsText, withOne } from './spools.js';
 import { spoolColour } from './spool.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
+import { button } from '../controls/button.js';
 
 @customElement('sillon-spools')
 export class Spools extends StudioElement {
@@ -114,10 +115,8 @@ export class Spools extends StudioElement {
             </ul>`
       }
       <div class="buttons">
-        <button type="button" @click=${() => void this.#import()}>${icon('open', 16)} ${c('spools.import')}</button>
-        <button type="button" ?disabled=${spools.length === 0} @click=${this.#export}>
-          ${icon('download', 16)} ${c('spools.export')}
-        </button>
+        ${button('', html`${icon('open', 16)} ${c('spools.import')}`, () => void this.#import())}
+        ${button({ disabled: spools.length === 0 }, html`${icon('download', 16)} ${c('spools.export')}`, this.#export)}
       </div>
       <p class="note">${c('spools.give')}</p>
       <h3>${c('spools.builtIn')}</h3>
@@ -138,15 +137,10 @@ export class Spools extends StudioElement {
     if (deleted === undefined) return nothing;
     return html`<div class="told">
       <span>${c('spools.deleted', { name: deleted.key })}</span>
-      <button
-        type="button"
-        @click=${() => {
-          this.deleted = undefined;
-          changeSpools(this.studio, (all) => withOne(all, deleted));
-        }}
-      >
-        ${icon('undo', 16)} ${t('verb.undo')}
-      </button>
+      ${button('', html`${icon('undo', 16)} ${t('verb.undo')}`, () => {
+        this.deleted = undefined;
+        changeSpools(this.studio, (all) => withOne(all, deleted));
+      })}
     </div>`;
   }
 
@@ -167,29 +161,14 @@ export class Spools extends StudioElement {
           }}
         />${slopes(spool.fine.nozzleSide)}</span
       >
-      <button
-        type="button"
-        aria-label=${c('spools.use', { name })}
-        aria-pressed=${String(here)}
-        @click=${() => {
-          this.studio.settle();
-          this.studio.change((plate) => withSpool(plate, here ? undefined : spool));
-        }}
-      >
-        ${here ? icon('check', 16) : t('verb.use')}
-      </button>
-      <button
-        type="button"
-        class="plain square"
-        aria-label=${c('spools.delete', { name })}
-        title=${c('spools.delete', { name })}
-        @click=${() => {
-          changeSpools(this.studio, (all) => all.filter(({ key }) => key !== name));
-          this.deleted = spool;
-        }}
-      >
-        ${icon('bin', 16)}
-      </button>
+      ${button({ label: c('spools.use', { name }), pressed: here }, here ? icon('check', 16) : t('verb.use'), () => {
+        this.studio.settle();
+        this.studio.change((plate) => withSpool(plate, here ? undefined : spool));
+      })}
+      ${button({ look: 'plain square', name: c('spools.delete', { name }) }, icon('bin', 16), () => {
+        changeSpools(this.studio, (all) => all.filter(({ key }) => key !== name));
+        this.deleted = spool;
+      })}
     </li>`;
   }
 

@@ -287,6 +287,11 @@ export class Studio {
     this.store.set({ dialog });
   }
 
+  /** Returns a function that shows a dialog. */
+  opens = (dialog: Dialog) => (): void => {
+    this.show(dialog);
+  };
+
   async setLanguage(language: string): Promise<void> {
     await this.attempt(async () => {
       await this.speak(language);

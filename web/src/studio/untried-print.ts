@@ -23,16 +23,12 @@ export const markUntried = (studio: Studio): void => {
 export function tellPrint(studio: Studio, name: string): void {
   studio.notify(t('export.done', { name }), {
     label: say(words, 'card.title'),
-    run: () => {
-      studio.show('card');
-    },
+    run: studio.opens('card'),
   });
   if (studio.recall(told) !== undefined) return;
   markUntried(studio);
   studio.notify(untriedText(studio.store.state.plate), {
     label: t('verb.first'),
-    run: () => {
-      studio.show('first');
-    },
+    run: studio.opens('first'),
   });
 }
