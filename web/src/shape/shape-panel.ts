@@ -48,20 +48,14 @@ export class ShapePanel extends StudioElement {
             icon: value,
             picture: this.#pictures.url(value),
           })),
-          onChoose: (kind) => {
-            void this.#choose(kind);
-          },
+          onChoose: (kind) => void this.#choose(kind),
         })}
         ${this.#details(shape)}
       </section>
       <section aria-label=${t('verb.rotate')}>
         <div class="buttons">
-          ${this.#action('turn', t('verb.rotateLeft'), () => {
-            this.#turn(90);
-          })}
-          ${this.#action('mirror', t('verb.mirror'), () => {
-            this.#mirror();
-          })}
+          ${this.#action('turn', t('verb.rotateLeft'), () => this.#turn(90))}
+          ${this.#action('mirror', t('verb.mirror'), () => this.#mirror())}
         </div>
         ${settingField(this.studio, 'print.rotate')}
       </section>
@@ -70,7 +64,7 @@ export class ShapePanel extends StudioElement {
 
   #action(name: 'turn' | 'mirror', label: string, run: () => void): TemplateResult {
     const pressed = name === 'mirror' ? String(this.state.plate.print.mirror) : nothing;
-    return html`<button type="button" aria-pressed=${pressed} @click=${run}>${icon(name, 16)} ${label}</button>`;
+    return html`<button aria-pressed=${pressed} @click=${run}>${icon(name, 16)} ${label}</button>`;
   }
 
   #turn(by: number): void {
@@ -124,6 +118,12 @@ export class ShapePanel extends StudioElement {
         })}
       </p>
       ${tooLarge ? html`<p class="warning" role="status">${icon('warn', 16)} ${a('size.tooLarge')}</p>` : nothing}
-      ${beads < 5 ? html`<p class="warning" role="status">${icon('warn', 16)} <span>${linked(this.studio, a('size.tooThin', { n: beads }))}</span></p>` : nothing}`;
+      ${
+        beads < 5
+          ? html`<p class="warning" role="status">
+              ${icon('warn', 16)} <span>${linked(this.studio, a('size.tooThin', { n: beads }))}</span>
+            </p>`
+          : nothing
+      }`;
   }
 }

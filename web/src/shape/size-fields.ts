@@ -7,6 +7,7 @@ import { numberField, numberInput, type NumberField } from '../controls/fields.j
 import { icon } from '../controls/icons.js';
 import type { Studio } from '../studio/studio.js';
 import { inch } from './units.js';
+import { button } from '../controls/button.js';
 
 const smallest = 1; // [mm]
 const largest = 1000;
@@ -24,9 +25,7 @@ export function lengthField(field: NumberField, units: Units): NumberField {
     max: shown(field.max),
     step: 0.01,
     usual: field.usual === undefined ? undefined : [shown(field.usual[0]), shown(field.usual[1])],
-    onInput: (value) => {
-      field.onInput(value * inch);
-    },
+    onInput: (value) => field.onInput(value * inch),
   };
 }
 
@@ -65,12 +64,8 @@ function sideField(
       max: largest,
       step: 0.1,
       usual: [10, 200],
-      onInput: (value) => {
-        studio.change((now) => ({ ...now, ...sizes(now, value) }), side);
-      },
-      onSettle: () => {
-        studio.settle();
-      },
+      onInput: (value) => studio.change((now) => ({ ...now, ...sizes(now, value) }), side),
+      onSettle: () => studio.settle(),
     },
     units,
   );
@@ -107,19 +102,11 @@ export function sizeFields(studio: Studio): TemplateResult {
   const locked = keepRatio || isFile;
   return html`<div class="size">
     ${stacked(first)}
-    <button
-      type="button"
-      class="square"
-      aria-pressed=${String(locked)}
-      aria-label=${a('size.lock')}
-      title=${a('size.lock')}
-      ?disabled=${isFile}
-      @click=${() => {
-        studio.store.set({ keepRatio: !keepRatio });
-      }}
-    >
-      ${icon(locked ? 'lock' : 'unlock', 16)}
-    </button>
+    ${button(
+      { look: 'square', name: a('size.lock'), disabled: isFile, pressed: locked },
+      icon(locked ? 'lock' : 'unlock', 16),
+      () => studio.store.set({ keepRatio: !keepRatio }),
+    )}
     ${stacked(second)}
   </div>`;
 }

@@ -74,15 +74,9 @@ export class LampHandle extends StudioElement {
       aria-valuetext=${t('lamp.stands', degrees)}
       title=${t('light.drag')}
       .style=${`--x: ${far * Math.cos(turn)}; --y: ${far * Math.sin(turn)}`}
-      @pointerenter=${() => {
-        this.studio.store.set({ lampHeld: true });
-      }}
-      @pointerleave=${() => {
-        this.studio.store.set({ lampHeld: false });
-      }}
-      @pointerdown=${(event: PointerEvent) => {
-        (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
-      }}
+      @pointerenter=${() => this.studio.store.set({ lampHeld: true })}
+      @pointerleave=${() => this.studio.store.set({ lampHeld: false })}
+      @pointerdown=${(event: PointerEvent) => (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId)}
       @pointermove=${this.#onMove}
       @wheel=${this.#onWheel}
       @keydown=${this.#onKey}

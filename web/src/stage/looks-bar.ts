@@ -7,6 +7,7 @@ import type { LampPicture } from '../model/plate.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
 import { thumbnail } from '../controls/thumbnail.js';
+import { button } from '../controls/button.js';
 
 @customElement('sillon-looks')
 export class LooksBar extends StudioElement {
@@ -80,35 +81,22 @@ export class LooksBar extends StudioElement {
   #pictures(pictures: readonly LampPicture[]): TemplateResult {
     const { lamp, aimed, flipping } = this.state;
     return html`<div class="pictures" role="group" aria-label=${t('lamp.shown')}>
-        ${pictures.map(
-          ({ file }, k) =>
-            html`<button
-              type="button"
-              aria-pressed=${String(k === lamp && aimed === undefined)}
-              aria-label="${t('lamp.show')}: ${file.name}"
-              title="${t('lamp.show')}: ${file.name}"
-              @click=${() => {
-                this.studio.showLamp(k);
-              }}
-            >
-              ${thumbnail(file)}
-            </button>`,
+        ${pictures.map(({ file }, k) =>
+          button(
+            { name: `${t('lamp.show')}: ${file.name}`, pressed: k === lamp && aimed === undefined },
+            thumbnail(file),
+            () => this.studio.showLamp(k),
+          ),
         )}
       </div>
       ${
         pictures.length === 1
           ? nothing
-          : html`<button
-              type="button"
-              class="turn"
-              aria-pressed=${String(flipping)}
-              title=${t('lamp.flip')}
-              @click=${() => {
-                this.studio.flip();
-              }}
-            >
-              ${icon(flipping ? 'pause' : 'turn')} <span class="words">${t('lamp.flip')}</span>
-            </button>`
+          : button(
+              { look: 'turn', title: t('lamp.flip'), pressed: flipping },
+              html`${icon(flipping ? 'pause' : 'turn')} <span class="words">${t('lamp.flip')}</span>`,
+              () => this.studio.flip(),
+            )
       }`;
   }
 }

@@ -5,6 +5,7 @@ import { live } from 'lit/directives/live.js';
 import { formatNumber, t } from '../i18n/text.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
+import { button } from '../controls/button.js';
 
 const duration = 14_000; // [ms] for a whole print
 
@@ -45,9 +46,7 @@ export class Player extends StudioElement {
     const percent = t('progress.percent', { percent: Math.floor(100 * played) });
     const label = t(playing ? 'verb.pause' : 'verb.play');
     return html`
-      <button type="button" class="plain square" aria-label=${label} title=${label} @click=${this.#toggle}>
-        ${icon(playing ? 'pause' : 'play')}
-      </button>
+      ${button({ look: 'plain square', name: label }, icon(playing ? 'pause' : 'play'), this.#toggle)}
       <input
         type="range"
         min="0"
@@ -57,9 +56,8 @@ export class Player extends StudioElement {
         aria-valuetext=${percent}
         .value=${live(String(played))}
         .style=${`--share: ${played}`}
-        @input=${(event: Event) => {
-          this.studio.store.set({ played: Number((event.currentTarget as HTMLInputElement).value), playing: false });
-        }}
+        @input=${(event: Event) =>
+          this.studio.store.set({ played: Number((event.currentTarget as HTMLInputElement).value), playing: false })}
       />
       <output
         >${length === undefined ? percent : t('summary.metres', { m: formatNumber((length * played) / 1000, 1) })}</output
@@ -67,9 +65,7 @@ export class Player extends StudioElement {
     `;
   }
 
-  #toggle = (): void => {
-    this.studio.togglePlay();
-  };
+  #toggle = (): void => this.studio.togglePlay();
 
   protected override onState(state: this['state'], before: this['state']): void {
     if (state.playing && !before.playing) {

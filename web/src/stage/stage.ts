@@ -12,6 +12,7 @@ import { offers } from '../studio/shown.js';
 import { isRuled } from './plate-scene.js';
 import './status-bar.js';
 import './tool-palette.js';
+import { button } from '../controls/button.js';
 
 /** Tabs of the views; the directions belong to the tab of the beads that follow them. */
 const tabs = ['appearance', 'toolpath', 'quality'] as const;
@@ -330,16 +331,13 @@ export class StageElement extends StudioElement {
           ${tabs.map(
             (tab, k) =>
               html`<button
-                type="button"
                 role="tab"
                 id="tab-${tab}"
                 aria-selected=${String(tabOf(view) === tab)}
                 aria-keyshortcuts=${k + 1}
                 title="${t(`view.${tab}.help`)} (${k + 1})"
                 tabindex=${tabOf(view) === tab ? 0 : -1}
-                @click=${() => {
-                  this.studio.setView(tab);
-                }}
+                @click=${() => this.studio.setView(tab)}
               >
                 ${t(`view.${tab}`)}
               </button>`,
@@ -353,15 +351,7 @@ export class StageElement extends StudioElement {
         <div class="bottom">
           ${
             welcome && panel === ''
-              ? html`<button
-                  type="button"
-                  class="main"
-                  @click=${() => {
-                    this.studio.setPanel('layers');
-                  }}
-                >
-                  ${icon('plus')} ${t('start.own')}
-                </button>`
+              ? button('main', html`${icon('plus')} ${t('start.own')}`, () => this.studio.setPanel('layers'))
               : nothing
           }
           ${tabOf(view) === 'toolpath' ? this.#colourBy() : nothing}
@@ -400,7 +390,6 @@ export class StageElement extends StudioElement {
    * the panel's element is loaded when it is first opened. */
   #options(): TemplateResult {
     return html`<button
-        type="button"
         class="options"
         popovertarget="options"
         aria-label=${t('view.options')}
@@ -439,7 +428,12 @@ export class StageElement extends StudioElement {
         }}
       >
         <option value="directions" ?selected=${view === 'directions'}>${t('view.directions')}</option>
-        ${colours.map((name) => html`<option value=${name} ?selected=${view !== 'directions' && name === colourBy}>${t(`colour.${name}`)}</option>`)}
+        ${colours.map(
+          (name) =>
+            html`<option value=${name} ?selected=${view !== 'directions' && name === colourBy}>
+              ${t(`colour.${name}`)}
+            </option>`,
+        )}
       </select>
       ${this.lazy(loadBars) ? html`<sillon-legend class="within" .studio=${this.studio}></sillon-legend>` : nothing}
     </div>`;

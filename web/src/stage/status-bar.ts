@@ -7,6 +7,7 @@ import { isOf } from '../model/result.js';
 import { StudioElement } from '../controls/element.js';
 import { inUnits } from '../shape/units.js';
 import { pageOf } from '../model/plate.js';
+import { button } from '../controls/button.js';
 
 /** Shortest job that is announced to screen readers [ms]; a shorter one ends before it could be heard. */
 const worthSaying = 1000;
@@ -174,9 +175,7 @@ export class StatusBar extends StudioElement {
 
   #progress(progress: NonNullable<this['state']['progress']>): TemplateResult {
     const { job, stage, left } = progressWords(progress);
-    return this.#job(stage === '' ? job : stage, progress.fraction, left, () => {
-      this.studio.services.cancel();
-    });
+    return this.#job(stage === '' ? job : stage, progress.fraction, left, () => this.studio.services.cancel());
   }
 
   /** Returns the progress of a job, with a button that cancels it. */
@@ -195,7 +194,7 @@ export class StatusBar extends StudioElement {
       <div class="job">
         <span class="stage">${what}</span>
         <span class="share">${t('progress.percent', { percent })}</span><span class="share rest">${left}</span>
-        <button type="button" @click=${cancel}>${t('verb.cancel')}</button>
+        ${button('', t('verb.cancel'), cancel)}
       </div>`;
   }
 
@@ -211,15 +210,7 @@ export class StatusBar extends StudioElement {
       ${
         cancelled
           ? html`<span>${t('job.cancelled')}</span>
-              <button
-                type="button"
-                class="link"
-                @click=${() => {
-                  this.studio.services.retry();
-                }}
-              >
-                ${t('verb.retry')}
-              </button>`
+              ${button('link', t('verb.retry'), () => this.studio.services.retry())}`
           : html`<b>${size.join(' × ')} ${units}</b> ${
                 length === undefined
                   ? nothing

@@ -41,15 +41,12 @@ export class ToolPalette extends StudioElement {
     return html`${tools.map(
       ([tool, name, key]) =>
         html`<button
-          type="button"
           class="plain square"
           aria-label=${t(`tool.${tool}`)}
           aria-keyshortcuts=${key}
           aria-pressed=${String(this.state.tool === tool)}
           title="${t(`tool.${tool}`)} (${key})"
-          @click=${() => {
-            this.studio.setTool(tool);
-          }}
+          @click=${() => this.studio.setTool(tool)}
         >
           ${icon(name, 20)}
         </button>`,

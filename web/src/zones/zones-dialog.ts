@@ -12,6 +12,7 @@ import { newFileShape } from '../model/defaults.js';
 import { problemOf, type Problem } from '../model/problem.js';
 import { readBody, stlOf, type Mesh } from './mesh.js';
 import { drawingOf, pathOf, topFaces, type TopFace } from './top-faces.js';
+import { button } from '../controls/button.js';
 
 interface Known {
   file: File;
@@ -116,16 +117,13 @@ export class Zones extends DialogElement {
 
   #card(face: TopFace, known: Known): TemplateResult {
     const [width, height] = face.size.map((length) => formatNumber(length, 1)) as [string, string];
-    return html`<button
-      type="button"
-      @click=${() => {
-        void this.studio.attempt(() => this.#choose(face, known));
-      }}
-    >
-      ${picture(face, known.faces)}
-      <span>${say(words, 'zones.face', { width, height, z: formatNumber(face.z, 2) })}</span>
-      <span class="note">${say(words, 'zones.area', { area: formatNumber(face.areaMm2, 0) })}</span>
-    </button>`;
+    return button(
+      '',
+      html`${picture(face, known.faces)}
+        <span>${say(words, 'zones.face', { width, height, z: formatNumber(face.z, 2) })}</span>
+        <span class="note">${say(words, 'zones.area', { area: formatNumber(face.areaMm2, 0) })}</span>`,
+      () => void this.studio.attempt(() => this.#choose(face, known)),
+    );
   }
 
   async #choose(face: TopFace, { file, mesh }: Known): Promise<void> {
@@ -148,9 +146,7 @@ export class Zones extends DialogElement {
       this.studio.store.set({ sliced: undefined });
       this.studio.notify(say(words, 'zones.opened', { name }), {
         label: say(words, 'zones.download'),
-        run: () => {
-          void this.studio.save('zones');
-        },
+        run: () => void this.studio.save('zones'),
       });
     });
   }
