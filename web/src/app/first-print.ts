@@ -23,7 +23,6 @@ export class FirstPrint extends DialogElement {
   static override reads = ['plate', 'progress'] as const;
 
   static override styles = [
-    ...DialogElement.styles,
     choiceCards,
     css`
       dialog {

@@ -17,163 +17,160 @@ const loadMenu = (): Promise<unknown> => import('./menu.js');
 export class Header extends StudioElement {
   static override reads = ['plate', 'mode', 'controls'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        display: flex;
-        align-items: center;
-        gap: 6px;
-        height: var(--bar);
-        padding: 0 12px 0 14px;
-        border-bottom: 1px solid var(--line);
-        background: var(--surface);
-      }
-      h1 {
-        display: flex;
-        align-items: center;
-        gap: 9px;
-        font-size: var(--lead);
-        font-weight: 600;
-        letter-spacing: 0.01em;
-      }
-      h1 .mark {
-        color: var(--accent);
-      }
+  static override styles = css`
+    :host {
+      display: flex;
+      align-items: center;
+      gap: 6px;
+      height: var(--bar);
+      padding: 0 12px 0 14px;
+      border-bottom: 1px solid var(--line);
+      background: var(--surface);
+    }
+    h1 {
+      display: flex;
+      align-items: center;
+      gap: 9px;
+      font-size: var(--lead);
+      font-weight: 600;
+      letter-spacing: 0.01em;
+    }
+    h1 .mark {
+      color: var(--accent);
+    }
+    input.name {
+      field-sizing: content;
+      width: 20ch;
+      min-width: 0;
+      margin: 0 6px 0 10px;
+      border-color: transparent;
+      background: none;
+      color: var(--soft);
+      text-overflow: ellipsis;
+    }
+    input.name:hover,
+    input.name:focus {
+      border-color: var(--edge);
+      color: var(--ink);
+    }
+    @supports (field-sizing: content) {
       input.name {
-        field-sizing: content;
-        width: 20ch;
-        min-width: 0;
-        margin: 0 6px 0 10px;
-        border-color: transparent;
-        background: none;
-        color: var(--soft);
-        text-overflow: ellipsis;
+        width: auto;
+        max-width: 40ch;
       }
-      input.name:hover,
-      input.name:focus {
-        border-color: var(--edge);
-        color: var(--ink);
+    }
+    .space {
+      flex: 1;
+    }
+    .files {
+      display: flex;
+      flex: none;
+      gap: 1px;
+      margin-left: 4px;
+    }
+    .main {
+      padding: 0 14px;
+      min-height: max(34px, var(--control));
+      border-radius: var(--radius) 0 0 var(--radius);
+    }
+    .main .long {
+      max-width: 15rem;
+      overflow: hidden;
+      text-overflow: ellipsis;
+      white-space: nowrap;
+    }
+    .main .short {
+      display: none;
+    }
+    .main.all {
+      min-width: calc(var(--control) - 4px);
+      padding: 0 7px;
+      border-radius: 0 var(--radius) var(--radius) 0;
+    }
+    @media (pointer: coarse) {
+      .main.all {
+        min-width: var(--control);
       }
-      @supports (field-sizing: content) {
-        input.name {
-          width: auto;
-          max-width: 40ch;
-        }
-      }
-      .space {
-        flex: 1;
-      }
-      .files {
-        display: flex;
-        flex: none;
-        gap: 1px;
-        margin-left: 4px;
-      }
-      .main {
-        padding: 0 14px;
-        min-height: max(34px, var(--control));
-        border-radius: var(--radius) 0 0 var(--radius);
-      }
+    }
+    [popover] {
+      position: fixed;
+      inset: calc(var(--bar) + 2px) 10px auto auto;
+      width: 292px;
+      max-height: calc(100dvh - var(--bar) - 20px);
+      margin: 0;
+      padding: 6px;
+      border: 1px solid var(--line);
+      border-radius: var(--radius-large);
+      background: var(--surface);
+      color: var(--ink);
+      box-shadow: var(--lift);
+      overflow: auto;
+    }
+    #menu {
+      inset-inline: 10px auto;
+    }
+    @media (max-width: 1120px) {
       .main .long {
-        max-width: 15rem;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
+        max-width: 9rem;
       }
-      .main .short {
+    }
+    @media (max-width: 980px) {
+      .examples {
+        width: var(--control);
+        padding: 0;
+      }
+      .examples .words {
+        position: absolute;
+        clip-path: inset(50%);
+        width: 1px; /* else words would reach out of the page */
+        overflow: hidden;
+      }
+    }
+    @media (max-width: 820px) {
+      .main .long {
         display: none;
       }
+      .main .short {
+        display: inline;
+      }
+    }
+    @media (max-width: 400px) {
+      .main:not(.all) {
+        width: 44px;
+        padding: 0;
+      }
+      .main .words {
+        position: absolute;
+        clip-path: inset(50%);
+        width: 1px; /* else words would reach out of the page */
+        overflow: hidden;
+      }
+    }
+    @media (max-height: 479px) {
+      button {
+        min-height: calc(var(--bar) - 6px) !important;
+      }
+    }
+    @media (max-width: 560px) {
+      :host {
+        padding: 0 6px 0 10px;
+        gap: 2px;
+      }
+      h1 .word {
+        position: absolute;
+        clip-path: inset(50%); /* still heard: a heading needs its word */
+      }
+      input.name {
+        display: none;
+      }
+      .main {
+        padding: 0 10px;
+      }
       .main.all {
-        min-width: calc(var(--control) - 4px);
-        padding: 0 7px;
-        border-radius: 0 var(--radius) var(--radius) 0;
+        padding: 0 4px;
       }
-      @media (pointer: coarse) {
-        .main.all {
-          min-width: var(--control);
-        }
-      }
-      [popover] {
-        position: fixed;
-        inset: calc(var(--bar) + 2px) 10px auto auto;
-        width: 292px;
-        max-height: calc(100dvh - var(--bar) - 20px);
-        margin: 0;
-        padding: 6px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--surface);
-        color: var(--ink);
-        box-shadow: var(--lift);
-        overflow: auto;
-      }
-      #menu {
-        inset-inline: 10px auto;
-      }
-      @media (max-width: 1120px) {
-        .main .long {
-          max-width: 9rem;
-        }
-      }
-      @media (max-width: 980px) {
-        .examples {
-          width: var(--control);
-          padding: 0;
-        }
-        .examples .words {
-          position: absolute;
-          clip-path: inset(50%);
-          width: 1px; /* else words would reach out of the page */
-          overflow: hidden;
-        }
-      }
-      @media (max-width: 820px) {
-        .main .long {
-          display: none;
-        }
-        .main .short {
-          display: inline;
-        }
-      }
-      @media (max-width: 400px) {
-        .main:not(.all) {
-          width: 44px;
-          padding: 0;
-        }
-        .main .words {
-          position: absolute;
-          clip-path: inset(50%);
-          width: 1px; /* else words would reach out of the page */
-          overflow: hidden;
-        }
-      }
-      @media (max-height: 479px) {
-        button {
-          min-height: calc(var(--bar) - 6px) !important;
-        }
-      }
-      @media (max-width: 560px) {
-        :host {
-          padding: 0 6px 0 10px;
-          gap: 2px;
-        }
-        h1 .word {
-          position: absolute;
-          clip-path: inset(50%); /* still heard: a heading needs its word */
-        }
-        input.name {
-          display: none;
-        }
-        .main {
-          padding: 0 10px;
-        }
-        .main.all {
-          padding: 0 4px;
-        }
-      }
-    `,
-  ];
+    }
+  `;
 
   override render(): TemplateResult {
     const { plate, mode } = this.state;

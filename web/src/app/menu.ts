@@ -21,7 +21,6 @@ export class Menu extends StudioElement {
   static override reads = ['plate', 'theme', 'host'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     menuStyle,
     css`
       :host {
@@ -53,7 +52,7 @@ export class Menu extends StudioElement {
     return html`${this.#item('plus', t('verb.new'), () => {
         this.studio.services.newPlate();
       })}
-      ${this.#item('open', t('verb.open'), () => void this.studio.pick().then((files) => this.studio.open(files)))}
+      ${this.#item('open', t('verb.open'), () => void this.studio.openPicked())}
       ${host === '' ? this.#item('gallery', t('verb.plates'), this.studio.opens('plates')) : nothing}
       ${this.#item('share', t('verb.share'), this.studio.opens('share'))}
       ${this.#item('print', t('verb.first'), this.studio.opens('first'))}

@@ -20,7 +20,6 @@ export class OwnPanel extends StudioElement {
   static override reads = ['plate', 'controls', 'units', 'keepRatio', 'host'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     swatchStyle,
     sizeStyle,

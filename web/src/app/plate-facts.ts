@@ -18,7 +18,6 @@ export class PlateFacts extends StudioElement {
   static override reads = ['plate', 'keepRatio', 'units'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     css`
       .plate {

@@ -22,7 +22,6 @@ export class PrinterSheet extends DialogElement {
   static override reads = ['plate', 'own', 'spools', 'units'] as const;
 
   static override styles = [
-    ...DialogElement.styles,
     swatchStyle,
     css`
       dialog {

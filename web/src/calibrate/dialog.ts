@@ -18,7 +18,6 @@ export class Calibrate extends DialogElement {
   static override reads = ['plate', 'spools'] as const;
 
   static override styles = [
-    ...DialogElement.styles,
     swatchStyle,
     css`
       dialog {

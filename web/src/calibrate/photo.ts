@@ -38,7 +38,7 @@ function flowBeyond(read: CouponReading): 'photo.flow.lower' | 'photo.flow.highe
 @customElement('sillon-calibrate-photo')
 export class CalibratePhoto extends StudioElement {
   static override reads = ['plate', 'spools'] as const;
-  static override styles = [...StudioElement.styles, photoStyle];
+  static override styles = photoStyle;
 
   @state() private shots: readonly Shot[] = [];
   /** Result of all readings together. */

@@ -28,7 +28,7 @@ type Made = { calibration: Calibration } | { problem: Problem };
 @customElement('sillon-calibrate-prints')
 export class CalibratePrints extends StudioElement {
   static override reads = ['plate'] as const;
-  static override styles = [...StudioElement.styles, choiceCards, printStyle];
+  static override styles = [choiceCards, printStyle];
 
   @state() private kind: CalibrationKind = 'coupon';
   @state() private made: ReadonlyMap<CalibrationKind, Made> = new Map<CalibrationKind, Made>();

@@ -535,6 +535,11 @@ export const controls = css`
     gap: 12px;
     padding: 16px 16px 12px 24px;
   }
+  dialog > sillon-notices {
+    flex: none;
+    width: 100%;
+    max-height: 40%;
+  }
   dialog > .body {
     padding: 0 24px 24px;
     overflow: auto;

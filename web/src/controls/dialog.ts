@@ -1,6 +1,6 @@
 // A sheet above the page. Escape, its close button, a click beside it and Back close it. Notices that come while it is
 // open are shown in it, because nothing behind it can be reached.
-import { css, html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit';
 import { query } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { closesByBack } from './back.js';
@@ -10,17 +10,6 @@ import type { Shown } from '../studio/shown.js';
 import { button } from './button.js';
 
 export abstract class DialogElement extends StudioElement {
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      dialog > sillon-notices {
-        flex: none;
-        width: 100%;
-        max-height: 40%;
-      }
-    `,
-  ];
-
   @query('dialog') private dialog!: HTMLDialogElement;
   #afterwards?: () => void;
   #closed?: () => void;

@@ -1,5 +1,5 @@
 // Base class of all elements of the page: they draw the state, and draw again when a part that they read has changed.
-import { LitElement } from 'lit';
+import { LitElement, type CSSResultGroup, type CSSResultOrNative } from 'lit';
 import { property } from 'lit/decorators.js';
 import { problemOf } from '../model/problem.js';
 import { controls } from './controls.js';
@@ -26,7 +26,10 @@ interface Part {
 }
 
 export abstract class StudioElement extends LitElement {
-  static override styles = [controls];
+  /** Puts the styles that all elements share before an element's own. */
+  protected static override finalizeStyles(own: CSSResultGroup = []): CSSResultOrNative[] {
+    return super.finalizeStyles([controls, own]);
+  }
 
   /** Parts of the state that `render` reads. */
   static reads: readonly (keyof Shown)[] = [];

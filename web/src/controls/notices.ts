@@ -21,89 +21,86 @@ const lettersOf = (text: string): string => text.toLowerCase().replaceAll(/[\s.]
 export class Notices extends StudioElement {
   static override reads = ['notices', 'problem'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        position: relative; /* before the plate */
-        display: block;
-        justify-self: end;
-        width: min(424px, 100%);
-        overflow: auto; /* where there is little room */
-        scrollbar-width: thin;
-        pointer-events: none;
-      }
+  static override styles = css`
+    :host {
+      position: relative; /* before the plate */
+      display: block;
+      justify-self: end;
+      width: min(424px, 100%);
+      overflow: auto; /* where there is little room */
+      scrollbar-width: thin;
+      pointer-events: none;
+    }
+    .notice {
+      margin: 4px 12px 8px;
+      display: grid;
+      grid-template-columns: auto 1fr auto;
+      align-items: start;
+      gap: 4px 10px;
+      padding: 10px 8px 10px 14px;
+      border: 1px solid var(--line);
+      border-radius: var(--radius-large);
+      background: var(--raised);
+      box-shadow: 0 1px 4px var(--shade);
+      pointer-events: auto;
+      overflow-wrap: anywhere;
+    }
+    .notice > .icon {
+      margin-top: 1px;
+      color: var(--accent);
+    }
+    .problem {
+      border-color: var(--bad);
+      background: var(--bad-tint);
+    }
+    .problem > .icon {
+      color: var(--bad);
+    }
+    .problem b {
+      display: block;
+    }
+    .problem details {
+      font-size: var(--note);
+    }
+    .problem summary {
+      min-height: 26px;
+    }
+    .link {
+      margin-right: 8px;
+      text-align: start;
+    }
+    .close {
+      min-height: 24px;
+      width: 24px;
+      padding: 0;
+    }
+    .actions {
+      display: flex;
+      gap: 6px;
+      margin-top: 6px;
+    }
+    @media (pointer: coarse) {
       .notice {
-        margin: 4px 12px 8px;
-        display: grid;
-        grid-template-columns: auto 1fr auto;
-        align-items: start;
-        gap: 4px 10px;
-        padding: 10px 8px 10px 14px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--raised);
-        box-shadow: 0 1px 4px var(--shade);
-        pointer-events: auto;
-        overflow-wrap: anywhere;
-      }
-      .notice > .icon {
-        margin-top: 1px;
-        color: var(--accent);
+        align-items: center;
+        padding: 0 0 0 12px; /* a line as high as its button */
       }
       .problem {
-        border-color: var(--bad);
-        background: var(--bad-tint);
-      }
-      .problem > .icon {
-        color: var(--bad);
-      }
-      .problem b {
-        display: block;
-      }
-      .problem details {
-        font-size: var(--note);
-      }
-      .problem summary {
-        min-height: 26px;
-      }
-      .link {
-        margin-right: 8px;
-        text-align: start;
+        padding: 8px 0 8px 12px;
       }
       .close {
-        min-height: 24px;
-        width: 24px;
-        padding: 0;
+        min-height: 44px;
+        width: 44px;
       }
-      .actions {
-        display: flex;
-        gap: 6px;
-        margin-top: 6px;
+    }
+    @media (max-width: 720px) {
+      :host {
+        width: 100%;
       }
-      @media (pointer: coarse) {
-        .notice {
-          align-items: center;
-          padding: 0 0 0 12px; /* a line as high as its button */
-        }
-        .problem {
-          padding: 8px 0 8px 12px;
-        }
-        .close {
-          min-height: 44px;
-          width: 44px;
-        }
+      .notice {
+        margin: 4px 6px 6px;
       }
-      @media (max-width: 720px) {
-        :host {
-          width: 100%;
-        }
-        .notice {
-          margin: 4px 6px 6px;
-        }
-      }
-    `,
-  ];
+    }
+  `;
 
   /** Notices that are shown elsewhere. */
   @property({ attribute: false }) known: Partial<Pick<Shown, 'notices' | 'problem'>> = {};

@@ -20,7 +20,6 @@ export class ColoursPanel extends StudioElement {
   static override reads = ['plate'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     css`
       :host {

@@ -41,7 +41,6 @@ export class LampsPanel extends StudioElement {
   @property({ attribute: false }) layer!: PlateLayer;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     css`
       :host {

@@ -57,7 +57,7 @@ export class LayersPanel extends StudioElement {
     'welcome',
   ] as const;
 
-  static override styles = [...StudioElement.styles, panelStyle, layersStyle, startStyle];
+  static override styles = [panelStyle, layersStyle, startStyle];
 
   @state() private adding = false;
   @state() private allTiles = false;

@@ -13,43 +13,40 @@ const pictureSide = 192; // [pixels] for 64 CSS pixels on a screen with a pixel 
 export class Files extends DialogElement {
   static override reads = ['opened'] as const;
 
-  static override styles = [
-    ...DialogElement.styles,
-    css`
-      dialog {
-        width: min(560px, calc(100vw - 24px));
-      }
-      .body,
-      .files {
-        display: grid;
-        gap: 16px;
-      }
-      .files li {
-        display: grid;
-        grid-template-columns: 64px 1fr;
-        gap: 4px 14px;
-        align-items: start;
-      }
-      .files img,
-      .files .blank {
-        width: 64px;
-        height: 64px;
-        object-fit: contain;
-        border: 1px solid var(--line);
-        border-radius: var(--radius);
-        background: var(--sunken);
-        grid-row: span 3;
-      }
-      .files label {
-        overflow-wrap: anywhere;
-        font-weight: 500;
-      }
-      .end {
-        display: flex;
-        justify-content: end;
-      }
-    `,
-  ];
+  static override styles = css`
+    dialog {
+      width: min(560px, calc(100vw - 24px));
+    }
+    .body,
+    .files {
+      display: grid;
+      gap: 16px;
+    }
+    .files li {
+      display: grid;
+      grid-template-columns: 64px 1fr;
+      gap: 4px 14px;
+      align-items: start;
+    }
+    .files img,
+    .files .blank {
+      width: 64px;
+      height: 64px;
+      object-fit: contain;
+      border: 1px solid var(--line);
+      border-radius: var(--radius);
+      background: var(--sunken);
+      grid-row: span 3;
+    }
+    .files label {
+      overflow-wrap: anywhere;
+      font-weight: 500;
+    }
+    .end {
+      display: flex;
+      justify-content: end;
+    }
+  `;
 
   readonly #pictures = new Map<string, string>();
 

@@ -13,123 +13,120 @@ import { button } from '../controls/button.js';
 
 @customElement('sillon-plates')
 export class Plates extends DialogElement {
-  static override styles = [
-    ...DialogElement.styles,
-    css`
-      dialog {
-        width: min(980px, calc(100vw - 24px));
-      }
-      .body {
-        display: grid;
-        gap: 14px;
-      }
+  static override styles = css`
+    dialog {
+      width: min(980px, calc(100vw - 24px));
+    }
+    .body {
+      display: grid;
+      gap: 14px;
+    }
+    .plates {
+      display: grid;
+      grid-template-columns: repeat(auto-fill, minmax(172px, 1fr));
+      gap: 12px;
+    }
+    .plates li {
+      display: grid;
+      grid-template-rows: auto auto auto;
+      gap: 6px;
+      padding: 8px;
+      border: 1px solid var(--line);
+      border-radius: var(--radius-large);
+      background: var(--raised);
+    }
+    .plates li.here {
+      border-color: var(--accent);
+    }
+    .open {
+      position: relative;
+      display: block;
+      width: 100%;
+      aspect-ratio: 1;
+      padding: 0;
+      border-color: transparent;
+      background: var(--sunken);
+    }
+    .open img {
+      display: block;
+      width: 100%;
+      height: 100%;
+      object-fit: contain;
+    }
+    .open .blank {
+      display: grid;
+      height: 100%;
+      place-content: center;
+      color: var(--edge);
+    }
+    .badge {
+      position: absolute;
+      left: 6px;
+      bottom: 6px;
+      padding: 2px 7px;
+      border-radius: var(--radius);
+      background: var(--surface);
+      color: var(--soft);
+      font-size: var(--small);
+    }
+    .here .badge {
+      color: var(--accent);
+    }
+    input.name {
+      width: 100%;
+      border-color: transparent;
+      background: none;
+      font-weight: 500;
+      text-overflow: ellipsis;
+    }
+    input.name:hover,
+    input.name:focus {
+      border-color: var(--edge);
+    }
+    .foot {
+      display: flex;
+      align-items: center;
+      gap: 2px;
+      padding-left: 8px;
+    }
+    .foot .note {
+      flex: 1;
+      min-width: 0;
+    }
+    .told {
+      display: flex;
+      flex-wrap: wrap;
+      align-items: center;
+      gap: 8px 12px;
+      padding: 8px 12px;
+      border: 1px solid var(--line);
+      border-radius: var(--radius-large);
+      background: var(--tint);
+    }
+    .told span {
+      flex: 1 1 240px;
+    }
+    .end {
+      display: flex;
+      justify-content: end;
+    }
+    @media (max-width: 480px) {
       .plates {
-        display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(172px, 1fr));
-        gap: 12px;
+        grid-template-columns: 1fr 1fr;
+        gap: 8px;
       }
       .plates li {
-        display: grid;
-        grid-template-rows: auto auto auto;
-        gap: 6px;
-        padding: 8px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--raised);
-      }
-      .plates li.here {
-        border-color: var(--accent);
-      }
-      .open {
-        position: relative;
-        display: block;
-        width: 100%;
-        aspect-ratio: 1;
-        padding: 0;
-        border-color: transparent;
-        background: var(--sunken);
-      }
-      .open img {
-        display: block;
-        width: 100%;
-        height: 100%;
-        object-fit: contain;
-      }
-      .open .blank {
-        display: grid;
-        height: 100%;
-        place-content: center;
-        color: var(--edge);
-      }
-      .badge {
-        position: absolute;
-        left: 6px;
-        bottom: 6px;
-        padding: 2px 7px;
-        border-radius: var(--radius);
-        background: var(--surface);
-        color: var(--soft);
-        font-size: var(--small);
-      }
-      .here .badge {
-        color: var(--accent);
-      }
-      input.name {
-        width: 100%;
-        border-color: transparent;
-        background: none;
-        font-weight: 500;
-        text-overflow: ellipsis;
-      }
-      input.name:hover,
-      input.name:focus {
-        border-color: var(--edge);
+        padding: 4px;
       }
       .foot {
-        display: flex;
-        align-items: center;
-        gap: 2px;
-        padding-left: 8px;
+        flex-wrap: wrap;
+        padding-left: 6px;
       }
       .foot .note {
-        flex: 1;
-        min-width: 0;
+        flex-basis: 100%;
       }
-      .told {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 8px 12px;
-        padding: 8px 12px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--tint);
-      }
-      .told span {
-        flex: 1 1 240px;
-      }
-      .end {
-        display: flex;
-        justify-content: end;
-      }
-      @media (max-width: 480px) {
-        .plates {
-          grid-template-columns: 1fr 1fr;
-          gap: 8px;
-        }
-        .plates li {
-          padding: 4px;
-        }
-        .foot {
-          flex-wrap: wrap;
-          padding-left: 6px;
-        }
-        .foot .note {
-          flex-basis: 100%;
-        }
-      }
-    `,
-  ];
+    }
+  `;
 
   @state() private plates: readonly Listed[] | undefined;
   /** Plate that the visitor wants to open although another tab has it. */

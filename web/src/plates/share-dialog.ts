@@ -12,34 +12,31 @@ import { button } from '../controls/button.js';
 
 @customElement('sillon-share')
 export class Share extends DialogElement {
-  static override styles = [
-    ...DialogElement.styles,
-    css`
-      dialog {
-        width: min(520px, calc(100vw - 24px));
-      }
-      .body {
-        display: grid;
-        gap: 12px;
-      }
-      .link {
-        display: grid;
-        grid-template-columns: 1fr auto;
-        gap: 8px;
-      }
-      .buttons {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 8px;
-      }
-      img {
-        justify-self: center;
-        max-width: 100%;
-        max-height: 40vh;
-        border-radius: var(--radius);
-      }
-    `,
-  ];
+  static override styles = css`
+    dialog {
+      width: min(520px, calc(100vw - 24px));
+    }
+    .body {
+      display: grid;
+      gap: 12px;
+    }
+    .link {
+      display: grid;
+      grid-template-columns: 1fr auto;
+      gap: 8px;
+    }
+    .buttons {
+      display: flex;
+      flex-wrap: wrap;
+      gap: 8px;
+    }
+    img {
+      justify-self: center;
+      max-width: 100%;
+      max-height: 40vh;
+      border-radius: var(--radius);
+    }
+  `;
 
   @state() private url = '';
   @state() private told = '';

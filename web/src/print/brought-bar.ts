@@ -11,39 +11,36 @@ import { button } from '../controls/button.js';
 export class BroughtBar extends StudioElement {
   static override reads = ['plate'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      .bar {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 8px 14px;
-        padding: 8px 16px;
-        border-bottom: 1px solid var(--line);
-        background: var(--tint);
-      }
+  static override styles = css`
+    .bar {
+      display: flex;
+      flex-wrap: wrap;
+      align-items: center;
+      gap: 8px 14px;
+      padding: 8px 16px;
+      border-bottom: 1px solid var(--line);
+      background: var(--tint);
+    }
+    .bar > .icon {
+      flex: none;
+      color: var(--accent);
+    }
+    p {
+      flex: 1 1 300px;
+      margin: 0;
+      overflow-wrap: anywhere;
+    }
+    .buttons {
+      display: flex;
+      flex-wrap: wrap;
+      gap: 6px;
+    }
+    @media (max-width: 720px) {
       .bar > .icon {
-        flex: none;
-        color: var(--accent);
+        display: none;
       }
-      p {
-        flex: 1 1 300px;
-        margin: 0;
-        overflow-wrap: anywhere;
-      }
-      .buttons {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 6px;
-      }
-      @media (max-width: 720px) {
-        .bar > .icon {
-          display: none;
-        }
-      }
-    `,
-  ];
+    }
+  `;
 
   override render(): TemplateResult | typeof nothing {
     const { brought, printer } = this.state.plate;

@@ -12,7 +12,8 @@ import { menuStyle } from '../controls/menu-style.js';
 import type { Product } from '../studio/studio.js';
 import { button } from '../controls/button.js';
 
-const products: readonly (readonly [Product, IconName])[] = [
+/** All files of a plate, with their icons. */
+export const products: readonly (readonly [Product, IconName])[] = [
   ['gcode', 'print'],
   ['body', 'body'],
   ['zones', 'body'],
@@ -28,7 +29,6 @@ export class Downloads extends StudioElement {
   static override reads = ['plate', 'result'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     menuStyle,
     css`
       :host {

@@ -43,7 +43,6 @@ export class PrintPanel extends StudioElement {
   static override reads = ['plate', 'summary', 'check', 'result', 'advanced', 'problem', 'spools', 'units'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     swatchStyle,
     css`

@@ -18,79 +18,76 @@ import { button } from '../controls/button.js';
 export class Spools extends StudioElement {
   static override reads = ['plate', 'spools'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        display: grid;
-        gap: 14px;
-        align-content: start;
-      }
+  static override styles = css`
+    :host {
+      display: grid;
+      gap: 14px;
+      align-content: start;
+    }
+    ul {
+      display: grid;
+      grid-template-columns: repeat(auto-fill, minmax(300px, 1fr));
+      gap: 8px;
+    }
+    li {
+      display: grid;
+      grid-template-columns: 40px minmax(0, 1fr) auto auto;
+      align-items: center;
+      gap: 4px 10px;
+      padding: 8px 8px 8px 10px;
+      border: 1px solid var(--line);
+      border-radius: var(--radius-large);
+      background: var(--raised);
+    }
+    li.here {
+      border-color: var(--accent);
+      background: var(--tint);
+    }
+    .colour {
+      width: 36px;
+      height: 36px;
+      border-radius: 50%;
+      background: ${spoolColour};
+      box-shadow: inset 0 0 0 1px var(--edge);
+    }
+    .words {
+      display: grid;
+      gap: 1px;
+    }
+    .words input {
+      width: 100%;
+      margin-left: -8px;
+      border-color: transparent;
+      background: none;
+      font-weight: 600;
+    }
+    .words input:hover,
+    .words input:focus {
+      border-color: var(--edge);
+    }
+    .words b {
+      font-weight: 600;
+    }
+    .buttons,
+    .told {
+      display: flex;
+      flex-wrap: wrap;
+      align-items: center;
+      gap: 8px;
+    }
+    .none {
+      padding: 20px;
+      border: 1px dashed var(--edge);
+      border-radius: var(--radius-large);
+      color: var(--soft);
+      text-align: center;
+    }
+    @media (max-width: 400px) {
       ul {
-        display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(300px, 1fr));
-        gap: 8px;
+        grid-template-columns: minmax(0, 1fr);
       }
-      li {
-        display: grid;
-        grid-template-columns: 40px minmax(0, 1fr) auto auto;
-        align-items: center;
-        gap: 4px 10px;
-        padding: 8px 8px 8px 10px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--raised);
-      }
-      li.here {
-        border-color: var(--accent);
-        background: var(--tint);
-      }
-      .colour {
-        width: 36px;
-        height: 36px;
-        border-radius: 50%;
-        background: ${spoolColour};
-        box-shadow: inset 0 0 0 1px var(--edge);
-      }
-      .words {
-        display: grid;
-        gap: 1px;
-      }
-      .words input {
-        width: 100%;
-        margin-left: -8px;
-        border-color: transparent;
-        background: none;
-        font-weight: 600;
-      }
-      .words input:hover,
-      .words input:focus {
-        border-color: var(--edge);
-      }
-      .words b {
-        font-weight: 600;
-      }
-      .buttons,
-      .told {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 8px;
-      }
-      .none {
-        padding: 20px;
-        border: 1px dashed var(--edge);
-        border-radius: var(--radius-large);
-        color: var(--soft);
-        text-align: center;
-      }
-      @media (max-width: 400px) {
-        ul {
-          grid-template-columns: minmax(0, 1fr);
-        }
-      }
-    `,
-  ];
+    }
+  `;
 
   @state() private deleted: OwnSpool | undefined;
 

@@ -36,7 +36,6 @@ export class QualityPanel extends StudioElement {
   static override reads = ['plate', 'result', 'check', 'progress', 'marks', 'mark', 'engine'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     css`
       .verdicts {

@@ -31,7 +31,7 @@ const pictureFiles = 'image/*,.tga';
 export class RebrushView extends StudioElement {
   static override reads = ['sliced', 'theme'] as const;
 
-  static override styles = [...StudioElement.styles, rebrushStyle];
+  static override styles = rebrushStyle;
 
   @query('dialog') private dialog!: HTMLDialogElement;
 

@@ -15,7 +15,6 @@ export class DrawingFields extends StudioElement {
   static override reads = ['plate'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     css`
       :host {

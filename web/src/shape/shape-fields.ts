@@ -25,7 +25,6 @@ export class ShapeFields extends StudioElement {
   static override reads = ['plate', 'units'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     css`
       :host {

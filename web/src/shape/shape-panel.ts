@@ -24,7 +24,7 @@ const loadDrawing = (): Promise<unknown> => import('./drawing-fields.js');
 export class ShapePanel extends StudioElement {
   static override reads = ['plate', 'keepRatio', 'units'] as const;
 
-  static override styles = [...StudioElement.styles, panelStyle, sizeStyle];
+  static override styles = [panelStyle, sizeStyle];
 
   readonly #pictures = new DrawnChoices<ShapeSource['kind']>(this, () => this.studio.services.shapePictures);
 

@@ -40,7 +40,6 @@ const halved = 0.5; // pixels drawn per screen pixel, in one direction, while so
 @customElement('sillon-canvas')
 export class PlateCanvas extends StudioElement implements Stage {
   static override styles = [
-    ...StudioElement.styles,
     bench,
     css`
       :host {

@@ -13,63 +13,60 @@ import { button } from '../controls/button.js';
 export class LooksBar extends StudioElement {
   static override reads = ['plate', 'lamp', 'aimed', 'flipping'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      .bar {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 6px 8px;
-        padding: 6px 8px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--surface);
-        box-shadow: var(--lift);
+  static override styles = css`
+    .bar {
+      display: flex;
+      flex-wrap: wrap;
+      align-items: center;
+      gap: 6px 8px;
+      padding: 6px 8px;
+      border: 1px solid var(--line);
+      border-radius: var(--radius-large);
+      background: var(--surface);
+      box-shadow: var(--lift);
+    }
+    .pictures {
+      display: flex;
+      gap: 4px;
+    }
+    .pictures button {
+      width: 44px;
+      height: 44px;
+      padding: 2px;
+    }
+    .pictures button[aria-pressed='true'] {
+      border-color: var(--accent);
+      outline: 2px solid var(--accent);
+      outline-offset: -1px;
+    }
+    img {
+      width: 100%;
+      height: 100%;
+      object-fit: cover;
+      border-radius: 2px;
+    }
+    /* One row for a thumb: the word gives way to its sign. */
+    @container (width < 1000px) {
+      .turn .words {
+        position: absolute;
+        clip-path: inset(50%);
+        width: 1px;
+        overflow: hidden;
       }
-      .pictures {
-        display: flex;
+    }
+    @container (width < 700px) {
+      .bar {
+        padding: 4px;
         gap: 4px;
       }
-      .pictures button {
+      .turn {
+        justify-content: center;
         width: 44px;
         height: 44px;
-        padding: 2px;
+        padding: 0;
       }
-      .pictures button[aria-pressed='true'] {
-        border-color: var(--accent);
-        outline: 2px solid var(--accent);
-        outline-offset: -1px;
-      }
-      img {
-        width: 100%;
-        height: 100%;
-        object-fit: cover;
-        border-radius: 2px;
-      }
-      /* One row for a thumb: the word gives way to its sign. */
-      @container (width < 1000px) {
-        .turn .words {
-          position: absolute;
-          clip-path: inset(50%);
-          width: 1px;
-          overflow: hidden;
-        }
-      }
-      @container (width < 700px) {
-        .bar {
-          padding: 4px;
-          gap: 4px;
-        }
-        .turn {
-          justify-content: center;
-          width: 44px;
-          height: 44px;
-          padding: 0;
-        }
-      }
-    `,
-  ];
+    }
+  `;
 
   override render(): TemplateResult | typeof nothing {
     const pictures = shownPictures(this.state.plate);

@@ -13,30 +13,27 @@ const duration = 14_000; // [ms] for a whole print
 export class Player extends StudioElement {
   static override reads = ['played', 'playing', 'result'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        display: grid;
-        grid-template-columns: auto 1fr auto;
-        align-items: center;
-        gap: 10px;
-        padding: 4px 12px 4px 4px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--surface);
-        box-shadow: var(--lift);
-      }
-      output {
-        min-width: 5ch;
-        text-align: right;
-        color: var(--soft);
-        font-size: var(--note);
-        font-variant-numeric: tabular-nums;
-        white-space: nowrap;
-      }
-    `,
-  ];
+  static override styles = css`
+    :host {
+      display: grid;
+      grid-template-columns: auto 1fr auto;
+      align-items: center;
+      gap: 10px;
+      padding: 4px 12px 4px 4px;
+      border: 1px solid var(--line);
+      border-radius: var(--radius-large);
+      background: var(--surface);
+      box-shadow: var(--lift);
+    }
+    output {
+      min-width: 5ch;
+      text-align: right;
+      color: var(--soft);
+      font-size: var(--note);
+      font-variant-numeric: tabular-nums;
+      white-space: nowrap;
+    }
+  `;
 
   #before = 0;
 

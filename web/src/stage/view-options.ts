@@ -32,20 +32,17 @@ export class ViewOptions extends StudioElement {
     'view',
   ] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr);
-        gap: 12px;
-      }
-      .row {
-        display: flex;
-        gap: 6px;
-      }
-    `,
-  ];
+  static override styles = css`
+    :host {
+      display: grid;
+      grid-template-columns: minmax(0, 1fr);
+      gap: 12px;
+    }
+    .row {
+      display: flex;
+      gap: 6px;
+    }
+  `;
 
   override render(): TemplateResult {
     return html`${this.state.view === 'appearance' ? this.#look() : nothing}

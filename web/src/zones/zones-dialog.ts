@@ -24,43 +24,40 @@ interface Known {
 export class Zones extends DialogElement {
   static override reads = ['sliced'] as const;
 
-  static override styles = [
-    ...DialogElement.styles,
-    css`
-      dialog {
-        width: min(640px, calc(100vw - 24px));
-      }
-      .body,
-      .none {
-        display: grid;
-        gap: 14px;
-      }
-      .faces {
-        display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(150px, 1fr));
-        gap: 10px;
-      }
-      .faces button {
-        display: grid;
-        justify-items: start;
-        gap: 4px;
-        width: 100%;
-        height: 100%;
-        padding: 8px;
-        text-align: start;
-      }
-      svg.face {
-        width: 100%;
-        height: 96px;
-      }
-      .others {
-        fill: var(--line);
-      }
-      .own {
-        fill: var(--accent);
-      }
-    `,
-  ];
+  static override styles = css`
+    dialog {
+      width: min(640px, calc(100vw - 24px));
+    }
+    .body,
+    .none {
+      display: grid;
+      gap: 14px;
+    }
+    .faces {
+      display: grid;
+      grid-template-columns: repeat(auto-fill, minmax(150px, 1fr));
+      gap: 10px;
+    }
+    .faces button {
+      display: grid;
+      justify-items: start;
+      gap: 4px;
+      width: 100%;
+      height: 100%;
+      padding: 8px;
+      text-align: start;
+    }
+    svg.face {
+      width: 100%;
+      height: 96px;
+    }
+    .others {
+      fill: var(--line);
+    }
+    .own {
+      fill: var(--accent);
+    }
+  `;
 
   @state() private known: Known | undefined;
   @state() private problem: Problem | undefined;
