@@ -311,20 +311,11 @@ export class App extends StudioElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    addEventListener('dragover', this.#onDragOver);
-    addEventListener('drop', this.#onDrop);
-    addEventListener('paste', this.#onPaste);
-    addEventListener('pointermove', this.#onPointer);
-    addEventListener('keydown', this.#onKey);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    removeEventListener('dragover', this.#onDragOver);
-    removeEventListener('drop', this.#onDrop);
-    removeEventListener('paste', this.#onPaste);
-    removeEventListener('pointermove', this.#onPointer);
-    removeEventListener('keydown', this.#onKey);
+    this.listen('dragover', this.#onDragOver);
+    this.listen('drop', this.#onDrop);
+    this.listen('paste', this.#onPaste);
+    this.listen('pointermove', this.#onPointer);
+    this.listen('keydown', this.#onKey);
   }
 
   /** Last place of the pointer: content that is pasted may be meant for it. */

@@ -70,22 +70,12 @@ export class DropTargets extends StudioElement {
 
   @state() private over: 'layer' | 'shape' = 'layer';
   @query('.shape') private shape!: HTMLElement | null;
-  readonly #end = new AbortController();
 
   override connectedCallback(): void {
     super.connectedCallback();
-    addEventListener(
-      'dragover',
-      (event) => {
-        this.over = this.isShape(event) ? 'shape' : 'layer';
-      },
-      { signal: this.#end.signal },
-    );
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#end.abort();
+    this.listen('dragover', (event) => {
+      this.over = this.isShape(event) ? 'shape' : 'layer';
+    });
   }
 
   override render(): TemplateResult {

@@ -124,23 +124,20 @@ export class FirstPrint extends DialogElement {
   @state() private first: First = 'coupon';
   @state() private coupon: Calibration | undefined;
   #job: AbortController | undefined;
-  readonly #end = new AbortController();
 
   protected override heading = (): string => c('first.title');
 
   override connectedCallback(): void {
     super.connectedCallback();
     // Capturing listeners run before those of the page below.
-    for (const kind of ['dragover', 'drop'] as const) {
-      addEventListener(kind, this.#onFile, { signal: this.#end.signal, capture: true });
-    }
+    this.listen('dragover', this.#onFile, true);
+    this.listen('drop', this.#onFile, true);
     void this.#estimate();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#job?.abort();
-    this.#end.abort();
   }
 
   /** Reads the printer from a file of the visitor's slicer. */

@@ -13,6 +13,8 @@ import { button } from '../controls/button.js';
 const loadDownloads = (): Promise<unknown> => import('../print/downloads.js');
 const loadMenu = (): Promise<unknown> => import('./menu.js');
 
+type Popover = 'menu' | 'export';
+
 @customElement('sillon-header')
 export class Header extends StudioElement {
   static override reads = ['plate', 'mode', 'controls'] as const;
@@ -242,53 +244,36 @@ export class Header extends StudioElement {
   }
 
   #button(name: IconName, label: string, keys: string, disabled: boolean, run: () => void): TemplateResult {
-    return html`<button
-      type="button"
-      class="plain square"
-      aria-label=${label}
-      aria-keyshortcuts=${keys.replace('Ctrl', 'Control')}
-      title="${label} (${keys})"
-      ?disabled=${disabled}
-      @click=${run}
-    >
-      ${icon(name)}
-    </button>`;
+    const how = { look: 'plain square', label, title: `${label} (${keys})`, keys: keys.replace('Ctrl', 'Control') };
+    return button({ ...how, disabled }, icon(name), run);
   }
 
-  #hide(): void {
+  #hide = (): void => {
     for (const open of this.renderRoot.querySelectorAll<HTMLElement>('[popover]:popover-open')) open.hidePopover();
-  }
+  };
 
-  /** Returns the focus to the button that opened the popover: browsers lose it, and later dialogs return it there. */
+  readonly #opened = new Set<Popover>();
+
+  /** Notes a popover that opens. When it closes, the focus returns to the button that opened it: browsers lose it, and
+   * later dialogs return it there. */
   #onToggle = ({ currentTarget, newState }: ToggleEvent): void => {
     const popover = currentTarget as HTMLElement;
     if (newState === 'closed' && popover.matches(':focus-within'))
       this.renderRoot.querySelector<HTMLElement>(`[popovertarget=${popover.id}]`)?.focus();
+    this.#opened.add(popover.id as Popover);
+    this.requestUpdate();
   };
 
-  /** Returns the popover of downloads; its content is loaded when it is first opened. */
-  #exports(): TemplateResult {
-    return html`<div
-      id="export"
-      popover
-      role="group"
-      aria-label=${t('section.export')}
-      @beforetoggle=${(event: ToggleEvent) => {
-        this.#onToggle(event);
-        this.#opened = true;
-        this.requestUpdate();
-      }}
-    >
-      ${
-        this.#opened && this.lazy(loadDownloads)
-          ? html`<sillon-downloads
-              .studio=${this.studio}
-              @done=${() => {
-                this.#hide();
-              }}
-            ></sillon-downloads>`
-          : nothing
-      }
+  #opener(popover: Popover, label: string, look: string, name: IconName): TemplateResult {
+    return html`<button type="button" class=${look} aria-label=${label} title=${label} popovertarget=${popover}>
+      ${icon(name)}
+    </button>`;
+  }
+
+  /** Returns a popover, whose content is loaded when it is first opened. */
+  #popover(id: Popover, label: string, load: () => Promise<unknown>, content: TemplateResult): TemplateResult {
+    return html`<div id=${id} popover role="group" aria-label=${label} @beforetoggle=${this.#onToggle}>
+      ${this.#opened.has(id) && this.lazy(load) ? content : nothing}
     </div>`;
   }
 
@@ -303,54 +288,19 @@ export class Header extends StudioElement {
             ><span class="words short">${t('export.gcode')}</span>`,
           () => void this.studio.save('gcode'),
         )}
-        <button
-          type="button"
-          class="main all"
-          aria-label=${t('verb.download')}
-          title=${t('verb.download')}
-          popovertarget="export"
-        >
-          ${icon('fold')}
-        </button>
+        ${this.#opener('export', t('verb.download'), 'main all', 'fold')}
       </div>
-      ${this.#exports()}`;
+      ${this.#popover(
+        'export',
+        t('section.export'),
+        loadDownloads,
+        html`<sillon-downloads .studio=${this.studio} @done=${this.#hide}></sillon-downloads>`,
+      )}`;
   }
 
-  #opened = false;
-  #menuOpened = false;
-
-  /** Returns the menu; its content is loaded when it is first opened. */
   #menu(): TemplateResult {
-    return html`<button
-        type="button"
-        class="plain square"
-        aria-label=${t('app.menu')}
-        title=${t('app.menu')}
-        popovertarget="menu"
-      >
-        ${icon('menu')}
-      </button>
-      <div
-        id="menu"
-        popover
-        role="group"
-        aria-label=${t('app.menu')}
-        @beforetoggle=${(event: ToggleEvent) => {
-          this.#onToggle(event);
-          this.#menuOpened = true;
-          this.requestUpdate();
-        }}
-      >
-        ${
-          this.#menuOpened && this.lazy(loadMenu)
-            ? html`<sillon-menu
-                .studio=${this.studio}
-                @done=${() => {
-                  this.#hide();
-                }}
-              ></sillon-menu>`
-            : nothing
-        }
-      </div>`;
+    const menu = html`<sillon-menu .studio=${this.studio} @done=${this.#hide}></sillon-menu>`;
+    return html`${this.#opener('menu', t('app.menu'), 'plain square', 'menu')}
+    ${this.#popover('menu', t('app.menu'), loadMenu, menu)}`;
   }
 }

@@ -9,6 +9,8 @@ interface Look {
   /** Name alone, and title alone. */
   label?: string;
   title?: string;
+  /** Its shortcut, as ARIA writes it. */
+  keys?: string;
   disabled?: boolean;
   /** State of a switch. */
   pressed?: boolean | undefined;
@@ -21,6 +23,7 @@ export function button(how: Look | string, content: unknown, run: (event: Event)
     name,
     label = name,
     title = name,
+    keys,
     disabled = false,
     pressed,
   } = typeof how === 'string' ? { look: how } : how;
@@ -29,6 +32,7 @@ export function button(how: Look | string, content: unknown, run: (event: Event)
     class=${look || nothing}
     aria-label=${label ?? nothing}
     title=${title ?? nothing}
+    aria-keyshortcuts=${keys ?? nothing}
     aria-pressed=${pressed ?? nothing}
     ?disabled=${disabled}
     @click=${run}

@@ -139,13 +139,8 @@ export class Plates extends DialogElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    addEventListener('focus', this.#read);
+    this.listen('focus', this.#read);
     this.#read();
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    removeEventListener('focus', this.#read);
   }
 
   #read = (): void => {

@@ -377,6 +377,8 @@ export class Studio {
     return pickFiles(accept);
   }
 
+  openPicked = async (): Promise<void> => this.open(await this.pick());
+
   /** Makes a file and delivers it; a G-code file only after the printer and its blocks were confirmed. */
   async save(product: Product): Promise<void> {
     if (product !== 'gcode' || !(this.#mustAsk() || this.#mustReview())) await this.#save(product);
