@@ -42,7 +42,6 @@ export class DropTargets extends StudioElement {
     }
     b {
       font-size: var(--display);
-      font-weight: 600;
       letter-spacing: -0.02em;
     }
     .layer {

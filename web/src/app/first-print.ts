@@ -28,16 +28,13 @@ export class FirstPrint extends DialogElement {
       dialog {
         width: min(720px, calc(100vw - 24px));
       }
-      .body,
-      .steps,
       .step {
         display: grid;
         gap: 12px;
       }
       .steps {
+        display: grid;
         gap: 22px;
-        margin: 0;
-        padding: 0;
         list-style: none;
         counter-reset: step;
       }
@@ -82,12 +79,8 @@ export class FirstPrint extends DialogElement {
         width: 52px;
         height: 52px;
       }
-      .words {
-        display: grid;
-      }
       .words b {
         font-size: var(--lead);
-        font-weight: 600;
       }
       .take {
         display: flex;

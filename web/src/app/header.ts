@@ -77,9 +77,6 @@ export class Header extends StudioElement {
     }
     .main .long {
       max-width: 15rem;
-      overflow: hidden;
-      text-overflow: ellipsis;
-      white-space: nowrap;
     }
     .main .short {
       display: none;
@@ -101,11 +98,7 @@ export class Header extends StudioElement {
       max-height: calc(100dvh - var(--bar) - 20px);
       margin: 0;
       padding: 6px;
-      border: 1px solid var(--line);
-      border-radius: var(--radius-large);
-      background: var(--surface);
       color: var(--ink);
-      box-shadow: var(--lift);
       overflow: auto;
     }
     #menu {
@@ -272,7 +265,7 @@ export class Header extends StudioElement {
 
   /** Returns a popover, whose content is loaded when it is first opened. */
   #popover(id: Popover, label: string, load: () => Promise<unknown>, content: TemplateResult): TemplateResult {
-    return html`<div id=${id} popover role="group" aria-label=${label} @beforetoggle=${this.#onToggle}>
+    return html`<div id=${id} popover class="raft" role="group" aria-label=${label} @beforetoggle=${this.#onToggle}>
       ${this.#opened.has(id) && this.lazy(load) ? content : nothing}
     </div>`;
   }
@@ -284,7 +277,7 @@ export class Header extends StudioElement {
     return html`<div class="files" role="group" aria-label=${t('section.export')}>
         ${button(
           { look: 'main', name: label },
-          html`${icon('download')}<span class="words long">${name === '' ? t('export.gcode') : label}</span
+          html`${icon('download')}<span class="words long cut">${name === '' ? t('export.gcode') : label}</span
             ><span class="words short">${t('export.gcode')}</span>`,
           () => void this.studio.save('gcode'),
         )}

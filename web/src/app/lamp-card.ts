@@ -67,10 +67,6 @@ export class LampCard extends DialogElement {
   static override reads = ['plate', 'result'] as const;
 
   static override styles = css`
-    .body {
-      display: grid;
-      gap: 14px;
-    }
     h3 {
       color: var(--ink);
       font-size: var(--title);

@@ -11,7 +11,7 @@ import { filamentField, printerField, swatchStyle } from '../print/machine-field
 import { panelStyle } from '../controls/panel-style.js';
 import { settingField } from '../controls/setting-field.js';
 import { ownControls } from '../studio/shown.js';
-import { sizeFields, sizeStyle } from '../shape/size-fields.js';
+import { sizeFields } from '../shape/size-fields.js';
 import { kindFields } from '../layers/kind-fields.js';
 import { groundOf } from '../model/fills.js';
 
@@ -22,7 +22,6 @@ export class OwnPanel extends StudioElement {
   static override styles = [
     panelStyle,
     swatchStyle,
-    sizeStyle,
     css`
       section {
         gap: 18px;

@@ -23,7 +23,6 @@ export class Palette extends DialogElement {
       margin-top: min(12dvh, 96px);
     }
     .body {
-      display: grid;
       grid-template-rows: auto minmax(0, 1fr);
       gap: 8px;
     }
@@ -55,17 +54,6 @@ export class Palette extends DialogElement {
     }
     .group {
       color: var(--soft);
-    }
-    kbd {
-      padding: 1px 6px;
-      border: 1px solid var(--line);
-      border-bottom-width: 2px;
-      border-radius: var(--radius);
-      background: var(--raised);
-      color: var(--soft);
-      font: inherit;
-      font-size: var(--note);
-      white-space: nowrap;
     }
   `;
 

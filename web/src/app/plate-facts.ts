@@ -25,14 +25,6 @@ export class PlateFacts extends StudioElement {
         grid-template-columns: repeat(auto-fit, minmax(6rem, 1fr));
         gap: 10px;
       }
-      .plate label {
-        display: block;
-        margin-bottom: 4px;
-      }
-      .plate .measure {
-        width: 100%;
-        min-width: 0;
-      }
       .printer {
         justify-content: start;
         gap: 10px;

@@ -27,10 +27,6 @@ export class PrinterSheet extends DialogElement {
       dialog {
         width: min(520px, calc(100vw - 24px));
       }
-      .body {
-        display: grid;
-        gap: 16px;
-      }
       section {
         display: grid;
         gap: 10px;
@@ -39,24 +35,8 @@ export class PrinterSheet extends DialogElement {
       section > .field {
         width: 100%;
       }
-      .buttons {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 6px;
-      }
       .missing {
         color: var(--bad);
-      }
-      .end {
-        position: sticky;
-        bottom: -24px; /* down to the sheet's edge */
-        margin-bottom: -24px;
-        display: flex;
-        flex-wrap: wrap;
-        justify-content: end;
-        gap: 8px;
-        padding-block: 10px 24px;
-        background: var(--surface);
       }
       .end .main {
         min-height: max(42px, var(--control));

@@ -161,7 +161,7 @@ export class CalibratePhoto extends StudioElement {
 
   #photographs(): TemplateResult {
     const readings = this.#readings();
-    return html`<ul class="shots ${this.over ? 'over' : ''}" aria-label=${c('photo.list')} aria-live="polite">
+    return html`<ul class="shots board ${this.over ? 'over' : ''}" aria-label=${c('photo.list')} aria-live="polite">
         ${repeat(
           this.shots,
           ({ url }) => url,
@@ -180,7 +180,7 @@ export class CalibratePhoto extends StudioElement {
     return html`<li>
       <img src=${file.type === 'image/svg+xml' ? nothing : url} alt="" />
       <div class="told">
-        <p class="title" title=${file.name}>${name}</p>
+        <p class="title cut" title=${file.name}>${name}</p>
         ${reading === undefined ? nothing : gave(reading)}
         ${problem === undefined ? nothing : html`<p class="why"><b>${c('photo.refused')}:</b> ${problem.detail}</p>`}
         ${isWaiting(shot) ? html`<p class="note">${c('photo.reading')}…</p>` : nothing}
@@ -245,7 +245,7 @@ export class CalibratePhoto extends StudioElement {
     const n = this.#readings().length;
     const flow = read.flow;
     return html`<h2>${c('photo.read', { n })}</h2>
-      <dl>
+      <dl class="board">
         ${row(c('photo.along'), barred(read.along, 2, '°'))} ${row(c('photo.across'), barred(read.across, 1, '°'))}
         ${row(c('photo.flow'), flow === null ? c(flowBeyond(read)) : barred(flow, 3))}
         ${row(c('photo.width', { asked: formatNumber(read.widthAsked, 3) }), barred(read.width, 3, '\u00a0mm'))}

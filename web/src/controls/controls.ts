@@ -22,7 +22,8 @@ export const controls = css`
   ul,
   dl,
   dd,
-  fieldset {
+  figure,
+  ol {
     margin: 0;
     padding: 0;
     border: 0;
@@ -31,15 +32,19 @@ export const controls = css`
   ul {
     list-style: none;
   }
+  figcaption {
+    margin-top: 4px;
+  }
   h2 {
     font-size: var(--title);
     font-weight: 600;
     letter-spacing: -0.01em;
     line-height: 1.25;
   }
-  h3,
-  legend {
-    padding: 0;
+  b {
+    font-weight: 600;
+  }
+  h3 {
     font-size: var(--small);
     font-weight: 600;
     letter-spacing: 0.07em;
@@ -56,6 +61,58 @@ export const controls = css`
   }
   .figures {
     font-variant-numeric: tabular-nums;
+  }
+  .cut {
+    overflow: hidden;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  p.warning {
+    display: flex;
+    align-items: start;
+    gap: 6px;
+    color: var(--bad);
+    font-size: var(--note);
+  }
+  .buttons {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 6px;
+  }
+  .stack {
+    display: grid;
+    gap: 12px;
+  }
+  .board {
+    border: 1px solid var(--line);
+    border-radius: var(--radius-large);
+    background: var(--raised);
+  }
+  /* Lies over the plate or the page. */
+  .raft,
+  dialog {
+    border: 1px solid var(--line);
+    border-radius: var(--radius-large);
+    background: var(--surface);
+    box-shadow: var(--lift);
+  }
+  .tag {
+    padding: 2px 8px;
+    border-radius: var(--radius);
+    background: var(--surface);
+    color: var(--soft);
+    font-size: var(--note);
+  }
+  kbd {
+    padding: 1px 6px;
+    border: 1px solid var(--line);
+    border-bottom-width: 2px;
+    border-radius: var(--radius);
+    background: var(--raised);
+    color: var(--soft);
+    font: inherit;
+    font-size: var(--note);
+    white-space: nowrap;
   }
   :focus {
     outline: none;
@@ -347,6 +404,7 @@ export const controls = css`
   }
   .segments input,
   .cards input,
+  .card input,
   .swatches input {
     position: absolute;
     inset: 0;
@@ -483,10 +541,7 @@ export const controls = css`
     display: grid;
   }
   .file b {
-    overflow: hidden;
     font-weight: 500;
-    text-overflow: ellipsis;
-    white-space: nowrap;
   }
 
   details > summary {
@@ -514,11 +569,7 @@ export const controls = css`
     width: min(760px, calc(100vw - 24px));
     max-height: calc(100dvh - 24px);
     padding: 0;
-    border: 1px solid var(--line);
-    border-radius: var(--radius-large);
-    background: var(--surface);
     color: var(--ink);
-    box-shadow: var(--lift);
     overflow: hidden;
   }
   dialog::backdrop {
@@ -540,9 +591,22 @@ export const controls = css`
     width: 100%;
     max-height: 40%;
   }
-  dialog > .body {
+  .body {
+    display: grid;
+    gap: 14px;
     padding: 0 24px 24px;
     overflow: auto;
+  }
+  dialog .end {
+    position: sticky;
+    bottom: -24px; /* down to the sheet's edge */
+    margin-bottom: -24px;
+    display: flex;
+    flex-wrap: wrap;
+    justify-content: end;
+    gap: 8px;
+    padding-block: 10px 24px;
+    background: var(--surface);
   }
   @media (max-width: 560px) {
     dialog > .head {

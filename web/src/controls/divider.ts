@@ -59,11 +59,6 @@ export class Divider extends StudioElement {
       position: absolute;
       bottom: 10px;
       left: 10px;
-      padding: 2px 8px;
-      border-radius: var(--radius);
-      background: var(--surface);
-      color: var(--soft);
-      font-size: var(--note);
       white-space: nowrap;
     }
     .tag.other {

@@ -19,7 +19,7 @@ export const fileChip = (
   html`<div class="file">
     ${icon('file', 18)}
     <span class="what"
-      ><b title=${file.name}>${file.name}</b><span class="note">${formatBytes(file.bytes.size)}</span></span
+      ><b class="cut" title=${file.name}>${file.name}</b><span class="note">${formatBytes(file.bytes.size)}</span></span
     >
     ${button('plain', t('verb.replace'), async () => {
       await onFiles(await studio.pick(accept));

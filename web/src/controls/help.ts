@@ -10,12 +10,7 @@ import { keysText, shortcuts } from './shortcut-list.js';
 @customElement('sillon-help')
 export class Help extends DialogElement {
   static override styles = css`
-    .body {
-      display: grid;
-      gap: 14px;
-    }
     ol {
-      margin: 0;
       padding-left: 20px;
       display: grid;
       gap: 4px;
@@ -38,18 +33,6 @@ export class Help extends DialogElement {
       display: flex;
       gap: 4px;
       white-space: nowrap;
-    }
-    kbd {
-      display: inline-block;
-      min-width: 22px;
-      padding: 1px 6px;
-      border: 1px solid var(--line);
-      border-bottom-width: 2px;
-      border-radius: var(--radius);
-      background: var(--raised);
-      font: inherit;
-      font-size: var(--note);
-      text-align: center;
     }
     ul {
       display: grid;

@@ -38,9 +38,6 @@ export class Notices extends StudioElement {
       align-items: start;
       gap: 4px 10px;
       padding: 10px 8px 10px 14px;
-      border: 1px solid var(--line);
-      border-radius: var(--radius-large);
-      background: var(--raised);
       box-shadow: 0 1px 4px var(--shade);
       pointer-events: auto;
       overflow-wrap: anywhere;
@@ -152,7 +149,7 @@ export class Notices extends StudioElement {
   }
 
   #word({ id, text, actions }: Notice): TemplateResult {
-    return html`<div class="notice">
+    return html`<div class="notice board">
       ${icon('check')}
       <div>
         ${text}
@@ -180,7 +177,7 @@ export class Notices extends StudioElement {
     // Names of settings become links to their fields.
     const links = told === undefined ? undefined : this.lazy(loadLinked, true);
     const said = (text: string): unknown => links?.linked(this.studio, text) ?? text;
-    return html`<div class="notice problem">
+    return html`<div class="notice board problem">
       ${icon('warn')}
       <div>
         <b>${said(message)}</b>${said(hint)}

@@ -22,10 +22,6 @@ export class ColoursPanel extends StudioElement {
   static override styles = [
     panelStyle,
     css`
-      :host {
-        display: grid;
-        gap: 12px;
-      }
       ul {
         display: grid;
         gap: 8px;

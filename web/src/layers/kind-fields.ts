@@ -107,9 +107,9 @@ function fieldOf(studio: Studio, layer: PlateLayer, key: LayerKey): Content {
     case 'textSize':
       return layerField(studio, layer, key, { set: (value) => withTextSize(value as number) });
     case 'pictures':
-      return html`<sillon-lamps .studio=${studio} .layer=${layer}></sillon-lamps>`;
+      return html`<sillon-lamps class="stack" .studio=${studio} .layer=${layer}></sillon-lamps>`;
     case 'colours':
-      return html`<sillon-colours .studio=${studio} .layer=${layer}></sillon-colours>`;
+      return html`<sillon-colours class="stack" .studio=${studio} .layer=${layer}></sillon-colours>`;
     case 'strokes':
       return strokesField(studio, layer);
     case 'mode':

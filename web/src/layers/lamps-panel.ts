@@ -43,10 +43,6 @@ export class LampsPanel extends StudioElement {
   static override styles = [
     panelStyle,
     css`
-      :host {
-        display: grid;
-        gap: 12px;
-      }
       li {
         display: grid;
         grid-template-columns: 52px 1fr auto;
@@ -74,9 +70,6 @@ export class LampsPanel extends StudioElement {
       }
       .what b {
         display: block;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
         font-weight: 500;
       }
       .stands {
@@ -185,7 +178,7 @@ export class LampsPanel extends StudioElement {
     return html`<li>
       ${thumbnail(picture.file)}
       <span class="what"
-        ><b title=${name}>${name}</b
+        ><b class="cut" title=${name}>${name}</b
         ><span class="note"
           >${t('lamp.stands', { azimuth: Math.round(light.azimuth), elevation: Math.round(light.elevation) })}</span
         ></span

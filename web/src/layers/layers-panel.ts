@@ -197,7 +197,7 @@ export class LayersPanel extends StudioElement {
       ${button(
         { look: 'plain row', pressed: chosen },
         html`${lack === undefined && !warned ? kindIcon(layer) : icon('warn', 18)}
-          <span class=${layer.visible ? 'name' : 'name off'}>${name}</span>`,
+          <span class=${layer.visible ? 'name cut' : 'name cut off'}>${name}</span>`,
         () => this.studio.store.set({ layer: chosen ? undefined : layer.id, cropping: false, tool: 'pan' }),
       )}
       ${button(

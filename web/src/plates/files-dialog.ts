@@ -17,7 +17,6 @@ export class Files extends DialogElement {
     dialog {
       width: min(560px, calc(100vw - 24px));
     }
-    .body,
     .files {
       display: grid;
       gap: 16px;
@@ -41,10 +40,6 @@ export class Files extends DialogElement {
     .files label {
       overflow-wrap: anywhere;
       font-weight: 500;
-    }
-    .end {
-      display: flex;
-      justify-content: end;
     }
   `;
 

@@ -17,10 +17,6 @@ export class Plates extends DialogElement {
     dialog {
       width: min(980px, calc(100vw - 24px));
     }
-    .body {
-      display: grid;
-      gap: 14px;
-    }
     .plates {
       display: grid;
       grid-template-columns: repeat(auto-fill, minmax(172px, 1fr));
@@ -31,9 +27,6 @@ export class Plates extends DialogElement {
       grid-template-rows: auto auto auto;
       gap: 6px;
       padding: 8px;
-      border: 1px solid var(--line);
-      border-radius: var(--radius-large);
-      background: var(--raised);
     }
     .plates li.here {
       border-color: var(--accent);
@@ -63,10 +56,6 @@ export class Plates extends DialogElement {
       position: absolute;
       left: 6px;
       bottom: 6px;
-      padding: 2px 7px;
-      border-radius: var(--radius);
-      background: var(--surface);
-      color: var(--soft);
       font-size: var(--small);
     }
     .here .badge {
@@ -105,10 +94,6 @@ export class Plates extends DialogElement {
     }
     .told span {
       flex: 1 1 240px;
-    }
-    .end {
-      display: flex;
-      justify-content: end;
     }
     @media (max-width: 480px) {
       .plates {
@@ -209,7 +194,7 @@ export class Plates extends DialogElement {
     const size = say(words, 'plates.size', { width: Math.round(width), height: Math.round(height) });
     const badge = foreign ? 'plates.foreign' : here ? 'plates.here' : elsewhere ? 'plates.elsewhere' : undefined;
     const date = new Intl.DateTimeFormat(language(), { dateStyle: 'medium', timeStyle: 'short' }).format(changed);
-    return html`<li class=${here ? 'here' : ''}>
+    return html`<li class=${here ? 'board here' : 'board'}>
       <button
         type="button"
         class="open"
@@ -227,7 +212,7 @@ export class Plates extends DialogElement {
             ? html`<span class="blank">${icon('directions', 40)}</span>`
             : html`<img src=${urlOf(picture)} alt="" />`
         }
-        ${badge === undefined ? nothing : html`<span class="badge">${say(words, badge)}</span>`}
+        ${badge === undefined ? nothing : html`<span class="badge tag">${say(words, badge)}</span>`}
       </button>
       <input
         class="name"

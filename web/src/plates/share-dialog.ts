@@ -16,18 +16,9 @@ export class Share extends DialogElement {
     dialog {
       width: min(520px, calc(100vw - 24px));
     }
-    .body {
-      display: grid;
-      gap: 12px;
-    }
     .link {
       display: grid;
       grid-template-columns: 1fr auto;
-      gap: 8px;
-    }
-    .buttons {
-      display: flex;
-      flex-wrap: wrap;
       gap: 8px;
     }
     img {

@@ -26,13 +26,6 @@ export class Blocks extends DialogElement {
   static override reads = ['plate'] as const;
 
   static override styles = css`
-    dialog {
-      width: min(760px, calc(100vw - 24px));
-    }
-    .body {
-      display: grid;
-      gap: 12px;
-    }
     table {
       width: 100%;
       border-collapse: collapse;
@@ -46,8 +39,6 @@ export class Blocks extends DialogElement {
       overflow-wrap: anywhere;
     }
     ol {
-      margin: 0;
-      padding: 0;
       list-style: none;
       border: 1px solid var(--line);
       border-radius: var(--radius);
@@ -90,16 +81,6 @@ export class Blocks extends DialogElement {
     }
     .warning .mark {
       color: var(--accent);
-    }
-    .end {
-      position: sticky;
-      bottom: -24px; /* down to the sheet's edge */
-      display: flex;
-      flex-wrap: wrap;
-      justify-content: end;
-      gap: 8px;
-      padding-block: 10px 24px;
-      background: var(--surface);
     }
   `;
 

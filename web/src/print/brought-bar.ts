@@ -30,11 +30,6 @@ export class BroughtBar extends StudioElement {
       margin: 0;
       overflow-wrap: anywhere;
     }
-    .buttons {
-      display: flex;
-      flex-wrap: wrap;
-      gap: 6px;
-    }
     @media (max-width: 720px) {
       .bar > .icon {
         display: none;

@@ -39,13 +39,7 @@ export class Downloads extends StudioElement {
         padding: 4px 10px 0;
       }
       p {
-        display: grid;
-        grid-template-columns: auto 1fr;
-        gap: 8px;
-        margin: 0;
         max-width: 24rem;
-        color: var(--bad);
-        font-size: var(--note);
       }
     `,
   ];
@@ -57,7 +51,10 @@ export class Downloads extends StudioElement {
     // Warnings about layers: letters, codes and pictures that nobody will see.
     const unseen = known.filter(({ values }) => 'layer' in values);
     return html`<sillon-doubts .studio=${this.studio}></sillon-doubts>
-      ${unseen.map((warning) => html`<p role="status">${icon('warn', 16)} <span>${warningText(warning)}</span></p>`)}
+      ${unseen.map(
+        (warning) =>
+          html`<p class="warning" role="status">${icon('warn', 16)} <span>${warningText(warning)}</span></p>`,
+      )}
       ${products.map(([product, name]) => {
         const missing = product === 'body' && print.base === 0;
         const help: keyof typeof words = missing ? 'export.body.none' : `export.${product}.help`;

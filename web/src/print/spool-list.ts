@@ -35,9 +35,6 @@ export class Spools extends StudioElement {
       align-items: center;
       gap: 4px 10px;
       padding: 8px 8px 8px 10px;
-      border: 1px solid var(--line);
-      border-radius: var(--radius-large);
-      background: var(--raised);
     }
     li.here {
       border-color: var(--accent);
@@ -65,10 +62,6 @@ export class Spools extends StudioElement {
     .words input:focus {
       border-color: var(--edge);
     }
-    .words b {
-      font-weight: 600;
-    }
-    .buttons,
     .told {
       display: flex;
       flex-wrap: wrap;
@@ -120,7 +113,7 @@ export class Spools extends StudioElement {
       <ul>
         ${filaments.map(
           (filament) =>
-            html`<li>
+            html`<li class="board">
               ${dot(filament.colour)}<span class="words"
                 ><b>${filamentLabel(filament)}</b>${slopes(filament.roughness.fine.nozzleSide)}</span
               >
@@ -144,7 +137,7 @@ export class Spools extends StudioElement {
   #spool(spool: OwnSpool): TemplateResult {
     const { key: name } = spool;
     const here = this.state.plate.spool?.key === name;
-    return html`<li class=${here ? 'here' : ''}>
+    return html`<li class=${here ? 'board here' : 'board'}>
       ${dot(spool.colour)}
       <span class="words"
         ><input

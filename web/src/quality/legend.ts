@@ -21,17 +21,11 @@ export class Legend extends StudioElement {
       gap: 4px 10px;
       max-width: 100%;
       padding: 6px 12px;
-      border: 1px solid var(--line);
-      border-radius: var(--radius-large);
-      background: var(--surface);
-      box-shadow: var(--lift);
       font-size: var(--note);
       color: var(--soft);
     }
     :host(.within) {
       padding: 0 8px;
-      border: 0;
-      box-shadow: none;
     }
     canvas {
       display: block;

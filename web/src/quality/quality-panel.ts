@@ -52,7 +52,6 @@ export class QualityPanel extends StudioElement {
         margin-top: 1px;
       }
       .verdicts b {
-        font-weight: 600;
         overflow-wrap: anywhere;
       }
       .verdicts p {
@@ -67,9 +66,6 @@ export class QualityPanel extends StudioElement {
       }
       .verdicts .poor :is(.icon, .level) {
         color: var(--bad);
-      }
-      figure {
-        margin: 0;
       }
       .histogram {
         display: block;

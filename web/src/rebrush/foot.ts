@@ -87,7 +87,7 @@ export function foot(work: PrintWork, print: SlicedFile, name: string): Template
   ${done === undefined ? nothing : ready(done, work.staying().length, print)}
   ${button(
     { look: 'main', disabled: done === undefined },
-    html`${icon('download')} <span>${r('download', { name: brushedName(name) })}</span>`,
+    html`${icon('download')} <span class="cut">${r('download', { name: brushedName(name) })}</span>`,
     work.save,
   )}
   ${saved === '' ? nothing : html`<p class="note" role="status">${saved}</p>`}`;

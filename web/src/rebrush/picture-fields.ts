@@ -27,7 +27,7 @@ export function pictureFields(work: PrintWork, onPick: () => void): TemplateResu
   const cut = Math.max(0, ...seen.map(({ leftOut = 0 }) => leftOut));
   const spools = ownSpools(work.studio);
   return html`<div class="picture">
-      ${thumbnail(picture)}<b title=${picture.name}>${picture.name}</b>
+      ${thumbnail(picture)}<b class="cut" title=${picture.name}>${picture.name}</b>
       ${button('plain', t('verb.replace'), onPick)}
     </div>
     ${

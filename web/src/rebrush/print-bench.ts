@@ -113,7 +113,7 @@ export abstract class PrintBench extends LitElement {
 
   /** Returns the zoom buttons. @param more  further buttons of the view */
   protected buttons(more: unknown): TemplateResult {
-    return html`<div class="zoom" role="group" aria-label=${t('section.view')}>
+    return html`<div class="zoom raft" role="group" aria-label=${t('section.view')}>
       ${this.button('minus', t('verb.zoomOut'), () => this.zoom(1 / 1.4))}
       ${this.button('plus', t('verb.zoomIn'), () => this.zoom(1.4))}
       ${this.button('fit', t('verb.fit'), () => this.fit())} ${more}

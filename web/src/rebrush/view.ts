@@ -145,7 +145,7 @@ export class RebrushView extends StudioElement {
           html`${icon('previous', 16)} <span>${r('back')}</span>`,
           this.#close,
         )}
-        <h2 id="title" title=${name} tabindex="-1" autofocus>${r('title', { name })}</h2>
+        <h2 id="title" class="cut" title=${name} tabindex="-1" autofocus>${r('title', { name })}</h2>
       </div>
       <sillon-notices class="told" .studio=${this.studio} .known=${this.#known}></sillon-notices>
       ${print === undefined || this.work.free().length === 0 ? this.#alone(name) : this.#both(print)}

@@ -14,15 +14,7 @@ type Drawing = Extract<ShapeSource, { kind: 'file' }>;
 export class DrawingFields extends StudioElement {
   static override reads = ['plate'] as const;
 
-  static override styles = [
-    panelStyle,
-    css`
-      :host {
-        display: grid;
-        gap: 12px;
-      }
-    `,
-  ];
+  static override styles = [panelStyle, css``];
 
   override render(): TemplateResult | typeof nothing {
     const { shape } = this.state.plate;

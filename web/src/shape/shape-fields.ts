@@ -27,10 +27,6 @@ export class ShapeFields extends StudioElement {
   static override styles = [
     panelStyle,
     css`
-      :host {
-        display: grid;
-        gap: 12px;
-      }
       .bare {
         padding: 0;
       }
@@ -38,8 +34,6 @@ export class ShapeFields extends StudioElement {
         display: grid;
         gap: 8px;
         margin: 8px 0;
-        padding: 0;
-        list-style: none;
       }
       li {
         display: grid;

@@ -15,7 +15,7 @@ import { linked } from '../controls/linked.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { settingField } from '../controls/setting-field.js';
 import './shape-fields.js';
-import { sizeFields, sizeStyle } from './size-fields.js';
+import { sizeFields } from './size-fields.js';
 import { thicknessField } from './thickness-field.js';
 
 const loadDrawing = (): Promise<unknown> => import('./drawing-fields.js');
@@ -24,7 +24,7 @@ const loadDrawing = (): Promise<unknown> => import('./drawing-fields.js');
 export class ShapePanel extends StudioElement {
   static override reads = ['plate', 'keepRatio', 'units'] as const;
 
-  static override styles = [panelStyle, sizeStyle];
+  static override styles = panelStyle;
 
   readonly #pictures = new DrawnChoices<ShapeSource['kind']>(this, () => this.studio.services.shapePictures);
 
@@ -96,10 +96,10 @@ export class ShapePanel extends StudioElement {
   }
 
   #details(shape: ShapeSource): TemplateResult | typeof nothing {
-    const more = html`<sillon-shape-fields .studio=${this.studio}></sillon-shape-fields>`;
+    const more = html`<sillon-shape-fields class="stack" .studio=${this.studio}></sillon-shape-fields>`;
     if (shape.kind !== 'file') return more;
     return html`${fileChip(this.studio, shape.file, '.svg,.svgz,.png,.jpg,.jpeg,image/*')}
-    ${this.lazy(loadDrawing) ? html`<sillon-drawing-fields .studio=${this.studio}></sillon-drawing-fields>` : nothing}
+    ${this.lazy(loadDrawing) ? html`<sillon-drawing-fields class="stack" .studio=${this.studio}></sillon-drawing-fields>` : nothing}
     ${more}`;
   }
 

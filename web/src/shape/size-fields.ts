@@ -1,5 +1,5 @@
 // Fields of the plate's size, in millimetres or inches.
-import { css, html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit';
 import { a } from '../i18n/shaping.js';
 import type { Units } from '../model/guest.js';
 import { isRoundKind, type Plate } from '../model/plate.js';
@@ -28,24 +28,6 @@ export function lengthField(field: NumberField, units: Units): NumberField {
     onInput: (value) => field.onInput(value * inch),
   };
 }
-
-/** Styles for panels that show `sizeFields`. */
-export const sizeStyle = css`
-  .size {
-    display: grid;
-    grid-template-columns: 1fr auto 1fr;
-    align-items: end;
-    gap: 8px;
-  }
-  .size .measure {
-    width: 100%;
-    min-width: 0;
-  }
-  .size label {
-    display: block;
-    margin-bottom: 4px;
-  }
-`;
 
 /** Field of one side. @param sizes  the plate's changes for another length of that side */
 function sideField(

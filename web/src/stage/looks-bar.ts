@@ -20,10 +20,6 @@ export class LooksBar extends StudioElement {
       align-items: center;
       gap: 6px 8px;
       padding: 6px 8px;
-      border: 1px solid var(--line);
-      border-radius: var(--radius-large);
-      background: var(--surface);
-      box-shadow: var(--lift);
     }
     .pictures {
       display: flex;
@@ -71,7 +67,7 @@ export class LooksBar extends StudioElement {
   override render(): TemplateResult | typeof nothing {
     const pictures = shownPictures(this.state.plate);
     if (pictures.length === 0 || (pictures.length === 1 && this.state.aimed === undefined)) return nothing;
-    return html`<div class="bar">${this.#pictures(pictures)}</div>`;
+    return html`<div class="bar raft">${this.#pictures(pictures)}</div>`;
   }
 
   /** Returns a button for each picture, and one that turns the lamp from one to the next. */

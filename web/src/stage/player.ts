@@ -20,10 +20,6 @@ export class Player extends StudioElement {
       align-items: center;
       gap: 10px;
       padding: 4px 12px 4px 4px;
-      border: 1px solid var(--line);
-      border-radius: var(--radius-large);
-      background: var(--surface);
-      box-shadow: var(--lift);
     }
     output {
       min-width: 5ch;

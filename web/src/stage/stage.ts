@@ -105,10 +105,6 @@ export class StageElement extends StudioElement {
       display: flex;
       gap: 2px;
       padding: 3px;
-      border: 1px solid var(--line);
-      border-radius: var(--radius-large);
-      background: var(--surface);
-      box-shadow: var(--lift);
     }
     .views button {
       min-height: calc(var(--control) - 2px);
@@ -156,11 +152,7 @@ export class StageElement extends StudioElement {
       max-height: calc(100dvh - 80px);
       margin: 0;
       padding: 14px 16px;
-      border: 1px solid var(--line);
-      border-radius: var(--radius-large);
-      background: var(--surface);
       color: var(--ink);
-      box-shadow: var(--lift);
       overflow: auto;
     }
     sillon-player {
@@ -173,10 +165,6 @@ export class StageElement extends StudioElement {
       align-items: center;
       gap: 8px;
       padding: 4px 4px 4px 12px;
-      border: 1px solid var(--line);
-      border-radius: var(--radius-large);
-      background: var(--surface);
-      box-shadow: var(--lift);
       white-space: nowrap;
     }
     .colour select {
@@ -188,11 +176,6 @@ export class StageElement extends StudioElement {
     .captions span {
       position: absolute;
       top: 56px;
-      padding: 2px 8px;
-      border-radius: var(--radius);
-      background: var(--surface);
-      color: var(--soft);
-      font-size: var(--note);
       transform: translateX(-50%);
     }
     .captions span:first-child {
@@ -324,7 +307,7 @@ export class StageElement extends StudioElement {
       <sillon-canvas .studio=${this.studio}></sillon-canvas>
       <div class=${isRuled(this.state) ? 'bench ruled' : 'bench'}>
         ${lamp}
-        <div class="views" role="tablist" aria-label=${t('view.title')} @keydown=${this.#onTabKey}>
+        <div class="views raft" role="tablist" aria-label=${t('view.title')} @keydown=${this.#onTabKey}>
           ${tabs.map(
             (tab, k) =>
               html`<button
@@ -342,7 +325,12 @@ export class StageElement extends StudioElement {
         </div>
         ${
           offers(this.state, 'layers') && !welcome
-            ? html`<sillon-tools .studio=${this.studio} role="toolbar" aria-label=${t('tool.title')}></sillon-tools>`
+            ? html`<sillon-tools
+                class="raft"
+                .studio=${this.studio}
+                role="toolbar"
+                aria-label=${t('tool.title')}
+              ></sillon-tools>`
             : nothing
         }
         <div class="bottom">
@@ -356,7 +344,9 @@ export class StageElement extends StudioElement {
         </div>
         ${
           looks && compare
-            ? html`<div class="captions"><span>${t('view.yours')}</span><span>${t('view.zigzag')}</span></div>`
+            ? html`<div class="captions">
+                <span class="tag">${t('view.yours')}</span><span class="tag">${t('view.zigzag')}</span>
+              </div>`
             : nothing
         }
       </div>
@@ -367,9 +357,9 @@ export class StageElement extends StudioElement {
 
   #bars(view: ViewName): TemplateResult | typeof nothing {
     if (view === 'appearance') return html`<sillon-looks .studio=${this.studio}></sillon-looks>`;
-    if (view === 'toolpath') return html`<sillon-player .studio=${this.studio}></sillon-player>`;
+    if (view === 'toolpath') return html`<sillon-player class="raft" .studio=${this.studio}></sillon-player>`;
     if (view === 'quality' && this.state.marks.length === 0) return nothing;
-    return html`<sillon-legend .studio=${this.studio}></sillon-legend>`;
+    return html`<sillon-legend class="raft" .studio=${this.studio}></sillon-legend>`;
   }
 
   #onTabKey = (event: KeyboardEvent): void => {
@@ -396,6 +386,7 @@ export class StageElement extends StudioElement {
       </button>
       <div
         id="options"
+        class="raft"
         popover
         role="group"
         aria-label=${t('view.options')}
@@ -413,7 +404,7 @@ export class StageElement extends StudioElement {
 
   #colourBy(): TemplateResult {
     const { colourBy, view } = this.state;
-    return html`<div class="colour">
+    return html`<div class="colour raft">
       <label for="colour" class="note">${t('colour.title')}</label>
       <select
         id="colour"

@@ -23,10 +23,6 @@ export class ToolPalette extends StudioElement {
       flex-direction: column;
       gap: 2px;
       padding: 3px;
-      border: 1px solid var(--line);
-      border-radius: var(--radius-large);
-      background: var(--surface);
-      box-shadow: var(--lift);
     }
     button.square {
       width: calc(var(--control) + 4px);

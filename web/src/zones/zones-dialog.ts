@@ -28,7 +28,6 @@ export class Zones extends DialogElement {
     dialog {
       width: min(640px, calc(100vw - 24px));
     }
-    .body,
     .none {
       display: grid;
       gap: 14px;
