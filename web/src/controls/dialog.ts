@@ -1,6 +1,6 @@
 // A sheet above the page. Escape, its close button, a click beside it and Back close it. Notices that come while it is
 // open are shown in it, because nothing behind it can be reached.
-import { html, type TemplateResult } from 'lit';
+import { html, type CSSResultGroup, type CSSResultOrNative, type TemplateResult } from 'lit';
 import { query } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { closesByBack } from './back.js';
@@ -8,8 +8,13 @@ import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import type { Shown } from '../studio/shown.js';
 import { button } from './button.js';
+import { dialogStyle } from './dialog-style.js';
 
 export abstract class DialogElement extends StudioElement {
+  protected static override finalizeStyles(own: CSSResultGroup = []): CSSResultOrNative[] {
+    return super.finalizeStyles([dialogStyle, own]);
+  }
+
   @query('dialog') private dialog!: HTMLDialogElement;
   #afterwards?: () => void;
   #closed?: () => void;

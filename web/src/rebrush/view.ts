@@ -24,6 +24,7 @@ import { foot, noWork, progressBar } from './foot.js';
 import { rebrushStyle } from './style.js';
 import { PrintWork } from './work.js';
 import { button } from '../controls/button.js';
+import { dialogStyle } from '../controls/dialog-style.js';
 
 const pictureFiles = 'image/*,.tga';
 
@@ -31,7 +32,7 @@ const pictureFiles = 'image/*,.tga';
 export class RebrushView extends StudioElement {
   static override reads = ['sliced', 'theme'] as const;
 
-  static override styles = rebrushStyle;
+  static override styles = [dialogStyle, rebrushStyle];
 
   @query('dialog') private dialog!: HTMLDialogElement;
 

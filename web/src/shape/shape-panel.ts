@@ -99,7 +99,11 @@ export class ShapePanel extends StudioElement {
     const more = html`<sillon-shape-fields class="stack" .studio=${this.studio}></sillon-shape-fields>`;
     if (shape.kind !== 'file') return more;
     return html`${fileChip(this.studio, shape.file, '.svg,.svgz,.png,.jpg,.jpeg,image/*')}
-    ${this.lazy(loadDrawing) ? html`<sillon-drawing-fields class="stack" .studio=${this.studio}></sillon-drawing-fields>` : nothing}
+    ${
+      this.lazy(loadDrawing)
+        ? html`<sillon-drawing-fields class="stack" .studio=${this.studio}></sillon-drawing-fields>`
+        : nothing
+    }
     ${more}`;
   }
 
