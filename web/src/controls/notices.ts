@@ -107,27 +107,9 @@ export class Notices extends StudioElement {
     const notices = this.state.notices.filter((notice) => !known.notices?.includes(notice));
     const problem = this.state.problem === known.problem ? undefined : this.state.problem;
     return html`<div role="alert">
-        ${
-          problem === undefined
-            ? nothing
-            : this.#problem(
-                problem,
-                () => {
-                  this.studio.store.set({ problem: undefined });
-                },
-                true,
-              )
-        }
-        ${notices.map((notice) =>
-          notice.problem === undefined || (problem !== undefined && same(notice.problem, problem))
-            ? nothing
-            : this.#problem(
-                notice.problem,
-                () => {
-                  this.studio.dismiss(notice.id);
-                },
-                false,
-              ),
+        ${problem === undefined ? nothing : this.#problem(problem)}
+        ${notices.map(({ problem: told, id }) =>
+          told === undefined || (problem !== undefined && same(told, problem)) ? nothing : this.#problem(told, id),
         )}
       </div>
       <div role="status">
@@ -167,8 +149,9 @@ export class Notices extends StudioElement {
     </div>`;
   }
 
-  /** Returns a problem with its hint and actions. @param ofPlate  it comes from the engine, and a retry may help */
-  #problem(problem: NonNullable<Notice['problem']>, close: () => void, ofPlate: boolean): TemplateResult {
+  /** Returns a problem with its hint and actions. @param id  of its notice; left out: it comes from the engine, and a
+   * retry may help */
+  #problem(problem: NonNullable<Notice['problem']>, id?: number): TemplateResult {
     // Words about a part that could not be loaded must be here already: their own part could not be loaded either.
     const told = problem.code === 'PartMissing' ? undefined : this.lazy(loadExact, true)?.exactWords(problem);
     const { message, hint, detail } = { ...problemWords(problem), ...told };
@@ -177,6 +160,13 @@ export class Notices extends StudioElement {
     // Names of settings become links to their fields.
     const links = told === undefined ? undefined : this.lazy(loadLinked, true);
     const said = (text: string): unknown => links?.linked(this.studio, text) ?? text;
+    const actions: TemplateResult[] = [];
+    if (id === undefined) {
+      if (this.studio.store.canUndo)
+        actions.push(button('', html`${icon('undo', 16)} ${t('verb.undo')}`, () => this.studio.store.undo()));
+      actions.push(button('', t('verb.retry'), () => this.studio.services.retry()));
+    }
+    if (problem.code === 'PartMissing') actions.push(button('', t('verb.reload'), () => location.reload()));
     return html`<div class="notice board problem">
       ${icon('warn')}
       <div>
@@ -189,33 +179,12 @@ export class Notices extends StudioElement {
                 ${detail}
               </details>`
         }
-        ${
-          ofPlate
-            ? html`<div class="actions">
-                ${
-                  this.studio.store.canUndo
-                    ? button('', html`${icon('undo', 16)} ${t('verb.undo')}`, () => {
-                        this.studio.store.undo();
-                      })
-                    : nothing
-                }
-                ${button('', t('verb.retry'), () => {
-                  this.studio.services.retry();
-                })}
-              </div>`
-            : nothing
-        }
-        ${
-          problem.code === 'PartMissing'
-            ? html`<div class="actions">
-                ${button('', t('verb.reload'), () => {
-                  location.reload();
-                })}
-              </div>`
-            : nothing
-        }
+        ${actions.length > 0 ? html`<div class="actions">${actions}</div>` : nothing}
       </div>
-      ${this.#close(close)}
+      ${this.#close(() => {
+        if (id === undefined) this.studio.store.set({ problem: undefined });
+        else this.studio.dismiss(id);
+      })}
     </div>`;
   }
 }
