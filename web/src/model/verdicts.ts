@@ -58,7 +58,7 @@ const round = (value: number, digits: number): number => Number(value.toFixed(di
 
 /** All verdicts on a report; empty for one without measures. */
 export function verdictsOf(report: Report): Verdict[] {
-  if (report.width === undefined) return []; // the measures come together
+  if (report.coverage === undefined) return []; // the measures come together
   const measured = report as Required<Report>;
   const { spacing, width, coverage, overlap, uTurns, kinks, crossings, fillRatio, lostAreaMm2, lengthMm } = measured;
   const { alignmentConstrained, turnBound } = measured;
