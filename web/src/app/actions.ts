@@ -83,17 +83,13 @@ function usual(studio: Studio): Action[] {
   const [files, view, light] = [t('verb.download'), t('view.title'), t('light.title')];
   return [
     action('open', t('verb.open'), { keys: 'Ctrl O', also: also('open') }, () => void studio.openPicked()),
-    action('plus', t('verb.new'), {}, () => {
-      studio.services.newPlate();
-    }),
+    action('plus', t('verb.new'), {}, () => studio.services.newPlate()),
     action('gallery', t('verb.plates'), {}, studio.opens('plates')),
     action('gallery', t('section.gallery'), {}, studio.opens('gallery')),
-    action('undo', t('verb.undo'), { also: also('undo'), keys: 'Ctrl Z', disabled: !store.canUndo }, () => {
-      store.undo();
-    }),
-    action('redo', t('verb.redo'), { keys: 'Ctrl Shift Z', disabled: !store.canRedo }, () => {
-      store.redo();
-    }),
+    action('undo', t('verb.undo'), { also: also('undo'), keys: 'Ctrl Z', disabled: !store.canUndo }, () =>
+      store.undo(),
+    ),
+    action('redo', t('verb.redo'), { keys: 'Ctrl Shift Z', disabled: !store.canRedo }, () => store.redo()),
     action('share', t('verb.share'), { also: also('share') }, studio.opens('share')),
     action('comb', t('verb.rebrush'), { also: also('rebrush') }, () => void pickSliced(studio)),
     action('print', t('verb.first'), { also: also('first') }, studio.opens('first')),
@@ -110,36 +106,30 @@ function usual(studio: Studio): Action[] {
       return action(icon, t(`export.${product}`), more, () => void studio.save(product));
     }),
     ...views.map(([name, known], k) =>
-      action('light', t(`view.${name}`), { group: view, also: also(known), keys: String(k + 1) }, () => {
-        studio.setView(name);
-      }),
+      action('light', t(`view.${name}`), { group: view, also: also(known), keys: String(k + 1) }, () =>
+        studio.setView(name),
+      ),
     ),
     ...sections.map((section) =>
-      action(section, t(`section.${section}`), { group: t('app.settings'), also: also(section) }, () => {
-        studio.setPanel(section);
-      }),
+      action(section, t(`section.${section}`), { group: t('app.settings'), also: also(section) }, () =>
+        studio.setPanel(section),
+      ),
     ),
     ...tools.map(([tool, icon, keys]) =>
-      action(icon, t(`tool.${tool}`), { group: t('tool.title'), keys }, () => {
-        studio.setTool(tool);
-      }),
+      action(icon, t(`tool.${tool}`), { group: t('tool.title'), keys }, () => studio.setTool(tool)),
     ),
     action('fit', t('verb.fit'), { keys: '0' }, () => studio.stage?.fit()),
     action('plus', t('verb.zoomIn'), { keys: '+' }, () => studio.stage?.zoom(1.4)),
     action('minus', t('verb.zoomOut'), { keys: '-' }, () => studio.stage?.zoom(1 / 1.4)),
-    action('compare', say(words, 'keys.compare'), { keys: 'C' }, () => {
-      store.set({ compare: !compare, view: 'appearance' });
-    }),
-    action('play', say(words, 'keys.play'), { keys: 'P' }, () => {
-      studio.togglePlay();
-    }),
+    action('compare', say(words, 'keys.compare'), { keys: 'C' }, () =>
+      store.set({ compare: !compare, view: 'appearance' }),
+    ),
+    action('play', say(words, 'keys.play'), { keys: 'P' }, () => studio.togglePlay()),
     ...(['pointer', 'orbit', 'fixed'] as const).map((mode) =>
       action('sun', t(`light.${mode}`), { group: light, also: also('light') }, () => void studio.setLightMode(mode)),
     ),
     ...(['auto', 'light', 'dark'] as const).map((theme) =>
-      action('half', t(`theme.${theme}`), { group: t('theme.title') }, () => {
-        studio.setTheme(theme);
-      }),
+      action('half', t(`theme.${theme}`), { group: t('theme.title') }, () => studio.setTheme(theme)),
     ),
     ...Object.entries(languages).map(([key, { name }]) =>
       action('share', name, { group: t('language.title') }, () => void studio.setLanguage(key)),

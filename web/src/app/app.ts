@@ -245,9 +245,7 @@ export class App extends StudioElement {
                 type="button"
                 aria-expanded=${String(panel === name)}
                 aria-controls="panel"
-                @click=${() => {
-                  this.studio.setPanel(panel === name ? '' : name);
-                }}
+                @click=${() => this.studio.setPanel(panel === name ? '' : name)}
               >
                 ${icon(image, 22)} <span>${label}</span>
               </button>`,
@@ -260,9 +258,7 @@ export class App extends StudioElement {
           ?hidden=${panel === ''}
           tabindex="-1"
         >
-          ${button({ look: 'grip', label: t('verb.close') }, html``, () => {
-            this.studio.setPanel('');
-          })}
+          ${button({ look: 'grip', label: t('verb.close') }, html``, () => this.studio.setPanel(''))}
           ${this.#part('panel', panels[panel])}
           ${
             panel === 'layers' && mode === 'edit' && isBare(plate) && this.lazy(loadFacts)
@@ -339,9 +335,7 @@ export class App extends StudioElement {
     if (!this.#brings(event, ...this.#texts()) || !this.#takesFiles()) return;
     // Enter and leave events come for every element; if no dragover comes for a moment, the files are gone.
     clearTimeout(this.#leaving);
-    this.#leaving = setTimeout(() => {
-      this.studio.store.set({ dropping: false });
-    }, 300);
+    this.#leaving = setTimeout(() => this.studio.store.set({ dropping: false }), 300);
     if (!this.state.dropping) this.studio.store.set({ dropping: true });
   };
 

@@ -176,9 +176,7 @@ export class FirstPrint extends DialogElement {
         <li class="step">
           <h2>${c('first.download')}</h2>
           <div class="take">
-            ${button('main', html`${icon('download')} ${c('first.download')}`, () => {
-              this.#save();
-            })}
+            ${button('main', html`${icon('download')} ${c('first.download')}`, () => this.#save())}
             ${
               this.first === 'coupon' && this.coupon !== undefined
                 ? html`<span class="note figures">${costText(this.coupon)}</span>`
@@ -191,9 +189,9 @@ export class FirstPrint extends DialogElement {
           <ul class="after">
             ${(['first.after1', 'first.after2', 'first.after3'] as const).map((id) => html`<li>${c(id)}</li>`)}
           </ul>
-          ${button('', html`${icon('tune', 16)} ${t('verb.calibrate')}`, () => {
-            this.close(this.studio.opens('calibrate'));
-          })}
+          ${button('', html`${icon('tune', 16)} ${t('verb.calibrate')}`, () =>
+            this.close(this.studio.opens('calibrate')),
+          )}
         </li>
       </ol>`;
   }

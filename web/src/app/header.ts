@@ -192,12 +192,8 @@ export class Header extends StudioElement {
   #steps(): TemplateResult | typeof nothing {
     const { store } = this.studio;
     if (!store.canUndo && !store.canRedo) return nothing;
-    return html`${this.#button('undo', t('verb.undo'), 'Ctrl+Z', !store.canUndo, () => {
-      store.undo();
-    })}
-    ${this.#button('redo', t('verb.redo'), 'Ctrl+Shift+Z', !store.canRedo, () => {
-      store.redo();
-    })}`;
+    return html`${this.#button('undo', t('verb.undo'), 'Ctrl+Z', !store.canUndo, () => store.undo())}
+    ${this.#button('redo', t('verb.redo'), 'Ctrl+Shift+Z', !store.canRedo, () => store.redo())}`;
   }
 
   /** Returns the field of the plate's name; Escape restores the name. */

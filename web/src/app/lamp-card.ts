@@ -228,9 +228,7 @@ export class LampCard extends DialogElement {
           </li>`;
         })}
       </ul>
-      ${button('main take', html`${icon('print')} ${say(words, 'card.print')}`, () => {
-        print();
-      })}`;
+      ${button('main take', html`${icon('print')} ${say(words, 'card.print')}`, () => print())}`;
   }
 
   /** Returns the kind of lamp, if its size is one of those with a name. */

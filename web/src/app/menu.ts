@@ -49,14 +49,16 @@ export class Menu extends StudioElement {
 
   override render(): TemplateResult {
     const { theme, language, host } = this.state;
-    return html`${this.#item('plus', t('verb.new'), () => {
-        this.studio.services.newPlate();
-      })}
+    return html`${this.#item('plus', t('verb.new'), () => this.studio.services.newPlate())}
       ${this.#item('open', t('verb.open'), () => void this.studio.openPicked())}
       ${host === '' ? this.#item('gallery', t('verb.plates'), this.studio.opens('plates')) : nothing}
       ${this.#item('share', t('verb.share'), this.studio.opens('share'))}
       ${this.#item('print', t('verb.first'), this.studio.opens('first'))}
-      ${this.#item('comb', t('verb.rebrush'), () => void this.studio.attempt(async () => (await import('./pick-sliced.js')).pickSliced(this.studio)))}
+      ${this.#item(
+        'comb',
+        t('verb.rebrush'),
+        () => void this.studio.attempt(async () => (await import('./pick-sliced.js')).pickSliced(this.studio)),
+      )}
       ${this.#item('tune', t('verb.calibrate'), this.studio.opens('calibrate'))}
       ${this.#item('help', t('help.title'), this.studio.opens('help'))}
       ${
@@ -73,9 +75,7 @@ export class Menu extends StudioElement {
         <label for="language">${t('language.title')}</label>
         <select
           id="language"
-          @change=${(event: Event) => {
-            void this.studio.setLanguage((event.currentTarget as HTMLSelectElement).value);
-          }}
+          @change=${(event: Event) => void this.studio.setLanguage((event.currentTarget as HTMLSelectElement).value)}
         >
           ${Object.entries(languages).map(
             ([key, { name }]) => html`<option value=${key} lang=${key} ?selected=${key === language}>${name}</option>`,
@@ -84,9 +84,7 @@ export class Menu extends StudioElement {
         <label for="theme">${t('theme.title')}</label>
         <select
           id="theme"
-          @change=${(event: Event) => {
-            this.studio.setTheme((event.currentTarget as HTMLSelectElement).value as Theme);
-          }}
+          @change=${(event: Event) => this.studio.setTheme((event.currentTarget as HTMLSelectElement).value as Theme)}
         >
           ${themes.map((key) => html`<option value=${key} ?selected=${key === theme}>${t(`theme.${key}`)}</option>`)}
         </select>
@@ -96,12 +94,15 @@ export class Menu extends StudioElement {
         host === ''
           ? html`<p class="note field">${say(words, 'app.local')}</p>`
           : html`<p class="note field">${say(words, 'app.host', { host })}</p>
-              ${this.#item('open', say(words, 'app.open'), () => {
-                void this.studio.attempt(async () => {
-                  const { url } = await this.studio.services.link(this.state.plate);
-                  open(url, '_blank', 'noopener');
-                });
-              })}`
+              ${this.#item(
+                'open',
+                say(words, 'app.open'),
+                () =>
+                  void this.studio.attempt(async () => {
+                    const { url } = await this.studio.services.link(this.state.plate);
+                    open(url, '_blank', 'noopener');
+                  }),
+              )}`
       }
       <hr />
       <ul class="about">

@@ -49,12 +49,8 @@ export class OwnPanel extends StudioElement {
           label: t('app.plate'),
           value: plate.name,
           maxLength: 80,
-          onInput: (name) => {
-            studio.change((now) => ({ ...now, name }), 'name');
-          },
-          onSettle: () => {
-            studio.settle();
-          },
+          onInput: (name) => studio.change((now) => ({ ...now, name }), 'name'),
+          onSettle: () => studio.settle(),
         });
       case 'size':
         return sizeFields(studio);

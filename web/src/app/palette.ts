@@ -106,9 +106,7 @@ export class Palette extends DialogElement {
           this.words = this.input.value;
           this.chosen = 0;
         }}
-        @keydown=${(event: KeyboardEvent) => {
-          this.#onKey(event, found);
-        }}
+        @keydown=${(event: KeyboardEvent) => this.#onKey(event, found)}
       />
       <div role="listbox" id="found" aria-label=${say(words, 'palette.title')}>
         ${found.map(
@@ -118,9 +116,7 @@ export class Palette extends DialogElement {
               id="action-${k}"
               aria-selected=${String(k === this.chosen)}
               aria-disabled=${String(action.disabled === true)}
-              @click=${() => {
-                this.#run(action);
-              }}
+              @click=${() => this.#run(action)}
             >
               ${icon(action.icon, 16)}
               <span class="label"

@@ -85,18 +85,13 @@ export class PrinterSheet extends DialogElement {
       <section>${filamentField(this.studio)}</section>
       <section>${thicknessField(this.studio)}</section>
       <p class="note">
-        ${untriedText(plate)}
-        ${button('link', t('verb.first'), () => {
-          this.close(this.studio.opens('first'));
-        })}
+        ${untriedText(plate)} ${button('link', t('verb.first'), () => this.close(this.studio.opens('first')))}
       </p>
       <div class="end">
         ${button(
           'main',
           this.purpose === 'printer' ? t('verb.done') : html`${icon('download')} ${this.#file(lacks)}`,
-          () => {
-            this.#answer(lacks);
-          },
+          () => this.#answer(lacks),
         )}
       </div>`;
   }

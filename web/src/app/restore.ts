@@ -80,9 +80,7 @@ export function restore(studio: Studio, found: Kept, shows: boolean, begin: (pla
   }
   const open = (label: string): NoticeAction => ({
     label,
-    run: () => {
-      showKept(studio, found, begin);
-    },
+    run: () => showKept(studio, found, begin),
   });
   if (!shows) {
     studio.notify(say(words, 'restore.late'), open(say(words, 'restore.show')));
@@ -104,9 +102,7 @@ export function restore(studio: Studio, found: Kept, shows: boolean, begin: (pla
   }
   studio.notify(say(words, 'restore.done'), {
     label: say(words, 'restore.discard'),
-    run: () => {
-      studio.services.newPlate();
-    },
+    run: () => studio.services.newPlate(),
   });
   return true;
 }

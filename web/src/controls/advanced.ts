@@ -17,9 +17,7 @@ function resetButton(studio: Studio, setting: Setting): TemplateResult | string 
   return button(
     { look: 'link', label: t('setting.resetOne', { name: settingLabel(setting), value }) },
     t('setting.default', { value }),
-    () => {
-      studio.change((plate) => withValue(plate, setting, structuredClone(setting.default)));
-    },
+    () => studio.change((plate) => withValue(plate, setting, structuredClone(setting.default))),
   );
 }
 

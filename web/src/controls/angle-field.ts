@@ -19,9 +19,7 @@ export function angleField(field: AngleField): TemplateResult {
       .value=${value}
       .min=${min}
       .max=${max}
-      @turn=${(event: CustomEvent<number>) => {
-        onInput(event.detail);
-      }}
+      @turn=${(event: CustomEvent<number>) => onInput(event.detail)}
       @settle=${onSettle}
     ></sillon-dial>
     ${numberInput({ ...field, unit: '°', step: 1 })} ${errorText(id)} ${helpText(id, help)}

@@ -27,9 +27,7 @@ export abstract class DialogElement extends StudioElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#known = this.state;
-    this.#closed = closesByBack(() => {
-      this.close();
-    });
+    this.#closed = closesByBack(() => this.close());
   }
 
   override disconnectedCallback(): void {
@@ -53,9 +51,7 @@ export abstract class DialogElement extends StudioElement {
     >
       <div class="head">
         <h2 id="title">${this.heading()}</h2>
-        ${button({ look: 'plain square', label: t('verb.close') }, icon('close'), () => {
-          this.close();
-        })}
+        ${button({ look: 'plain square', label: t('verb.close') }, icon('close'), () => this.close())}
       </div>
       <sillon-notices .studio=${this.studio} .known=${this.#known}></sillon-notices>
       <div class="body" tabindex="0">${this.body()}</div>

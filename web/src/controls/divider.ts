@@ -81,9 +81,8 @@ export class Divider extends StudioElement {
         aria-label=${say(words, `looks.share.${over}`)}
         aria-valuetext=${t('progress.percent', { percent })}
         .value=${live(String(percent))}
-        @input=${(event: Event) => {
-          this.studio.store.set({ wipe: Number((event.currentTarget as HTMLInputElement).value) / 100 });
-        }}
+        @input=${(event: Event) =>
+          this.studio.store.set({ wipe: Number((event.currentTarget as HTMLInputElement).value) / 100 })}
       />
       <span class="grip" @pointerdown=${this.#onDown} @pointermove=${this.#onMove}>${icon('compare')}</span>`;
   }

@@ -205,9 +205,7 @@ export function numberField(field: NumberField): TemplateResult {
   const onDown = (event: PointerEvent): void => {
     const name = event.currentTarget as HTMLElement;
     if (event.button !== 0 || event.pointerType === 'touch' || field.disabled) return;
-    void import('./scrub.js').then(({ scrub }) => {
-      scrub(event, name, field);
-    });
+    void import('./scrub.js').then(({ scrub }) => scrub(event, name, field));
   };
   const slider = html`<input
     type="range"
@@ -219,9 +217,7 @@ export function numberField(field: NumberField): TemplateResult {
     ?disabled=${field.disabled ?? false}
     .value=${live(String(value))}
     .style=${share((value - low) / (high - low))}
-    @input=${(event: Event) => {
-      field.onInput(Number((event.currentTarget as HTMLInputElement).value));
-    }}
+    @input=${(event: Event) => field.onInput(Number((event.currentTarget as HTMLInputElement).value))}
     @change=${field.onSettle}
   />`;
   return named(
@@ -258,9 +254,7 @@ function radios<Value extends string>(field: ChoiceField<Value>, size: number): 
           value=${value}
           ?disabled=${disabled}
           .checked=${live(value === field.value)}
-          @change=${() => {
-            field.onChoose(value);
-          }}
+          @change=${() => field.onChoose(value)}
         />
         ${picture !== undefined ? html`<img src=${picture} alt="" />` : name === undefined ? nothing : icon(name, size)}<span
           >${label}</span
@@ -312,9 +306,7 @@ export const select = <Value extends string>(field: ChoiceField<Value>): Templat
       id=${field.id}
       class="wide"
       .value=${live(field.value ?? '')}
-      @change=${(event: Event) => {
-        field.onChoose((event.currentTarget as HTMLSelectElement).value as Value);
-      }}
+      @change=${(event: Event) => field.onChoose((event.currentTarget as HTMLSelectElement).value as Value)}
     >
       ${field.options.map(
         ({ value, label, disabled = false }) =>
@@ -337,9 +329,7 @@ export const flag = (field: FlagField): TemplateResult =>
         role="switch"
         id=${field.id}
         .checked=${live(field.value)}
-        @change=${(event: Event) => {
-          field.onChange((event.currentTarget as HTMLInputElement).checked);
-        }}
+        @change=${(event: Event) => field.onChange((event.currentTarget as HTMLInputElement).checked)}
     /></label>`,
   );
 

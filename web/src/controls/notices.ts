@@ -143,9 +143,7 @@ export class Notices extends StudioElement {
           }),
         )}
       </div>
-      ${this.#close(() => {
-        this.studio.dismiss(id);
-      })}
+      ${this.#close(() => this.studio.dismiss(id))}
     </div>`;
   }
 

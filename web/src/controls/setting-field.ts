@@ -43,9 +43,7 @@ const nullFlag = (field: ValueField, help: string): TemplateResult =>
     label: t('setting.value', { label: field.label, value: field.nullLabel }),
     value: field.value === null,
     help,
-    onChange: (isNull) => {
-      choose(field, isNull ? null : field.fallback);
-    },
+    onChange: (isNull) => choose(field, isNull ? null : field.fallback),
   });
 
 /** Returns the two numbers of a pair, such as a place on the bed. */
@@ -60,9 +58,7 @@ function pairField(field: ValueField, setting: Extract<AnySetting, { kind: 'pair
         id: `${id}-${k}`,
         label: `${label}, ${t(k === 0 ? 'unit.x' : 'unit.y')}`,
         value: pair[k],
-        onInput: (number) => {
-          onInput(k === 0 ? [number, pair[1]] : [pair[0], number]);
-        },
+        onInput: (number) => onInput(k === 0 ? [number, pair[1]] : [pair[0], number]),
       },
       false,
     );
@@ -92,9 +88,7 @@ export function valueField(field: ValueField): TemplateResult {
     }
     case 'choice': {
       const options = setting.choices.map((choice) => ({ value: choice, label: field.choiceLabel(choice) }));
-      const onChoose = (chosen: string): void => {
-        choose(field, chosen);
-      };
+      const onChoose = (chosen: string): void => choose(field, chosen);
       const props = { ...field, value: value as string, options, onChoose };
       return options.every((option) => option.label.length < 14) ? segments(props) : select(props);
     }
@@ -102,9 +96,7 @@ export function valueField(field: ValueField): TemplateResult {
       return flag({
         ...field,
         value: value as boolean,
-        onChange: (on) => {
-          choose(field, on);
-        },
+        onChange: (on) => choose(field, on),
       });
     case 'text':
       return textField({ ...setting, ...field, value: value as string, maxLength: setting.maxBytes });
@@ -126,11 +118,7 @@ export function settingField(studio: Studio, id: SettingId): TemplateResult {
     fallback: setting.kind === 'pair' ? studio.centredPlace() : plate.toolpath.spacing,
     nullLabel: 'nullable' in setting ? nullLabel(setting) : '',
     choiceLabel: (choice) => (setting.kind === 'choice' ? choiceLabel(setting, choice) : ''),
-    onInput: (value) => {
-      studio.change((now) => withValue(now, setting, value), id);
-    },
-    onSettle: () => {
-      studio.settle();
-    },
+    onInput: (value) => studio.change((now) => withValue(now, setting, value), id),
+    onSettle: () => studio.settle(),
   });
 }

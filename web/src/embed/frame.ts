@@ -60,11 +60,11 @@ const sent = async ({ blob, name }: { blob: Blob; name: string }): Promise<Answe
 
 /** Returns a promise that rejects when the signal aborts. */
 const abortOf = (signal: AbortSignal): Promise<never> =>
-  new Promise((_, reject) => {
+  new Promise((_, reject) =>
     signal.addEventListener('abort', () => {
       reject(signal.reason as DOMException);
-    });
-  });
+    }),
+  );
 
 /** The connection to one host: runs its requests in order. */
 class Host {
@@ -311,11 +311,10 @@ export function waitForHost(hosts: readonly string[], studio: Studio, services: 
     removeEventListener('message', onMessage); // the first valid host is the only one
     const host = new Host(port, studio, services);
     if (connect.exports === 'host') {
-      studio.deliver = (blob, name) => {
+      studio.deliver = (blob, name) =>
         void sent({ blob, name }).then(({ result, transfer }) => {
           host.tell('export', result as Fields, transfer);
         });
-      };
     }
     host.start(services.onHost(origin));
     report(host, studio);

@@ -60,11 +60,7 @@ export class Files extends DialogElement {
       <ul class="files">
         ${opened?.files.map((file, k) => this.#row(file, k))}
       </ul>
-      <div class="end">
-        ${button('main', t('verb.done'), () => {
-          this.close();
-        })}
-      </div>
+      <div class="end">${button('main', t('verb.done'), () => this.close())}</div>
     `;
   }
 

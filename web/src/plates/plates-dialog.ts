@@ -128,11 +128,10 @@ export class Plates extends DialogElement {
     this.#read();
   }
 
-  #read = (): void => {
+  #read = (): void =>
     void this.studio.attempt(async () => {
       this.plates = await this.studio.services.plates().list();
     });
-  };
 
   protected override body(): TemplateResult {
     return html`
@@ -223,9 +222,7 @@ export class Plates extends DialogElement {
         spellcheck="false"
         ?readonly=${elsewhere || foreign}
         .value=${plate.name}
-        @change=${(event: Event) => {
-          void this.#rename(plate, (event.currentTarget as HTMLInputElement).value.trim());
-        }}
+        @change=${(event: Event) => void this.#rename(plate, (event.currentTarget as HTMLInputElement).value.trim())}
       />
       <div class="foot">
         <span class="note">${size}<br />${date}</span>

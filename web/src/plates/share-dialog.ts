@@ -69,7 +69,11 @@ export class Share extends DialogElement {
       <p>${say(words, 'export.link.help')} ${this.told}</p>
       <div class="link">
         <input type="text" readonly aria-label=${t('verb.share')} .value=${this.url} @focus=${this.#select} />
-        ${button({ look: 'main', disabled: this.url === '' }, html`${icon(this.copied ? 'check' : 'share')} ${t(this.copied ? 'verb.copied' : 'export.link')}`, this.#copy)}
+        ${button(
+          { look: 'main', disabled: this.url === '' },
+          html`${icon(this.copied ? 'check' : 'share')} ${t(this.copied ? 'verb.copied' : 'export.link')}`,
+          this.#copy,
+        )}
       </div>
       <div class="buttons">
         ${
@@ -81,7 +85,11 @@ export class Share extends DialogElement {
             : ''
         }
         ${button('', html`${icon('file')} ${t('export.project')}`, () => void this.studio.save('project'))}
-        ${button({ disabled: this.making || this.loop !== undefined }, html`${icon('video')} ${t('export.loop')}`, this.#makeLoop)}
+        ${button(
+          { disabled: this.making || this.loop !== undefined },
+          html`${icon('video')} ${t('export.loop')}`,
+          this.#makeLoop,
+        )}
       </div>
       ${this.loop === undefined ? nothing : this.#moving(this.loop)}
       <p class="note" role="status">
@@ -103,9 +111,7 @@ export class Share extends DialogElement {
               })
             : nothing
         }
-        ${button('', html`${icon('download')} ${t('verb.download')}`, () => {
-          this.studio.deliver(file, file.name);
-        })}
+        ${button('', html`${icon('download')} ${t('verb.download')}`, () => this.studio.deliver(file, file.name))}
       </div>`;
   }
 
@@ -129,9 +135,7 @@ export class Share extends DialogElement {
     this.loop = undefined;
   }
 
-  #select = (event: Event): void => {
-    (event.currentTarget as HTMLInputElement).select();
-  };
+  #select = (event: Event): void => (event.currentTarget as HTMLInputElement).select();
 
   #copy = async (): Promise<void> => {
     try {

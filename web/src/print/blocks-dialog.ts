@@ -199,10 +199,10 @@ export class Blocks extends DialogElement {
       this.studio.change(withoutBlocks);
       this.close();
     })}
-    ${button('main', html`${icon('download')} ${t('keys.gcode')}`, () => {
+    ${button('main', html`${icon('download')} ${t('keys.gcode')}`, () =>
       this.close(() => {
         this.studio.goOn();
-      });
-    })}`;
+      }),
+    )}`;
   }
 }

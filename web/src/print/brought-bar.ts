@@ -45,12 +45,8 @@ export class BroughtBar extends StudioElement {
       <p>${broughtText(brought, printer)}</p>
       <div class="buttons">
         ${button('', t('brought.show'), this.studio.opens('brought'))}
-        ${button('', t('verb.use'), () => {
-          this.studio.useBrought(false);
-        })}
-        ${button('main', t('brought.keep'), () => {
-          this.studio.keepOwnPrinter();
-        })}
+        ${button('', t('verb.use'), () => this.studio.useBrought(false))}
+        ${button('main', t('brought.keep'), () => this.studio.keepOwnPrinter())}
       </div>
     </div>`;
   }

@@ -147,9 +147,7 @@ export class PrintPanel extends StudioElement {
       label: t('setting.printer.nozzle'),
       value: String(this.state.plate.printer.nozzle),
       options: nozzleAdvice.map(({ nozzle }) => ({ value: String(nozzle), label: formatNumber(nozzle, 2) })),
-      onChoose: (value) => {
-        this.studio.change((now) => withNozzle(now, Number(value)));
-      },
+      onChoose: (value) => this.studio.change((now) => withNozzle(now, Number(value))),
     });
   }
 
@@ -164,9 +162,9 @@ export class PrintPanel extends StudioElement {
         ? nothing
         : html`<p class="note suggestion">
             ${t('setting.suggested', { nozzle, value: usual })}
-            ${button('link', t('verb.use'), () => {
-              this.studio.change((now) => withValue(now, settingOf('toolpath.spacing'), usual));
-            })}
+            ${button('link', t('verb.use'), () =>
+              this.studio.change((now) => withValue(now, settingOf('toolpath.spacing'), usual)),
+            )}
           </p>`
     }
     ${settingField(this.studio, 'toolpath.perimeterMode')}
@@ -185,9 +183,7 @@ export class PrintPanel extends StudioElement {
           label: say(presets, `preset.${value}`),
           picture: `presets/${value}.webp`,
         })),
-        onChoose: (value) => {
-          this.studio.change((now) => withQuality(now, value));
-        },
+        onChoose: (value) => this.studio.change((now) => withQuality(now, value)),
       })}
       <p class="note">
         ${quality === undefined ? say(presets, 'preset.custom') : say(presets, `preset.${quality}.help`)}

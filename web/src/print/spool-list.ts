@@ -146,9 +146,7 @@ export class Spools extends StudioElement {
           maxlength="40"
           spellcheck="false"
           .value=${name}
-          @change=${(event: Event) => {
-            this.#rename(spool, (event.currentTarget as HTMLInputElement).value);
-          }}
+          @change=${(event: Event) => this.#rename(spool, (event.currentTarget as HTMLInputElement).value)}
         />${slopes(spool.fine.nozzleSide)}</span
       >
       ${button({ label: c('spools.use', { name }), pressed: here }, here ? icon('check', 16) : t('verb.use'), () => {

@@ -288,9 +288,7 @@ export class Studio {
   }
 
   /** Returns a function that shows a dialog. */
-  opens = (dialog: Dialog) => (): void => {
-    this.show(dialog);
-  };
+  opens = (dialog: Dialog) => (): void => this.show(dialog);
 
   async setLanguage(language: string): Promise<void> {
     await this.attempt(async () => {
@@ -349,9 +347,7 @@ export class Studio {
     this.store.set({ notices: all.filter((notice) => notice.stays || latest.includes(notice)) });
     if (told !== undefined || words.stays) return id;
     const shownFor = words.actions?.length ? offerFor : noticeFor;
-    setTimeout(() => {
-      this.dismiss(id);
-    }, shownFor);
+    setTimeout(() => this.dismiss(id), shownFor);
     return id;
   }
 
@@ -476,9 +472,7 @@ export class Studio {
     const height = Number((startHeight + first + (base - 1) * layerHeight).toFixed(3));
     this.notify(t('export.body.rest', { name, height }), {
       label: t('export.body.set'),
-      run: () => {
-        this.change((now) => ({ ...now, print: { ...now.print, base: 0, startHeight: height } }));
-      },
+      run: () => this.change((now) => ({ ...now, print: { ...now.print, base: 0, startHeight: height } })),
     });
   }
 

@@ -15,9 +15,7 @@ export function untriedText({ printer }: Plate): string {
 }
 
 /** Remembers that the note was on the screen. */
-export const markUntried = (studio: Studio): void => {
-  studio.remember(told, 'yes');
-};
+export const markUntried = (studio: Studio): void => studio.remember(told, 'yes');
 
 /** Tells where to put the lamp for a downloaded file and, once per device, that nothing was tried on the printer. */
 export function tellPrint(studio: Studio, name: string): void {
