@@ -9,6 +9,7 @@ import { settingOf, valueOf, type NumberSetting, type SettingId } from '../model
 import { flag, numberField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import type { Studio } from '../studio/studio.js';
+import { button } from '../controls/button.js';
 
 /** The visitor's results from a print: a value, constant flow or not, or the narrowest and widest good beads [mm]. */
 export interface Found {
@@ -49,15 +50,11 @@ function triedValues(
   return html`<div class="tried" role="radiogroup" aria-label=${c('best.value')}>
     ${calibration.values.map(
       ({ label, value }) =>
-        html`<label class="card"
-          ><input
-            type="radio"
-            name="tried"
-            .checked=${value === chosen}
-            @change=${() => {
-              choose(value);
-            }}
-          /><span class="figures">${label}</span></label
+        html`<label class="card board"
+          ><input type="radio" name="tried" .checked=${value === chosen} @change=${() => choose(value)} /><span
+            class="figures"
+            >${label}</span
+          ></label
         >`,
     )}
   </div>`;
@@ -78,9 +75,7 @@ function settingAnswer(
   // The present value comes from the plate, since a coupon's values are those of its discs.
   const now = valueOf(plate, setting) as number;
   const written = (number: number): string => valueText(setting, number);
-  return html`${triedValues(calibration, value, (next) => {
-    change({ value: next });
-  })}
+  return html`${triedValues(calibration, value, (next) => change({ value: next }))}
   ${numberField({
     id: 'found',
     label,
@@ -89,10 +84,7 @@ function settingAnswer(
     max: setting.max,
     step: setting.step,
     unit: setting.unit,
-    onInput: (next) => {
-      change({ value: next });
-    },
-    onSettle: () => undefined,
+    onInput: (next) => change({ value: next }),
   })}
   ${
     kind === 'speed'
@@ -100,9 +92,7 @@ function settingAnswer(
           id: 'constant',
           label: c('best.constant'),
           value: constant,
-          onChange: (next) => {
-            change({ constant: next });
-          },
+          onChange: (next) => change({ constant: next }),
         })
       : nothing
   }
@@ -132,10 +122,7 @@ function widthsAnswer(studio: Studio, calibration: Calibration, found: Found, ch
       step: 0.01,
       usual: [low, high],
       unit: 'mm',
-      onInput: (next) => {
-        change({ [name]: next });
-      },
-      onSettle: () => undefined,
+      onInput: (next) => change({ [name]: next }),
     });
   const [from, to] = [found.low ?? low, found.high ?? high];
   const { spacing, variation } = spacingBetween(from, to);
@@ -151,15 +138,12 @@ function widthsAnswer(studio: Studio, calibration: Calibration, found: Found, ch
 
 /** The button that takes the result over into the plate. */
 function useButton(studio: Studio, usable: boolean, value: string, use: () => void): TemplateResult {
-  return html`<button
-    type="button"
-    class="use"
-    ?disabled=${!usable}
-    @click=${() => {
+  return button(
+    { look: 'use', disabled: !usable },
+    html`${icon('check', 16)} ${usable || value === '' ? c('use', { value }) : c('inUse')}`,
+    () => {
       studio.settle();
       use();
-    }}
-  >
-    ${icon('check', 16)} ${usable || value === '' ? c('use', { value }) : c('inUse')}
-  </button>`;
+    },
+  );
 }

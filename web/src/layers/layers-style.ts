@@ -35,7 +35,8 @@ export const layersStyle = css`
   li > button.row:first-child {
     grid-column: 1 / 3;
   }
-  li button.row {
+  li button.row,
+  li.below button {
     justify-content: start;
     gap: 10px;
     min-height: calc(var(--control) + 6px);
@@ -45,11 +46,6 @@ export const layersStyle = css`
   li.chosen button.row {
     border-color: transparent;
     background: none;
-  }
-  .name {
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
   }
   .off {
     color: var(--soft);
@@ -74,12 +70,7 @@ export const layersStyle = css`
   }
   li.below button {
     grid-column: 1 / -1;
-    justify-content: start;
-    gap: 10px;
-    min-height: calc(var(--control) + 6px);
-    padding: 0 8px;
     color: var(--soft);
-    text-align: left;
   }
   .strokes {
     display: flex;
@@ -116,20 +107,6 @@ export const layersStyle = css`
   .tile .above {
     stroke: var(--accent);
     stroke-width: 1.5;
-  }
-  .size {
-    display: grid;
-    grid-template-columns: 1fr auto 1fr;
-    align-items: end;
-    gap: 8px;
-  }
-  .size .measure {
-    width: 100%;
-    min-width: 0;
-  }
-  .size label {
-    display: block;
-    margin-bottom: 4px;
   }
   .size > span {
     width: var(--control);
