@@ -174,11 +174,11 @@ std::optional<Error> checkFit(const Bounds& box, const Shape& outline, Vec2 shif
   for (const PointUm copy : job.copies) {
     if (printer.roundBed) overhang = std::max(overhang, overhangOf(outline, shift + mm(copy), job, copy, bed));
     if (bed.hasZone() && overhang <= kSlack && touchesZone(outline, shift + mm(copy), job, copy, bed)) {
-      return refused(ErrorCode::DoesNotFit, reason::kOnExcludedZone);
+      return refused(ErrorCode::DoesNotFit, "OnExcludedZone");
     }
   }
   if (overhang > kSlack) {
-    return refused(ErrorCode::DoesNotFit, reason::kOverRoundBed, {{"by", std::max(overhang, 0.001)}});
+    return refused(ErrorCode::DoesNotFit, "OverRoundBed", {{"by", std::max(overhang, 0.001)}});
   }
   return std::nullopt;
 }

@@ -90,15 +90,15 @@ std::optional<Error> checkPrint(const Printer& printer, const PrintParams& param
                    " mm; it must be 0 where showSide is not up, as that side lies on the bed");
   }
   if (params.rim > 0 && params.showSide != ShowSide::Up) {
-    return refused(ErrorCode::InvalidArgument, reason::kRimBelow, {{"rim", static_cast<double>(params.rim)}});
+    return refused(ErrorCode::InvalidArgument, "RimBelow", {{"rim", params.rim}});
   }
   const double top = layerTop(params, layerCount(params) - 1) + printer.lift;
   if (top > highest(printer)) {
-    return refused(ErrorCode::DoesNotFit, reason::kTooHigh, {{"height", top}, {"most", highest(printer)}});
+    return refused(ErrorCode::DoesNotFit, "TooHigh", {{"height", top}, {"most", highest(printer)}});
   }
   const double stack = top - printer.lift - params.startHeight;
   if (params.copies.x * params.copies.y > 1 && stack > kTallestCopy) {
-    return refused(ErrorCode::InvalidArgument, reason::kCopiesTooHigh, {{"height", stack}, {"most", kTallestCopy}});
+    return refused(ErrorCode::InvalidArgument, "CopiesTooHigh", {{"height", stack}, {"most", kTallestCopy}});
   }
   return std::nullopt;
 }

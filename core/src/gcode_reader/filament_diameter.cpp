@@ -296,7 +296,7 @@ WeighedFilament weighFilament(std::string_view gcode, GcodeFlavor flavor, std::o
 
 Error askForFilament(const WeighedFilament& weighed) {
   const auto told = [](double diameter) { return decimal(diameter, 2); };
-  return refused(ErrorCode::InvalidFile, reason::kFilamentOpen,
+  return refused(ErrorCode::InvalidFile, "FilamentOpen",
                  {{"thinWidth", told(weighed.widthWith(kThinFilament))},
                   {"thin", told(kThinFilament)},
                   {"wideWidth", told(weighed.widthWith(kWideFilament))},

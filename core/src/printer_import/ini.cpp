@@ -108,8 +108,7 @@ Result<ImportedPrinter> importIni(std::string_view text, std::string_view name) 
         return Error{ErrorCode::InvalidArgument,
                      "the file has no printer " + shown(printer) + "; name one of " + known};
       }
-      const NamedValue count("count", static_cast<double>(bundle.printers.size()));
-      return refused(ErrorCode::InvalidArgument, reason::kWhichPrinter, {count, {"names", known}});
+      return refused(ErrorCode::InvalidArgument, "WhichPrinter", {{"count", bundle.printers.size()}, {"names", known}});
     }
     int budget = kMaxInherited;
     inherit(bundle, "printer:", printer, 0, budget, settings, out.notRead);

@@ -198,10 +198,10 @@ void EventReader::endStretch() {
 Result<SlicedFacts> EventReader::finish() {
   facts_.cut = isSurface(role_) && !lines_.empty() && lines_.back().bead();
   endStretch();
-  if (numbered_) return refused(ErrorCode::InvalidFile, reason::kLinesNumbered);
-  if (!program_ || !marked_ || facts_.file.layers == 0) return refused(ErrorCode::InvalidFile, reason::kNoMarks);
+  if (numbered_) return refused(ErrorCode::InvalidFile, "LinesNumbered");
+  if (!program_ || !marked_ || facts_.file.layers == 0) return refused(ErrorCode::InvalidFile, "NoMarks");
   if (settings_.weighed.evidence == FilamentEvidence::Open) return askForFilament(settings_.weighed);
-  if (!pushed_) return refused(ErrorCode::InvalidFile, reason::kNoFilament);
+  if (!pushed_) return refused(ErrorCode::InvalidFile, "NoFilament");
   facts_.file.slicer = program_->slicer;
   facts_.file.program = program_->name;
   if (settings_.nozzle > 0) facts_.file.nozzle = settings_.nozzle;
