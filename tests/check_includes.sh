@@ -23,7 +23,7 @@ text: settings geometry input
 project: settings geometry input text
 pictures: geometry input look pipeline quality project
 gcode: settings geometry toolpath quality printer gcode_reader report
-calibrate: settings geometry look pipeline gcode
+calibrate: settings geometry input look pipeline gcode
 export: settings geometry input toolpath look gcode_reader gcode
 compose: settings geometry input look pipeline quality report text project pictures
 rebrush: settings geometry input look pipeline quality gcode_reader project compose

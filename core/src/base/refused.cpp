@@ -37,6 +37,22 @@ Error refused(ErrorCode code, Reason reason, std::initializer_list<ToldValue> va
   return error;
 }
 
+Error refusedArgument(Reason reason, std::initializer_list<ToldValue> values) {
+  return refused(ErrorCode::InvalidArgument, reason, values);
+}
+
+Error refusedFile(Reason reason, std::initializer_list<ToldValue> values) {
+  return refused(ErrorCode::InvalidFile, reason, values);
+}
+
+Error fileTooLarge(std::size_t size, std::size_t most) {
+  constexpr std::size_t kMebibyte = std::size_t{1} << 20;
+  const std::size_t megabytes = size / kMebibyte + (size % kMebibyte == 0 ? 0 : 1);
+  return refused(ErrorCode::TooLarge, "FileTooLarge", {{"megabytes", megabytes}, {"most", most / kMebibyte}});
+}
+
+Error needsMoreMemory() { return refused(ErrorCode::TooLarge, "NeedsMoreMemory"); }
+
 Error outOfRange(std::string_view name, double value, double low, double high, const char* unit) {
   const std::string space = *unit == '\0' ? "" : " ";
   const std::string message = std::string(name) + " is " +

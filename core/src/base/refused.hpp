@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -26,6 +27,18 @@ struct ToldValue {
 
 /// Makes an error with its sentence. \param values  values of its sentence
 Error refused(ErrorCode code, Reason reason, std::initializer_list<ToldValue> values = {});
+
+/// Refuses an argument or a setting.
+Error refusedArgument(Reason reason, std::initializer_list<ToldValue> values = {});
+
+/// Refuses a file for what it contains.
+Error refusedFile(Reason reason, std::initializer_list<ToldValue> values = {});
+
+/// Refuses a file, or what is packed in it, for its size. \param size, most  [bytes]
+Error fileTooLarge(std::size_t size, std::size_t most);
+
+/// Refuses a job for which the system has no more memory.
+Error needsMoreMemory();
 
 /// Makes the error for a number outside its range, as "shape.offset is 60 mm; it must be -20 to 50 mm".
 /// \param name  setting in full, or another name  \param unit  as "mm"; may be empty

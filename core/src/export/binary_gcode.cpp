@@ -10,6 +10,7 @@
 
 #include "base/checksums.hpp"
 #include "base/lines.hpp"
+#include "base/refused.hpp"
 #include "input/inflate.hpp"
 #include "sillon/export/gcode_archive.hpp"
 

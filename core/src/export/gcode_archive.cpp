@@ -11,6 +11,7 @@
 
 #include "base/json.hpp"
 #include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "export/packing.hpp"
 #include "export/zip.hpp"
 #include "sillon/settings/presets.hpp"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/checksums.hpp"
+#include "base/refused.hpp"
 #include "base/sort_key.hpp"
 #include "export/packing.hpp"
 #include "input/inflate.hpp"

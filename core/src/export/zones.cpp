@@ -11,6 +11,7 @@
 #include "export/zone_parts.hpp"
 #include "input/map_defect.hpp"
 #include "sillon/geometry/outline.hpp"
+#include "toolpath/path.hpp"
 
 namespace sillon {
 namespace {
@@ -56,11 +57,8 @@ Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& di
                                       const RunContext& run) {
   if (params.most < 2 || params.most > 12) return outOfRange("zones", params.most, 2, 12, "");
   if (!(params.least >= 0.5 && params.least <= 100)) return outOfRange("leastZone", params.least, 0.5, 100, "mm");
-  if (std::string bad = mapDefect("direction", directions.width, directions.height, directions.angle.size());
-      !bad.empty()) {
-    return Error{ErrorCode::InvalidArgument, std::move(bad)};
-  }
-  if (!(shape.page.x > 0 && shape.page.y > 0)) return Error{ErrorCode::EmptyShape, "the shape has no page"};
+  if (auto bad = mapDefect("directions", directions.width, directions.height, directions.angle.size())) return *bad;
+  if (auto bad = pageDefect(shape.page)) return *bad;
   run.beginJob();
   run.beginStage("zones", 0, 1);
   const DirectionPicture picture = rastered(shape, directions);

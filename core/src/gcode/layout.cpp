@@ -112,10 +112,7 @@ std::optional<Error> placeCycles(const Toolpath& toolpath, PointUm offset, doubl
       path.widths.pop_back();
     }
     const std::size_t count = path.points.size();
-    if (count < 3) {
-      return Error{ErrorCode::InvalidArgument, "cycle " + std::to_string(c) + " (from 0) has " + std::to_string(count) +
-                                                   " different points at 0.001 mm; it must have at least 3"};
-    }
+    if (count < 3) return refusedArgument("FewPoints", {{"cycle", c}, {"points", count}});
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t next = i + 1 < count ? i + 1 : 0;
       const double piece = lengthMm(path.points[next] - path.points[i]);
