@@ -360,7 +360,7 @@ TEST_CASE("a spool of one's own is listed, solved for and shown like the measure
 
   folder.write("bad.json", R"({"version": 1, "spools": {"bluePla": {}}})");
   checkRefused(folder, "spools --spools bad.json",
-               "\"bad.json\": spool \"bluePla\" is one that comes with the program");
+               "\"bad.json\": spools[\"bluePla\"] is one that comes with the program");
   checkRefused(folder, "spools --spools nothing.json", "nothing.json");
   checkRefused(folder, plate + "a.svg --spools mine.json", "no --spool is given; it must name one");
   checkRefused(folder, plate + "a.svg --spools mine.json --spool hers", "goldPla, greyPla, redPetg, mySilk");
@@ -758,7 +758,7 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
       {"--shape disc --angle 3 --zones 1 -o a.3mf", "zones is 1; it must be 2 to 12"},
       {"--shape disc --angle 3 -o a.stl", "it must end in .3mf"},
       {"--body two.png --angle 3 -o a.3mf", "the STL is cut off, or another kind of file"},
-      {"--shape disc --angle 3 --layer-height 9 -o a.3mf", "layer height is 9 mm"},
+      {"--shape disc --angle 3 --layer-height 9 -o a.3mf", "layerHeight is 9 mm"},
       {"--shape disc --angle 3 --height 0 -o a.3mf", "height is 0 mm"},
       {"--shape disc --angle 3", "--output"},
       {"--shape disc --angle 3 --mode orthogonal -o a.3mf", "the mode must be constrained"},
@@ -825,7 +825,7 @@ TEST_CASE("a calibration print is written with its table, for people and for pro
   checkRefused(folder, "calibrate flow", "--output");
   checkRefused(folder, "calibrate", "kind");
   checkRefused(folder, "calibrate flow --from x -o a.gcode", "--from");
-  checkRefused(folder, "calibrate flow --from 2 --to 3 -o a.gcode", "flow would try 2; values must be 0.5 to 1.5");
+  checkRefused(folder, "calibrate flow --from 2 --to 3 -o a.gcode", "flow is 2; it must be 0.5 to 1.5");
   checkRefused(folder, "calibrate flow --spool tin -o a.gcode",
                "--spool is \"tin\"; it must be one of bluePla, clearPetg,");
   checkRefused(folder, "calibrate flow --bed 30x30 -o a.gcode", "over the edge of the bed");
@@ -887,7 +887,7 @@ TEST_CASE("a photograph of a coupon is read, for people, for programs and as a s
   checkRefused(folder, "calibrate read", "no photograph is given");
   checkRefused(folder, "calibrate read nothing.jpg", "nothing.jpg");
   checkRefused(folder, "calibrate read photo.jpg --lamp-size moon", "--lamp-size is \"moon\"; it must be bulb,");
-  checkRefused(folder, "calibrate read photo.jpg --lamp-elevation 5", "lamp elevation is 5");
+  checkRefused(folder, "calibrate read photo.jpg --lamp-elevation 5", "lampElevation is 5");
   checkRefused(folder, "calibrate read photo.jpg --name 'a b'", "\"a b\"");
   checkRefused(folder, "calibrate read photo.jpg -o photo.jpg", "also an input");
   checkRefused(folder, "calibrate read photo.jpg --preview p.png", "--preview shows a print");
@@ -963,7 +963,7 @@ TEST_CASE("the base is written as a solid, STL or 3MF by its name") {
   CHECK(stl.starts_with("base body by Sillon"));
   CHECK(stl.size() % 50 == 84 % 50);
   CHECK(readAll(folder.at("a.3mf")).starts_with("PK"));
-  checkRefused(folder, std::string(kDisc) + "--base 0 --body b.stl", "base is 0; it must be at least 1");
+  checkRefused(folder, std::string(kDisc) + "--base 0 --body b.stl", "print.base is 0; it must be at least 1");
 }
 
 namespace {
@@ -985,7 +985,7 @@ TEST_CASE("a body that cannot be made does not take the G-code with it") {
   const Run run = folder.run(std::string(kDisc) + "--base 0 --gcode a.gcode --report a.json --body old.stl");
   CHECK(run.code == 2);
   CHECK(run.err ==
-        "sillon: \"old.stl\" is not written: base is 0; it must be at least 1 for a body of the base layers\n");
+        "sillon: \"old.stl\" is not written: print.base is 0; it must be at least 1 for a body of the base layers\n");
   CHECK(has(run.out, "wrote      a.gcode"));
   CHECK(!has(run.out, "wrote      old.stl"));
   CHECK(readAll(folder.at("old.stl")) == "what was there");

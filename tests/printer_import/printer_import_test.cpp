@@ -323,7 +323,7 @@ TEST_CASE("a bundle gives its active printer and filament with all they inherit"
   CHECK(other.printer.name == "OTHER");
   CHECK(notes(other, "printer:*missing* is inherited, but missing from the file"));
   CHECK(problem(kBundle, "Third") == "the file has no printer \"Third\"; name one of \"Prusa MK4S\", \"Other\"");
-  CHECK(problem("[print:fast]\nlayer_height = 0.2\n") == "the file has no section of a printer");
+  CHECK(problem("[print:fast]\nlayer_height = 0.2\n") == "the file has no setting of a printer that is known here");
   CHECK(problem("<svg></svg>").find("the file is neither G-code nor settings of a slicer") == 0);
 }
 
@@ -447,7 +447,7 @@ TEST_CASE("what cannot be read is listed with its value") {
   CHECK(read.read == std::vector<std::string>{"max_print_height", "start_gcode"});
   CHECK(problem("hello = world\n") == "the file has no setting of a printer that is known here");
   CHECK(problem("") != "");
-  CHECK(problem(std::string("a\0b", 3)).find("the file is not text") == 0);
+  CHECK(problem(std::string("a\0b", 3)).find("the file is neither G-code nor") == 0);
 }
 
 TEST_CASE("round beds and beds of many corners are told apart") {
@@ -556,7 +556,7 @@ TEST_CASE("an Orca preset gives its own values and names what it inherits") {
   REQUIRE(read.notRead.size() == 1);
   CHECK(read.notRead[0].code == "InheritedElsewhere");
   CHECK(read.notRead[0].values == Values{{"name", "\"Bambu Lab P1S 0.4 nozzle\""}});
-  CHECK(problem("{\"a\": ").find("begins like JSON") != std::string::npos);
+  CHECK(problem("{\"a\": ").find("the file is neither G-code nor") == 0);
   CHECK(problem("{}") == "the file has no setting of a printer that is known here");
   CHECK(problem("{\"type\": \"process\", \"name\": \"Fine\"}") ==
         "the preset is of a process and not of a printer; export the printer, or a project");

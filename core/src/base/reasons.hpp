@@ -234,7 +234,7 @@ inline constexpr Sentence kReasons[] = {
     {"NotMirrored",
      "print.showSide is both, but the shape is not its own mirror image: {points} points of the path would lie "
      "outside; it must be up or bed here"},
-    {"CrossesItself", "the path crosses itself at {places} places; print.strict refuses that"},
+    {"CrossesItself", "the path's crossings with itself are {times}; print.strict allows none"},
     {"NotHomed", "printer.startGcode does not home; it must have G28 or a start macro"},
     {"DrawnBack", "printer.startGcode draws filament back by G10; it must give it back by G11"},
     {"BambuStart",
@@ -372,9 +372,9 @@ inline constexpr Sentence kReasons[] = {
     {"WeakLamp",
      "the lamp makes no direction of this spool more than 1.5 times as bright as another; choose a lower or a smaller "
      "lamp, or a glossier spool"},
-    {"SpoolFile", "a file of spools must be {form}"},
-    {"SpoolForm", "{where} must be {form}"},
-    {"SpoolKey", "{where} has the key {key}; it must be {form}"},
+    {"SpoolFile", "a file of spools must be JSON of the form {form}"},
+    {"SpoolForm", "{where} must have the form {form}"},
+    {"SpoolKey", "{where} has the key {key}; it must have the form {form}"},
     {"SpoolName", "{where} must be called by 1 to 40 letters, digits, - and _"},
     {"SpoolTaken", "{where} is one that comes with the program; call yours otherwise"},
     {"KeyTwice", "key {key} is given twice; each key may be given once"},

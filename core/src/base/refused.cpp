@@ -1,6 +1,5 @@
 #include "base/refused.hpp"
 
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -55,9 +54,8 @@ Error needsMoreMemory() { return refused(ErrorCode::TooLarge, "NeedsMoreMemory")
 
 Error outOfRange(std::string_view name, double value, double low, double high, const char* unit) {
   const std::string space = *unit == '\0' ? "" : " ";
-  const std::string message = std::string(name) + " is " +
-                              (std::isfinite(value) ? shownNumber(value) : "not a number") + space + unit +
-                              "; it must be " + shownNumber(low) + " to " + shownNumber(high) + space + unit;
+  const std::string message = std::string(name) + " is " + shownNumber(value) + space + unit + "; it must be " +
+                              shownNumber(low) + " to " + shownNumber(high) + space + unit;
   std::vector<NamedValue> values{{"setting", std::string(name)}, {"value", value}, {"low", low}, {"high", high}};
   if (*unit != '\0') values.emplace_back("unit", std::string(unit));
   return {ErrorCode::InvalidArgument, message, reason::kSettingOutOfRange, std::move(values)};

@@ -231,12 +231,16 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Toolpath* across, 
   outside += countOutside(toolpath, inside);
   if (outside > 0) {
     const Warning warning{WarningCode::OutsideShape, {{"n", static_cast<double>(outside)}}};
-    if (params.strict) return refusalOf(warning);
+    if (params.strict) {
+      Error error = refusalOf(warning);
+      error.message += "; print.strict refuses that";
+      return error;
+    }
     job.warnings.push_back(warning);
   }
   if (params.strict) {
     if (const std::int64_t crossings = countCrossings(toolpath); crossings > 0) {
-      return refusedArgument("CrossesItself", {{"places", crossings}});
+      return refusedArgument("CrossesItself", {{"times", crossings}});
     }
   }
   markSeams(job.cycles, offset, shape, inside, job.spacing);
