@@ -88,7 +88,7 @@ std::vector<Project> dialects() {
   std::vector<Project> all;
   for (const char* id : {"creality-ender-3-v2", "voron-2-4-300", "generic", "prusa-mk4", "bambu-p1s"}) {
     Project project;
-    REQUIRE(applyProfile(ProfileKind::Printer, id, project.printer).empty());
+    REQUIRE_FALSE(applyProfile(ProfileKind::Printer, id, project.printer));
     if (project.printer.flavor == GcodeFlavor::Bambu) {
       project.printer.startGcode = "G28\nM190 S{first_layer_bed_temperature}\nM109 S{first_layer_temperature}";
     }

@@ -404,7 +404,7 @@ TEST_CASE("printers and filaments are listed, and one of them begins a project")
                    "SOURCE_DATE_EPOCH=0")
               .code == 0);
   CHECK(readAll(folder.at("a.gcode")) == readAll(folder.at("b.gcode")));
-  checkRefused(folder, "printers k2", "printers: \"k2\" is not a printer profile");
+  checkRefused(folder, "printers k2", "printers: \"k2\" is unknown for printer.profile");
   folder.write("hot.json", R"({"sillon": 1, "printer": {"profile": "creality-ender-3", "nozzleTemperature": 300}})");
   for (const char* command :
        {"generate hot.json --shape disc --size 12 --gcode a.gcode", "calibrate speed hot.json -o b.gcode"}) {
@@ -1410,10 +1410,10 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, "generate logo.svg" + kOutputs,
                "scene \"logo.svg\" is a drawing and not a project; give it as --shape");
   checkRefused(folder, "generate moving.gif" + kOutputs,
-               "moving.gif is a GIF picture; pictures must be PNG, JPEG, BMP or TGA");
+               "moving.gif is a GIF file; pictures must be PNG, JPEG, BMP or TGA");
   // A picture by how it begins, also a large one, and behind another.
   folder.write("large", std::string(4, '\0') + "ftypheic" + std::string(2 << 20, 'x'));
-  checkRefused(folder, "generate tiny.png large" + kOutputs, "large is a HEIC or AVIF picture, or a video");
+  checkRefused(folder, "generate tiny.png large" + kOutputs, "large is a HEIC/AVIF file");
   folder.write("tiny.jfif", readAll(folder.at("tiny.png")));
   CHECK(folder.run("generate tiny.jfif --size 10 --spacing 1 --svg named.svg").code == 0);
   folder.write("noise.bin", std::string(64, '\x01'));
@@ -1425,10 +1425,11 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, "generate --picture text.png" + kOutputs, "text.png");
   checkRefused(folder, "generate --picture none.png" + kOutputs, "\"none.png\" cannot be read");
   checkRefused(folder, one + one.substr(9) + one.substr(9) + one.substr(9) + one.substr(9) + kOutputs,
-               "layers[0].pictures has 5 pictures; it may have up to 4");
+               "layers[0].pictures has 5 entries; it may have up to 4");
   checkRefused(folder, "generate both.json" + kOutputs, "layers[0].file is not for the kind \"picture\"");
   checkRefused(folder, "generate key.json" + kOutputs, "unknown key \"layers[0].pictures[0].light\"");
-  checkRefused(folder, "generate bare.json" + kOutputs, "layers[0].pictures[0] is text; it must be an object");
+  checkRefused(folder, "generate bare.json" + kOutputs,
+               "layers[0].pictures[0] is of the JSON type string; it must be an object");
   checkRefused(folder, "generate low.json" + kOutputs, "layers[0].pictures[0].lamp.y is 0 degrees; it must be 1 to 90");
 }
 
@@ -1659,7 +1660,7 @@ TEST_CASE("files that are not what they claim are refused") {
   checkRefused(folder, "generate missing.json" + kOutputs, "\"missing.json\" cannot be read");
   checkRefused(folder, "generate empty" + kOutputs, "\"empty\" is empty");
   checkRefused(folder, "generate folder" + kOutputs, "is a folder");
-  checkRefused(folder, "generate typo.json" + kOutputs, "did you mean \"spacing\"?");
+  checkRefused(folder, "generate typo.json" + kOutputs, "like it: \"spacing\"");
   checkRefused(folder, "generate nojson.json" + kOutputs, "line 1");
   checkRefused(folder, "generate deep.json" + kOutputs, "deeper than 64");
   checkRefused(folder, "generate nofile.json" + kOutputs, "nowhere.svg");
@@ -1671,7 +1672,7 @@ TEST_CASE("files that are not what they claim are refused") {
   checkRefused(folder, "generate --directions wide.png" + kOutputs, "40000");
   checkRefused(folder, "generate --modes cut.png --shape disc --size 9" + kOutputs, "cut.png");
   checkRefused(folder, "generate --shape wide.png --size 20" + kOutputs, "40000");
-  checkRefused(folder, "generate --shape black.png --size 20" + kOutputs, "shape \"black.png\": The mask is empty");
+  checkRefused(folder, "generate --shape black.png --size 20" + kOutputs, "shape \"black.png\": the mask is empty");
   checkRefused(folder, "generate --shape text.png --size 20" + kOutputs, "text.png");
   checkRefused(folder, "generate --shape flat.svg" + kOutputs, "flat.svg");
   checkRefused(folder, "generate --shape broken.svg" + kOutputs, "broken.svg");
@@ -1711,9 +1712,9 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--copies 2", "NxM, two whole numbers");
   refused("--copies 2x2.5", "print.copies is [2, 2.5]; it must be two whole numbers");
   refused("--brim 51", "print.brim is 51");
-  refused("--printer mk4", "--printer: \"mk4\" is not a printer profile");
-  refused("--preset paper", "--preset: \"paper\" is not a preset");
-  refused("--filament abs", "--filament: \"abs\" is not a filament profile; known are petg, pla, pla-silk");
+  refused("--printer mk4", "--printer: \"mk4\" is unknown for printer.profile");
+  refused("--preset paper", "--preset: \"paper\" is unknown for toolpath.preset");
+  refused("--filament abs", "--filament: \"abs\" is unknown for printer.filament; known are petg, pla, pla-silk");
   refused("--bed 200", "--bed is \"200\"");
   refused("--bed 10x10", "bed");  // smaller than the plate
   refused("--place 300,300", "bed");

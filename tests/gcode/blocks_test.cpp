@@ -82,7 +82,7 @@ TEST_CASE("the flow that a start block sets holds for the whole print, its speed
   CHECK(flows("PRINT_START") == "S100, ");
   // A maker's own block is no news.
   for (const char* id : {"prusa-mk3s", "prusa-mini"}) {
-    REQUIRE(applyProfile(ProfileKind::Printer, id, job.printer).empty());
+    REQUIRE_FALSE(applyProfile(ProfileKind::Printer, id, job.printer));
     const Written written = job.write();
     CHECK(written.text.find("\nM221 S95\n") != std::string::npos);
     for (const Warning& warning : written.result.value().warnings) CHECK(warning.code != WarningCode::StartFlow);

@@ -105,7 +105,7 @@ TEST_CASE("every printer and filament makes a file without faults") {
       CAPTURE(preset.id + " " + filament.id);
       Job job = plate(30, 20, 0.5);
       job.printer = preset.printer;
-      REQUIRE(applyProfile(ProfileKind::Filament, filament.id, job.printer).empty());
+      REQUIRE_FALSE(applyProfile(ProfileKind::Filament, filament.id, job.printer));
       if (job.printer.flavor == GcodeFlavor::Bambu) {
         CHECK(job.write().result.error().message.find("printer.startGcode is empty") == 0);
         job.printer.startGcode = "G28\nM190 S{first_layer_bed_temperature}\nM109 S{first_layer_temperature}";

@@ -564,7 +564,7 @@ TEST_CASE("an Orca preset gives its own values and names what it inherits") {
 
 TEST_CASE("our own projects give their printer back") {
   Printer printer;
-  REQUIRE(applyProfile(ProfileKind::Printer, "creality-k1", printer).empty());
+  REQUIRE_FALSE(applyProfile(ProfileKind::Printer, "creality-k1", printer));
   const ImportedPrinter read = imported(writePrinter(printer));
   CHECK(read.source == "project");
   const ImportedPrinter own = imported(R"({"sillon": 1, "printer": {"profile": "prusa-mk4s", "nozzle": 0.6}})");
@@ -974,7 +974,7 @@ TEST_CASE("the profile of the same machine tells what files do not") {
   const ImportedPrinter read = imported(kDonor);
   CHECK(read.profile == "prusa-mk4s");
   Printer profile;
-  REQUIRE(applyProfile(ProfileKind::Printer, "prusa-mk4s", profile).empty());
+  REQUIRE_FALSE(applyProfile(ProfileKind::Printer, "prusa-mk4s", profile));
   CHECK(read.printer.screenSizes == profile.screenSizes);
   CHECK(read.printer.maxSegmentsPerSecond == profile.maxSegmentsPerSecond);
   CHECK(read.printer.machineAcceleration == profile.machineAcceleration);
