@@ -443,7 +443,7 @@ TEST_CASE("what cannot be read is listed with its value") {
   CHECK(notes(read, "temperature is \"500\"; it must be 170 to 300"));
   CHECK(notes(read, "gcode_flavor is \"sailfish\"; known are"));
   CHECK(notes(read, "thumbnails is \"8x8\""));
-  CHECK(notes(read, "the start block has \"{if x}\" in line 2"));
+  CHECK(notes(read, "printer.startGcode has \"{if x}\" in line 2"));
   CHECK(read.read == std::vector<std::string>{"max_print_height", "start_gcode"});
   CHECK(problem("hello = world\n") == "the file has no setting of a printer that is known here");
   CHECK(problem("") != "");

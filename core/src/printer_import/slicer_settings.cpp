@@ -323,7 +323,7 @@ void judgeBlocks(ImportedPrinter& out) {
   for (const auto& [name, text] :
        {std::pair{"printer.startGcode", &out.printer.startGcode}, {"printer.endGcode", &out.printer.endGcode}}) {
     if (const auto expanded = expandTemplate(*text, values, name); !expanded) {
-      addNote(out.notRead, importNote("Placeholder", {{"detail", expanded.error().message}}));
+      addNote(out.notRead, importNote(expanded.error()));
     }
   }
 }
