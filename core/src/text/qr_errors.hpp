@@ -2,16 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 
-#include "sillon/base/result.hpp"
+#include "base/refused.hpp"
 
 namespace sillon {
 
-inline Error qrTooLong(std::size_t bytes) {
-  return {ErrorCode::TooLarge,
-          "the text has " + std::to_string(bytes) +
-              " bytes; no QR code of this correction holds it: shorten it, or lower the correction"};
-}
+inline Error qrTooLong(std::size_t bytes) { return refused(ErrorCode::TooLarge, "QrTooLong", {{"bytes", bytes}}); }
 
 }  // namespace sillon
