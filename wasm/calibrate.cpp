@@ -83,8 +83,12 @@ val calibrate(const std::string& kind, const val& from, const val& to, const std
     if (!project) return failure(project.error());
     const std::vector<std::string>& kinds = sillon::calibrationKinds();
     const auto found = std::find(kinds.begin(), kinds.end(), kind);
-    if (found == kinds.end())
-      return failure("InvalidArgument", "kind is \"" + kind + "\"; it must be one of the kinds");
+    if (found == kinds.end()) {
+      std::string choices;
+      for (const std::string& one : kinds) choices += (choices.empty() ? "" : ", ") + one;
+      return failure(sillon::refusedArgument(
+          "NotChoice", {{"setting", "kind"}, {"value", sillon::inQuotes(kind)}, {"choices", choices}}));
+    }
     auto made = sillon::makeCalibration({static_cast<sillon::CalibrationKind>(found - kinds.begin()), optionalOf(from),
                                          optionalOf(to), project.value()},
                                         run);

@@ -11,8 +11,10 @@
 #include <string_view>
 #include <vector>
 
+#include "base/refused.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/shape.hpp"
@@ -227,11 +229,8 @@ inline sillon::Result<sillon::Image> imageFrom(const val& js, const std::string&
   const bool sized = whole(width, 1, sillon::kMaxImageSide) && whole(height, 1, sillon::kMaxImageSide) &&
                      whole(channels, 1, 4) && width * height <= static_cast<double>(sillon::kMaxImagePixels);
   if (!sized || length != width * height * channels) {
-    return sillon::Error{sillon::ErrorCode::InvalidArgument,
-                         name +
-                             " is a picture whose sides, channels (1 to 4) and number of samples do not fit; it "
-                             "needs width * height * channels samples, sides of 1 to 32768 pixels and at most 100 "
-                             "million pixels"};
+    return sillon::refusedArgument("SamplesUnlikeSides",
+                                   {{"name", name}, {"side", sillon::kMaxImageSide}, {"millions", 100}});
   }
   sillon::Image image{static_cast<int>(width), static_cast<int>(height), static_cast<int>(channels), {}};
   if (js["samples"]["BYTES_PER_ELEMENT"].as<int>() == 2) {
@@ -248,21 +247,19 @@ inline sillon::Result<sillon::Image> imageFrom(const val& js, const std::string&
 
 /// Makes a reader of files by their names; a file is bytes or a picture.
 inline sillon::ReadInput reader(const val& files) {
-  return [files](const std::string& name, const std::string& what) -> sillon::Result<sillon::InputFile> {
+  return [files](const std::string& name, const std::string& /*what*/) -> sillon::Result<sillon::InputFile> {
     const val file = files[name];
     if (file.isUndefined() || file.isNull()) {
-      return sillon::Error{sillon::ErrorCode::InvalidArgument,
-                           "the " + what + " \"" + name + "\" is named but not given; hand its bytes over"};
+      return sillon::refusedArgument("FileNotGiven", {{"file", sillon::inQuotes(name)}});
     }
     if (file["samples"].isUndefined()) {
       std::string content = bytes(file);
       if (content.empty()) {
-        return sillon::Error{sillon::ErrorCode::InvalidFile,
-                             "the " + what + " \"" + name + "\" is empty; it must hold at least one byte"};
+        return sillon::refusedFile("FileEmpty", {{"file", sillon::inQuotes(name)}});
       }
       return sillon::InputFile(std::move(content));
     }
-    sillon::Result<sillon::Image> image = imageFrom(file, "the " + what);
+    sillon::Result<sillon::Image> image = imageFrom(file, sillon::inQuotes(name));
     if (!image) return image.error();
     return sillon::InputFile(std::move(image).value());
   };

@@ -136,10 +136,7 @@ val rebrush(const std::string& projectJson, const val& files, const std::string&
   return guarded([&](sillon::RunContext& run) {
     const auto project = call::projectOf(projectJson);
     if (!project) return failure(project.error());
-    if (print->plates > 1) {
-      return failure("InvalidFile", "file holds " + std::to_string(print->plates) +
-                                        " plates; export them one by one, so that none is forgotten");
-    }
+    if (print->plates > 1) return failure(sillon::refusedFile("SeveralPlates", {{"count", print->plates}}));
     sillon::RebrushOptions options;
     options.project = project.value();
     options.read = convert::reader(files);
