@@ -128,9 +128,9 @@ TEST_CASE("sizes out of range are refused with their value") {
   Shape tall = get(makeRectangle({1, 100}));
   checkRefused(scaledToWidth(tall, 101), ErrorCode::InvalidArgument, "height");
   checkRefused(scaledToWidth(Shape{}, 5), ErrorCode::InvalidArgument, "page");
-  checkRefused(scaledToWidth(get(makeRectangle({1000, 1000})), 1e-7), ErrorCode::InvalidArgument, "width");
+  checkRefused(scaledToWidth(get(makeRectangle({1000, 1000})), 1e-7), ErrorCode::InvalidArgument, "shape.size.x");
   tall.paths.clear();
-  checkRefused(scaledToWidth(tall, 5), ErrorCode::EmptyShape, "Nothing");
+  checkRefused(scaledToWidth(tall, 5), ErrorCode::EmptyShape, "nothing");
 }
 
 TEST_CASE("a white mask is its page, corners and all") {
