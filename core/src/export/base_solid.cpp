@@ -56,9 +56,8 @@ Result<Mesh> baseBody(const Shape& given, const Printer& printer, const PrintPar
 
 std::optional<Error> meshDefect(const Mesh& mesh) {
   const auto isFinite = [](double value) { return std::isfinite(value); };
-  const bool finite = std::all_of(mesh.points.begin(), mesh.points.end(), [&](const auto& point) {
-    return std::all_of(point.begin(), point.end(), isFinite);
-  });
+  const bool finite = std::all_of(mesh.points.begin(), mesh.points.end(),
+                                  [&](const auto& point) { return std::all_of(point.begin(), point.end(), isFinite); });
   const bool whole = std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& triangle) {
     return *std::max_element(triangle.begin(), triangle.end()) < mesh.points.size();
   });

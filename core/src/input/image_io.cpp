@@ -122,7 +122,7 @@ constexpr Reason kCutOff("PictureCutOff");
 
 std::optional<Reason> cutOffIf(bool cut) { return cut ? std::optional(kCutOff) : std::nullopt; }
 
-/// Tells whether a TGA is cut off; empty if it is complete.
+/// Returns what is wrong with a TGA; nothing if it is complete.
 std::optional<Reason> tgaDefect(Bytes bytes) {
   TgaHeader header;
   readTgaHeader(bytes, header);
@@ -268,7 +268,7 @@ Image uprighted(const void* stored, bool deep, int orientation, Image image) {
 
 // ---- BMP ----
 
-/// Checks the header and the length of a BMP; empty if both are good.
+/// Returns what is wrong with the header or the length of a BMP; nothing if both are good.
 std::optional<Reason> bmpDefect(Bytes bytes) {
   if (bytes.size() < 26) return kCutOff;
   const std::uint64_t offset = le32(bytes, 10);
