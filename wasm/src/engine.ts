@@ -23,6 +23,15 @@ const mostThreadsAside = 2;
 type PlateCall = Omit<Extract<Call, { name: 'generateToolpath' }>, 'name' | 'number'>;
 type GcodeCall = Extract<Call, { name: 'checkGcode' | 'packGcode' }>;
 
+/** The value of a call: mostly that of the engine's function of the same name. */
+type ValueOf<Name extends Call['name']> = Name extends 'linesOfDrawing'
+  ? string[]
+  : Name extends 'readProject'
+    ? string
+    : Name extends keyof api.Engine
+      ? Awaited<ReturnType<api.Engine[Name]>>
+      : never;
+
 /** Starts an engine with a worker for plates and, once needed, a second one for all other calls. */
 export async function startEngine(platform: Platform, options: unknown): Promise<api.Engine> {
   const { threads: asked, assetBase, idleTimeout, memory } = input.engineOptions(options);
@@ -36,18 +45,37 @@ export async function startEngine(platform: Platform, options: unknown): Promise
 
   // Asynchronous functions turn errors thrown by `input` into rejections. They run up to their first await when they
   // are called, so that calls enter the queue in order.
-  const run = (call: Call, options: input.CallOptions): Promise<unknown> => plates.run(call, options);
+  const runIn = async <C extends Call>(
+    queue: Queue,
+    call: C,
+    options: input.CallOptions,
+  ): Promise<ValueOf<C['name']>> => (await queue.run(call, options)) as ValueOf<C['name']>;
+  const run = <C extends Call>(call: C, options: input.CallOptions): Promise<ValueOf<C['name']>> =>
+    runIn(plates, call, options);
+  const runAside = <C extends Call>(call: C, options: input.CallOptions): Promise<ValueOf<C['name']>> =>
+    runIn(aside, call, options);
   /** Runs a call in the worker that has its file already, if that worker is idle. */
-  const runOnGcode = (call: GcodeCall, options: input.CallOptions): Promise<unknown> =>
-    (plates.has(call.file.number) ? plates : aside).run(call, options);
-  const runAside = (call: Call, options: input.CallOptions): Promise<unknown> => aside.run(call, options);
-  const texts = new Texts(platform, assets, async (file) => {
-    const call: Call = { name: 'linesOfDrawing', file: { number: 0, value: file } };
-    return (await runAside(call, input.callOptions(undefined))) as string[];
-  });
+  const runOnGcode = <C extends GcodeCall>(call: C, options: input.CallOptions): Promise<ValueOf<C['name']>> =>
+    runIn(plates.has(call.file.number) ? plates : aside, call, options);
+  const texts = new Texts(platform, assets, (file) =>
+    runAside({ name: 'linesOfDrawing', file: { number: 0, value: file } }, input.callOptions(undefined)),
+  );
+
+  /** Calls `use` with a plate's project and files: at once, or as soon as its letters are there.
+   * @param more  further sections of the project */
+  const withPlate = <Value>(
+    given: unknown,
+    more: Record<string, unknown>,
+    use: (project: string, files: Files) => Promise<Value>,
+  ): Promise<Value> => {
+    const { sections, files } = input.plate(given);
+    const project = input.projectText({ ...sections, ...more });
+    if (!needsTexts(sections, files)) return use(project, files);
+    return texts.addTo(files, sections).then(() => use(project, files));
+  };
   const make = async (call: PlateCall, options: input.CallOptions): Promise<api.ToolpathResult> => {
     const number = newNumber();
-    const made = (await run({ ...call, name: 'generateToolpath', number }, options)) as api.ToolpathResult;
+    const made = await run({ ...call, name: 'generateToolpath', number }, options);
     const { cycles } = made.toolpath;
     beads.mark(cycles, number, memoryOf(cycles));
     return made;
@@ -57,123 +85,93 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       return plates.info;
     },
 
-    async generateToolpath(plateInput, params, options) {
+    async generateToolpath(plate, params, options) {
       const { measure = true, across = false, ...others } = input.callOptions(options, ['measure', 'across']);
-      const { sections, files } = input.plate(plateInput);
-      if (needsTexts(sections, files)) await texts.addTo(files, sections);
-      const project = input.projectText({
-        ...sections,
-        toolpath: input.section(params, 'params'),
-      });
-      return make({ project, files, measure: measure && !across, across }, others);
+      return withPlate(plate, { toolpath: input.section(params, 'params') }, (project, files) =>
+        make({ project, files, measure: measure && !across, across }, others),
+      );
     },
 
     async warm(options) {
+      const checked = input.callOptions(options);
       // Browsers optimise code after it has run for a while: some thirty beads are enough, and take no longer than they
       // save.
-      const { sections, files } = input.plate({
-        shape: { builtin: 'disc', size: [12, 12] },
-        layers: [{ kind: 'direction', angle: 30 }],
-      });
-      const project = input.projectText(sections);
-      await make({ project, files, measure: true, across: false }, input.callOptions(options));
+      const plate = { shape: { builtin: 'disc', size: [12, 12] }, layers: [{ kind: 'direction', angle: 30 }] };
+      await withPlate(plate, {}, (project, files) => make({ project, files, measure: true, across: false }, checked));
     },
 
     async writeGcode(toolpath, printer, print, options) {
       const { below, ...checked } = input.callOptions(options, ['onChunk', 'below']);
       const { date, ...others } = input.section(print, 'print');
+      const number = checked.onChunk === undefined ? newNumber() : 0;
       const call: Call = {
         name: 'writeGcode',
         toolpath: input.toolpath(toolpath),
         below: below === undefined ? undefined : input.toolpath(below, 'below'),
         project: input.projectText({ print: others, printer: input.section(printer, 'printer') }),
         date: input.date(date),
-        number: checked.onChunk === undefined ? newNumber() : 0,
+        number,
       };
-      const written = (await run(call, checked)) as api.Gcode;
-      if (call.number !== 0) gcodes.mark(written.blob, call.number);
+      const written = await run(call, checked);
+      if (number !== 0) gcodes.mark(written.blob, number);
       return written;
     },
 
-    async writeBaseBody(shape, printer, print, options) {
+    async writeBaseBody(given, printer, print, options) {
       const checked = input.callOptions(options, ['format']);
-      const call: Call = {
-        name: 'writeBaseBody',
-        shape: input.shape(shape, 'shape'),
-        project: input.projectText({
-          print: { ...input.section(print, 'print'), date: undefined },
-          printer: input.section(printer, 'printer'),
-        }),
-        format: input.bodyFormat(checked.format),
-      };
-      return (await run(call, checked)) as Blob;
+      const project = input.projectText({
+        print: { ...input.section(print, 'print'), date: undefined },
+        printer: input.section(printer, 'printer'),
+      });
+      const [shape, format] = [input.shape(given, 'shape'), input.bodyFormat(checked.format)];
+      return run({ name: 'writeBaseBody', shape, project, format }, checked);
     },
 
     async writeSvg(toolpath, options) {
-      const checked = input.callOptions(options);
-      return (await run({ name: 'writeSvg', toolpath: input.toolpath(toolpath) }, checked)) as Blob;
+      return run({ name: 'writeSvg', toolpath: input.toolpath(toolpath) }, input.callOptions(options));
     },
 
-    async writeView(toolpath, params, options) {
-      const checked = input.callOptions(options);
-      const call: Call = {
-        name: 'writeView',
-        toolpath: input.toolpath(toolpath),
-        params: input.viewParams(params),
-      };
-      return (await run(call, checked)) as Blob;
+    async writeView(given, params, options) {
+      const toolpath = input.toolpath(given);
+      return run({ name: 'writeView', toolpath, params: input.viewParams(params) }, input.callOptions(options));
     },
 
-    async renderPreview(toolpath, params, options) {
-      const checked = input.callOptions(options);
-      const call: Call = {
-        name: 'renderPreview',
-        toolpath: input.toolpath(toolpath),
-        params: input.previewParams(params),
-      };
-      return (await run(call, checked)) as Blob;
+    async renderPreview(given, params, options) {
+      const toolpath = input.toolpath(given);
+      return run({ name: 'renderPreview', toolpath, params: input.previewParams(params) }, input.callOptions(options));
     },
 
     async readShape(shape, layers, options) {
       const checked = input.callOptions(options);
-      const { sections, files } = input.plate({ shape, layers });
-      if (needsTexts(sections, files)) await texts.addTo(files, sections);
-      return (await runAside({ name: 'readShape', project: input.projectText(sections), files }, checked)) as api.Shape;
+      return withPlate({ shape, layers }, {}, (project, files) =>
+        runAside({ name: 'readShape', project, files }, checked),
+      );
     },
 
-    async placeLayers(plateInput, params, options) {
+    async placeLayers(plate, params, options) {
       const checked = input.callOptions(options);
-      const { sections, files } = input.plate(plateInput);
-      await texts.addTo(files, sections);
-      const project = input.projectText({ ...sections, toolpath: input.section(params, 'params') });
-      const call: Call = { name: 'placeLayers', project, files };
-      return (await runAside(call, checked)) as api.PlacedLayer[];
+      return withPlate(plate, { toolpath: input.section(params, 'params') }, (project, files) =>
+        runAside({ name: 'placeLayers', project, files }, checked),
+      );
     },
 
-    async drawLayers(plateInput, params, options) {
+    async drawLayers(plate, params, options) {
       const checked = input.callOptions(options);
-      const { sections, files } = input.plate(plateInput);
-      if (needsTexts(sections, files)) await texts.addTo(files, sections);
-      const project = input.projectText({ ...sections, toolpath: input.section(params, 'params') });
-      return (await runAside({ name: 'drawLayers', project, files }, checked)) as api.DirectionRaster;
+      return withPlate(plate, { toolpath: input.section(params, 'params') }, (project, files) =>
+        runAside({ name: 'drawLayers', project, files }, checked),
+      );
     },
 
-    async makeZones(plateInput, how, options) {
+    async makeZones(plate, how, options) {
       const checked = input.callOptions(options);
-      const { sections, files } = input.plate(plateInput);
-      if (needsTexts(sections, files)) await texts.addTo(files, sections);
-      const call: Call = {
-        name: 'makeZones',
-        project: input.projectText(sections),
-        files,
-        ...input.zoneOptions(how),
-      };
-      return (await runAside(call, checked)) as api.Zones;
+      const zones = input.zoneOptions(how);
+      return withPlate(plate, {}, (project, files) =>
+        runAside({ name: 'makeZones', project, files, ...zones }, checked),
+      );
     },
 
     async decodePicture(file, options) {
-      const checked = input.callOptions(options);
-      return (await run({ name: 'decodePicture', file: input.bytesFile(file) }, checked)) as api.Picture;
+      return run({ name: 'decodePicture', file: input.bytesFile(file) }, input.callOptions(options));
     },
 
     async paintDrawing(file, options) {
@@ -182,12 +180,11 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       const files: Files = { [drawing]: input.bytesFile(file) };
       const sections = { layers: [{ kind: 'tones' }] };
       if (needsTexts(sections, files)) await texts.addTo(files, sections);
-      return (await runAside({ name: 'paintDrawing', files, drawing }, checked)) as api.Picture;
+      return runAside({ name: 'paintDrawing', files, drawing }, checked);
     },
 
     async readProject(json, options) {
-      const checked = input.callOptions(options);
-      const text = (await run({ name: 'readProject', project: input.projectJson(json) }, checked)) as string;
+      const text = await run({ name: 'readProject', project: input.projectJson(json) }, input.callOptions(options));
       const project = JSON.parse(text) as api.Project;
       const { seed } = project.toolpath;
       if (!Number.isSafeInteger(seed)) {
@@ -196,97 +193,70 @@ export async function startEngine(platform: Platform, options: unknown): Promise
       return project;
     },
 
-    async writeProject(project, options) {
-      const checked = input.callOptions(options);
-      const call: Call = { name: 'writeProject', project: input.projectText(input.project(project)) };
-      return (await run(call, checked)) as string;
+    async writeProject(given, options) {
+      const project = input.projectText(input.project(given));
+      return run({ name: 'writeProject', project }, input.callOptions(options));
     },
 
     async profiles(options) {
-      return (await run({ name: 'profiles' }, input.callOptions(options))) as api.Profiles;
+      return run({ name: 'profiles' }, input.callOptions(options));
     },
 
-    async importPrinter(file, name, options) {
-      const checked = input.callOptions(options);
-      const call: Call = { name: 'importPrinter', file: input.bytesFile(file), printer: input.printerName(name) };
-      return (await runAside(call, checked)) as api.ImportedPrinter;
+    async importPrinter(given, name, options) {
+      const [file, printer] = [input.bytesFile(given), input.printerName(name)];
+      return runAside({ name: 'importPrinter', file, printer }, input.callOptions(options));
     },
 
-    async checkGcode(file, printer, options) {
-      const checked = input.callOptions(options);
+    async checkGcode(given, printer, options) {
       const project = printer === undefined ? '' : input.projectText({ printer: input.section(printer, 'printer') });
-      return (await runOnGcode({ name: 'checkGcode', file: input.gcode(file), project }, checked)) as api.GcodeCheck;
+      return runOnGcode({ name: 'checkGcode', file: input.gcode(given), project }, input.callOptions(options));
     },
 
-    async examineBlock(block, flavor, options) {
-      const checked = input.callOptions(options);
+    async examineBlock(given, flavor, options) {
       const printer = flavor === undefined ? {} : { flavor };
       const project = input.projectText({ printer: input.section(printer, 'printer') });
-      const call: Call = { name: 'examineBlock', block: input.blockText(block), project };
-      return (await runAside(call, checked)) as api.GcodeFinding[];
+      return runAside({ name: 'examineBlock', block: input.blockText(given), project }, input.callOptions(options));
     },
 
     async packGcode(file, options) {
-      const checked = input.callOptions(options);
-      return (await runOnGcode({ name: 'packGcode', file: input.gcode(file) }, checked)) as Blob;
+      return runOnGcode({ name: 'packGcode', file: input.gcode(file) }, input.callOptions(options));
     },
 
     async listSurfaces(file, options) {
-      const call: Call = { name: 'listSurfaces', file: input.print(file) };
-      return (await runAside(call, input.callOptions(options))) as api.SlicedFile;
+      return runAside({ name: 'listSurfaces', file: input.print(file) }, input.callOptions(options));
     },
 
-    async printRelief(file, side, options) {
-      const checked = input.callOptions(options);
-      const call: Call = { name: 'printRelief', file: input.print(file), side: input.cells(side) };
-      return (await runAside(call, checked)) as api.PrintRelief;
+    async printRelief(given, cells, options) {
+      const [file, side] = [input.print(given), input.cells(cells)];
+      return runAside({ name: 'printRelief', file, side }, input.callOptions(options));
     },
 
-    async rebrush(file, how, options) {
+    async rebrush(given, how, options) {
       const checked = input.callOptions(options);
-      const { sides, fit, only, sections, files: given } = input.rebrushOptions(how);
-      if (needsTexts(sections, given)) await texts.addTo(given, sections);
-      const call: Call = {
-        name: 'rebrush',
-        file: input.print(file),
-        project: input.projectText(sections),
-        files: given,
-        sides,
-        fit,
-        only,
-      };
-      return (await runAside(call, checked)) as api.Rebrushed;
+      const { sections, files, ...others } = input.rebrushOptions(how);
+      if (needsTexts(sections, files)) await texts.addTo(files, sections);
+      const [file, project] = [input.print(given), input.projectText(sections)];
+      return runAside({ name: 'rebrush', file, project, files, ...others }, checked);
     },
 
-    async calibrate(kind, request, options) {
-      const checked = input.callOptions(options);
+    async calibrate(given, request, options) {
       const { project, ...others } = input.calibration(request);
-      const call: Call = {
-        name: 'calibrate',
-        kind: input.calibrationKind(kind),
-        project: input.projectText(project),
-        ...others,
-      };
-      return (await runAside(call, checked)) as api.Calibration;
+      const kind = input.calibrationKind(given);
+      const call = { name: 'calibrate', kind, project: input.projectText(project), ...others } as const;
+      return runAside(call, input.callOptions(options));
     },
 
     async readCoupon(photograph, request, options) {
-      const checked = input.callOptions(options);
       const { project, ...others } = input.couponRequest(request);
-      const call: Call = {
-        name: 'readCoupon',
-        picture: input.pixels(photograph, 'photograph'),
-        project: input.projectText(project),
-        ...others,
-      };
-      return (await runAside(call, checked)) as api.CouponReading;
+      const picture = input.pixels(photograph, 'photograph');
+      const call = { name: 'readCoupon', picture, project: input.projectText(project), ...others } as const;
+      return runAside(call, input.callOptions(options));
     },
 
-    async joinReadings(readings, request, options) {
-      const checked = input.callOptions(options);
+    async joinReadings(given, request, options) {
       const { lampSize } = input.couponRequest(request);
-      const call: Call = { name: 'joinReadings', readings: input.couponReadings(readings), lampSize };
-      return (await runAside(call, checked)) as api.CouponReading;
+      const readings = input.couponReadings(given);
+      return runAside({ name: 'joinReadings', readings, lampSize }, input.callOptions(options));
     },
 
     dispose() {

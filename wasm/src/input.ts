@@ -67,6 +67,12 @@ function finite(value: unknown, path: string): number {
   return value;
 }
 
+/** The engine would cut larger numbers to 32 bits. @param what  numbers that the engine accepts */
+function whole(value: unknown, path: string, what: string): number {
+  if (!Number.isInteger(value) || Math.abs(value as number) >= 2 ** 31) throw mustBe(path, value, what);
+  return value as number;
+}
+
 function pair(value: unknown, path: string): [number, number] {
   if (!Array.isArray(value) || value.length !== 2) throw mustBe(path, value, 'a list of two numbers');
   return [finite(value[0], `${path}[0]`), finite(value[1], `${path}[1]`)];
@@ -202,19 +208,8 @@ export function engineOptions(value: unknown): EngineSettings {
   return { threads, assetBase: assetBase as string | URL | undefined, idleTimeout, memory };
 }
 
-interface Prepare extends Required<Pick<api.PrepareOptions, 'posterSide'>> {
-  toolpath: api.ToolpathOptions | undefined;
-  plate: api.PlateInput;
-  printer: Partial<api.Printer>;
-  print: Partial<api.PrintParams>;
-  filament: api.ViewParams;
-  signal: AbortSignal | undefined;
-  seconds: number;
-  engine: api.EngineOptions;
-}
-
 /** Checks the options of preparePlate. Sections of a project are checked by the calls that use them. */
-export function prepareOptions(upload: unknown, value: unknown): Prepare {
+export function prepareOptions(upload: unknown, value: unknown) {
   const options = optionalFields(value, 'options');
   refuseUnknown(options, 'options', [
     ...['toolpath', 'printer', 'print', 'filament', 'posterSide', 'signal', 'limits', 'assetBase'],
@@ -232,7 +227,7 @@ export function prepareOptions(upload: unknown, value: unknown): Prepare {
   const { signal } = callOptions({ signal: options.signal });
   const { toolpath, printer = {}, print = {}, assetBase } = options as api.PrepareOptions;
   return {
-    plate: { ...fieldsOf(upload, 'upload'), printer, print },
+    plate: { ...fieldsOf(upload, 'upload'), printer, print } as api.PlateInput,
     toolpath,
     printer,
     print,
@@ -267,13 +262,9 @@ export function projectText(sections: Fields): string {
   return JSON.stringify({ sillon: 1, ...(plain(sections, '') as Fields) });
 }
 
-export function section(value: unknown, name: string): Fields {
-  return optionalFields(value, name);
-}
+export { optionalFields as section };
 
-export function project(value: unknown): Fields {
-  return fieldsOf(value, 'project');
-}
+export const project = (value: unknown): Fields => fieldsOf(value, 'project');
 
 export const printerName = (value: unknown): string => (value === undefined ? '' : text(value, 'name'));
 
@@ -313,14 +304,7 @@ export function plate(value: unknown): { sections: Fields; files: Files } {
 }
 
 /** Checks the options of makeZones, and fills in defaults. */
-export function zoneOptions(value: unknown): {
-  file: KnownFile | undefined;
-  height: number;
-  most: number;
-  least: number;
-  layerHeight: number;
-  face: readonly number[];
-} {
+export function zoneOptions(value: unknown) {
   const given = optionalFields(value, 'how');
   const body = given['body'] === undefined ? undefined : bytesFile(given['body'], undefined, 'how.body');
   const face = given['face'] === undefined ? [] : listOf(given['face'], 'how.face', finite);
@@ -329,15 +313,10 @@ export function zoneOptions(value: unknown): {
   if (face.length % 3 !== 0) throw mustBe('how.face', face, 'three numbers');
   const number = (key: string, usual: number): number =>
     given[key] === undefined ? usual : finite(given[key], `how.${key}`);
-  const most = number('most', 6);
-  // The engine would cut the number to a whole number of 32 bits.
-  if (!Number.isInteger(most) || Math.abs(most) >= 2 ** 31) {
-    throw mustBe('how.most', most, 'a whole number from 2 to 12');
-  }
   return {
     file: body,
     height: number('height', 2),
-    most,
+    most: whole(number('most', 6), 'how.most', 'a whole number from 2 to 12'),
     least: number('least', 3),
     layerHeight: number('layerHeight', 0.2),
     face,
@@ -346,20 +325,12 @@ export function zoneOptions(value: unknown): {
 
 /** Checks an index in a list. */
 function place(value: unknown, path: string): number {
-  if (!Number.isInteger(value) || (value as number) < 0 || (value as number) >= 2 ** 31) {
-    throw mustBe(path, value, 'a whole number from 0');
-  }
+  if (whole(value, path, 'a whole number from 0') < 0) throw mustBe(path, value, 'a whole number from 0');
   return value as number;
 }
 
 /** Checks the options of rebrush: sections of a project and their files. */
-export function rebrushOptions(value: unknown): {
-  sides: api.RebrushOptions['sides'];
-  fit: api.RebrushOptions['fit'];
-  only: number[];
-  sections: Fields;
-  files: Files;
-} {
+export function rebrushOptions(value: unknown) {
   const given = optionalFields(value, 'how');
   refuseUnknown(given, 'how', ['layers', 'pictures', 'toolpath', 'sides', 'fit', 'only']);
   const { layers, pictures, toolpath, sides = 'top', fit = 'face' } = given;
@@ -375,8 +346,8 @@ export function rebrushOptions(value: unknown): {
   // A bead along the border would frame the pictures in tones that they do not have.
   const lowest = (sections['layers'] as Fields[] | undefined)?.[0];
   const border = lowest?.['kind'] === 'picture' ? { perimeterMode: 'soft' } : {};
-  const params = { ...border, ...section(toolpath, 'how.toolpath') };
-  return { sides, fit, only, sections: { ...sections, toolpath: params }, files };
+  const params = { ...border, ...optionalFields(toolpath, 'how.toolpath') };
+  return { sides, fit, only, sections: { ...sections, toolpath: params }, files } as const;
 }
 
 export function calibrationKind(value: unknown): api.CalibrationKind {
@@ -389,21 +360,17 @@ const optionalNumber = (value: unknown, path: string): number | undefined =>
   value === undefined ? undefined : finite(value, path);
 
 /** Reads the common fields of both calls about calibration prints: the project, and the range of values. */
-function calibrated(given: Fields): { project: Fields; from: number | undefined; to: number | undefined } {
-  const print = { ...section(given['print'], 'request.print'), date: undefined };
+function calibrated(given: Fields) {
+  const print = { ...optionalFields(given['print'], 'request.print'), date: undefined };
   return {
-    project: { print, printer: section(given['printer'], 'request.printer') },
+    project: { print, printer: optionalFields(given['printer'], 'request.printer') },
     from: optionalNumber(given['from'], 'request.from'),
     to: optionalNumber(given['to'], 'request.to'),
   };
 }
 
 /** Checks the request of calibrate. */
-export function calibration(value: unknown): ReturnType<typeof calibrated> & {
-  filament: api.ViewParams | undefined;
-  date: string;
-  pictureSide: number;
-} {
+export function calibration(value: unknown) {
   const given = optionalFields(value, 'request');
   refuseUnknown(given, 'request', ['printer', 'print', 'toolpath', 'from', 'to', 'filament', 'pictureSide']);
   const { pictureSide = 0, filament } = given;
@@ -411,22 +378,18 @@ export function calibration(value: unknown): ReturnType<typeof calibrated> & {
   if (!Number.isInteger(side) || (side !== 0 && (side < 64 || side > 1024))) {
     throw mustBe('request.pictureSide', side, '0 or a whole number from 64 to 1024');
   }
-  const { project, from, to } = calibrated(given);
+  const { project, ...range } = calibrated(given);
   return {
-    project: { ...project, toolpath: section(given['toolpath'], 'request.toolpath') },
-    from,
-    to,
+    project: { ...project, toolpath: optionalFields(given['toolpath'], 'request.toolpath') },
+    ...range,
     filament: filament === undefined ? undefined : viewParams(filament),
-    date: date(section(given['print'], 'request.print')['date']),
+    date: date(optionalFields(given['print'], 'request.print')['date']),
     pictureSide: side,
   };
 }
 
 /** Checks the request of readCoupon and joinReadings. */
-export function couponRequest(value: unknown): ReturnType<typeof calibrated> & {
-  lampSize: number | undefined;
-  lampElevation: number | undefined;
-} {
+export function couponRequest(value: unknown) {
   const given = optionalFields(value, 'request');
   refuseUnknown(given, 'request', ['printer', 'print', 'from', 'to', 'lampSize', 'lampElevation']);
   return {
@@ -509,12 +472,8 @@ export function previewParams(value: unknown): api.PreviewParams {
   const { panels = 'both', colour = [24, 78, 168], slopes = [2.36, 17.32] } = params;
   if (panels !== 'both' && panels !== 'look') throw mustBe('panels', panels, '"both" or "look"');
   const { width = panels === 'look' ? 1024 : 1600, lightAzimuth = 60, lightElevation = 35 } = params;
-  // The engine would cut the number to 32 bits.
-  if (!Number.isInteger(width) || Math.abs(width as number) >= 2 ** 31) {
-    throw mustBe('width', width, `a whole number from 16 to ${panels === 'look' ? 1024 : 16384}`);
-  }
   return {
-    width: width as number,
+    width: whole(width, 'width', `a whole number from 16 to ${panels === 'look' ? 1024 : 16384}`),
     panels,
     colour: rgb(colour, 'colour'),
     slopes: pair(slopes, 'slopes'),
@@ -523,13 +482,8 @@ export function previewParams(value: unknown): api.PreviewParams {
   };
 }
 
-/** Checks the cells of the longer side of a relief; the engine would cut the number to 32 bits. */
-export function cells(value: unknown = 1024): number {
-  if (!Number.isInteger(value) || Math.abs(value as number) >= 2 ** 31) {
-    throw mustBe('side', value, 'a whole number from 16 to 4096');
-  }
-  return value as number;
-}
+/** Checks the cells of the longer side of a relief. */
+export const cells = (value: unknown = 1024): number => whole(value, 'side', 'a whole number from 16 to 4096');
 
 export function viewParams(value: unknown): api.ViewParams {
   const params = optionalFields(value, 'params');

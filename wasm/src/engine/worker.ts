@@ -364,6 +364,11 @@ function brought<T>({ number, value }: Known<T>): T {
   return value;
 }
 
+async function bytesIn(known: KnownFile): Promise<Uint8Array> {
+  const file = brought(known);
+  return file instanceof Blob ? bytesOf(file, 'file') : file;
+}
+
 /** Brings a file into the engine. A print may have 200 MB: it is copied in pieces and is never whole in JavaScript. */
 async function bringIn(known: KnownFile, module: SillonModule): Promise<void> {
   const file = brought(known);
@@ -535,15 +540,10 @@ async function perform(call: Call, module: SillonModule): Promise<unknown> {
       const made = valueOf(module.makeZones(call.project, files, body, params, onProgress));
       return { ...made, file: new Blob([made.file], { type: 'model/3mf' }) } satisfies api.Zones;
     }
-    case 'linesOfDrawing': {
-      const file = brought(call.file);
-      return valueOf(module.linesOfDrawing(file instanceof Blob ? await bytesOf(file, 'file') : file));
-    }
-    case 'decodePicture': {
-      const file = brought(call.file);
-      const bytes = file instanceof Blob ? await bytesOf(file, 'file') : file;
-      return valueOf(module.decodePicture(bytes, 'file'));
-    }
+    case 'linesOfDrawing':
+      return valueOf(module.linesOfDrawing(await bytesIn(call.file)));
+    case 'decodePicture':
+      return valueOf(module.decodePicture(await bytesIn(call.file), 'file'));
     case 'paintDrawing':
       return valueOf(module.paintDrawing(await inputsOf(call.files, module), call.drawing));
     case 'readProject':

@@ -20,8 +20,9 @@ import { printers, printersByFile, withPrinter } from '../model/printers.js';
 import { expertSettings, settings, type SettingId } from '../model/settings.js';
 import { builtinShapes, withShape } from '../model/shapes.js';
 import { filamentLabel } from '../print/filament-name.js';
+import { products } from '../print/downloads.js';
 import { pickPrinter } from '../print/machine-fields.js';
-import type { Product, Studio } from '../studio/studio.js';
+import type { Studio } from '../studio/studio.js';
 import { pickSliced } from './pick-sliced.js';
 import { showSetting } from '../controls/show-setting.js';
 
@@ -67,210 +68,72 @@ const tools = [
   ['mode', 'mode', 'M'],
   ['erase', 'erase', 'E'],
 ] as const;
-const products: readonly (readonly [Product, IconName, string?])[] = [
-  ['gcode', 'print', 'Ctrl Shift S'],
-  ['body', 'body'],
-  ['zones', 'body'],
-  ['svg', 'toolpath'],
-  ['png', 'camera'],
-  ['loop', 'video'],
-  ['view', 'sun'],
-  ['project', 'file', 'Ctrl S'],
-];
+const action = (icon: IconName, label: string, more: Partial<Action>, run: () => void): Action => ({
+  group: '',
+  icon,
+  label,
+  ...more,
+  run,
+});
 
 /** Returns the actions that are listed without a search. */
 function usual(studio: Studio): Action[] {
   const { store } = studio;
   const { plate, compare } = store.state;
+  const [files, view, light] = [t('verb.download'), t('view.title'), t('light.title')];
   return [
-    {
-      group: '',
-      label: t('verb.open'),
-      icon: 'open',
-      keys: 'Ctrl O',
-      also: also('open'),
-      run: () => void studio.pick().then((files) => studio.open(files)),
-    },
-    {
-      group: '',
-      label: t('verb.new'),
-      icon: 'plus',
-      run: () => {
-        studio.services.newPlate();
-      },
-    },
-    {
-      group: '',
-      label: t('verb.plates'),
-      icon: 'gallery',
-      run: () => {
-        studio.show('plates');
-      },
-    },
-    {
-      group: '',
-      label: t('section.gallery'),
-      icon: 'gallery',
-      run: () => {
-        studio.show('gallery');
-      },
-    },
-    {
-      group: '',
-      label: t('verb.undo'),
-      icon: 'undo',
-      also: also('undo'),
-      keys: 'Ctrl Z',
-      disabled: !store.canUndo,
-      run: () => {
-        store.undo();
-      },
-    },
-    {
-      group: '',
-      label: t('verb.redo'),
-      icon: 'redo',
-      keys: 'Ctrl Shift Z',
-      disabled: !store.canRedo,
-      run: () => {
-        store.redo();
-      },
-    },
-    {
-      group: '',
-      label: t('verb.share'),
-      icon: 'share',
-      also: also('share'),
-      run: () => {
-        studio.show('share');
-      },
-    },
-    {
-      group: '',
-      label: t('verb.rebrush'),
-      icon: 'comb',
-      also: also('rebrush'),
-      run: () => void pickSliced(studio),
-    },
-    ...(['first', 'calibrate'] as const).map((dialog) => ({
-      group: '',
-      label: t(`verb.${dialog}`),
-      icon: dialog === 'first' ? ('print' as const) : ('tune' as const),
-      also: also(dialog),
-      run: () => {
-        studio.show(dialog);
-      },
-    })),
-    {
-      group: '',
-      label: say(printerWords, 'sheet.title'),
-      icon: 'print',
-      also: also('printer'),
-      run: () => {
-        studio.show('printer');
-      },
-    },
-    {
-      group: '',
-      label: say(exportWords, 'card.title'),
-      icon: 'sun',
-      keys: 'Ctrl P',
-      also: also('card'),
-      run: () => {
-        studio.show('card');
-      },
-    },
-    {
-      group: '',
-      label: t('help.title'),
-      icon: 'help',
-      keys: '?',
-      run: () => {
-        studio.show('help');
-      },
-    },
-    ...products.map(([product, name, keys = '']) => ({
-      group: t('verb.download'),
-      label: t(`export.${product}`),
-      icon: name,
-      keys,
-      also:
-        product === 'gcode' || product === 'zones' || product === 'svg' || product === 'loop' || product === 'project'
-          ? also(product)
-          : '',
-      disabled: product === 'body' && plate.print.base === 0,
-      run: () => void studio.save(product),
-    })),
-    ...views.map(([view, name], k) => ({
-      group: t('view.title'),
-      label: t(`view.${view}`),
-      icon: 'light' as const,
-      also: also(name),
-      keys: String(k + 1),
-      run: () => {
-        studio.setView(view);
-      },
-    })),
-    ...sections.map((section) => ({
-      group: t('app.settings'),
-      label: t(`section.${section}`),
-      icon: section,
-      also: also(section),
-      run: () => {
-        studio.setPanel(section);
-      },
-    })),
-    ...tools.map(([tool, name, keys]) => ({
-      group: t('tool.title'),
-      label: t(`tool.${tool}`),
-      icon: name,
-      keys,
-      run: () => {
-        studio.setTool(tool);
-      },
-    })),
-    { group: '', label: t('verb.fit'), icon: 'fit', keys: '0', run: () => studio.stage?.fit() },
-    { group: '', label: t('verb.zoomIn'), icon: 'plus', keys: '+', run: () => studio.stage?.zoom(1.4) },
-    { group: '', label: t('verb.zoomOut'), icon: 'minus', keys: '-', run: () => studio.stage?.zoom(1 / 1.4) },
-    {
-      group: '',
-      label: say(words, 'keys.compare'),
-      icon: 'compare',
-      keys: 'C',
-      run: () => {
-        store.set({ compare: !compare, view: 'appearance' });
-      },
-    },
-    {
-      group: '',
-      label: say(words, 'keys.play'),
-      icon: 'play',
-      keys: 'P',
-      run: () => {
-        studio.togglePlay();
-      },
-    },
-    ...(['pointer', 'orbit', 'fixed'] as const).map((mode) => ({
-      group: t('light.title'),
-      label: t(`light.${mode}`),
-      icon: 'sun' as const,
-      also: also('light'),
-      run: () => void studio.setLightMode(mode),
-    })),
-    ...(['auto', 'light', 'dark'] as const).map((theme) => ({
-      group: t('theme.title'),
-      label: t(`theme.${theme}`),
-      icon: 'half' as const,
-      run: () => {
-        studio.setTheme(theme);
-      },
-    })),
-    ...Object.entries(languages).map(([key, { name }]) => ({
-      group: t('language.title'),
-      label: name,
-      icon: 'share' as const,
-      run: () => void studio.setLanguage(key),
-    })),
+    action('open', t('verb.open'), { keys: 'Ctrl O', also: also('open') }, () => void studio.openPicked()),
+    action('plus', t('verb.new'), {}, () => studio.services.newPlate()),
+    action('gallery', t('verb.plates'), {}, studio.opens('plates')),
+    action('gallery', t('section.gallery'), {}, studio.opens('gallery')),
+    action('undo', t('verb.undo'), { also: also('undo'), keys: 'Ctrl Z', disabled: !store.canUndo }, () =>
+      store.undo(),
+    ),
+    action('redo', t('verb.redo'), { keys: 'Ctrl Shift Z', disabled: !store.canRedo }, () => store.redo()),
+    action('share', t('verb.share'), { also: also('share') }, studio.opens('share')),
+    action('comb', t('verb.rebrush'), { also: also('rebrush') }, () => void pickSliced(studio)),
+    action('print', t('verb.first'), { also: also('first') }, studio.opens('first')),
+    action('tune', t('verb.calibrate'), { also: also('calibrate') }, studio.opens('calibrate')),
+    action('print', say(printerWords, 'sheet.title'), { also: also('printer') }, studio.opens('printer')),
+    action('sun', say(exportWords, 'card.title'), { keys: 'Ctrl P', also: also('card') }, studio.opens('card')),
+    action('help', t('help.title'), { keys: '?' }, studio.opens('help')),
+    ...products.map(([product, icon]) => {
+      const known =
+        product === 'gcode' || product === 'zones' || product === 'svg' || product === 'loop' || product === 'project';
+      const disabled = product === 'body' && plate.print.base === 0;
+      const keys = { gcode: 'Ctrl Shift S', project: 'Ctrl S' }[product as string] ?? '';
+      const more = { group: files, keys, also: known ? also(product) : '', disabled };
+      return action(icon, t(`export.${product}`), more, () => void studio.save(product));
+    }),
+    ...views.map(([name, known], k) =>
+      action('light', t(`view.${name}`), { group: view, also: also(known), keys: String(k + 1) }, () =>
+        studio.setView(name),
+      ),
+    ),
+    ...sections.map((section) =>
+      action(section, t(`section.${section}`), { group: t('app.settings'), also: also(section) }, () =>
+        studio.setPanel(section),
+      ),
+    ),
+    ...tools.map(([tool, icon, keys]) =>
+      action(icon, t(`tool.${tool}`), { group: t('tool.title'), keys }, () => studio.setTool(tool)),
+    ),
+    action('fit', t('verb.fit'), { keys: '0' }, () => studio.stage?.fit()),
+    action('plus', t('verb.zoomIn'), { keys: '+' }, () => studio.stage?.zoom(1.4)),
+    action('minus', t('verb.zoomOut'), { keys: '-' }, () => studio.stage?.zoom(1 / 1.4)),
+    action('compare', say(words, 'keys.compare'), { keys: 'C' }, () =>
+      store.set({ compare: !compare, view: 'appearance' }),
+    ),
+    action('play', say(words, 'keys.play'), { keys: 'P' }, () => studio.togglePlay()),
+    ...(['pointer', 'orbit', 'fixed'] as const).map((mode) =>
+      action('sun', t(`light.${mode}`), { group: light, also: also('light') }, () => void studio.setLightMode(mode)),
+    ),
+    ...(['auto', 'light', 'dark'] as const).map((theme) =>
+      action('half', t(`theme.${theme}`), { group: t('theme.title') }, () => studio.setTheme(theme)),
+    ),
+    ...Object.entries(languages).map(([key, { name }]) =>
+      action('share', name, { group: t('language.title') }, () => void studio.setLanguage(key)),
+    ),
   ];
 }
 
@@ -287,59 +150,40 @@ function rare(studio: Studio): Action[] {
   return [
     ...layerKinds
       .filter((kind) => kind !== 'strokes')
-      .map((kind) => ({
-        group: l('add'),
-        label: l(`kind.${kind}`),
-        icon: 'layers' as const,
-        also: kind === 'text' || kind === 'code' || kind === 'drawing' || kind === 'picture' ? also(kind) : '',
-        run: () => void addLayer(studio, kind),
-      })),
-    ...[...pictureFills, ...patternFills].map((fill) => ({
-      group: t('section.layers'),
-      label: t(`source.${fill}`),
-      icon: fillIcons[fill],
-      also: alsoFill(fill),
-      run: () => void chooseFill(studio, fill),
-    })),
-    ...builtinShapes.map((shape) => ({
-      group: t('section.shape'),
-      label: a(`kind.${shape}`),
-      icon: 'shape' as const,
-      run: change((plate) => withShape(plate, shape)),
-    })),
-    ...printers.map((printer) => ({
-      group: t('section.printer'),
-      label: printerLabel(printer),
-      icon: 'print' as const,
-      run: choose((plate) => withPrinter(plate, printer.key)),
-    })),
-    ...printersByFile.map(({ label }) => ({
-      group: t('section.printer'),
-      label: say(printerWords, 'printer.byFile', { name: label }),
-      icon: 'print' as const,
-      run: () => void pickPrinter(studio),
-    })),
-    ...filaments.map((filament) => ({
-      group: t('section.filament'),
-      label: filamentLabel(filament),
-      icon: 'print' as const,
-      run: choose((plate) => withFilament(plate, filament.key)),
-    })),
+      .map((kind) => {
+        const known = kind === 'text' || kind === 'code' || kind === 'drawing' || kind === 'picture';
+        const more = { group: l('add'), also: known ? also(kind) : '' };
+        return action('layers', l(`kind.${kind}`), more, () => void addLayer(studio, kind));
+      }),
+    ...[...pictureFills, ...patternFills].map((fill) => {
+      const more = { group: t('section.layers'), also: alsoFill(fill) };
+      return action(fillIcons[fill], t(`source.${fill}`), more, () => void chooseFill(studio, fill));
+    }),
+    ...builtinShapes.map((shape) => {
+      const choice = change((plate) => withShape(plate, shape));
+      return action('shape', a(`kind.${shape}`), { group: t('section.shape') }, choice);
+    }),
+    ...printers.map((printer) => {
+      const choice = choose((plate) => withPrinter(plate, printer.key));
+      return action('print', printerLabel(printer), { group: t('section.printer') }, choice);
+    }),
+    ...printersByFile.map(({ label: name }) => {
+      const label = say(printerWords, 'printer.byFile', { name });
+      return action('print', label, { group: t('section.printer') }, () => void pickPrinter(studio));
+    }),
+    ...filaments.map((filament) => {
+      const choice = choose((plate) => withFilament(plate, filament.key));
+      return action('print', filamentLabel(filament), { group: t('section.filament') }, choice);
+    }),
     ...settings
       .filter(({ id }) => !expertSettings.has(id))
       .map(({ id, section }) => {
         const { [id]: name } = otherNames;
-        return {
-          group: t(
-            section === 'pictures' ? 'section.layers' : section === 'printer' ? 'section.printer' : 'section.print',
-          ),
-          label: settingLabel({ id }),
-          icon: 'tune' as const,
-          also: name === undefined ? id : `${id} ${also(name)}`,
-          run: () => void showSetting(studio, id),
-        };
+        const place = section === 'pictures' ? 'layers' : section === 'printer' ? 'printer' : 'print';
+        const more = { group: t(`section.${place}`), also: name === undefined ? id : `${id} ${also(name)}` };
+        return action('tune', settingLabel({ id }), more, () => void showSetting(studio, id));
       }),
-  ].map((action) => ({ ...action, rare: true }));
+  ].map((one) => ({ ...one, rare: true }));
 }
 
 export const actionsOf = (studio: Studio): Action[] => [...usual(studio), ...rare(studio)];

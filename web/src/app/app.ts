@@ -13,6 +13,7 @@ import type { Handed, PointerPlace } from './take-in.js';
 import { composes, offers, ownControls, type Dialog } from '../studio/shown.js';
 import { onShortcut, typesText } from './shortcuts.js';
 import '../stage/stage.js';
+import { button } from '../controls/button.js';
 
 type Tab = [name: Section | 'own', image: IconName, label: string];
 
@@ -71,163 +72,160 @@ interface Handing {
 export class App extends StudioElement {
   static override reads = ['plate', 'panel', 'dialog', 'dropping', 'mode', 'controls'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        display: grid;
-        grid-template: auto auto minmax(0, 1fr) / minmax(0, 1fr);
-        height: 100%;
+  static override styles = css`
+    :host {
+      display: grid;
+      grid-template: auto auto minmax(0, 1fr) / minmax(0, 1fr);
+      height: 100%;
+    }
+    .skip {
+      position: fixed;
+      top: 8px;
+      left: 8px;
+      z-index: 5;
+    }
+    .skip:not(:focus) {
+      top: -80px;
+    }
+    .work {
+      grid-row: 3;
+      position: relative;
+      display: grid;
+      grid-template-columns: 5rem auto minmax(0, 1fr);
+      min-height: 0;
+    }
+    nav {
+      display: flex;
+      flex-direction: column;
+      gap: 4px;
+      padding: 10px 6px;
+      border-right: 1px solid var(--line);
+      background: var(--surface);
+    }
+    nav button {
+      position: relative;
+      flex-direction: column;
+      gap: 4px;
+      min-height: 60px;
+      padding: 6px 2px;
+      border-color: transparent;
+      background: none;
+      color: var(--soft);
+      font-size: var(--small);
+    }
+    nav button[aria-expanded='true'] {
+      background: var(--tint);
+      color: var(--accent);
+    }
+    .panel {
+      width: min(20.75rem, 40vw);
+      border-right: 1px solid var(--line);
+      background: var(--surface);
+      overflow: auto;
+      overscroll-behavior: contain;
+      scrollbar-width: thin;
+      scrollbar-color: var(--line) transparent;
+    }
+    sillon-stage {
+      grid-column: 3; /* where it is without the panel, too */
+    }
+    .only {
+      grid-area: 1 / 1 / -1 / 2;
+    }
+    .grip {
+      display: none;
+    }
+    @media (max-width: 980px) {
+      .panel {
+        width: clamp(300px, 40vw, 18.75rem);
       }
-      .skip {
-        position: fixed;
-        top: 8px;
-        left: 8px;
-        z-index: 5;
-      }
-      .skip:not(:focus) {
-        top: -80px;
-      }
+    }
+    /* A low window keeps the sections at its side; where it is narrow, too, an open one leaves the bench what is left. */
+    @media (max-height: 479px) {
       .work {
-        grid-row: 3;
-        position: relative;
-        display: grid;
-        grid-template-columns: 5rem auto minmax(0, 1fr);
-        min-height: 0;
+        grid-template-columns: 3.5rem auto minmax(0, 1fr);
       }
       nav {
-        display: flex;
-        flex-direction: column;
-        gap: 4px;
-        padding: 10px 6px;
-        border-right: 1px solid var(--line);
-        background: var(--surface);
+        gap: 0;
+        padding: 4px 2px;
+        overflow-y: auto;
       }
       nav button {
-        position: relative;
-        flex-direction: column;
-        gap: 4px;
-        min-height: 60px;
-        padding: 6px 2px;
-        border-color: transparent;
-        background: none;
-        color: var(--soft);
-        font-size: var(--small);
+        min-height: max(44px, var(--control));
+        padding: 2px;
       }
-      nav button[aria-expanded='true'] {
-        background: var(--tint);
-        color: var(--accent);
-      }
+    }
+    @media (max-width: 720px) and (max-height: 479px) {
       .panel {
-        width: min(20.75rem, 40vw);
-        border-right: 1px solid var(--line);
-        background: var(--surface);
-        overflow: auto;
-        overscroll-behavior: contain;
-        scrollbar-width: thin;
-        scrollbar-color: var(--line) transparent;
+        width: min(20rem, 100vw - 3.5rem);
+      }
+    }
+    @media (max-width: 720px) and (min-height: 480px) {
+      .work {
+        grid-template: minmax(0, 1fr) auto auto / minmax(0, 1fr);
       }
       sillon-stage {
-        grid-column: 3; /* where it is without the panel, too */
+        grid-area: 1 / 1;
       }
-      .only {
-        grid-area: 1 / 1 / -1 / 2;
+      .panel {
+        grid-row: 2;
+        width: auto;
+        height: min(46dvh, 420px, 100dvh - 228px); /* the rest: head, sections, status, and a word */
+        border-right: 0;
+        border-top: 1px solid var(--line);
+        border-radius: 14px 14px 0 0;
+        position: relative;
+        z-index: 2;
+        box-shadow: 0 -6px 20px var(--shade);
       }
       .grip {
+        position: sticky;
+        top: 0;
+        z-index: 3;
+        display: flex;
+        justify-content: center;
+        width: 100%;
+        min-height: 24px;
+        border: 0;
+        border-radius: 14px 14px 0 0;
+        background: var(--surface);
+      }
+      .grip::before {
+        content: '';
+        width: 40px;
+        height: 4px;
+        border-radius: 2px;
+        background: var(--edge);
+      }
+      nav {
+        grid-row: 3;
+        /* Alike, but none narrower than its word: some fonts are wide, and some people need large ones. */
+        display: grid;
+        grid-auto-columns: minmax(max-content, 1fr);
+        grid-auto-flow: column;
+        overflow-x: auto;
+        gap: 0;
+        padding: 4px 4px calc(4px + env(safe-area-inset-bottom));
+        border-right: 0;
+        border-top: 1px solid var(--line);
+        z-index: 2;
+      }
+      nav button {
+        min-height: 52px;
+      }
+    }
+    /* On paper, controls are of no use: there is the lamp card, or else the plate. */
+    @media print {
+      sillon-header,
+      sillon-brought,
+      sillon-welcome,
+      nav,
+      .panel,
+      .work:has(~ sillon-lamp-card) {
         display: none;
       }
-      @media (max-width: 980px) {
-        .panel {
-          width: clamp(300px, 40vw, 18.75rem);
-        }
-      }
-      /* A low window keeps the sections at its side; where it is narrow, too, an open one leaves the bench what is left. */
-      @media (max-height: 479px) {
-        .work {
-          grid-template-columns: 3.5rem auto minmax(0, 1fr);
-        }
-        nav {
-          gap: 0;
-          padding: 4px 2px;
-          overflow-y: auto;
-        }
-        nav button {
-          min-height: max(44px, var(--control));
-          padding: 2px;
-        }
-      }
-      @media (max-width: 720px) and (max-height: 479px) {
-        .panel {
-          width: min(20rem, 100vw - 3.5rem);
-        }
-      }
-      @media (max-width: 720px) and (min-height: 480px) {
-        .work {
-          grid-template: minmax(0, 1fr) auto auto / minmax(0, 1fr);
-        }
-        sillon-stage {
-          grid-area: 1 / 1;
-        }
-        .panel {
-          grid-row: 2;
-          width: auto;
-          height: min(46dvh, 420px, 100dvh - 228px); /* the rest: head, sections, status, and a word */
-          border-right: 0;
-          border-top: 1px solid var(--line);
-          border-radius: 14px 14px 0 0;
-          position: relative;
-          z-index: 2;
-          box-shadow: 0 -6px 20px var(--shade);
-        }
-        .grip {
-          position: sticky;
-          top: 0;
-          z-index: 3;
-          display: flex;
-          justify-content: center;
-          width: 100%;
-          min-height: 24px;
-          border: 0;
-          border-radius: 14px 14px 0 0;
-          background: var(--surface);
-        }
-        .grip::before {
-          content: '';
-          width: 40px;
-          height: 4px;
-          border-radius: 2px;
-          background: var(--edge);
-        }
-        nav {
-          grid-row: 3;
-          /* Alike, but none narrower than its word: some fonts are wide, and some people need large ones. */
-          display: grid;
-          grid-auto-columns: minmax(max-content, 1fr);
-          grid-auto-flow: column;
-          overflow-x: auto;
-          gap: 0;
-          padding: 4px 4px calc(4px + env(safe-area-inset-bottom));
-          border-right: 0;
-          border-top: 1px solid var(--line);
-          z-index: 2;
-        }
-        nav button {
-          min-height: 52px;
-        }
-      }
-      /* On paper, controls are of no use: there is the lamp card, or else the plate. */
-      @media print {
-        sillon-header,
-        sillon-brought,
-        sillon-welcome,
-        nav,
-        .panel,
-        .work:has(~ sillon-lamp-card) {
-          display: none;
-        }
-      }
-    `,
-  ];
+    }
+  `;
 
   override render(): TemplateResult {
     const { panel, dialog, dropping, mode, plate } = this.state;
@@ -236,7 +234,7 @@ export class App extends StudioElement {
       return html`<sillon-stage class="only" role="main" .studio=${this.studio}></sillon-stage>`;
     }
     return html`
-      <button type="button" class="skip" @click=${this.#skip}>${t('app.skip')}</button>
+      ${button('skip', t('app.skip'), this.#skip)}
       <sillon-header role="banner" .studio=${this.studio}></sillon-header>
       <sillon-brought .studio=${this.studio}></sillon-brought>
       <div class="work">
@@ -247,9 +245,7 @@ export class App extends StudioElement {
                 type="button"
                 aria-expanded=${String(panel === name)}
                 aria-controls="panel"
-                @click=${() => {
-                  this.studio.setPanel(panel === name ? '' : name);
-                }}
+                @click=${() => this.studio.setPanel(panel === name ? '' : name)}
               >
                 ${icon(image, 22)} <span>${label}</span>
               </button>`,
@@ -262,14 +258,7 @@ export class App extends StudioElement {
           ?hidden=${panel === ''}
           tabindex="-1"
         >
-          <button
-            type="button"
-            class="grip"
-            aria-label=${t('verb.close')}
-            @click=${() => {
-              this.studio.setPanel('');
-            }}
-          ></button>
+          ${button({ look: 'grip', label: t('verb.close') }, html``, () => this.studio.setPanel(''))}
           ${this.#part('panel', panels[panel])}
           ${
             panel === 'layers' && mode === 'edit' && isBare(plate) && this.lazy(loadFacts)
@@ -318,20 +307,11 @@ export class App extends StudioElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    addEventListener('dragover', this.#onDragOver);
-    addEventListener('drop', this.#onDrop);
-    addEventListener('paste', this.#onPaste);
-    addEventListener('pointermove', this.#onPointer);
-    addEventListener('keydown', this.#onKey);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    removeEventListener('dragover', this.#onDragOver);
-    removeEventListener('drop', this.#onDrop);
-    removeEventListener('paste', this.#onPaste);
-    removeEventListener('pointermove', this.#onPointer);
-    removeEventListener('keydown', this.#onKey);
+    this.listen('dragover', this.#onDragOver);
+    this.listen('drop', this.#onDrop);
+    this.listen('paste', this.#onPaste);
+    this.listen('pointermove', this.#onPointer);
+    this.listen('keydown', this.#onKey);
   }
 
   /** Last place of the pointer: content that is pasted may be meant for it. */
@@ -355,9 +335,7 @@ export class App extends StudioElement {
     if (!this.#brings(event, ...this.#texts()) || !this.#takesFiles()) return;
     // Enter and leave events come for every element; if no dragover comes for a moment, the files are gone.
     clearTimeout(this.#leaving);
-    this.#leaving = setTimeout(() => {
-      this.studio.store.set({ dropping: false });
-    }, 300);
+    this.#leaving = setTimeout(() => this.studio.store.set({ dropping: false }), 300);
     if (!this.state.dropping) this.studio.store.set({ dropping: true });
   };
 

@@ -18,77 +18,63 @@ declare global {
 export class DropTargets extends StudioElement {
   static override reads = ['plate', 'panel'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        position: fixed;
-        inset: 0;
-        z-index: 10;
-        display: grid;
-        grid-template-rows: 1fr auto;
-        gap: 12px;
-        padding: 14px;
-        pointer-events: none;
-      }
-      .target {
-        display: grid;
-        align-content: center;
-        justify-items: center;
-        gap: 8px;
-        padding: 16px;
-        border: 2px dashed var(--accent);
-        border-radius: 14px;
-        background: color-mix(in srgb, var(--surface) 92%, transparent);
-        text-align: center;
-      }
-      b {
-        font-size: var(--display);
-        font-weight: 600;
-        letter-spacing: -0.02em;
-      }
-      .layer {
-        align-content: start;
-        background: color-mix(in srgb, var(--surface) 45%, transparent); /* the place on the plate is chosen */
-      }
-      .layer span,
-      .layer b {
-        padding: 2px 14px;
-        border-radius: var(--radius-large);
-        background: var(--raised);
-      }
-      .shape {
-        min-height: max(96px, 22vh);
-      }
-      .over {
-        border-style: solid;
-        border-width: 3px;
-        background: color-mix(in srgb, var(--tint) 92%, transparent);
-      }
-      .layer.over {
-        background: color-mix(in srgb, var(--tint) 45%, transparent);
-      }
-    `,
-  ];
+  static override styles = css`
+    :host {
+      position: fixed;
+      inset: 0;
+      z-index: 10;
+      display: grid;
+      grid-template-rows: 1fr auto;
+      gap: 12px;
+      padding: 14px;
+      pointer-events: none;
+    }
+    .target {
+      display: grid;
+      align-content: center;
+      justify-items: center;
+      gap: 8px;
+      padding: 16px;
+      border: 2px dashed var(--accent);
+      border-radius: 14px;
+      background: color-mix(in srgb, var(--surface) 92%, transparent);
+      text-align: center;
+    }
+    b {
+      font-size: var(--display);
+      letter-spacing: -0.02em;
+    }
+    .layer {
+      align-content: start;
+      background: color-mix(in srgb, var(--surface) 45%, transparent); /* the place on the plate is chosen */
+    }
+    .layer span,
+    .layer b {
+      padding: 2px 14px;
+      border-radius: var(--radius-large);
+      background: var(--raised);
+    }
+    .shape {
+      min-height: max(96px, 22vh);
+    }
+    .over {
+      border-style: solid;
+      border-width: 3px;
+      background: color-mix(in srgb, var(--tint) 92%, transparent);
+    }
+    .layer.over {
+      background: color-mix(in srgb, var(--tint) 45%, transparent);
+    }
+  `;
 
   @state() private over: 'layer' | 'shape' = 'layer';
   @query('.shape') private shape!: HTMLElement | null;
-  readonly #end = new AbortController();
 
   override connectedCallback(): void {
     super.connectedCallback();
-    addEventListener(
-      'dragover',
-      (event) => {
-        this.over = this.isShape(event) ? 'shape' : 'layer';
-      },
-      { signal: this.#end.signal },
-    );
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#end.abort();
+    this.listen('dragover', (event) => {
+      this.over = this.isShape(event) ? 'shape' : 'layer';
+    });
   }
 
   override render(): TemplateResult {

@@ -14,6 +14,7 @@ import { coaster } from '../plates/examples.js';
 import { icon } from '../controls/icons.js';
 import { printerField, takePrinter } from '../print/machine-fields.js';
 import type { Shown } from '../studio/shown.js';
+import { button } from '../controls/button.js';
 
 type First = 'coupon' | 'coaster';
 
@@ -22,22 +23,18 @@ export class FirstPrint extends DialogElement {
   static override reads = ['plate', 'progress'] as const;
 
   static override styles = [
-    ...DialogElement.styles,
     choiceCards,
     css`
       dialog {
         width: min(720px, calc(100vw - 24px));
       }
-      .body,
-      .steps,
       .step {
         display: grid;
         gap: 12px;
       }
       .steps {
+        display: grid;
         gap: 22px;
-        margin: 0;
-        padding: 0;
         list-style: none;
         counter-reset: step;
       }
@@ -82,12 +79,8 @@ export class FirstPrint extends DialogElement {
         width: 52px;
         height: 52px;
       }
-      .words {
-        display: grid;
-      }
       .words b {
         font-size: var(--lead);
-        font-weight: 600;
       }
       .take {
         display: flex;
@@ -124,23 +117,20 @@ export class FirstPrint extends DialogElement {
   @state() private first: First = 'coupon';
   @state() private coupon: Calibration | undefined;
   #job: AbortController | undefined;
-  readonly #end = new AbortController();
 
   protected override heading = (): string => c('first.title');
 
   override connectedCallback(): void {
     super.connectedCallback();
     // Capturing listeners run before those of the page below.
-    for (const kind of ['dragover', 'drop'] as const) {
-      addEventListener(kind, this.#onFile, { signal: this.#end.signal, capture: true });
-    }
+    this.listen('dragover', this.#onFile, true);
+    this.listen('drop', this.#onFile, true);
     void this.#estimate();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#job?.abort();
-    this.#end.abort();
   }
 
   /** Reads the printer from a file of the visitor's slicer. */
@@ -186,15 +176,7 @@ export class FirstPrint extends DialogElement {
         <li class="step">
           <h2>${c('first.download')}</h2>
           <div class="take">
-            <button
-              type="button"
-              class="main"
-              @click=${() => {
-                this.#save();
-              }}
-            >
-              ${icon('download')} ${c('first.download')}
-            </button>
+            ${button('main', html`${icon('download')} ${c('first.download')}`, () => this.#save())}
             ${
               this.first === 'coupon' && this.coupon !== undefined
                 ? html`<span class="note figures">${costText(this.coupon)}</span>`
@@ -207,16 +189,9 @@ export class FirstPrint extends DialogElement {
           <ul class="after">
             ${(['first.after1', 'first.after2', 'first.after3'] as const).map((id) => html`<li>${c(id)}</li>`)}
           </ul>
-          <button
-            type="button"
-            @click=${() => {
-              this.close(() => {
-                this.studio.show('calibrate');
-              });
-            }}
-          >
-            ${icon('tune', 16)} ${t('verb.calibrate')}
-          </button>
+          ${button('', html`${icon('tune', 16)} ${t('verb.calibrate')}`, () =>
+            this.close(this.studio.opens('calibrate')),
+          )}
         </li>
       </ol>`;
   }

@@ -8,171 +8,164 @@ import { StudioElement } from '../controls/element.js';
 import { typing } from '../controls/fields.js';
 import { icon, mark, type IconName } from '../controls/icons.js';
 import { offers } from '../studio/shown.js';
+import { button } from '../controls/button.js';
 
 const loadDownloads = (): Promise<unknown> => import('../print/downloads.js');
 const loadMenu = (): Promise<unknown> => import('./menu.js');
+
+type Popover = 'menu' | 'export';
 
 @customElement('sillon-header')
 export class Header extends StudioElement {
   static override reads = ['plate', 'mode', 'controls'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        display: flex;
-        align-items: center;
-        gap: 6px;
-        height: var(--bar);
-        padding: 0 12px 0 14px;
-        border-bottom: 1px solid var(--line);
-        background: var(--surface);
-      }
-      h1 {
-        display: flex;
-        align-items: center;
-        gap: 9px;
-        font-size: var(--lead);
-        font-weight: 600;
-        letter-spacing: 0.01em;
-      }
-      h1 .mark {
-        color: var(--accent);
-      }
+  static override styles = css`
+    :host {
+      display: flex;
+      align-items: center;
+      gap: 6px;
+      height: var(--bar);
+      padding: 0 12px 0 14px;
+      border-bottom: 1px solid var(--line);
+      background: var(--surface);
+    }
+    h1 {
+      display: flex;
+      align-items: center;
+      gap: 9px;
+      font-size: var(--lead);
+      font-weight: 600;
+      letter-spacing: 0.01em;
+    }
+    h1 .mark {
+      color: var(--accent);
+    }
+    input.name {
+      field-sizing: content;
+      width: 20ch;
+      min-width: 0;
+      margin: 0 6px 0 10px;
+      border-color: transparent;
+      background: none;
+      color: var(--soft);
+      text-overflow: ellipsis;
+    }
+    input.name:hover,
+    input.name:focus {
+      border-color: var(--edge);
+      color: var(--ink);
+    }
+    @supports (field-sizing: content) {
       input.name {
-        field-sizing: content;
-        width: 20ch;
-        min-width: 0;
-        margin: 0 6px 0 10px;
-        border-color: transparent;
-        background: none;
-        color: var(--soft);
-        text-overflow: ellipsis;
+        width: auto;
+        max-width: 40ch;
       }
-      input.name:hover,
-      input.name:focus {
-        border-color: var(--edge);
-        color: var(--ink);
+    }
+    .space {
+      flex: 1;
+    }
+    .files {
+      display: flex;
+      flex: none;
+      gap: 1px;
+      margin-left: 4px;
+    }
+    .main {
+      padding: 0 14px;
+      min-height: max(34px, var(--control));
+      border-radius: var(--radius) 0 0 var(--radius);
+    }
+    .main .long {
+      max-width: 15rem;
+    }
+    .main .short {
+      display: none;
+    }
+    .main.all {
+      min-width: calc(var(--control) - 4px);
+      padding: 0 7px;
+      border-radius: 0 var(--radius) var(--radius) 0;
+    }
+    @media (pointer: coarse) {
+      .main.all {
+        min-width: var(--control);
       }
-      @supports (field-sizing: content) {
-        input.name {
-          width: auto;
-          max-width: 40ch;
-        }
-      }
-      .space {
-        flex: 1;
-      }
-      .files {
-        display: flex;
-        flex: none;
-        gap: 1px;
-        margin-left: 4px;
-      }
-      .main {
-        padding: 0 14px;
-        min-height: max(34px, var(--control));
-        border-radius: var(--radius) 0 0 var(--radius);
-      }
+    }
+    [popover] {
+      position: fixed;
+      inset: calc(var(--bar) + 2px) 10px auto auto;
+      width: 292px;
+      max-height: calc(100dvh - var(--bar) - 20px);
+      margin: 0;
+      padding: 6px;
+      color: var(--ink);
+      overflow: auto;
+    }
+    #menu {
+      inset-inline: 10px auto;
+    }
+    @media (max-width: 1120px) {
       .main .long {
-        max-width: 15rem;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
+        max-width: 9rem;
       }
-      .main .short {
+    }
+    @media (max-width: 980px) {
+      .examples {
+        width: var(--control);
+        padding: 0;
+      }
+      .examples .words {
+        position: absolute;
+        clip-path: inset(50%);
+        width: 1px; /* else words would reach out of the page */
+        overflow: hidden;
+      }
+    }
+    @media (max-width: 820px) {
+      .main .long {
         display: none;
       }
+      .main .short {
+        display: inline;
+      }
+    }
+    @media (max-width: 400px) {
+      .main:not(.all) {
+        width: 44px;
+        padding: 0;
+      }
+      .main .words {
+        position: absolute;
+        clip-path: inset(50%);
+        width: 1px; /* else words would reach out of the page */
+        overflow: hidden;
+      }
+    }
+    @media (max-height: 479px) {
+      button {
+        min-height: calc(var(--bar) - 6px) !important;
+      }
+    }
+    @media (max-width: 560px) {
+      :host {
+        padding: 0 6px 0 10px;
+        gap: 2px;
+      }
+      h1 .word {
+        position: absolute;
+        clip-path: inset(50%); /* still heard: a heading needs its word */
+      }
+      input.name {
+        display: none;
+      }
+      .main {
+        padding: 0 10px;
+      }
       .main.all {
-        min-width: calc(var(--control) - 4px);
-        padding: 0 7px;
-        border-radius: 0 var(--radius) var(--radius) 0;
+        padding: 0 4px;
       }
-      @media (pointer: coarse) {
-        .main.all {
-          min-width: var(--control);
-        }
-      }
-      [popover] {
-        position: fixed;
-        inset: calc(var(--bar) + 2px) 10px auto auto;
-        width: 292px;
-        max-height: calc(100dvh - var(--bar) - 20px);
-        margin: 0;
-        padding: 6px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--surface);
-        color: var(--ink);
-        box-shadow: var(--lift);
-        overflow: auto;
-      }
-      #menu {
-        inset-inline: 10px auto;
-      }
-      @media (max-width: 1120px) {
-        .main .long {
-          max-width: 9rem;
-        }
-      }
-      @media (max-width: 980px) {
-        .examples {
-          width: var(--control);
-          padding: 0;
-        }
-        .examples .words {
-          position: absolute;
-          clip-path: inset(50%);
-          width: 1px; /* else words would reach out of the page */
-          overflow: hidden;
-        }
-      }
-      @media (max-width: 820px) {
-        .main .long {
-          display: none;
-        }
-        .main .short {
-          display: inline;
-        }
-      }
-      @media (max-width: 400px) {
-        .main:not(.all) {
-          width: 44px;
-          padding: 0;
-        }
-        .main .words {
-          position: absolute;
-          clip-path: inset(50%);
-          width: 1px; /* else words would reach out of the page */
-          overflow: hidden;
-        }
-      }
-      @media (max-height: 479px) {
-        button {
-          min-height: calc(var(--bar) - 6px) !important;
-        }
-      }
-      @media (max-width: 560px) {
-        :host {
-          padding: 0 6px 0 10px;
-          gap: 2px;
-        }
-        h1 .word {
-          position: absolute;
-          clip-path: inset(50%); /* still heard: a heading needs its word */
-        }
-        input.name {
-          display: none;
-        }
-        .main {
-          padding: 0 10px;
-        }
-        .main.all {
-          padding: 0 4px;
-        }
-      }
-    `,
-  ];
+    }
+  `;
 
   override render(): TemplateResult {
     const { plate, mode } = this.state;
@@ -184,16 +177,11 @@ export class Header extends StudioElement {
       <span class="space"></span>
       ${
         edits
-          ? html`<button
-              type="button"
-              class="plain examples"
-              title=${t('section.gallery')}
-              @click=${() => {
-                this.studio.show('gallery');
-              }}
-            >
-              ${icon('gallery')} <span class="words">${t('section.gallery')}</span>
-            </button>`
+          ? button(
+              { look: 'plain examples', title: t('section.gallery') },
+              html`${icon('gallery')} <span class="words">${t('section.gallery')}</span>`,
+              this.studio.opens('gallery'),
+            )
           : nothing
       }
       ${offers(this.state, 'download') ? this.#download(plate) : nothing}
@@ -204,12 +192,8 @@ export class Header extends StudioElement {
   #steps(): TemplateResult | typeof nothing {
     const { store } = this.studio;
     if (!store.canUndo && !store.canRedo) return nothing;
-    return html`${this.#button('undo', t('verb.undo'), 'Ctrl+Z', !store.canUndo, () => {
-      store.undo();
-    })}
-    ${this.#button('redo', t('verb.redo'), 'Ctrl+Shift+Z', !store.canRedo, () => {
-      store.redo();
-    })}`;
+    return html`${this.#button('undo', t('verb.undo'), 'Ctrl+Z', !store.canUndo, () => store.undo())}
+    ${this.#button('redo', t('verb.redo'), 'Ctrl+Shift+Z', !store.canRedo, () => store.redo())}`;
   }
 
   /** Returns the field of the plate's name; Escape restores the name. */
@@ -249,53 +233,36 @@ export class Header extends StudioElement {
   }
 
   #button(name: IconName, label: string, keys: string, disabled: boolean, run: () => void): TemplateResult {
-    return html`<button
-      type="button"
-      class="plain square"
-      aria-label=${label}
-      aria-keyshortcuts=${keys.replace('Ctrl', 'Control')}
-      title="${label} (${keys})"
-      ?disabled=${disabled}
-      @click=${run}
-    >
-      ${icon(name)}
-    </button>`;
+    const how = { look: 'plain square', label, title: `${label} (${keys})`, keys: keys.replace('Ctrl', 'Control') };
+    return button({ ...how, disabled }, icon(name), run);
   }
 
-  #hide(): void {
+  #hide = (): void => {
     for (const open of this.renderRoot.querySelectorAll<HTMLElement>('[popover]:popover-open')) open.hidePopover();
-  }
+  };
 
-  /** Returns the focus to the button that opened the popover: browsers lose it, and later dialogs return it there. */
+  readonly #opened = new Set<Popover>();
+
+  /** Notes a popover that opens. When it closes, the focus returns to the button that opened it: browsers lose it, and
+   * later dialogs return it there. */
   #onToggle = ({ currentTarget, newState }: ToggleEvent): void => {
     const popover = currentTarget as HTMLElement;
     if (newState === 'closed' && popover.matches(':focus-within'))
       this.renderRoot.querySelector<HTMLElement>(`[popovertarget=${popover.id}]`)?.focus();
+    this.#opened.add(popover.id as Popover);
+    this.requestUpdate();
   };
 
-  /** Returns the popover of downloads; its content is loaded when it is first opened. */
-  #exports(): TemplateResult {
-    return html`<div
-      id="export"
-      popover
-      role="group"
-      aria-label=${t('section.export')}
-      @beforetoggle=${(event: ToggleEvent) => {
-        this.#onToggle(event);
-        this.#opened = true;
-        this.requestUpdate();
-      }}
-    >
-      ${
-        this.#opened && this.lazy(loadDownloads)
-          ? html`<sillon-downloads
-              .studio=${this.studio}
-              @done=${() => {
-                this.#hide();
-              }}
-            ></sillon-downloads>`
-          : nothing
-      }
+  #opener(popover: Popover, label: string, look: string, name: IconName): TemplateResult {
+    return html`<button type="button" class=${look} aria-label=${label} title=${label} popovertarget=${popover}>
+      ${icon(name)}
+    </button>`;
+  }
+
+  /** Returns a popover, whose content is loaded when it is first opened. */
+  #popover(id: Popover, label: string, load: () => Promise<unknown>, content: TemplateResult): TemplateResult {
+    return html`<div id=${id} popover class="raft" role="group" aria-label=${label} @beforetoggle=${this.#onToggle}>
+      ${this.#opened.has(id) && this.lazy(load) ? content : nothing}
     </div>`;
   }
 
@@ -304,66 +271,25 @@ export class Header extends StudioElement {
     const name = machineName(printer);
     const label = name === '' ? t('export.gcode') : t('export.gcodeFor', { printer: name });
     return html`<div class="files" role="group" aria-label=${t('section.export')}>
-        <button
-          type="button"
-          class="main"
-          aria-label=${label}
-          title=${label}
-          @click=${() => {
-            void this.studio.save('gcode');
-          }}
-        >
-          ${icon('download')}<span class="words long">${name === '' ? t('export.gcode') : label}</span
-          ><span class="words short">${t('export.gcode')}</span>
-        </button>
-        <button
-          type="button"
-          class="main all"
-          aria-label=${t('verb.download')}
-          title=${t('verb.download')}
-          popovertarget="export"
-        >
-          ${icon('fold')}
-        </button>
+        ${button(
+          { look: 'main', name: label },
+          html`${icon('download')}<span class="words long cut">${name === '' ? t('export.gcode') : label}</span
+            ><span class="words short">${t('export.gcode')}</span>`,
+          () => void this.studio.save('gcode'),
+        )}
+        ${this.#opener('export', t('verb.download'), 'main all', 'fold')}
       </div>
-      ${this.#exports()}`;
+      ${this.#popover(
+        'export',
+        t('section.export'),
+        loadDownloads,
+        html`<sillon-downloads .studio=${this.studio} @done=${this.#hide}></sillon-downloads>`,
+      )}`;
   }
 
-  #opened = false;
-  #menuOpened = false;
-
-  /** Returns the menu; its content is loaded when it is first opened. */
   #menu(): TemplateResult {
-    return html`<button
-        type="button"
-        class="plain square"
-        aria-label=${t('app.menu')}
-        title=${t('app.menu')}
-        popovertarget="menu"
-      >
-        ${icon('menu')}
-      </button>
-      <div
-        id="menu"
-        popover
-        role="group"
-        aria-label=${t('app.menu')}
-        @beforetoggle=${(event: ToggleEvent) => {
-          this.#onToggle(event);
-          this.#menuOpened = true;
-          this.requestUpdate();
-        }}
-      >
-        ${
-          this.#menuOpened && this.lazy(loadMenu)
-            ? html`<sillon-menu
-                .studio=${this.studio}
-                @done=${() => {
-                  this.#hide();
-                }}
-              ></sillon-menu>`
-            : nothing
-        }
-      </div>`;
+    const menu = html`<sillon-menu .studio=${this.studio} @done=${this.#hide}></sillon-menu>`;
+    return html`${this.#opener('menu', t('app.menu'), 'plain square', 'menu')}
+    ${this.#popover('menu', t('app.menu'), loadMenu, menu)}`;
   }
 }

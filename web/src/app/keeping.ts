@@ -41,9 +41,7 @@ export class Keeper {
       },
       onTaken: () => {
         made.save(studio.store.steps);
-        void plateWords().then((words) => {
-          studio.notify(say(words, 'plates.taken'));
-        });
+        void plateWords().then((words) => studio.notify(say(words, 'plates.taken')));
       },
       ...(host === undefined ? {} : { host }),
     });

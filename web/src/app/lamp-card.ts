@@ -15,6 +15,7 @@ import { icon } from '../controls/icons.js';
 import { miniature } from '../views/miniature.js';
 import { smallLook } from '../views/plate-look.js';
 import { filamentName } from '../print/filament-name.js';
+import { button } from '../controls/button.js';
 
 const pictureSide = 640; // [pixels] for 50 mm on paper
 const away = 60; // [cm] from the plate to the lamp
@@ -65,114 +66,107 @@ function drawing({ azimuth, elevation }: Light): TemplateResult {
 export class LampCard extends DialogElement {
   static override reads = ['plate', 'result'] as const;
 
-  static override styles = [
-    ...DialogElement.styles,
-    css`
-      .body {
-        display: grid;
-        gap: 14px;
-      }
-      h3 {
-        color: var(--ink);
-        font-size: var(--title);
-        letter-spacing: normal;
-        text-transform: none;
-      }
-      .facts {
-        display: grid;
-        gap: 2px;
-      }
-      .lamps {
-        display: grid;
-        gap: 14px;
-      }
+  static override styles = css`
+    h3 {
+      color: var(--ink);
+      font-size: var(--title);
+      letter-spacing: normal;
+      text-transform: none;
+    }
+    .facts {
+      display: grid;
+      gap: 2px;
+    }
+    .lamps {
+      display: grid;
+      gap: 14px;
+    }
+    .lamps > li {
+      display: grid;
+      grid-template-columns: minmax(0, 9rem) minmax(0, 1fr);
+      gap: 6px 18px;
+      align-items: center;
+      padding-top: 14px;
+      border-top: 1px solid var(--line);
+      break-inside: avoid;
+    }
+    .lamps p {
+      grid-column: 1 / -1;
+    }
+    img {
+      width: 100%;
+      aspect-ratio: 1;
+      object-fit: contain;
+    }
+    .lamps svg {
+      width: 100%;
+      max-height: 11rem;
+    }
+    .line {
+      fill: none;
+      stroke: var(--edge);
+    }
+    .plate {
+      fill: var(--soft);
+    }
+    .ray {
+      stroke: var(--ink);
+      stroke-dasharray: 3 3;
+    }
+    .lamp {
+      fill: #f5b400;
+      stroke: var(--ink);
+    }
+    .lamps text {
+      fill: var(--ink);
+      font-size: 10px;
+      text-anchor: middle;
+      dominant-baseline: central;
+    }
+    .take {
+      justify-self: start;
+    }
+    @media (max-width: 560px) {
       .lamps > li {
-        display: grid;
-        grid-template-columns: minmax(0, 9rem) minmax(0, 1fr);
-        gap: 6px 18px;
-        align-items: center;
-        padding-top: 14px;
-        border-top: 1px solid var(--line);
-        break-inside: avoid;
-      }
-      .lamps p {
-        grid-column: 1 / -1;
+        grid-template-columns: minmax(0, 1fr);
+        justify-items: center;
       }
       img {
-        width: 100%;
-        aspect-ratio: 1;
-        object-fit: contain;
+        width: 9rem;
       }
-      .lamps svg {
-        width: 100%;
-        max-height: 11rem;
+    }
+    @media print {
+      dialog {
+        --surface: #fff;
+        --ink: #000;
+        --soft: #333;
+        --line: #999;
+        --edge: #666;
+        position: absolute;
+        inset: 0 0 auto;
+        width: auto;
+        max-width: none;
+        max-height: none;
+        margin: 0;
+        border: 0;
+        border-radius: 0;
+        box-shadow: none;
+        overflow: visible;
+        print-color-adjust: exact;
       }
-      .line {
-        fill: none;
-        stroke: var(--edge);
+      dialog::backdrop,
+      dialog sillon-notices,
+      button {
+        display: none !important;
       }
-      .plate {
-        fill: var(--soft);
+      dialog > .body {
+        overflow: visible;
       }
-      .ray {
-        stroke: var(--ink);
-        stroke-dasharray: 3 3;
+      .lamps > li {
+        grid-template-columns: 50mm minmax(0, 1fr);
       }
-      .lamp {
-        fill: #f5b400;
-        stroke: var(--ink);
-      }
-      .lamps text {
-        fill: var(--ink);
-        font-size: 10px;
-        text-anchor: middle;
-        dominant-baseline: central;
-      }
-      .take {
-        justify-self: start;
-      }
-      @media (max-width: 560px) {
-        .lamps > li {
-          grid-template-columns: minmax(0, 1fr);
-          justify-items: center;
-        }
-        img {
-          width: 9rem;
-        }
-      }
-      @media print {
-        dialog {
-          --surface: #fff;
-          --ink: #000;
-          --soft: #333;
-          --line: #999;
-          --edge: #666;
-          position: absolute;
-          inset: 0 0 auto;
-          width: auto;
-          max-width: none;
-          max-height: none;
-          margin: 0;
-          border: 0;
-          border-radius: 0;
-          box-shadow: none;
-          overflow: visible;
-          print-color-adjust: exact;
-        }
-        dialog::backdrop,
-        dialog sillon-notices,
-        button {
-          display: none !important;
-        }
-        dialog > .body {
-          overflow: visible;
-        }
-        .lamps > li {
-          grid-template-columns: 50mm minmax(0, 1fr);
-        }
-      }
-    `,
-  ];
+    }
+  `;
 
   protected override heading = (): string => say(words, 'card.title');
 
@@ -234,15 +228,7 @@ export class LampCard extends DialogElement {
           </li>`;
         })}
       </ul>
-      <button
-        type="button"
-        class="main take"
-        @click=${() => {
-          print();
-        }}
-      >
-        ${icon('print')} ${say(words, 'card.print')}
-      </button>`;
+      ${button('main take', html`${icon('print')} ${say(words, 'card.print')}`, () => print())}`;
   }
 
   /** Returns the kind of lamp, if its size is one of those with a name. */

@@ -17,9 +17,7 @@ import { createOpener } from './opening.js';
 const linkWithin = 10_000; // [ms] for a link: nobody who follows one wants to see another plate first
 const keepsAfter = 60_000; // [ms] to wait for the first plate, since some plates cannot be made
 
-addEventListener('vite:preloadError', ({ payload }) => {
-  markUnfetched(payload);
-});
+addEventListener('vite:preloadError', ({ payload }) => markUnfetched(payload));
 
 /** First picture of a first visit; requested before anything else. */
 const shimmer = firstVisit
@@ -113,9 +111,9 @@ async function start(): Promise<void> {
   }
   pipeline.start();
   if ('launchQueue' in window) {
-    void import('../files/handed.js').then(({ onLaunched }) => {
-      onLaunched((files) => void studio.open(files), studio.handles);
-    });
+    void import('../files/handed.js').then(({ onLaunched }) =>
+      onLaunched((files) => void studio.open(files), studio.handles),
+    );
   }
   // Files for the next visit would compete for the network with this one. Without threads there is no wait, since the
   // page is then loaded again at once.

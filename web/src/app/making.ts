@@ -19,18 +19,10 @@ export function createMaking(
   const maker = new StudioEngine(
     { load: () => loadEngine(threads, first()), now: () => performance.now() },
     {
-      onResult: (result) => {
-        pipeline.onResult(result);
-      },
-      onProgress: (progress) => {
-        store.set({ progress });
-      },
-      onProblem: (problem) => {
-        store.set({ problem });
-      },
-      onInfo: (engine) => {
-        store.set({ engine });
-      },
+      onResult: (result) => pipeline.onResult(result),
+      onProgress: (progress) => store.set({ progress }),
+      onProblem: (problem) => store.set({ problem }),
+      onInfo: (engine) => store.set({ engine }),
     },
   );
   const engine = () => maker.engine();
@@ -42,12 +34,8 @@ export function createMaking(
   followDirections(store, engine);
   const making: MakingServices & PlacingServices = {
     engine,
-    cancel: () => {
-      pipeline.cancel();
-    },
-    retry: () => {
-      pipeline.retry();
-    },
+    cancel: () => pipeline.cancel(),
+    retry: () => pipeline.retry(),
     gcode: () => pipeline.gcode(),
     body: () => pipeline.body(),
     zones: () => pipeline.zones(),

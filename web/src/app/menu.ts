@@ -8,6 +8,7 @@ import type { Theme } from '../model/state.js';
 import { StudioElement } from '../controls/element.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { menuStyle } from '../controls/menu-style.js';
+import { button } from '../controls/button.js';
 
 /** Set by the build from addresses.json and the version. An empty address has no link. */
 declare const publicLinks: Readonly<Record<'documentation' | 'source' | 'report', string>>;
@@ -20,7 +21,6 @@ export class Menu extends StudioElement {
   static override reads = ['plate', 'theme', 'host'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     menuStyle,
     css`
       :host {
@@ -49,39 +49,25 @@ export class Menu extends StudioElement {
 
   override render(): TemplateResult {
     const { theme, language, host } = this.state;
-    return html`${this.#item('plus', t('verb.new'), () => {
-        this.studio.services.newPlate();
-      })}
-      ${this.#item('open', t('verb.open'), () => {
-        void this.studio.pick().then((files) => this.studio.open(files));
-      })}
-      ${
-        host === ''
-          ? this.#item('gallery', t('verb.plates'), () => {
-              this.studio.show('plates');
-            })
-          : nothing
-      }
-      ${this.#item('share', t('verb.share'), () => {
-        this.studio.show('share');
-      })}
-      ${this.#item('print', t('verb.first'), () => {
-        this.studio.show('first');
-      })}
-      ${this.#item('comb', t('verb.rebrush'), () => {
-        void this.studio.attempt(async () => (await import('./pick-sliced.js')).pickSliced(this.studio));
-      })}
-      ${this.#item('tune', t('verb.calibrate'), () => {
-        this.studio.show('calibrate');
-      })}
-      ${this.#item('help', t('help.title'), () => {
-        this.studio.show('help');
-      })}
+    return html`${this.#item('plus', t('verb.new'), () => this.studio.services.newPlate())}
+      ${this.#item('open', t('verb.open'), () => void this.studio.openPicked())}
+      ${host === '' ? this.#item('gallery', t('verb.plates'), this.studio.opens('plates')) : nothing}
+      ${this.#item('share', t('verb.share'), this.studio.opens('share'))}
+      ${this.#item('print', t('verb.first'), this.studio.opens('first'))}
+      ${this.#item(
+        'comb',
+        t('verb.rebrush'),
+        () => void this.studio.attempt(async () => (await import('./pick-sliced.js')).pickSliced(this.studio)),
+      )}
+      ${this.#item('tune', t('verb.calibrate'), this.studio.opens('calibrate'))}
+      ${this.#item('help', t('help.title'), this.studio.opens('help'))}
       ${
         host === '' && isSecureContext
-          ? this.#item('download', say(words, 'offline.keep'), () => {
-              void this.studio.attempt(async () => (await import('./offline.js')).keepAll(this.studio));
-            })
+          ? this.#item(
+              'download',
+              say(words, 'offline.keep'),
+              () => void this.studio.attempt(async () => (await import('./offline.js')).keepAll(this.studio)),
+            )
           : nothing
       }
       <hr />
@@ -89,9 +75,7 @@ export class Menu extends StudioElement {
         <label for="language">${t('language.title')}</label>
         <select
           id="language"
-          @change=${(event: Event) => {
-            void this.studio.setLanguage((event.currentTarget as HTMLSelectElement).value);
-          }}
+          @change=${(event: Event) => void this.studio.setLanguage((event.currentTarget as HTMLSelectElement).value)}
         >
           ${Object.entries(languages).map(
             ([key, { name }]) => html`<option value=${key} lang=${key} ?selected=${key === language}>${name}</option>`,
@@ -100,9 +84,7 @@ export class Menu extends StudioElement {
         <label for="theme">${t('theme.title')}</label>
         <select
           id="theme"
-          @change=${(event: Event) => {
-            this.studio.setTheme((event.currentTarget as HTMLSelectElement).value as Theme);
-          }}
+          @change=${(event: Event) => this.studio.setTheme((event.currentTarget as HTMLSelectElement).value as Theme)}
         >
           ${themes.map((key) => html`<option value=${key} ?selected=${key === theme}>${t(`theme.${key}`)}</option>`)}
         </select>
@@ -112,12 +94,15 @@ export class Menu extends StudioElement {
         host === ''
           ? html`<p class="note field">${say(words, 'app.local')}</p>`
           : html`<p class="note field">${say(words, 'app.host', { host })}</p>
-              ${this.#item('open', say(words, 'app.open'), () => {
-                void this.studio.attempt(async () => {
-                  const { url } = await this.studio.services.link(this.state.plate);
-                  open(url, '_blank', 'noopener');
-                });
-              })}`
+              ${this.#item(
+                'open',
+                say(words, 'app.open'),
+                () =>
+                  void this.studio.attempt(async () => {
+                    const { url } = await this.studio.services.link(this.state.plate);
+                    open(url, '_blank', 'noopener');
+                  }),
+              )}`
       }
       <hr />
       <ul class="about">
@@ -135,15 +120,9 @@ export class Menu extends StudioElement {
   }
 
   #item(name: IconName, label: string, run: () => void): TemplateResult {
-    return html`<button
-      type="button"
-      class="item"
-      @click=${() => {
-        this.dispatchEvent(new Event('done'));
-        run();
-      }}
-    >
-      ${icon(name, 20)}<span>${label}</span>
-    </button>`;
+    return button('item', html`${icon(name, 20)}<span>${label}</span>`, () => {
+      this.dispatchEvent(new Event('done'));
+      run();
+    });
   }
 }

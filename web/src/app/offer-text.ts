@@ -81,8 +81,6 @@ export function offerText(studio: Studio, given: string): void {
   const shown = letters.length > shownLetters ? `${letters.slice(0, shownLetters).join('')}…` : text;
   studio.notify(say(words, 'files.text', { text: shown }), {
     label: say(words, 'files.makeText'),
-    run: () => {
-      void studio.attempt(() => make(studio, inLines(text)));
-    },
+    run: () => void studio.attempt(() => make(studio, inLines(text))),
   });
 }

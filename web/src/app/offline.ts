@@ -37,9 +37,7 @@ function isFree(): boolean {
 function keep(names: string[] | 'all', worker: ServiceWorker): Promise<boolean> {
   const { port1, port2 } = new MessageChannel();
   return new Promise((resolve) => {
-    port1.onmessage = ({ data }: MessageEvent<boolean>) => {
-      resolve(data);
-    };
+    port1.onmessage = ({ data }: MessageEvent<boolean>) => resolve(data);
     worker.postMessage({ keep: names }, [port2]);
   });
 }
@@ -66,9 +64,7 @@ function watchForUpdates(
   const offer = (run: () => void): void => {
     studio.tell({ text: say(words, 'offline.update'), actions: [{ label: t('verb.reload'), run }], stays: true });
   };
-  const reload = (): void => {
-    location.reload();
-  };
+  const reload = (): void => location.reload();
   const tell = (waiting: ServiceWorker): void => {
     offer(() => {
       // Another tab may have activated the version already: then no change follows.

@@ -65,19 +65,17 @@ export function createOpener(studio: Studio, { show, untried }: Keeper): Opener 
   /** Reads files and uses them. @param stop  ends the reading; the plate then stays as it was */
   async function read(files: readonly File[], role: Role | undefined, stop: AbortController): Promise<void> {
     const { signal } = stop;
-    const stopped = new Promise<never>((_, reject) => {
+    const stopped = new Promise<never>((_, reject) =>
       signal.addEventListener('abort', () => {
         reject(signal.reason as Error);
-      });
-    });
+      }),
+    );
     stopped.catch(() => undefined);
     const name = files[0]?.name ?? '';
     /** Runs one step after the other and reports each; after a stop, no further step begins. */
     const step = <Result>(fraction: number, work: Promise<Result>): Promise<Result> => {
       signal.throwIfAborted();
-      const cancel = (): void => {
-        stop.abort();
-      };
+      const cancel = (): void => stop.abort();
       studio.store.set({ reading: { name, fraction, cancel } });
       return Promise.race([work, stopped]);
     };

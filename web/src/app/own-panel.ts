@@ -11,7 +11,7 @@ import { filamentField, printerField, swatchStyle } from '../print/machine-field
 import { panelStyle } from '../controls/panel-style.js';
 import { settingField } from '../controls/setting-field.js';
 import { ownControls } from '../studio/shown.js';
-import { sizeFields, sizeStyle } from '../shape/size-fields.js';
+import { sizeFields } from '../shape/size-fields.js';
 import { kindFields } from '../layers/kind-fields.js';
 import { groundOf } from '../model/fills.js';
 
@@ -20,10 +20,8 @@ export class OwnPanel extends StudioElement {
   static override reads = ['plate', 'controls', 'units', 'keepRatio', 'host'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     swatchStyle,
-    sizeStyle,
     css`
       section {
         gap: 18px;
@@ -51,12 +49,8 @@ export class OwnPanel extends StudioElement {
           label: t('app.plate'),
           value: plate.name,
           maxLength: 80,
-          onInput: (name) => {
-            studio.change((now) => ({ ...now, name }), 'name');
-          },
-          onSettle: () => {
-            studio.settle();
-          },
+          onInput: (name) => studio.change((now) => ({ ...now, name }), 'name'),
+          onSettle: () => studio.settle(),
         });
       case 'size':
         return sizeFields(studio);

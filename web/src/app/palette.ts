@@ -17,60 +17,45 @@ const folded = (text: string): string =>
 
 @customElement('sillon-palette')
 export class Palette extends DialogElement {
-  static override styles = [
-    ...DialogElement.styles,
-    css`
-      dialog {
-        width: min(560px, calc(100vw - 24px));
-        margin-top: min(12dvh, 96px);
-      }
-      .body {
-        display: grid;
-        grid-template-rows: auto minmax(0, 1fr);
-        gap: 8px;
-      }
-      [role='listbox'] {
-        display: grid;
-        max-height: min(56dvh, 460px);
-        overflow: auto;
-        scrollbar-width: thin;
-      }
-      [role='option'] {
-        display: flex;
-        align-items: center;
-        gap: 12px;
-        min-height: max(36px, var(--control));
-        padding: 2px 10px;
-        border-radius: var(--radius);
-        cursor: pointer;
-      }
-      [role='option'][aria-selected='true'] {
-        background: var(--tint);
-        color: var(--accent);
-      }
-      [role='option'][aria-disabled='true'] {
-        opacity: 0.5;
-      }
-      .label {
-        flex: 1;
-        min-width: 0;
-      }
-      .group {
-        color: var(--soft);
-      }
-      kbd {
-        padding: 1px 6px;
-        border: 1px solid var(--line);
-        border-bottom-width: 2px;
-        border-radius: var(--radius);
-        background: var(--raised);
-        color: var(--soft);
-        font: inherit;
-        font-size: var(--note);
-        white-space: nowrap;
-      }
-    `,
-  ];
+  static override styles = css`
+    dialog {
+      width: min(560px, calc(100vw - 24px));
+      margin-top: min(12dvh, 96px);
+    }
+    .body {
+      grid-template-rows: auto minmax(0, 1fr);
+      gap: 8px;
+    }
+    [role='listbox'] {
+      display: grid;
+      max-height: min(56dvh, 460px);
+      overflow: auto;
+      scrollbar-width: thin;
+    }
+    [role='option'] {
+      display: flex;
+      align-items: center;
+      gap: 12px;
+      min-height: max(36px, var(--control));
+      padding: 2px 10px;
+      border-radius: var(--radius);
+      cursor: pointer;
+    }
+    [role='option'][aria-selected='true'] {
+      background: var(--tint);
+      color: var(--accent);
+    }
+    [role='option'][aria-disabled='true'] {
+      opacity: 0.5;
+    }
+    .label {
+      flex: 1;
+      min-width: 0;
+    }
+    .group {
+      color: var(--soft);
+    }
+  `;
 
   @state() private words = '';
   @state() private chosen = 0;
@@ -121,9 +106,7 @@ export class Palette extends DialogElement {
           this.words = this.input.value;
           this.chosen = 0;
         }}
-        @keydown=${(event: KeyboardEvent) => {
-          this.#onKey(event, found);
-        }}
+        @keydown=${(event: KeyboardEvent) => this.#onKey(event, found)}
       />
       <div role="listbox" id="found" aria-label=${say(words, 'palette.title')}>
         ${found.map(
@@ -133,9 +116,7 @@ export class Palette extends DialogElement {
               id="action-${k}"
               aria-selected=${String(k === this.chosen)}
               aria-disabled=${String(action.disabled === true)}
-              @click=${() => {
-                this.#run(action);
-              }}
+              @click=${() => this.#run(action)}
             >
               ${icon(action.icon, 16)}
               <span class="label"

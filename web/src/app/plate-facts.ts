@@ -11,27 +11,19 @@ import { filamentName } from '../print/filament-name.js';
 import { sizeNumbers, stacked } from '../shape/size-fields.js';
 import { thicknessNumber } from '../shape/thickness-field.js';
 import { pickSliced } from './pick-sliced.js';
+import { button } from '../controls/button.js';
 
 @customElement('sillon-plate-facts')
 export class PlateFacts extends StudioElement {
   static override reads = ['plate', 'keepRatio', 'units'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     css`
       .plate {
         display: grid;
         grid-template-columns: repeat(auto-fit, minmax(6rem, 1fr));
         gap: 10px;
-      }
-      .plate label {
-        display: block;
-        margin-bottom: 4px;
-      }
-      .plate .measure {
-        width: 100%;
-        min-width: 0;
       }
       .printer {
         justify-content: start;
@@ -51,19 +43,8 @@ export class PlateFacts extends StudioElement {
     const printer = profile === undefined ? plate.printer.name || t('printer.own') : printerLabel(profile);
     return html`<section aria-label=${t('app.plate')}>
       <div class="plate">${[...sizeNumbers(this.studio), thicknessNumber(this.studio)].map(stacked)}</div>
-      <button
-        type="button"
-        class="printer"
-        title=${t('start.printer')}
-        @click=${() => {
-          this.studio.show('printer');
-        }}
-      >
-        ${icon('print')} <span>${printer} · ${filamentName(plate)}</span> ${icon('tune', 16)}
-      </button>
-      <button type="button" class="plain printer" @click=${() => void pickSliced(this.studio)}>
-        ${icon('comb')} <span>${t('verb.rebrush')}</span>
-      </button>
+      ${button({ look: 'printer', title: t('start.printer') }, html`${icon('print')} <span>${printer} · ${filamentName(plate)}</span> ${icon('tune', 16)}`, this.studio.opens('printer'))}
+      ${button('plain printer', html`${icon('comb')} <span>${t('verb.rebrush')}</span>`, () => void pickSliced(this.studio))}
     </section>`;
   }
 }

@@ -13,6 +13,7 @@ import type { Shown } from '../studio/shown.js';
 import { markUntried, untriedText } from '../studio/untried-print.js';
 import { filamentField, printerField, swatchStyle } from '../print/machine-fields.js';
 import { loadSpools } from '../print/own-spools.js';
+import { button } from '../controls/button.js';
 
 const rounded = (length: number): number => Math.round(1000 * length) / 1000;
 
@@ -21,15 +22,10 @@ export class PrinterSheet extends DialogElement {
   static override reads = ['plate', 'own', 'spools', 'units'] as const;
 
   static override styles = [
-    ...DialogElement.styles,
     swatchStyle,
     css`
       dialog {
         width: min(520px, calc(100vw - 24px));
-      }
-      .body {
-        display: grid;
-        gap: 16px;
       }
       section {
         display: grid;
@@ -39,24 +35,8 @@ export class PrinterSheet extends DialogElement {
       section > .field {
         width: 100%;
       }
-      .buttons {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 6px;
-      }
       .missing {
         color: var(--bad);
-      }
-      .end {
-        position: sticky;
-        bottom: -24px; /* down to the sheet's edge */
-        margin-bottom: -24px;
-        display: flex;
-        flex-wrap: wrap;
-        justify-content: end;
-        gap: 8px;
-        padding-block: 10px 24px;
-        background: var(--surface);
       }
       .end .main {
         min-height: max(42px, var(--control));
@@ -105,29 +85,14 @@ export class PrinterSheet extends DialogElement {
       <section>${filamentField(this.studio)}</section>
       <section>${thicknessField(this.studio)}</section>
       <p class="note">
-        ${untriedText(plate)}
-        <button
-          type="button"
-          class="link"
-          @click=${() => {
-            this.close(() => {
-              this.studio.show('first');
-            });
-          }}
-        >
-          ${t('verb.first')}
-        </button>
+        ${untriedText(plate)} ${button('link', t('verb.first'), () => this.close(this.studio.opens('first')))}
       </p>
       <div class="end">
-        <button
-          type="button"
-          class="main"
-          @click=${() => {
-            this.#answer(lacks);
-          }}
-        >
-          ${this.purpose === 'printer' ? t('verb.done') : html`${icon('download')} ${this.#file(lacks)}`}
-        </button>
+        ${button(
+          'main',
+          this.purpose === 'printer' ? t('verb.done') : html`${icon('download')} ${this.#file(lacks)}`,
+          () => this.#answer(lacks),
+        )}
       </div>`;
   }
 

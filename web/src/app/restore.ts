@@ -61,9 +61,7 @@ export function showKept(studio: Studio, { id, steps, print }: Opened, begin: (p
 
 const listPlates = (studio: Studio): NoticeAction => ({
   label: t('verb.plates'),
-  run: () => {
-    studio.show('plates');
-  },
+  run: studio.opens('plates'),
 });
 
 /** Restores work of an earlier visit, or offers it.
@@ -82,9 +80,7 @@ export function restore(studio: Studio, found: Kept, shows: boolean, begin: (pla
   }
   const open = (label: string): NoticeAction => ({
     label,
-    run: () => {
-      showKept(studio, found, begin);
-    },
+    run: () => showKept(studio, found, begin),
   });
   if (!shows) {
     studio.notify(say(words, 'restore.late'), open(say(words, 'restore.show')));
@@ -106,9 +102,7 @@ export function restore(studio: Studio, found: Kept, shows: boolean, begin: (pla
   }
   studio.notify(say(words, 'restore.done'), {
     label: say(words, 'restore.discard'),
-    run: () => {
-      studio.services.newPlate();
-    },
+    run: () => studio.services.newPlate(),
   });
   return true;
 }

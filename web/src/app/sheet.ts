@@ -11,11 +11,7 @@ export function followSheet(studio: Studio): void {
     const open = narrow.matches && store.state.panel !== '';
     if (open === (closed !== undefined)) return;
     closed?.();
-    closed = open
-      ? closesByBack(() => {
-          studio.setPanel('');
-        })
-      : undefined;
+    closed = open ? closesByBack(() => studio.setPanel('')) : undefined;
   };
   narrow.addEventListener('change', follow);
   store.subscribe(({ panel }, before) => {

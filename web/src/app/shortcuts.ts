@@ -74,7 +74,7 @@ function onCommand(studio: Studio, key: string, event: KeyboardEvent): boolean {
   if (store.state.mode === 'view') return false;
   if ((key === 'o' && store.state.mode !== 'edit') || (key === 's' && !offers(store.state, 'download'))) return false;
   if (key === 'k' && store.state.mode === 'edit') studio.show('palette');
-  else if (key === 'o') void studio.pick().then((files) => studio.open(files));
+  else if (key === 'o') void studio.openPicked();
   else if (key === 'p' && !event.shiftKey && offers(store.state, 'download')) studio.show('card');
   else if (key === 's') void studio.save(event.shiftKey ? 'gcode' : 'project');
   else if (isTyping(event)) return false;

@@ -26,18 +26,15 @@ export async function tellOpened(studio: Studio, { source, role, notes }: Opened
   ];
   const change = {
     label: say(words, 'files.change'),
-    run: () => {
-      studio.show('files');
-    },
+    run: studio.opens('files'),
   };
   const both = {
     label: say(words, 'files.both'),
-    run: () => {
+    run: () =>
       void studio.attempt(async () => {
         await studio.services.setRole(0, 'more');
         studio.showLamp(groundPictures(studio.store.state.plate).length - 1);
-      });
-    },
+      }),
   };
   const replaced = opened === undefined ? 0 : groundPictures(opened.before).length;
   const pictures = replaced > 0 && seen.includes(role) ? replaced : mostPictures;

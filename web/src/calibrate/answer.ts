@@ -9,6 +9,7 @@ import { settingOf, valueOf, type NumberSetting, type SettingId } from '../model
 import { flag, numberField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import type { Studio } from '../studio/studio.js';
+import { button } from '../controls/button.js';
 
 /** The visitor's results from a print: a value, constant flow or not, or the narrowest and widest good beads [mm]. */
 export interface Found {
@@ -50,14 +51,10 @@ function triedValues(
     ${calibration.values.map(
       ({ label, value }) =>
         html`<label class="card"
-          ><input
-            type="radio"
-            name="tried"
-            .checked=${value === chosen}
-            @change=${() => {
-              choose(value);
-            }}
-          /><span class="figures">${label}</span></label
+          ><input type="radio" name="tried" .checked=${value === chosen} @change=${() => choose(value)} /><span
+            class="figures"
+            >${label}</span
+          ></label
         >`,
     )}
   </div>`;
@@ -78,9 +75,7 @@ function settingAnswer(
   // The present value comes from the plate, since a coupon's values are those of its discs.
   const now = valueOf(plate, setting) as number;
   const written = (number: number): string => valueText(setting, number);
-  return html`${triedValues(calibration, value, (next) => {
-    change({ value: next });
-  })}
+  return html`${triedValues(calibration, value, (next) => change({ value: next }))}
   ${numberField({
     id: 'found',
     label,
@@ -89,9 +84,7 @@ function settingAnswer(
     max: setting.max,
     step: setting.step,
     unit: setting.unit,
-    onInput: (next) => {
-      change({ value: next });
-    },
+    onInput: (next) => change({ value: next }),
     onSettle: () => undefined,
   })}
   ${
@@ -100,9 +93,7 @@ function settingAnswer(
           id: 'constant',
           label: c('best.constant'),
           value: constant,
-          onChange: (next) => {
-            change({ constant: next });
-          },
+          onChange: (next) => change({ constant: next }),
         })
       : nothing
   }
@@ -132,9 +123,7 @@ function widthsAnswer(studio: Studio, calibration: Calibration, found: Found, ch
       step: 0.01,
       usual: [low, high],
       unit: 'mm',
-      onInput: (next) => {
-        change({ [name]: next });
-      },
+      onInput: (next) => change({ [name]: next }),
       onSettle: () => undefined,
     });
   const [from, to] = [found.low ?? low, found.high ?? high];
@@ -151,15 +140,12 @@ function widthsAnswer(studio: Studio, calibration: Calibration, found: Found, ch
 
 /** The button that takes the result over into the plate. */
 function useButton(studio: Studio, usable: boolean, value: string, use: () => void): TemplateResult {
-  return html`<button
-    type="button"
-    class="use"
-    ?disabled=${!usable}
-    @click=${() => {
+  return button(
+    { look: 'use', disabled: !usable },
+    html`${icon('check', 16)} ${usable || value === '' ? c('use', { value }) : c('inUse')}`,
+    () => {
       studio.settle();
       use();
-    }}
-  >
-    ${icon('check', 16)} ${usable || value === '' ? c('use', { value }) : c('inUse')}
-  </button>`;
+    },
+  );
 }

@@ -18,7 +18,6 @@ export class Calibrate extends DialogElement {
   static override reads = ['plate', 'spools'] as const;
 
   static override styles = [
-    ...DialogElement.styles,
     swatchStyle,
     css`
       dialog {
@@ -27,7 +26,6 @@ export class Calibrate extends DialogElement {
       }
       .body {
         flex: 1;
-        display: grid;
         grid-template-rows: auto auto minmax(0, 1fr);
         align-content: start;
         gap: 16px;
@@ -48,9 +46,6 @@ export class Calibrate extends DialogElement {
         grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
         gap: 10px 28px;
         padding: 14px 16px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--raised);
       }
       .machine > div {
         display: grid;
@@ -100,7 +95,7 @@ export class Calibrate extends DialogElement {
       ${
         tab === 'spools'
           ? html`<sillon-spools .studio=${studio}></sillon-spools>`
-          : html`<div class="machine">
+          : html`<div class="machine board">
               <div>${printerField(studio)}</div>
               <div>${filamentField(studio)}</div>
             </div>`

@@ -41,9 +41,6 @@ export const photoStyle = css`
   .shots {
     display: grid;
     width: 100%;
-    border: 1px solid var(--line);
-    border-radius: var(--radius-large);
-    background: var(--raised);
   }
   .shots li {
     display: grid;
@@ -68,10 +65,7 @@ export const photoStyle = css`
     gap: 2px;
   }
   .shots .title {
-    overflow: hidden;
     font-weight: 600;
-    text-overflow: ellipsis;
-    white-space: nowrap;
   }
   .why {
     font-size: var(--note);
@@ -89,15 +83,10 @@ export const photoStyle = css`
   }
   figure {
     width: 100%;
-    margin: 0;
-  }
-  figcaption {
-    margin-top: 4px;
   }
   ol {
     display: grid;
     gap: 6px;
-    margin: 0;
     padding-left: 20px;
   }
   h2 {
@@ -108,9 +97,6 @@ export const photoStyle = css`
   dl {
     display: grid;
     width: 100%;
-    border: 1px solid var(--line);
-    border-radius: var(--radius-large);
-    background: var(--raised);
   }
   dl div {
     display: grid;

@@ -15,6 +15,7 @@ import { StudioElement } from '../controls/element.js';
 import { flag, numberField, textField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import { photoStyle } from './photo-style.js';
+import { button } from '../controls/button.js';
 
 const usualElevation = 45; // [°], shown first when the visitor states the lamp's elevation
 const enough = 3; // photographs; with fewer, the page asks for more
@@ -37,7 +38,7 @@ function flowBeyond(read: CouponReading): 'photo.flow.lower' | 'photo.flow.highe
 @customElement('sillon-calibrate-photo')
 export class CalibratePhoto extends StudioElement {
   static override reads = ['plate', 'spools'] as const;
-  static override styles = [...StudioElement.styles, photoStyle];
+  static override styles = photoStyle;
 
   @state() private shots: readonly Shot[] = [];
   /** Result of all readings together. */
@@ -154,20 +155,20 @@ export class CalibratePhoto extends StudioElement {
     return html`<div class="drop ${this.over ? 'over' : ''}">
       ${icon('camera', 40)}
       <p>${c('photo.drop')}</p>
-      <button type="button" class="main" @click=${() => void this.#pick()}>${c('photo.choose')}</button>
+      ${button('main', c('photo.choose'), () => void this.#pick())}
     </div>`;
   }
 
   #photographs(): TemplateResult {
     const readings = this.#readings();
-    return html`<ul class="shots ${this.over ? 'over' : ''}" aria-label=${c('photo.list')} aria-live="polite">
+    return html`<ul class="shots board ${this.over ? 'over' : ''}" aria-label=${c('photo.list')} aria-live="polite">
         ${repeat(
           this.shots,
           ({ url }) => url,
           (shot) => this.#row(shot, shot.reading === undefined ? 0 : readings.indexOf(shot.reading) + 1),
         )}
       </ul>
-      <button type="button" @click=${() => void this.#pick()}>${icon('plus', 16)} ${c('photo.another')}</button>`;
+      ${button('', html`${icon('plus', 16)} ${c('photo.another')}`, () => void this.#pick())}`;
   }
 
   /** One photograph in the list. @param number  number in the engine's order of readings, which its messages use; 0:
@@ -179,22 +180,12 @@ export class CalibratePhoto extends StudioElement {
     return html`<li>
       <img src=${file.type === 'image/svg+xml' ? nothing : url} alt="" />
       <div class="told">
-        <p class="title" title=${file.name}>${name}</p>
+        <p class="title cut" title=${file.name}>${name}</p>
         ${reading === undefined ? nothing : gave(reading)}
         ${problem === undefined ? nothing : html`<p class="why"><b>${c('photo.refused')}:</b> ${problem.detail}</p>`}
         ${isWaiting(shot) ? html`<p class="note">${c('photo.reading')}…</p>` : nothing}
       </div>
-      <button
-        type="button"
-        class="plain square"
-        aria-label=${remove}
-        title=${remove}
-        @click=${() => {
-          this.#remove(shot);
-        }}
-      >
-        ${icon('bin', 16)}
-      </button>
+      ${button({ look: 'plain square', name: remove }, icon('bin', 16), () => this.#remove(shot))}
     </li>`;
   }
 
@@ -208,9 +199,7 @@ export class CalibratePhoto extends StudioElement {
         id: 'measured',
         label: c('photo.elevation'),
         value: elevation !== undefined,
-        onChange: (on) => {
-          set(on ? usualElevation : undefined);
-        },
+        onChange: (on) => set(on ? usualElevation : undefined),
       })}
       ${
         elevation === undefined
@@ -227,9 +216,7 @@ export class CalibratePhoto extends StudioElement {
               onInput: (next) => {
                 this.elevation = next;
               },
-              onSettle: () => {
-                this.#readAgain();
-              },
+              onSettle: () => this.#readAgain(),
             })
       }
       <p class="note">${c('photo.same')}</p>`;
@@ -258,7 +245,7 @@ export class CalibratePhoto extends StudioElement {
     const n = this.#readings().length;
     const flow = read.flow;
     return html`<h2>${c('photo.read', { n })}</h2>
-      <dl>
+      <dl class="board">
         ${row(c('photo.along'), barred(read.along, 2, '°'))} ${row(c('photo.across'), barred(read.across, 1, '°'))}
         ${row(c('photo.flow'), flow === null ? c(flowBeyond(read)) : barred(flow, 3))}
         ${row(c('photo.width', { asked: formatNumber(read.widthAsked, 3) }), barred(read.width, 3, '\u00a0mm'))}
@@ -276,15 +263,7 @@ export class CalibratePhoto extends StudioElement {
           },
           onSettle: () => undefined,
         })}
-        <button
-          type="button"
-          class="main"
-          @click=${() => {
-            this.#keep(read);
-          }}
-        >
-          ${icon('check', 16)} ${c('photo.keep')}
-        </button>
+        ${button('main', html`${icon('check', 16)} ${c('photo.keep')}`, () => this.#keep(read))}
       </div>
       ${flow === null ? nothing : this.#flow(Math.round(100 * flow.value) / 100)}`;
   }
@@ -292,17 +271,15 @@ export class CalibratePhoto extends StudioElement {
   #flow(flow: number): TemplateResult {
     const text = formatNumber(flow, 2);
     const { plate } = this.state;
-    return html`<button
-      type="button"
-      ?disabled=${withFound(plate, 'flow', flow, false) === plate}
-      @click=${() => {
+    return button(
+      { disabled: withFound(plate, 'flow', flow, false) === plate },
+      html`${t('setting.print.flow')}: ${c('use', { value: text })}`,
+      () => {
         this.studio.settle();
         this.studio.change((before) => withFound(before, 'flow', flow, false));
         this.studio.notify(c('used', { name: t('setting.print.flow'), value: text }));
-      }}
-    >
-      ${t('setting.print.flow')}: ${c('use', { value: text })}
-    </button>`;
+      },
+    );
   }
 
   #keep({ spool }: CouponReading): void {

@@ -18,6 +18,7 @@ import { choiceCards } from '../controls/cards.js';
 import { printStyle } from './style.js';
 import type { Shown } from '../studio/shown.js';
 import { gcodeMark, isPacked, type Studio } from '../studio/studio.js';
+import { button } from '../controls/button.js';
 
 const pictureSide = 720; // [pixels]
 const rest = 250; // [ms] after a change before the prints are made again
@@ -27,7 +28,7 @@ type Made = { calibration: Calibration } | { problem: Problem };
 @customElement('sillon-calibrate-prints')
 export class CalibratePrints extends StudioElement {
   static override reads = ['plate'] as const;
-  static override styles = [...StudioElement.styles, choiceCards, printStyle];
+  static override styles = [choiceCards, printStyle];
 
   @state() private kind: CalibrationKind = 'coupon';
   @state() private made: ReadonlyMap<CalibrationKind, Made> = new Map<CalibrationKind, Made>();
@@ -134,9 +135,7 @@ export class CalibratePrints extends StudioElement {
         name="kind"
         value=${kind}
         .checked=${kind === this.kind}
-        @change=${() => {
-          this.#choose(kind);
-        }}
+        @change=${() => this.#choose(kind)}
       />
       ${drawing(kind)}
       <span class="words"><b>${c(`kind.${kind}`)}</b><span>${c(`finds.${kind}`)}</span></span>
@@ -171,9 +170,11 @@ export class CalibratePrints extends StudioElement {
         <figcaption class="note">${c('rendered')}</figcaption>
       </figure>
       <div class="take">
-        <button type="button" class="main" ?disabled=${calibration === undefined} @click=${this.#save}>
-          ${icon('download')} ${t('keys.gcode')}
-        </button>
+        ${button(
+          { look: 'main', disabled: calibration === undefined },
+          html`${icon('download')} ${t('keys.gcode')}`,
+          this.#save,
+        )}
         <span class="note figures">${calibration === undefined ? '' : costText(calibration)}</span>
       </div>
       ${(calibration?.summary.warnings ?? []).map(
@@ -183,14 +184,9 @@ export class CalibratePrints extends StudioElement {
       <p>${c(`see.${kind}`)}</p>
       ${
         kind === 'coupon'
-          ? html`<button
-              type="button"
-              @click=${() => {
-                this.dispatchEvent(new CustomEvent('photograph'));
-              }}
-            >
-              ${icon('camera', 16)} ${c('toPhoto')}
-            </button>`
+          ? button('', html`${icon('camera', 16)} ${c('toPhoto')}`, () => {
+              this.dispatchEvent(new CustomEvent('photograph'));
+            })
           : nothing
       }
       <h3>${c('best')}</h3>

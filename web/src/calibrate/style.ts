@@ -34,12 +34,6 @@ export const printStyle = css`
     width: 48px;
     height: 48px;
   }
-  .words {
-    display: grid;
-  }
-  .words b {
-    font-weight: 600;
-  }
   .words span,
   .cost {
     color: var(--soft);
@@ -65,7 +59,6 @@ export const printStyle = css`
   }
   figure {
     width: 100%;
-    margin: 0;
   }
   figure img,
   .blank {
@@ -85,9 +78,6 @@ export const printStyle = css`
     width: 96px;
     height: 96px;
     color: var(--edge);
-  }
-  figcaption {
-    margin-top: 4px;
   }
   .take {
     display: flex;

@@ -6,6 +6,7 @@ import { valueOf, withValue, type Setting } from '../model/settings.js';
 import { icon } from './icons.js';
 import { settingField } from './setting-field.js';
 import type { Studio } from '../studio/studio.js';
+import { button } from './button.js';
 
 const same = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.stringify(b);
 
@@ -13,16 +14,11 @@ const same = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.str
 function resetButton(studio: Studio, setting: Setting): TemplateResult | string {
   if (same(valueOf(studio.store.state.plate, setting), setting.default)) return '';
   const value = valueText(setting, setting.default);
-  return html`<button
-    type="button"
-    class="link"
-    aria-label=${t('setting.resetOne', { name: settingLabel(setting), value })}
-    @click=${() => {
-      studio.change((plate) => withValue(plate, setting, structuredClone(setting.default)));
-    }}
-  >
-    ${t('setting.default', { value })}
-  </button>`;
+  return button(
+    { look: 'link', label: t('setting.resetOne', { name: settingLabel(setting), value }) },
+    t('setting.default', { value }),
+    () => studio.change((plate) => withValue(plate, setting, structuredClone(setting.default))),
+  );
 }
 
 export interface AdvancedGroup {

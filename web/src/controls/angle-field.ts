@@ -1,7 +1,7 @@
 // Edits an angle, by a protractor and by a number.
 import { html, type TemplateResult } from 'lit';
 import './dial.js';
-import { aboutButton, helpText, numberInput, type NumberField } from './fields.js';
+import { aboutButton, errorText, helpText, numberInput, type NumberField } from './fields.js';
 
 export interface AngleField extends Omit<NumberField, 'step' | 'unit' | 'usual' | 'integer'> {
   /** Kind of angle: a bead's line, which has no front, or a light, which has one. */
@@ -19,13 +19,9 @@ export function angleField(field: AngleField): TemplateResult {
       .value=${value}
       .min=${min}
       .max=${max}
-      @turn=${(event: CustomEvent<number>) => {
-        onInput(event.detail);
-      }}
+      @turn=${(event: CustomEvent<number>) => onInput(event.detail)}
       @settle=${onSettle}
     ></sillon-dial>
-    ${numberInput({ ...field, unit: '°', step: 1 })}
-    <p class="error" id="${id}-error" role="status" hidden></p>
-    ${helpText(id, help)}
+    ${numberInput({ ...field, unit: '°', step: 1 })} ${errorText(id)} ${helpText(id, help)}
   </div>`;
 }

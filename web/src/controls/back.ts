@@ -45,9 +45,7 @@ addEventListener('popstate', () => {
  * @returns function to call when the part is closed, in whatever way */
 export function closesByBack(close: () => void): () => void {
   if (parent !== window) return () => undefined;
-  const own = (): void => {
-    close();
-  };
+  const own = (): void => close();
   open.push(own);
   followSoon();
   return () => {

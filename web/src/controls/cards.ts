@@ -6,9 +6,6 @@ export const choiceCards = css`
     position: relative;
     display: grid;
     align-items: center;
-    border: 1px solid var(--line);
-    border-radius: var(--radius-large);
-    background: var(--raised);
     cursor: pointer;
   }
   .card:has(:checked) {
@@ -25,14 +22,8 @@ export const choiceCards = css`
     outline: 2px solid var(--accent);
     outline-offset: 2px;
   }
-  .card input {
-    position: absolute;
-    inset: 0;
-    width: 100%;
-    height: 100%;
-    margin: 0;
-    opacity: 0;
-    cursor: pointer;
+  .words {
+    display: grid;
   }
   .drawing {
     color: var(--soft);

@@ -22,7 +22,8 @@ export const controls = css`
   ul,
   dl,
   dd,
-  fieldset {
+  figure,
+  ol {
     margin: 0;
     padding: 0;
     border: 0;
@@ -31,15 +32,19 @@ export const controls = css`
   ul {
     list-style: none;
   }
+  figcaption {
+    margin-top: 4px;
+  }
   h2 {
     font-size: var(--title);
     font-weight: 600;
     letter-spacing: -0.01em;
     line-height: 1.25;
   }
-  h3,
-  legend {
-    padding: 0;
+  b {
+    font-weight: 600;
+  }
+  h3 {
     font-size: var(--small);
     font-weight: 600;
     letter-spacing: 0.07em;
@@ -56,6 +61,47 @@ export const controls = css`
   }
   .figures {
     font-variant-numeric: tabular-nums;
+  }
+  .cut {
+    overflow: hidden;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  p.warning {
+    display: flex;
+    align-items: start;
+    gap: 6px;
+    color: var(--bad);
+    font-size: var(--note);
+  }
+  .buttons {
+    display: flex;
+    flex-wrap: wrap;
+    gap: 6px;
+  }
+  .stack {
+    display: grid;
+    gap: 12px;
+  }
+  .board {
+    border: 1px solid var(--line);
+    border-radius: var(--radius-large);
+    background: var(--raised);
+  }
+  /* Lies over the plate or the page. */
+  .raft,
+  dialog {
+    border: 1px solid var(--line);
+    border-radius: var(--radius-large);
+    background: var(--surface);
+    box-shadow: var(--lift);
+  }
+  .tag {
+    padding: 2px 8px;
+    border-radius: var(--radius);
+    background: var(--surface);
+    color: var(--soft);
+    font-size: var(--note);
   }
   :focus {
     outline: none;
@@ -347,6 +393,7 @@ export const controls = css`
   }
   .segments input,
   .cards input,
+  .card input,
   .swatches input {
     position: absolute;
     inset: 0;
@@ -483,10 +530,7 @@ export const controls = css`
     display: grid;
   }
   .file b {
-    overflow: hidden;
     font-weight: 500;
-    text-overflow: ellipsis;
-    white-space: nowrap;
   }
 
   details > summary {
@@ -508,54 +552,5 @@ export const controls = css`
   }
   details[open] > summary .icon {
     transform: none;
-  }
-
-  dialog {
-    width: min(760px, calc(100vw - 24px));
-    max-height: calc(100dvh - 24px);
-    padding: 0;
-    border: 1px solid var(--line);
-    border-radius: var(--radius-large);
-    background: var(--surface);
-    color: var(--ink);
-    box-shadow: var(--lift);
-    overflow: hidden;
-  }
-  dialog::backdrop {
-    background: var(--veil);
-  }
-  dialog[open] {
-    display: flex;
-    flex-direction: column;
-  }
-  dialog > .head {
-    display: flex;
-    align-items: center;
-    justify-content: space-between;
-    gap: 12px;
-    padding: 16px 16px 12px 24px;
-  }
-  dialog > .body {
-    padding: 0 24px 24px;
-    overflow: auto;
-  }
-  @media (max-width: 560px) {
-    dialog > .head {
-      padding: 12px 12px 8px 16px;
-    }
-    dialog > .body {
-      padding: 0 16px 16px;
-    }
-  }
-  @media (prefers-reduced-motion: no-preference) {
-    dialog[open] {
-      animation: rise var(--calm) cubic-bezier(0.2, 0.8, 0.2, 1);
-    }
-    @keyframes rise {
-      from {
-        opacity: 0;
-        transform: translateY(8px);
-      }
-    }
   }
 `;

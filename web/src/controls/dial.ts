@@ -125,9 +125,7 @@ export class Dial extends LitElement {
     if ((event.currentTarget as HTMLElement).hasPointerCapture(event.pointerId)) this.#pointTo(event);
   };
 
-  #onPointerUp = (): void => {
-    this.#settle();
-  };
+  #onPointerUp = (): void => this.#settle();
 
   /** Turns by arrow keys: 1°, or 15° with Shift or Page keys. */
   #onKey = (event: KeyboardEvent): void => {

@@ -1,24 +1,19 @@
 // A sheet above the page. Escape, its close button, a click beside it and Back close it. Notices that come while it is
 // open are shown in it, because nothing behind it can be reached.
-import { css, html, type TemplateResult } from 'lit';
+import { html, type CSSResultGroup, type CSSResultOrNative, type TemplateResult } from 'lit';
 import { query } from 'lit/decorators.js';
 import { t } from '../i18n/text.js';
 import { closesByBack } from './back.js';
 import { StudioElement } from './element.js';
 import { icon } from './icons.js';
 import type { Shown } from '../studio/shown.js';
+import { button } from './button.js';
+import { dialogStyle } from './dialog-style.js';
 
 export abstract class DialogElement extends StudioElement {
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      dialog > sillon-notices {
-        flex: none;
-        width: 100%;
-        max-height: 40%;
-      }
-    `,
-  ];
+  protected static override finalizeStyles(own: CSSResultGroup = []): CSSResultOrNative[] {
+    return super.finalizeStyles([dialogStyle, own]);
+  }
 
   @query('dialog') private dialog!: HTMLDialogElement;
   #afterwards?: () => void;
@@ -32,9 +27,7 @@ export abstract class DialogElement extends StudioElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#known = this.state;
-    this.#closed = closesByBack(() => {
-      this.close();
-    });
+    this.#closed = closesByBack(() => this.close());
   }
 
   override disconnectedCallback(): void {
@@ -58,16 +51,7 @@ export abstract class DialogElement extends StudioElement {
     >
       <div class="head">
         <h2 id="title">${this.heading()}</h2>
-        <button
-          type="button"
-          class="plain square"
-          aria-label=${t('verb.close')}
-          @click=${() => {
-            this.close();
-          }}
-        >
-          ${icon('close')}
-        </button>
+        ${button({ look: 'plain square', label: t('verb.close') }, icon('close'), () => this.close())}
       </div>
       <sillon-notices .studio=${this.studio} .known=${this.#known}></sillon-notices>
       <div class="body" tabindex="0">${this.body()}</div>

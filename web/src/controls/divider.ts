@@ -14,66 +14,58 @@ export class Divider extends StudioElement {
   /** Returns the share of the page's width at a horizontal place of the window [CSS pixels]. */
   @property({ attribute: false }) shareAt!: (x: number) => number;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        position: absolute;
-        width: 0;
-        pointer-events: none;
-      }
-      .line {
-        position: absolute;
-        inset: 0 -1px;
-        background: var(--accent);
-        box-shadow: 0 0 0 1px rgb(255 255 255 / 0.6);
-      }
-      .grip {
-        position: absolute;
-        top: 50%;
-        left: -22px;
-        display: grid;
-        place-content: center;
-        width: 44px;
-        height: 44px;
-        margin-top: -22px;
-        border: 2px solid var(--accent);
-        border-radius: 22px;
-        background: var(--surface);
-        color: var(--accent);
-        box-shadow: var(--lift);
-        cursor: ew-resize;
-        pointer-events: auto;
-        touch-action: none;
-      }
-      input {
-        position: absolute;
-        top: 50%;
-        width: 1px;
-        height: 1px;
-        clip-path: inset(50%);
-      }
-      input:focus-visible ~ .grip {
-        outline: 2px solid var(--accent);
-        outline-offset: 2px;
-      }
-      .tag {
-        position: absolute;
-        bottom: 10px;
-        left: 10px;
-        padding: 2px 8px;
-        border-radius: var(--radius);
-        background: var(--surface);
-        color: var(--soft);
-        font-size: var(--note);
-        white-space: nowrap;
-      }
-      .tag.other {
-        left: auto;
-        right: 10px;
-      }
-    `,
-  ];
+  static override styles = css`
+    :host {
+      position: absolute;
+      width: 0;
+      pointer-events: none;
+    }
+    .line {
+      position: absolute;
+      inset: 0 -1px;
+      background: var(--accent);
+      box-shadow: 0 0 0 1px rgb(255 255 255 / 0.6);
+    }
+    .grip {
+      position: absolute;
+      top: 50%;
+      left: -22px;
+      display: grid;
+      place-content: center;
+      width: 44px;
+      height: 44px;
+      margin-top: -22px;
+      border: 2px solid var(--accent);
+      border-radius: 22px;
+      background: var(--surface);
+      color: var(--accent);
+      box-shadow: var(--lift);
+      cursor: ew-resize;
+      pointer-events: auto;
+      touch-action: none;
+    }
+    input {
+      position: absolute;
+      top: 50%;
+      width: 1px;
+      height: 1px;
+      clip-path: inset(50%);
+    }
+    input:focus-visible ~ .grip {
+      outline: 2px solid var(--accent);
+      outline-offset: 2px;
+    }
+    .tag {
+      position: absolute;
+      bottom: 10px;
+      left: 10px;
+      white-space: nowrap;
+    }
+    .tag.other {
+      left: auto;
+      right: 10px;
+    }
+  `;
 
   override render(): TemplateResult | typeof nothing {
     const { wipe, over } = this.state;
@@ -89,9 +81,8 @@ export class Divider extends StudioElement {
         aria-label=${say(words, `looks.share.${over}`)}
         aria-valuetext=${t('progress.percent', { percent })}
         .value=${live(String(percent))}
-        @input=${(event: Event) => {
-          this.studio.store.set({ wipe: Number((event.currentTarget as HTMLInputElement).value) / 100 });
-        }}
+        @input=${(event: Event) =>
+          this.studio.store.set({ wipe: Number((event.currentTarget as HTMLInputElement).value) / 100 })}
       />
       <span class="grip" @pointerdown=${this.#onDown} @pointermove=${this.#onMove}>${icon('compare')}</span>`;
   }

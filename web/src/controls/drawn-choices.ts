@@ -73,9 +73,7 @@ export class DrawnChoices<Name extends string> implements ReactiveController {
     this.#urls = urls;
     this.host.requestUpdate();
     // The old addresses stay valid until the new pictures are on the screen.
-    void this.host.updateComplete.then(() => {
-      this.#forget(before);
-    });
+    void this.host.updateComplete.then(() => this.#forget(before));
   }
 
   #forget(urls: ReadonlyMap<Name, string>): void {

@@ -1,5 +1,5 @@
 // Base class of all elements of the page: they draw the state, and draw again when a part that they read has changed.
-import { LitElement } from 'lit';
+import { LitElement, type CSSResultGroup, type CSSResultOrNative } from 'lit';
 import { property } from 'lit/decorators.js';
 import { problemOf } from '../model/problem.js';
 import { controls } from './controls.js';
@@ -26,7 +26,10 @@ interface Part {
 }
 
 export abstract class StudioElement extends LitElement {
-  static override styles = [controls];
+  /** Puts the styles that all elements share before an element's own. */
+  protected static override finalizeStyles(own: CSSResultGroup = []): CSSResultOrNative[] {
+    return super.finalizeStyles([controls, own]);
+  }
 
   /** Parts of the state that `render` reads. */
   static reads: readonly (keyof Shown)[] = [];
@@ -34,6 +37,7 @@ export abstract class StudioElement extends LitElement {
   @property({ attribute: false }) studio!: Studio;
 
   #end: (() => void) | undefined;
+  #away = new AbortController();
 
   get state(): Readonly<Shown> {
     return this.studio.store.state;
@@ -42,6 +46,7 @@ export abstract class StudioElement extends LitElement {
   override connectedCallback(): void {
     super.connectedCallback();
     const { reads } = this.constructor as typeof StudioElement;
+    this.#away = new AbortController();
     this.#end = this.studio.store.subscribe((state, before) => {
       if (state.language !== before.language || reads.some((key) => state[key] !== before[key])) this.requestUpdate();
       this.onState(state, before);
@@ -51,6 +56,16 @@ export abstract class StudioElement extends LitElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#end?.();
+    this.#away.abort();
+  }
+
+  /** Listens to an event of the window as long as the element is in the page. @param capture  before the page below */
+  protected listen<Type extends keyof WindowEventMap>(
+    type: Type,
+    run: (event: WindowEventMap[Type]) => void,
+    capture = false,
+  ): void {
+    addEventListener(type, run, { signal: this.#away.signal, capture });
   }
 
   readonly #parts = new Map<() => Promise<unknown>, Part>();

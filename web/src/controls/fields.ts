@@ -72,9 +72,29 @@ export const aboutButton = (id: string, label: string, help: string): Content =>
 export const helpText = (id: string, help: string): Content =>
   help === '' ? nothing : html`<p class="help" id="${id}-help" hidden>${help}</p>`;
 
-export interface NumberField {
+/** What every field has: the id of its input, a name, and help that unfolds. */
+interface Field {
   id: string;
   label: string;
+  help?: string;
+}
+
+/** Returns a field with its name above or beside its content. @param name  nothing: the content names itself */
+const named = (
+  { id, label, help = '' }: Field,
+  content: unknown,
+  name: Content = html`<label for=${id}>${label}</label>`,
+): TemplateResult =>
+  html`<div class="field">
+    ${name === nothing ? nothing : html`<span class="name">${name}${aboutButton(id, label, help)}</span>`} ${content}
+    ${helpText(id, help)}
+  </div>`;
+
+/** Returns the place for a sentence about wrong input. */
+export const errorText = (id: string): TemplateResult =>
+  html`<p class="error" id="${id}-error" role="status" hidden></p>`;
+
+export interface NumberField extends Field {
   value: number;
   min: number;
   max: number;
@@ -82,7 +102,6 @@ export interface NumberField {
   /** Range of the slider; undefined: there is none. */
   usual?: readonly [number, number] | undefined;
   unit?: string;
-  help?: string;
   integer?: boolean;
   disabled?: boolean;
   onInput: (value: number) => void;
@@ -181,46 +200,31 @@ export function numberInput(field: NumberField, name = true): TemplateResult {
 
 /** Returns a number's name, input and slider; dragging the name changes the number. */
 export function numberField(field: NumberField): TemplateResult {
-  const { id, label, value, step, usual, help = '' } = field;
+  const { id, label, value, step, usual } = field;
   const [low, high] = usual ?? [0, 1];
-  return html`<div class="field">
-    <span class="name"
-      ><label
-        for=${id}
-        class="scrubs"
-        @pointerdown=${(event: PointerEvent) => {
-          const name = event.currentTarget as HTMLElement;
-          if (event.button === 0 && event.pointerType !== 'touch' && !field.disabled)
-            void import('./scrub.js').then(({ scrub }) => {
-              scrub(event, name, field);
-            });
-        }}
-        >${label}</label
-      >${aboutButton(id, label, help)}</span
-    >
-    ${numberInput(field)}
-    ${
-      usual === undefined
-        ? nothing
-        : html`<input
-            type="range"
-            tabindex="-1"
-            aria-hidden="true"
-            min=${low}
-            max=${high}
-            step=${step}
-            ?disabled=${field.disabled ?? false}
-            .value=${live(String(value))}
-            .style=${share((value - low) / (high - low))}
-            @input=${(event: Event) => {
-              field.onInput(Number((event.currentTarget as HTMLInputElement).value));
-            }}
-            @change=${field.onSettle}
-          />`
-    }
-    <p class="error" id="${id}-error" role="status" hidden></p>
-    ${helpText(id, help)}
-  </div>`;
+  const onDown = (event: PointerEvent): void => {
+    const name = event.currentTarget as HTMLElement;
+    if (event.button !== 0 || event.pointerType === 'touch' || field.disabled) return;
+    void import('./scrub.js').then(({ scrub }) => scrub(event, name, field));
+  };
+  const slider = html`<input
+    type="range"
+    tabindex="-1"
+    aria-hidden="true"
+    min=${low}
+    max=${high}
+    step=${step}
+    ?disabled=${field.disabled ?? false}
+    .value=${live(String(value))}
+    .style=${share((value - low) / (high - low))}
+    @input=${(event: Event) => field.onInput(Number((event.currentTarget as HTMLInputElement).value))}
+    @change=${field.onSettle}
+  />`;
+  return named(
+    field,
+    html`${numberInput(field)} ${usual === undefined ? nothing : slider} ${errorText(id)}`,
+    html`<label for=${id} class="scrubs" @pointerdown=${onDown}>${label}</label>`,
+  );
 }
 
 export interface Option<Value extends string = string> {
@@ -233,12 +237,9 @@ export interface Option<Value extends string = string> {
   title?: string;
 }
 
-export interface ChoiceField<Value extends string = string> {
-  id: string;
-  label: string;
+export interface ChoiceField<Value extends string = string> extends Field {
   value: Value | undefined;
   options: readonly Option<Value>[];
-  help?: string;
   onChoose: (value: Value) => void;
 }
 
@@ -253,9 +254,7 @@ function radios<Value extends string>(field: ChoiceField<Value>, size: number): 
           value=${value}
           ?disabled=${disabled}
           .checked=${live(value === field.value)}
-          @change=${() => {
-            field.onChoose(value);
-          }}
+          @change=${() => field.onChoose(value)}
         />
         ${picture !== undefined ? html`<img src=${picture} alt="" />` : name === undefined ? nothing : icon(name, size)}<span
           >${label}</span
@@ -269,16 +268,9 @@ export const segments = <Value extends string>(field: ChoiceField<Value>, legend
   const { length: count } = field.options;
   const letters = field.options.reduce((sum, { label }) => sum + label.length, 0);
   const columns = count > 3 && letters > 24 ? Math.ceil(count / 2) : count;
-  return html`<div class="field">
-    ${
-      legend
-        ? html`<span class="name"
-            ><span id="${field.id}-name">${field.label}</span
-            >${aboutButton(field.id, field.label, field.help ?? '')}</span
-          >`
-        : nothing
-    }
-    <div
+  return named(
+    field,
+    html`<div
       class="segments wide"
       .style=${`--columns: ${columns}`}
       role="radiogroup"
@@ -286,9 +278,9 @@ export const segments = <Value extends string>(field: ChoiceField<Value>, legend
       aria-labelledby=${legend ? `${field.id}-name` : nothing}
     >
       ${radios(field, 16)}
-    </div>
-    ${helpText(field.id, field.help ?? '')}
-  </div>`;
+    </div>`,
+    legend ? html`<span id="${field.id}-name">${field.label}</span>` : nothing,
+  );
 };
 
 /** Moves the focus by arrow keys without choosing, as in toolbars,
@@ -308,66 +300,50 @@ export const cards = <Value extends string>(field: ChoiceField<Value>): Template
   html`<div class="cards" role="radiogroup" aria-label=${field.label} @keydown=${onCardKey}>${radios(field, 22)}</div>`;
 
 export const select = <Value extends string>(field: ChoiceField<Value>): TemplateResult =>
-  html`<div class="field">
-    <span class="name"
-      ><label for=${field.id}>${field.label}</label>${aboutButton(field.id, field.label, field.help ?? '')}</span
-    >
-    <select
+  named(
+    field,
+    html`<select
       id=${field.id}
       class="wide"
       .value=${live(field.value ?? '')}
-      @change=${(event: Event) => {
-        field.onChoose((event.currentTarget as HTMLSelectElement).value as Value);
-      }}
+      @change=${(event: Event) => field.onChoose((event.currentTarget as HTMLSelectElement).value as Value)}
     >
       ${field.options.map(
         ({ value, label, disabled = false }) =>
           html`<option value=${value} ?disabled=${disabled} ?selected=${value === field.value}>${label}</option>`,
       )}
-    </select>
-    ${helpText(field.id, field.help ?? '')}
-  </div>`;
+    </select>`,
+  );
 
-export interface FlagField {
-  id: string;
-  label: string;
+export interface FlagField extends Field {
   value: boolean;
-  help?: string;
   onChange: (value: boolean) => void;
 }
 
 export const flag = (field: FlagField): TemplateResult =>
-  html`<div class="field">
-    <span class="name"
-      ><label for=${field.id}>${field.label}</label>${aboutButton(field.id, field.label, field.help ?? '')}</span
-    >
-    <label class="switch"
+  named(
+    field,
+    html`<label class="switch"
       ><input
         type="checkbox"
         role="switch"
         id=${field.id}
         .checked=${live(field.value)}
-        @change=${(event: Event) => {
-          field.onChange((event.currentTarget as HTMLInputElement).checked);
-        }}
-    /></label>
-    ${helpText(field.id, field.help ?? '')}
-  </div>`;
+        @change=${(event: Event) => field.onChange((event.currentTarget as HTMLInputElement).checked)}
+    /></label>`,
+  );
 
-export interface TextField {
-  id: string;
-  label: string;
+export interface TextField extends Field {
   value: string;
   maxLength: number;
   long?: boolean;
-  help?: string;
   onInput: (value: string) => void;
   onSettle: () => void;
 }
 
 /** Returns a text's name and input, in one or several lines. */
 export function textField(field: TextField): TemplateResult {
-  const { id, label, value, maxLength, help = '' } = field;
+  const { id, label, value, maxLength } = field;
   /** Reads the text. `maxlength` is not used: it would cut pasted text without a message. */
   const read = (input: HTMLInputElement): boolean => {
     const { length } = input.value;
@@ -389,31 +365,25 @@ export function textField(field: TextField): TemplateResult {
     clearTimeout(pause); // a late pause could end the next drag
     field.onSettle();
   };
-  return html`<div class="field">
-    <span class="name"><label for=${id}>${label}</label>${aboutButton(id, label, help)}</span>
-    ${
-      field.long
-        ? html`<textarea
-            class="wide"
-            id=${id}
-            rows="2"
-            aria-describedby="${id}-error"
-            ${shows(value)}
-            @input=${onInput}
-            @change=${onChange}
-          ></textarea>`
-        : html`<input
-            type="text"
-            class="wide"
-            id=${id}
-            spellcheck="false"
-            aria-describedby="${id}-error"
-            ${shows(value)}
-            @input=${onInput}
-            @change=${onChange}
-          />`
-    }
-    <p class="error" id="${id}-error" role="status" hidden></p>
-    ${helpText(id, help)}
-  </div>`;
+  const input = field.long
+    ? html`<textarea
+        class="wide"
+        id=${id}
+        rows="2"
+        aria-describedby="${id}-error"
+        ${shows(value)}
+        @input=${onInput}
+        @change=${onChange}
+      ></textarea>`
+    : html`<input
+        type="text"
+        class="wide"
+        id=${id}
+        spellcheck="false"
+        aria-describedby="${id}-error"
+        ${shows(value)}
+        @input=${onInput}
+        @change=${onChange}
+      />`;
+  return named(field, html`${input} ${errorText(id)}`);
 }

@@ -4,6 +4,7 @@ import { formatBytes, t } from '../i18n/text.js';
 import type { SourceFile } from '../model/plate.js';
 import { icon } from './icons.js';
 import type { Studio } from '../studio/studio.js';
+import { button } from './button.js';
 
 /** Returns the chip of a file with buttons to replace and remove it.
  * @param onRemove  removes the file; left out: the plate needs it
@@ -18,27 +19,14 @@ export const fileChip = (
   html`<div class="file">
     ${icon('file', 18)}
     <span class="what"
-      ><b title=${file.name}>${file.name}</b><span class="note">${formatBytes(file.bytes.size)}</span></span
+      ><b class="cut" title=${file.name}>${file.name}</b><span class="note">${formatBytes(file.bytes.size)}</span></span
     >
-    <button
-      type="button"
-      class="plain"
-      @click=${async () => {
-        await onFiles(await studio.pick(accept));
-      }}
-    >
-      ${t('verb.replace')}
-    </button>
+    ${button('plain', t('verb.replace'), async () => {
+      await onFiles(await studio.pick(accept));
+    })}
     ${
       onRemove === undefined
         ? nothing
-        : html`<button
-            type="button"
-            class="plain square"
-            aria-label="${t('verb.remove')}: ${file.name}"
-            @click=${onRemove}
-          >
-            ${icon('close', 16)}
-          </button>`
+        : button({ look: 'plain square', label: `${t('verb.remove')}: ${file.name}` }, icon('close', 16), onRemove)
     }
   </div>`;

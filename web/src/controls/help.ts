@@ -9,56 +9,36 @@ import { keysText, shortcuts } from './shortcut-list.js';
 
 @customElement('sillon-help')
 export class Help extends DialogElement {
-  static override styles = [
-    ...DialogElement.styles,
-    css`
-      .body {
-        display: grid;
-        gap: 14px;
-      }
-      ol {
-        margin: 0;
-        padding-left: 20px;
-        display: grid;
-        gap: 4px;
-      }
-      dl {
-        display: grid;
-        grid-template-columns: repeat(auto-fit, minmax(280px, 1fr));
-        gap: 0 32px;
-      }
-      dl div {
-        display: flex;
-        justify-content: space-between;
-        align-items: center;
-        gap: 12px;
-        padding: 6px 0;
-        border-bottom: 1px solid var(--line);
-      }
-      dd {
-        flex: none;
-        display: flex;
-        gap: 4px;
-        white-space: nowrap;
-      }
-      kbd {
-        display: inline-block;
-        min-width: 22px;
-        padding: 1px 6px;
-        border: 1px solid var(--line);
-        border-bottom-width: 2px;
-        border-radius: var(--radius);
-        background: var(--raised);
-        font: inherit;
-        font-size: var(--note);
-        text-align: center;
-      }
-      ul {
-        display: grid;
-        gap: 4px;
-      }
-    `,
-  ];
+  static override styles = css`
+    ol {
+      padding-left: 20px;
+      display: grid;
+      gap: 4px;
+    }
+    dl {
+      display: grid;
+      grid-template-columns: repeat(auto-fit, minmax(280px, 1fr));
+      gap: 0 32px;
+    }
+    dl div {
+      display: flex;
+      justify-content: space-between;
+      align-items: center;
+      gap: 12px;
+      padding: 6px 0;
+      border-bottom: 1px solid var(--line);
+    }
+    dd {
+      flex: none;
+      display: flex;
+      gap: 4px;
+      white-space: nowrap;
+    }
+    ul {
+      display: grid;
+      gap: 4px;
+    }
+  `;
 
   protected override heading = (): string => t('help.title');
 

@@ -1,5 +1,5 @@
 // Turns names of settings in sentences into buttons that lead to their fields.
-import { html, type TemplateResult } from 'lit';
+import type { TemplateResult } from 'lit';
 import { showSetting, type FieldId } from './show-setting.js';
 import { settingLabel } from '../i18n/say.js';
 import { words as presets } from '../i18n/en/presets.js';
@@ -7,6 +7,7 @@ import { language, say } from '../i18n/text.js';
 import { expertSettings, settings } from '../model/settings.js';
 import { offers } from '../studio/shown.js';
 import type { Studio } from '../studio/studio.js';
+import { button } from './button.js';
 
 /** A name between the quotation marks of any language; French ones have inner spaces. */
 const quoted = /([“„]|«[\u00a0\u202f])([^“”„«»]+)([”“]|[\u00a0\u202f]»)/;
@@ -45,5 +46,5 @@ export const linked = (studio: Studio, text: string): (string | TemplateResult)[
     if (typeof piece === 'string') return piece;
     const { label, field } = piece;
     if (!offers(studio.store.state, 'print')) return label;
-    return html`<button type="button" class="link" @click=${() => void showSetting(studio, field)}>${label}</button>`;
+    return button('link', label, () => void showSetting(studio, field));
   });

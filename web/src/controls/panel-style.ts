@@ -18,11 +18,6 @@ export const panelStyle = css`
       padding-top: 4px; /* below the sheet's grip */
     }
   }
-  .buttons {
-    display: flex;
-    flex-wrap: wrap;
-    gap: 6px;
-  }
   .pair {
     display: grid;
     grid-template-columns: 1fr auto 1fr;
@@ -31,9 +26,19 @@ export const panelStyle = css`
     margin-top: 4px;
     color: var(--soft);
   }
-  .pair .measure {
+  .size {
+    display: grid;
+    grid-template-columns: 1fr auto 1fr;
+    align-items: end;
+    gap: 8px;
+  }
+  :is(.pair, .size, .plate) .measure {
     width: 100%;
     min-width: 0;
+  }
+  :is(.size, .plate) label {
+    display: block;
+    margin-bottom: 4px;
   }
   .stacked {
     grid-template-columns: 1fr;
@@ -42,13 +47,6 @@ export const panelStyle = css`
     display: grid;
     gap: 14px;
     margin-top: 12px;
-  }
-  .warning {
-    display: flex;
-    align-items: start;
-    gap: 6px;
-    color: var(--bad);
-    font-size: var(--note);
   }
   .angle {
     display: grid;

@@ -43,30 +43,22 @@ const nullFlag = (field: ValueField, help: string): TemplateResult =>
     label: t('setting.value', { label: field.label, value: field.nullLabel }),
     value: field.value === null,
     help,
-    onChange: (isNull) => {
-      choose(field, isNull ? null : field.fallback);
-    },
+    onChange: (isNull) => choose(field, isNull ? null : field.fallback),
   });
 
 /** Returns the two numbers of a pair, such as a place on the bed. */
 function pairField(field: ValueField, setting: Extract<AnySetting, { kind: 'pair' }>): TemplateResult {
-  const { id, label, help, onInput, onSettle } = field;
+  const { id, label, help, onInput } = field;
   const value = field.value as [number, number] | null;
   const one = (k: 0 | 1, pair: [number, number]): TemplateResult =>
     numberInput(
       {
+        ...setting,
+        ...field,
         id: `${id}-${k}`,
         label: `${label}, ${t(k === 0 ? 'unit.x' : 'unit.y')}`,
         value: pair[k],
-        min: setting.min,
-        max: setting.max,
-        step: setting.step,
-        integer: setting.integer,
-        unit: setting.unit,
-        onInput: (number) => {
-          onInput(k === 0 ? [number, pair[1]] : [pair[0], number]);
-        },
-        onSettle,
+        onInput: (number) => onInput(k === 0 ? [number, pair[1]] : [pair[0], number]),
       },
       false,
     );
@@ -83,65 +75,31 @@ function pairField(field: ValueField, setting: Extract<AnySetting, { kind: 'pair
 
 /** Returns the control for the setting's kind of value. */
 export function valueField(field: ValueField): TemplateResult {
-  const { setting, id, label, help, value, onInput, onSettle } = field;
+  const { setting, help, value } = field;
   switch (setting.kind) {
     case 'number':
     case 'integer': {
-      const { unit, min, max, step, usual, nullable } = setting;
+      const { kind, unit, nullable } = setting;
       const row = (number: number): TemplateResult =>
-        numberField({
-          id,
-          label,
-          value: number,
-          min,
-          max,
-          step,
-          usual,
-          unit: unitText(unit),
-          help,
-          integer: setting.kind === 'integer',
-          onInput,
-          onSettle,
-        });
+        numberField({ ...setting, ...field, value: number, unit: unitText(unit), integer: kind === 'integer' });
       if (!nullable) return row(value as number);
       const own = value !== null;
       return html`${nullFlag(field, own ? '' : help)} ${own ? row(value as number) : ''}`;
     }
     case 'choice': {
       const options = setting.choices.map((choice) => ({ value: choice, label: field.choiceLabel(choice) }));
-      const props = {
-        id,
-        label,
-        value: value as string,
-        options,
-        help,
-        onChoose: (chosen: string) => {
-          choose(field, chosen);
-        },
-      };
+      const onChoose = (chosen: string): void => choose(field, chosen);
+      const props = { ...field, value: value as string, options, onChoose };
       return options.every((option) => option.label.length < 14) ? segments(props) : select(props);
     }
     case 'flag':
       return flag({
-        id,
-        label,
+        ...field,
         value: value as boolean,
-        help,
-        onChange: (on) => {
-          choose(field, on);
-        },
+        onChange: (on) => choose(field, on),
       });
     case 'text':
-      return textField({
-        id,
-        label,
-        value: value as string,
-        maxLength: setting.maxBytes,
-        long: setting.long,
-        help,
-        onInput,
-        onSettle,
-      });
+      return textField({ ...setting, ...field, value: value as string, maxLength: setting.maxBytes });
     case 'pair':
       return pairField(field, setting);
   }
@@ -160,11 +118,7 @@ export function settingField(studio: Studio, id: SettingId): TemplateResult {
     fallback: setting.kind === 'pair' ? studio.centredPlace() : plate.toolpath.spacing,
     nullLabel: 'nullable' in setting ? nullLabel(setting) : '',
     choiceLabel: (choice) => (setting.kind === 'choice' ? choiceLabel(setting, choice) : ''),
-    onInput: (value) => {
-      studio.change((now) => withValue(now, setting, value), id);
-    },
-    onSettle: () => {
-      studio.settle();
-    },
+    onInput: (value) => studio.change((now) => withValue(now, setting, value), id),
+    onSettle: () => studio.settle(),
   });
 }

@@ -1,5 +1,6 @@
 // Fetches the files that attributes name. Only http and https addresses and blobs of the page itself are allowed, since
 // a stranger may have written the attributes.
+import { readAll } from '../files/stream.js';
 import { field, isFields, most } from './protocol.js';
 
 export interface Asked {
@@ -41,23 +42,9 @@ async function bytesAt(url: URL, credentials: RequestCredentials, signal?: Abort
     );
   }
   if (!response.ok) throw new Error(`${url.href} came with status ${response.status}`);
-  return bodyOf(response, url);
-}
-
-/** Reads a body and stops when the file is too long: a server may send no length, or a wrong one. */
-async function bodyOf(response: Response, url: URL): Promise<ArrayBuffer> {
-  const parts: BlobPart[] = [];
-  let size = 0;
-  const reader = response.body?.getReader();
-  for (let next = await reader?.read(); next?.value !== undefined; next = await reader?.read()) {
-    size += next.value.byteLength;
-    if (size > most.file) {
-      await reader?.cancel();
-      throw new Error(`${url.href} has more than ${most.file} bytes; no more are allowed`);
-    }
-    parts.push(next.value);
-  }
-  return new Blob(parts).arrayBuffer();
+  if (response.body === null) return new ArrayBuffer(0);
+  const tooLong = (): Error => new Error(`${url.href} has more than ${most.file} bytes; no more are allowed`);
+  return (await readAll(response.body, most.file, tooLong)).arrayBuffer();
 }
 
 /** Returns the names of the files that a project needs, with the files that the studio drew from. */

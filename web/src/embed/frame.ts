@@ -44,6 +44,8 @@ interface Answer {
   transfer?: Transferable[];
 }
 
+type Answering = (params: Fields, signal: AbortSignal) => Promise<Answer>;
+
 /** A request that waits or runs. */
 interface Job {
   id: number;
@@ -58,11 +60,11 @@ const sent = async ({ blob, name }: { blob: Blob; name: string }): Promise<Answe
 
 /** Returns a promise that rejects when the signal aborts. */
 const abortOf = (signal: AbortSignal): Promise<never> =>
-  new Promise((_, reject) => {
+  new Promise((_, reject) =>
     signal.addEventListener('abort', () => {
       reject(signal.reason as DOMException);
-    });
-  });
+    }),
+  );
 
 /** The connection to one host: runs its requests in order. */
 class Host {
@@ -116,7 +118,7 @@ class Host {
   async #run({ id, method, params }: Request, { control }: Job): Promise<void> {
     try {
       control.signal.throwIfAborted();
-      const answer = this.#methods.get(method as Method);
+      const answer = this.#methods.get(method);
       if (answer === undefined) throw new Refused('UnknownMethod', 'there is no such method');
       const { lacking } = this.studio.store.state;
       if (lacking !== undefined && method !== 'load' && method !== 'configure') {
@@ -131,10 +133,10 @@ class Host {
     }
   }
 
-  readonly #methods = new Map<Method, (params: Fields, signal: AbortSignal) => Promise<Answer>>([
-    [
-      'load',
-      async (params) => {
+  /** Answers by method; the map finds no names that objects have by themselves. */
+  readonly #methods = new Map(
+    Object.entries<Answering>({
+      load: async (params) => {
         if (!(this.#restored && field(params, 'initial') === true)) {
           await showNamed(this.studio, async () => {
             await this.services.load(openingsFrom(params), field(params, 'trusted') === 'printer');
@@ -143,61 +145,41 @@ class Host {
         }
         return { result: null };
       },
-    ],
-    [
-      'configure',
-      async (params) => {
+      configure: async (params) => {
         dress((attribute) => field(params, attribute));
         await this.services.configure((attribute) => field(params, attribute));
         return { result: null };
       },
-    ],
-    [
-      'getProject',
-      async () => {
+      getProject: async () => {
         const { projectFileData } = await import('../files/project.js');
         return { result: { project: projectFileData(this.studio.store.state.plate) } };
       },
-    ],
-    [
-      'generate',
-      async () => {
+      generate: async () => {
         const { report } = await this.services.finished();
         await this.studio.make('gcode').catch(() => undefined); // a plate that cannot be exported has no cost
         return { result: { report: { ...report, ...this.#cost() } } };
       },
-    ],
-    [
-      'exportGcode',
-      async () => {
+      exportGcode: async () => {
         const { result, transfer = [] } = await sent(await this.studio.make('gcode'));
         const { summary, check } = this.studio.store.state;
         const told = { summary: summary ?? null, findings: check?.findings ?? [] };
         return { result: { ...(result as FileMessage), ...told }, transfer };
       },
-    ],
-    ['exportBody', async () => sent(await this.studio.make('body'))],
-    ['exportSvg', async () => sent(await this.studio.make('svg'))],
-    ['exportView', async () => sent(await this.studio.make('view'))],
-    ['exportProject', async () => sent(await this.studio.make('project'))],
-    [
-      'capture',
-      async (params, signal) =>
-        sent(
-          checkedCapture(params) === 'loop'
-            ? await this.studio.make('loop', signal)
-            : await this.studio.picture(checkedPicture(params)),
-        ),
-    ],
-    [
-      'report',
-      () => {
+      exportBody: async () => sent(await this.studio.make('body')),
+      exportSvg: async () => sent(await this.studio.make('svg')),
+      exportView: async () => sent(await this.studio.make('view')),
+      exportProject: async () => sent(await this.studio.make('project')),
+      capture: async (params, signal) => {
+        const loop = checkedCapture(params) === 'loop';
+        return sent(loop ? await this.studio.make('loop', signal) : await this.studio.picture(checkedPicture(params)));
+      },
+      report: () => {
         const { result } = this.studio.store.state;
         const report = result?.measured === true ? { ...result.report, ...this.#cost() } : null;
         return Promise.resolve({ result: { report } });
       },
-    ],
-  ]);
+    } satisfies Record<Exclude<Method, 'cancel'>, Answering>),
+  );
 
   /** Returns grams and minutes of the G-code file, once it is written. */
   #cost(): { grams?: number; minutes?: number } {
@@ -329,11 +311,10 @@ export function waitForHost(hosts: readonly string[], studio: Studio, services: 
     removeEventListener('message', onMessage); // the first valid host is the only one
     const host = new Host(port, studio, services);
     if (connect.exports === 'host') {
-      studio.deliver = (blob, name) => {
+      studio.deliver = (blob, name) =>
         void sent({ blob, name }).then(({ result, transfer }) => {
           host.tell('export', result as Fields, transfer);
         });
-      };
     }
     host.start(services.onHost(origin));
     report(host, studio);

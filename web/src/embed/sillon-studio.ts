@@ -355,9 +355,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
   /** Reports a frame as blocked or out of reach if it stays silent for so long [ms]. */
   #wait(time: number): void {
     clearTimeout(this.#late);
-    this.#late = setTimeout(() => {
-      this.#blocked();
-    }, time);
+    this.#late = setTimeout(() => this.#blocked(), time);
   }
 
   /** Shows a link to the studio in place of the frame, and rejects all calls. */
@@ -527,9 +525,7 @@ export class SillonStudioElement extends HTMLElement implements StudioMethods {
     this.#wake();
     const { promise, resolve, reject } = wait<undefined>();
     this.#loading.then(resolve, reject);
-    await heeding(signal, promise, () => {
-      reject(signal?.reason);
-    });
+    await heeding(signal, promise, () => reject(signal?.reason));
     return this.#ask(method, params, signal);
   }
 

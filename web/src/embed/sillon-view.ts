@@ -72,12 +72,8 @@ const watch = (told: (element: SillonViewElement, inside: boolean) => void, root
     },
     { rootMargin },
   );
-const visibility = watch((element, inside) => {
-  element.onVisible(inside);
-}, '0px');
-const nearness = watch((element, inside) => {
-  element.onNear(inside);
-}, near);
+const visibility = watch((element, inside) => element.onVisible(inside), '0px');
+const nearness = watch((element, inside) => element.onNear(inside), near);
 
 /** Decodes pictures one after the other: many at once would need many times the memory. */
 let decoding: Promise<unknown> = Promise.resolve();

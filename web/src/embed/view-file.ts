@@ -51,12 +51,8 @@ function headerFrom(start: ArrayBuffer, name: string): Omit<ViewFile, 'png'> {
  * @throws Error with one sentence; the signal's reason */
 export async function fetchView(url: URL, name: string, signal: AbortSignal): Promise<ViewFile> {
   const stop = new AbortController();
-  const late = setTimeout(() => {
-    stop.abort(new Error(`${name} did not arrive within ${patience / 1000} s`));
-  }, patience);
-  const give = (): void => {
-    stop.abort(signal.reason);
-  };
+  const late = setTimeout(() => stop.abort(new Error(`${name} did not arrive within ${patience / 1000} s`)), patience);
+  const give = (): void => stop.abort(signal.reason);
   signal.addEventListener('abort', give);
   try {
     signal.throwIfAborted();

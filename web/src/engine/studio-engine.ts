@@ -87,9 +87,7 @@ export class StudioEngine {
     this.#wanted = { plate, live };
     clearTimeout(this.#rest);
     if (live) {
-      this.#rest = setTimeout(() => {
-        this.#settle();
-      }, restAfter);
+      this.#rest = setTimeout(() => this.#settle(), restAfter);
     }
     const running = this.#running;
     if (running !== undefined && !running.quick && !sameToolpath(running.plate, plate)) running.control.abort();
@@ -102,9 +100,7 @@ export class StudioEngine {
     this.#wanted = undefined;
     this.#running?.control.abort();
     for (const control of this.#exports) control.abort();
-    this.#tellWaiters((waiter) => {
-      waiter.reject(aborted());
-    });
+    this.#tellWaiters((waiter) => waiter.reject(aborted()));
   }
 
   /** Makes the latest plate again, after a problem or a cancel. */
@@ -288,9 +284,7 @@ export class StudioEngine {
     const control = new AbortController();
     const { signal } = control;
     if (unwanted?.aborted === true) control.abort();
-    unwanted?.addEventListener('abort', () => {
-      control.abort();
-    });
+    unwanted?.addEventListener('abort', () => control.abort());
     this.#exports.add(control);
     try {
       const result = await this.finished();

@@ -89,39 +89,6 @@ export interface Stored {
   files: ReadonlyMap<string, unknown>;
 }
 
-export interface Autosave {
-  /** Loads this tab's plate or, if it has none, the one that was changed last. May never resolve, since some storages
-   * do not answer.
-   * @returns undefined where nothing usable was kept */
-  load(): Promise<Kept | undefined>;
-  /** Shows a plate from now on, with its own record.
-   * @param fresh  nobody has changed the plate yet, so it is not kept after its tab is closed */
-  begin(plate: Plate, fresh?: boolean): void;
-  /** Id of the record of the plate that is shown. */
-  current(): string;
-  /** Saves the plate and its steps after a short pause without another change. */
-  save(steps: Steps): void;
-  /** Saves, likewise, the sliced print over the plate that is shown; undefined: it has none any more. */
-  savePrint(print: KeptPrint | undefined): void;
-  /** Saves now what `save` and `savePrint` have delayed. */
-  flush(): Promise<void>;
-  /** Lists the kept plates, the latest first. */
-  list(): Promise<Listed[]>;
-  /** Opens a kept plate. Where another tab has it, one of the two tabs goes on with a copy.
-   * @param take  takes the plate itself and leaves the copy to the other tab; otherwise this tab gets the copy
-   * @returns undefined where the plate is gone */
-  open(id: string, take?: boolean): Promise<Opened | undefined>;
-  rename(id: string, name: string): Promise<void>;
-  /** Copies a plate under another name. @returns the copy's id; undefined where there is nothing to copy */
-  duplicate(id: string, name: string): Promise<string | undefined>;
-  /** Deletes a plate. @returns a function that restores it */
-  remove(id: string): Promise<() => Promise<void>>;
-  /** Reads all values kept for a plate as they are, so that they can be downloaded. */
-  stored(id: string): Promise<Stored>;
-  /** Sets the plate's picture in the list. */
-  picture(plate: Plate, picture: Blob): Promise<void>;
-}
-
 /** Storage in IndexedDB. The first call opens it, so that is where access may be denied. */
 function browserStorage(database: string): Storage {
   let opened: ReturnType<typeof createStore> | undefined;
@@ -169,13 +136,9 @@ function tabSession(name: string): Session {
 const inTime = <Result>(promise: Promise<Result>): Promise<Result> => {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const late = new Promise<never>((_, reject) => {
-    timer = setTimeout(() => {
-      reject(new Error('the storage does not answer'));
-    }, patience);
+    timer = setTimeout(() => reject(new Error('the storage does not answer')), patience);
   });
-  return Promise.race([promise, late]).finally(() => {
-    clearTimeout(timer);
-  });
+  return Promise.race([promise, late]).finally(() => clearTimeout(timer));
 };
 
 const newId = (): string =>
@@ -377,7 +340,7 @@ export function createAutosave(
   storage: Storage = browserStorage(name),
   locks: Locks = webLocks(name),
   session: Session = tabSession(name),
-): Autosave {
+) {
   /** Record id of every plate that is in a record or in the history of one. */
   const idOf = new WeakMap<Plate, string>();
   /** Plates by record id, as they were when nobody had changed them. */
@@ -628,8 +591,13 @@ export function createAutosave(
   }
 
   return {
+    /** Loads this tab's plate or, if it has none, the one that was changed last. May never resolve, since some storages
+     * do not answer.
+     * @returns undefined where nothing usable was kept */
     load: read,
-    begin(plate, fresh = false) {
+    /** Shows a plate from now on, with its own record.
+     * @param fresh  nobody has changed the plate yet, so it is not kept after its tab is closed */
+    begin(plate: Plate, fresh = false): void {
       const known = idOf.get(plate);
       const id = known === undefined ? newId() : live(known);
       idOf.set(plate, id);
@@ -637,8 +605,10 @@ export function createAutosave(
       current = id;
       settle();
     },
-    current: () => current,
-    save(steps) {
+    /** Id of the record of the plate that is shown. */
+    current: (): string => current,
+    /** Saves the plate and its steps after a short pause without another change. */
+    save(steps: Steps): void {
       const { plate } = steps;
       const known = idOf.get(plate);
       const id = known === undefined ? current : live(known);
@@ -651,14 +621,17 @@ export function createAutosave(
       waiting = { id, steps };
       later();
     },
-    savePrint(print) {
+    /** Saves, likewise, the sliced print over the plate that is shown; undefined: it has none any more. */
+    savePrint(print: KeptPrint | undefined): void {
       if (print !== undefined && tooLarge.has(print.file)) return;
       waitingPrint = { id: current, print };
       if (print === undefined) void flush();
       else later();
     },
+    /** Saves now what `save` and `savePrint` have delayed. */
     flush,
-    async list() {
+    /** Lists the kept plates, the latest first. */
+    async list(): Promise<Listed[]> {
       await flush();
       const [all, held] = await Promise.all([abouts(), locks.held()]);
       const [foreign, names] = await Promise.all([foreignOf(all.map(({ id }) => id)), storage.keys()]);
@@ -680,11 +653,14 @@ export function createAutosave(
         foreign: foreign.has(id),
       }));
     },
-    async open(id, take = false) {
+    /** Opens a kept plate. Where another tab has it, one of the two tabs goes on with a copy.
+     * @param take  takes the plate itself and leaves the copy to the other tab; otherwise this tab gets the copy
+     * @returns undefined where the plate is gone */
+    async open(id: string, take = false): Promise<Opened | undefined> {
       await flush();
       return taken(id, false, take);
     },
-    async rename(id, name) {
+    async rename(id: string, name: string): Promise<void> {
       await flush();
       const [record, about] = await storage.getMany([recordKey(id), aboutKey(id)]);
       const known = aboutFrom(about);
@@ -694,7 +670,8 @@ export function createAutosave(
         [aboutKey(id), { ...known, name, fresh: false }],
       ]);
     },
-    async duplicate(id, name) {
+    /** Copies a plate under another name. @returns the copy's id; undefined where there is nothing to copy */
+    async duplicate(id: string, name: string): Promise<string | undefined> {
       await flush();
       const names = (await namesOf(id)).filter((key) => key !== slicedKey(id) && key !== printKey(id));
       const values = await storage.getMany(names);
@@ -710,7 +687,8 @@ export function createAutosave(
       await storage.setMany(entries);
       return copy;
     },
-    async remove(id) {
+    /** Deletes a plate. @returns a function that restores it */
+    async remove(id: string): Promise<() => Promise<void>> {
       await flush();
       const names = await namesOf(id);
       const values = await storage.getMany(names);
@@ -720,14 +698,16 @@ export function createAutosave(
       prints.delete(id);
       return () => storage.setMany(names.map((key, k) => [key, values[k]]));
     },
-    async stored(id) {
+    /** Reads all values kept for a plate as they are, so that they can be downloaded. */
+    async stored(id: string): Promise<Stored> {
       await flush();
       const names = (await namesOf(id)).filter((key) => key.startsWith(filesKey(id)));
       const [record, about, ...bytes] = await storage.getMany([recordKey(id), aboutKey(id), ...names]);
       const files = new Map(names.map((key, k) => [key.slice(filesKey(id).length), bytes[k]]));
       return { record, about, files };
     },
-    async picture(plate, picture) {
+    /** Sets the plate's picture in the list. */
+    async picture(plate: Plate, picture: Blob): Promise<void> {
       const id = live(idOf.get(plate) ?? '');
       if (id === '') return; // a plate that nobody has changed is not kept
       pictures.set(id, picture);
@@ -737,3 +717,6 @@ export function createAutosave(
     },
   };
 }
+
+/** The keeper of a tab's plates. */
+export type Autosave = ReturnType<typeof createAutosave>;

@@ -3,7 +3,7 @@ import type { Picture } from 'sillon';
 import { mostPictures } from '../model/lamp.js';
 import { groundFill, type Fill } from '../model/fills.js';
 import type { Plate } from '../model/plate.js';
-import type { Role } from '../model/file-role.js';
+import { pictureRoles, type Role } from '../model/file-role.js';
 
 export interface PictureFacts {
   width: number;
@@ -243,21 +243,6 @@ export function guessRoles(files: readonly Guessed[], plate: Plate): Role[] {
     return role;
   });
 }
-
-const pictureRoles = [
-  'lamp',
-  'more',
-  'mask',
-  'tone',
-  'edges',
-  'levels',
-  'colours',
-  'angle',
-  'rotation',
-  'tangent',
-  'modes',
-  'none',
-] as const;
 
 /** Roles that a visitor can choose for a file. */
 export const allowedRoles = (isPicture: boolean): readonly Role[] =>

@@ -28,15 +28,16 @@ interface Queue {
 /** Calls `open` with the files that the page was started with. @param handles  receives their handles */
 export function onLaunched(open: (files: File[]) => void, handles: WeakMap<File, FileSystemHandle>): void {
   const { launchQueue } = window as { launchQueue?: Queue };
-  launchQueue?.setConsumer(({ files = [] }) => {
-    void Promise.all(
-      files.map(async (handle) => {
-        const file = await handle.getFile();
-        handles.set(file, handle);
-        return file;
+  launchQueue?.setConsumer(
+    ({ files = [] }) =>
+      void Promise.all(
+        files.map(async (handle) => {
+          const file = await handle.getFile();
+          handles.set(file, handle);
+          return file;
+        }),
+      ).then((opened) => {
+        if (opened.length > 0) open(opened);
       }),
-    ).then((opened) => {
-      if (opened.length > 0) open(opened);
-    });
-  });
+  );
 }

@@ -9,17 +9,22 @@ interface Writable extends FileSystemFileHandle {
 
 const isAbort = (error: unknown): boolean => error instanceof Error && error.name === 'AbortError';
 
+type Handles = WeakMap<File, FileSystemHandle>;
+
+/** Opens files. @param handles  receives their handles */
+export const filesOf = (opened: readonly FileSystemFileHandle[], handles: Handles): Promise<File[]> =>
+  Promise.all(
+    opened.map(async (handle) => {
+      const file = await handle.getFile();
+      handles.set(file, handle);
+      return file;
+    }),
+  );
+
 /** Asks the visitor for files; empty where the dialog is dismissed. @param handles  receives their handles */
-export async function pickInPlace(handles: WeakMap<File, FileSystemHandle>): Promise<File[]> {
+export async function pickInPlace(handles: Handles): Promise<File[]> {
   try {
-    const picked = (await (window as Picker).showOpenFilePicker?.({ multiple: true })) ?? [];
-    return await Promise.all(
-      picked.map(async (handle) => {
-        const file = await handle.getFile();
-        handles.set(file, handle);
-        return file;
-      }),
-    );
+    return await filesOf((await (window as Picker).showOpenFilePicker?.({ multiple: true })) ?? [], handles);
   } catch (error) {
     if (isAbort(error)) return [];
     throw error;

@@ -12,6 +12,7 @@ import { untoldParts, type Untold } from '../model/untold.js';
 import { without } from '../model/without.js';
 import { shapeTable, table } from '../model/setting-table.js';
 import { filesOf, plateOf, projectData, type ProjectEngine } from './plate-project.js';
+import { readAll } from './stream.js';
 
 const key = 'plate=';
 /** Version of links. Version 1 kept directions and settings in a form of the studio's own. */
@@ -41,39 +42,22 @@ export interface Link {
 
 // --- Bytes -------------------------------------------------------------------------------------------------------------
 
-/** Reads a stream to its end. @throws StudioError LinkTooLong beyond `most` bytes, so that a small link cannot fill
- * the memory */
-async function collected(stream: ReadableStream<Uint8Array>, most: number): Promise<Uint8Array<ArrayBuffer>> {
-  const pieces: Uint8Array[] = [];
-  let length = 0;
-  const reader = stream.getReader();
-  for (;;) {
-    const { value, done } = await reader.read();
-    if (done) break;
-    length += value.length;
-    if (length > most) {
-      void reader.cancel().catch(() => undefined);
-      throw new StudioError('LinkTooLong', { bytes: length, most });
-    }
-    pieces.push(value);
-  }
-  const bytes = new Uint8Array(length);
-  let at = 0;
-  for (const piece of pieces) {
-    bytes.set(piece, at);
-    at += piece.length;
-  }
-  return bytes;
+/** Passes bytes through a stream. @throws StudioError LinkTooLong beyond `most` bytes */
+async function piped(
+  bytes: Uint8Array<ArrayBuffer>,
+  through: CompressionStream | DecompressionStream,
+  most: number,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const stream = new Blob([bytes]).stream().pipeThrough(through);
+  const all = await readAll(stream, most, (length) => new StudioError('LinkTooLong', { bytes: length, most }));
+  return new Uint8Array(await all.arrayBuffer());
 }
 
-const streamOf = (bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<ArrayBuffer>> =>
-  new Blob([bytes]).stream();
-
 const deflated = (bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> =>
-  collected(streamOf(bytes).pipeThrough(new CompressionStream('deflate-raw')), Infinity);
+  piped(bytes, new CompressionStream('deflate-raw'), Infinity);
 
 const inflated = (bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> =>
-  collected(streamOf(bytes).pipeThrough(new DecompressionStream('deflate-raw')), mostBytes);
+  piped(bytes, new DecompressionStream('deflate-raw'), mostBytes);
 
 function toBase64Url(bytes: Uint8Array): string {
   let text = '';

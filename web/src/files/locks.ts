@@ -69,18 +69,14 @@ export function askedLocks(
     if (first) lose(id);
     else tell(id);
   };
-  channel.onmessage = ({ data }) => {
-    hear(data);
-  };
+  channel.onmessage = ({ data }) => hear(data);
   const later = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, patience));
   return {
     async take(id, { steal = false, onLost }) {
       if (mine.has(id)) return true;
       if (!steal) {
         const had = new Promise<boolean>((resolve) => {
-          waiting.set(id, () => {
-            resolve(true);
-          });
+          waiting.set(id, () => resolve(true));
         });
         channel.postMessage({ kind: 'ask', tab, id });
         const other = await Promise.race([had, later().then(() => false)]);

@@ -1,30 +1,17 @@
 // Converts files to forms that the engine reads.
 import { problemOf, StudioError } from '../model/problem.js';
 import { browserPicture, enoughToKnow, kindOf, startsWith } from './kind.js';
+import { readAll } from './stream.js';
 
 const mostUnpacked = 64e6; // [bytes], the limit of any file
 
 /** A gzipped drawing (.svgz), unpacked; undefined where it holds no readable drawing. */
 async function unpackedDrawing(file: File): Promise<File | undefined> {
-  const pieces: Uint8Array<ArrayBuffer>[] = [];
-  let size = 0;
-  try {
-    const reader = file.stream().pipeThrough(new DecompressionStream('gzip')).getReader();
-    for (let read = await reader.read(); !read.done; read = await reader.read()) {
-      const piece = read.value;
-      size += piece.length;
-      if (size > mostUnpacked) {
-        await reader.cancel();
-        return undefined;
-      }
-      pieces.push(piece);
-    }
-  } catch {
-    return undefined;
-  }
-  const drawing = new File(pieces, file.name.replace(/(?:\.svgz|\.svg\.gz|\.gz)?$/i, '.svg'), {
-    type: 'image/svg+xml',
-  });
+  const stream = file.stream().pipeThrough(new DecompressionStream('gzip'));
+  const bytes = await readAll(stream, mostUnpacked, () => new Error('too large')).catch(() => undefined);
+  if (bytes === undefined) return undefined;
+  const name = file.name.replace(/(?:\.svgz|\.svg\.gz|\.gz)?$/i, '.svg');
+  const drawing = new File([bytes], name, { type: 'image/svg+xml' });
   const head = new Uint8Array(await drawing.slice(0, enoughToKnow).arrayBuffer());
   return kindOf(head, drawing.name).kind === 'svg' ? drawing : undefined;
 }

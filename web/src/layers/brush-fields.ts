@@ -9,9 +9,7 @@ import type { Studio } from '../studio/studio.js';
 /** The fields of the brush. Widths are shown in mm, while the brush keeps its radius as a share of the page's width. */
 export function brushFields(studio: Studio): TemplateResult {
   const { tool, brush, plate } = studio.store.state;
-  const set = (change: Partial<Brush>): void => {
-    studio.store.set({ brush: { ...studio.store.state.brush, ...change } });
-  };
+  const set = (change: Partial<Brush>): void => studio.store.set({ brush: { ...studio.store.state.brush, ...change } });
   const [wide] = pageOf(plate);
   return html`<p class="note">${t(`tool.${tool}.help`)}</p>
     ${
@@ -21,9 +19,7 @@ export function brushFields(studio: Studio): TemplateResult {
             label: t('section.modes'),
             value: brush.mode,
             options: modeChoices.map((value) => ({ value, label: t(`mode.${value}`) })),
-            onChoose: (mode) => {
-              set({ mode });
-            },
+            onChoose: (mode) => set({ mode }),
           })
         : nothing
     }
@@ -36,9 +32,7 @@ export function brushFields(studio: Studio): TemplateResult {
       step: 0.1,
       usual: [0.2, Math.max(1, Math.round(wide / 2))],
       unit: 'mm',
-      onInput: (across) => {
-        set({ radius: across / 2 / wide });
-      },
+      onInput: (across) => set({ radius: across / 2 / wide }),
       onSettle: () => undefined,
     })}
     ${numberField({
@@ -50,9 +44,7 @@ export function brushFields(studio: Studio): TemplateResult {
       step: 1,
       usual: [0, 100],
       unit: '%',
-      onInput: (percent) => {
-        set({ softness: percent / 100 });
-      },
+      onInput: (percent) => set({ softness: percent / 100 }),
       onSettle: () => undefined,
     })}`;
 }

@@ -11,6 +11,7 @@ import { StudioElement } from '../controls/element.js';
 import { numberInput } from '../controls/fields.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { changeIn } from './layer-field.js';
+import { button } from '../controls/button.js';
 
 const limits = { min: -360, max: 360, step: 1 };
 
@@ -19,13 +20,8 @@ export class ColoursPanel extends StudioElement {
   static override reads = ['plate'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     css`
-      :host {
-        display: grid;
-        gap: 12px;
-      }
       ul {
         display: grid;
         gap: 8px;
@@ -69,29 +65,18 @@ export class ColoursPanel extends StudioElement {
   }
 
   #action(label: string, help: string, made: () => ColourAngle[]): TemplateResult {
-    return html`<button
-      type="button"
-      title=${help}
-      @click=${() => {
-        this.#set(made());
-      }}
-    >
-      ${label}
-    </button>`;
+    return button({ title: help }, label, () => this.#set(made()));
   }
 
   #row({ colour, angle }: ColourAngle, k: number): TemplateResult {
     const label = say(words, 'colours.one', { n: k + 1, colour });
     const id = `colour-${k}`;
-    const turn = (next: number): void => {
+    const turn = (next: number): void =>
       this.#set(
         this.layer.colours.map((one, other) => (other === k ? { ...one, angle: next } : one)),
         `colours.${this.layer.id}.${k}`,
       );
-    };
-    const onSettle = (): void => {
-      this.studio.settle();
-    };
+    const onSettle = (): void => this.studio.settle();
     return html`<li class="field">
       <span class="swatch" .style=${`--colour: ${colour}`}></span>
       <label for=${id} title=${colour}>${say(words, 'colours.nth', { n: k + 1 })}</label>
@@ -100,9 +85,7 @@ export class ColoursPanel extends StudioElement {
         .value=${angle}
         .min=${limits.min}
         .max=${limits.max}
-        @turn=${(event: CustomEvent<number>) => {
-          turn(event.detail);
-        }}
+        @turn=${(event: CustomEvent<number>) => turn(event.detail)}
         @settle=${onSettle}
       ></sillon-dial>
       ${numberInput({ ...limits, id, label, value: angle, unit: '°', onInput: turn, onSettle })}

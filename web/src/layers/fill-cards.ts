@@ -43,9 +43,7 @@ export function fillCards(
         label: t(`source.${id}`),
         value: groundFill(plate),
         options: fillsOf[id].map(option),
-        onChoose: (chosen) => {
-          void chooseFill(studio, chosen);
-        },
+        onChoose: (chosen) => void chooseFill(studio, chosen),
       })}`;
   return html`${groups.map(group)}`;
 }

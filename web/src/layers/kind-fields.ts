@@ -23,6 +23,7 @@ import './lamps-panel.js';
 import { changeIn, layerField } from './layer-field.js';
 import { withTextSize } from './place-fields.js';
 import { replaceFile } from './replace-file.js';
+import { button } from '../controls/button.js';
 
 type Content = TemplateResult | typeof nothing;
 
@@ -106,9 +107,9 @@ function fieldOf(studio: Studio, layer: PlateLayer, key: LayerKey): Content {
     case 'textSize':
       return layerField(studio, layer, key, { set: (value) => withTextSize(value as number) });
     case 'pictures':
-      return html`<sillon-lamps .studio=${studio} .layer=${layer}></sillon-lamps>`;
+      return html`<sillon-lamps class="stack" .studio=${studio} .layer=${layer}></sillon-lamps>`;
     case 'colours':
-      return html`<sillon-colours .studio=${studio} .layer=${layer}></sillon-colours>`;
+      return html`<sillon-colours class="stack" .studio=${studio} .layer=${layer}></sillon-colours>`;
     case 'strokes':
       return strokesField(studio, layer);
     case 'mode':
@@ -146,14 +147,9 @@ function fileField(studio: Studio, layer: PlateLayer, key: 'file' | 'maskFile', 
     });
   }
   return html`<div class="buttons">
-    <button
-      type="button"
-      @click=${async () => {
-        await use(await chosenFile(studio, accept));
-      }}
-    >
-      ${icon('open', 16)} ${l('chooseFile')}
-    </button>
+    ${button('', html`${icon('open', 16)} ${l('chooseFile')}`, async () => {
+      await use(await chosenFile(studio, accept));
+    })}
   </div>`;
 }
 
@@ -173,15 +169,10 @@ function fontField(studio: Studio, layer: PlateLayer): TemplateResult {
       },
     })}
     <div class="buttons">
-      <button
-        type="button"
-        @click=${async () => {
-          const found = await chosenFile(studio, fontFiles);
-          if (found !== undefined) changeIn(studio, layer, () => ({ font: found }));
-        }}
-      >
-        ${l('ownFont')}
-      </button>
+      ${button('', l('ownFont'), async () => {
+        const found = await chosenFile(studio, fontFiles);
+        if (found !== undefined) changeIn(studio, layer, () => ({ font: found }));
+      })}
     </div>`;
 }
 
@@ -193,32 +184,23 @@ export function modeFields(studio: Studio, layer: PlateLayer): TemplateResult {
       label: t('modes.base'),
       value: mode,
       options: modeChoices.map((value) => ({ value, label: t(`mode.${value}`) })),
-      onChoose: (chosen) => {
-        changeIn(studio, layer, () => ({ mode: chosen }));
-      },
+      onChoose: (chosen) => changeIn(studio, layer, () => ({ mode: chosen })),
     })}
     <p class="note">${t(`mode.${mode}.help`)}</p>
     ${
       modeFile === null
         ? nothing
         : html`<p>${t('modes.map')}</p>
-            ${fileChip(studio, modeFile, pictureFiles, () => {
-              changeIn(studio, layer, () => ({ modeFile: null }));
-            })}`
+            ${fileChip(studio, modeFile, pictureFiles, () => changeIn(studio, layer, () => ({ modeFile: null })))}`
     }`;
 }
 
 function strokesField(studio: Studio, layer: PlateLayer): TemplateResult {
   return html`<div class="strokes">
     <span class="note">${t('tool.strokes', { n: layer.strokes.length })}</span>
-    <button
-      type="button"
-      @click=${() => {
-        studio.change((plate) => withoutLayer(plate, layer.id));
-      }}
-    >
-      ${icon('erase', 16)} ${t('tool.clear')}
-    </button>
+    ${button('', html`${icon('erase', 16)} ${t('tool.clear')}`, () =>
+      studio.change((plate) => withoutLayer(plate, layer.id)),
+    )}
   </div>`;
 }
 
@@ -227,27 +209,10 @@ function cropField(studio: Studio, layer: PlateLayer): Content {
   const { cropping } = studio.store.state;
   const whole = [...layer.cropMin, ...layer.cropMax].join() === '0,0,1,1';
   return html`<div class="buttons">
-      <button
-        type="button"
-        aria-pressed=${String(cropping)}
-        @click=${() => {
-          studio.store.set({ cropping: !cropping, tool: 'pan' });
-        }}
-      >
-        ${layerIcon('crop', 16)} ${l('crop')}
-      </button>
-      ${
-        whole
-          ? nothing
-          : html`<button
-              type="button"
-              @click=${() => {
-                changeIn(studio, layer, () => uncropped);
-              }}
-            >
-              ${l('uncrop')}
-            </button>`
-      }
+      ${button({ pressed: cropping }, html`${layerIcon('crop', 16)} ${l('crop')}`, () =>
+        studio.store.set({ cropping: !cropping, tool: 'pan' }),
+      )}
+      ${whole ? nothing : button('', l('uncrop'), () => changeIn(studio, layer, () => uncropped))}
     </div>
     ${cropping ? html`<p class="note">${l('crop.help')}</p>` : nothing}`;
 }
@@ -258,17 +223,14 @@ function groundField(studio: Studio, layer: PlateLayer): TemplateResult {
   const setting = layerSettingOf('ground');
   const [min, max] = setting.kind === 'number' ? [setting.min, setting.max] : [0, 0];
   const label = layerLabel(setting);
-  const set = (next: number | null, gesture?: string): void => {
+  const set = (next: number | null, gesture?: string): void =>
     changeIn(studio, layer, () => ({ ground: next }), gesture);
-  };
   return html`${flag({
     id: 'layer-ground-null',
     label: t('setting.value', { label, value: l(layer.kind === 'code' ? 'null.modules' : 'null.ground') }),
     value: ground === null,
     help: settingHelp(setting),
-    onChange: (below) => {
-      set(below ? null : 0);
-    },
+    onChange: (below) => set(below ? null : 0),
   })}
   ${
     ground === null
@@ -279,12 +241,8 @@ function groundField(studio: Studio, layer: PlateLayer): TemplateResult {
           value: ground,
           min,
           max,
-          onInput: (angle) => {
-            set(angle, `layer.${layer.id}.ground`);
-          },
-          onSettle: () => {
-            studio.settle();
-          },
+          onInput: (angle) => set(angle, `layer.${layer.id}.ground`),
+          onSettle: () => studio.settle(),
         })
   }`;
 }

@@ -29,6 +29,7 @@ import { thumbnail } from '../controls/thumbnail.js';
 import { chosenFile, pictureFiles } from './add-layer.js';
 import { changeIn } from './layer-field.js';
 import { replacePicture } from './replace-file.js';
+import { button } from '../controls/button.js';
 
 const mostSteps = 30; // grey steps under the best lamps and spools, the end of the gauge
 type SizeName = keyof typeof lampSizes;
@@ -40,13 +41,8 @@ export class LampsPanel extends StudioElement {
   @property({ attribute: false }) layer!: PlateLayer;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     css`
-      :host {
-        display: grid;
-        gap: 12px;
-      }
       li {
         display: grid;
         grid-template-columns: 52px 1fr auto;
@@ -74,9 +70,6 @@ export class LampsPanel extends StudioElement {
       }
       .what b {
         display: block;
-        overflow: hidden;
-        text-overflow: ellipsis;
-        white-space: nowrap;
         font-weight: 500;
       }
       .stands {
@@ -113,9 +106,11 @@ export class LampsPanel extends StudioElement {
         ${pictures.map((picture, k) => this.#picture(picture, k, seen?.[k]?.contrast))}
       </ul>
       <div class="buttons">
-        <button type="button" ?disabled=${pictures.length >= mostPictures} @click=${() => void this.#add()}>
-          ${icon('plus', 16)} ${t('lamp.add')}
-        </button>
+        ${button(
+          { disabled: pictures.length >= mostPictures },
+          html`${icon('plus', 16)} ${t('lamp.add')}`,
+          () => void this.#add(),
+        )}
       </div>
       ${ground ? this.#shared() : nothing}
       ${
@@ -134,12 +129,9 @@ export class LampsPanel extends StudioElement {
   /** Fields that all pictures of the plate share. */
   #shared(): TemplateResult {
     const { pictures } = this.state.plate;
-    const set = (change: Partial<typeof pictures>, gesture?: string): void => {
+    const set = (change: Partial<typeof pictures>, gesture?: string): void =>
       this.studio.change((now) => ({ ...now, pictures: { ...now.pictures, ...change } }), gesture);
-    };
-    const onSettle = (): void => {
-      this.studio.settle();
-    };
+    const onSettle = (): void => this.studio.settle();
     const { smoothness, localContrast } = table.pictures;
     return html`${segments<SizeName>({
       id: 'lamp-size',
@@ -147,9 +139,7 @@ export class LampsPanel extends StudioElement {
       help: t('lamp.size.help'),
       value: (Object.keys(lampSizes) as SizeName[]).find((name) => lampSizes[name] === pictures.lampSize),
       options: (Object.keys(lampSizes) as SizeName[]).map((value) => ({ value, label: t(`lamp.size.${value}`) })),
-      onChoose: (name) => {
-        set({ lampSize: lampSizes[name] });
-      },
+      onChoose: (name) => set({ lampSize: lampSizes[name] }),
     })}
     ${numberField({
       id: 'source-smoothness',
@@ -160,9 +150,7 @@ export class LampsPanel extends StudioElement {
       step: 0.01,
       usual: [0.01, 0.5],
       unit: '',
-      onInput: (value) => {
-        set({ smoothness: value }, 'pictures.smoothness');
-      },
+      onInput: (value) => set({ smoothness: value }, 'pictures.smoothness'),
       onSettle,
     })}
     ${numberField({
@@ -174,9 +162,7 @@ export class LampsPanel extends StudioElement {
       step: 1,
       usual: [0, 100 * localContrast.high],
       unit: '%',
-      onInput: (percent) => {
-        set({ localContrast: percent / 100 }, 'pictures.localContrast');
-      },
+      onInput: (percent) => set({ localContrast: percent / 100 }, 'pictures.localContrast'),
       onSettle,
     })}`;
   }
@@ -192,34 +178,23 @@ export class LampsPanel extends StudioElement {
     return html`<li>
       ${thumbnail(picture.file)}
       <span class="what"
-        ><b title=${name}>${name}</b
+        ><b class="cut" title=${name}>${name}</b
         ><span class="note"
           >${t('lamp.stands', { azimuth: Math.round(light.azimuth), elevation: Math.round(light.elevation) })}</span
         ></span
       >
       <span class="ends">
-        <button
-          type="button"
-          class="plain square"
-          aria-label="${t('verb.replace')}: ${name}"
-          title=${t('verb.replace')}
-          @click=${() => void this.#replace(k)}
-        >
-          ${icon('open', 16)}
-        </button>
+        ${button(
+          { look: 'plain square', label: `${t('verb.replace')}: ${name}`, title: t('verb.replace') },
+          icon('open', 16),
+          () => void this.#replace(k),
+        )}
         ${
           pictures.length > 1
-            ? html`<button
-                type="button"
-                class="plain square"
-                aria-label="${t('verb.remove')}: ${name}"
-                @click=${() => {
-                  this.#set(pictures.filter((_, other) => other !== k));
-                  if (this.#isShown()) this.studio.showLamp(0);
-                }}
-              >
-                ${icon('close', 16)}
-              </button>`
+            ? button({ look: 'plain square', label: `${t('verb.remove')}: ${name}` }, icon('close', 16), () => {
+                this.#set(pictures.filter((_, other) => other !== k));
+                if (this.#isShown()) this.studio.showLamp(0);
+              })
             : nothing
         }
       </span>
@@ -230,33 +205,16 @@ export class LampsPanel extends StudioElement {
           .value=${Math.round(light.azimuth)}
           .min=${0}
           .max=${360}
-          @turn=${(event: CustomEvent<number>) => {
-            this.#stand(k, [event.detail % 360, light.elevation], 'turn');
-          }}
-          @settle=${() => {
-            this.studio.settle();
-          }}
+          @turn=${(event: CustomEvent<number>) => this.#stand(k, [event.detail % 360, light.elevation], 'turn')}
+          @settle=${() => this.studio.settle()}
         ></sillon-dial>
-        <button
-          type="button"
-          aria-label="${t('lamp.here')}: ${name}"
-          @click=${() => {
-            const { azimuth, elevation } = this.state.light;
-            this.#stand(k, [Math.round(azimuth) % 360, Math.min(80, Math.max(15, Math.round(elevation)))]);
-          }}
-        >
-          ${t('lamp.here')}
-        </button>
-        <button
-          type="button"
-          aria-label="${t('lamp.best')}: ${name}"
-          aria-pressed=${String(picture.lamp === null)}
-          @click=${() => {
-            this.#stand(k, null);
-          }}
-        >
-          ${t('lamp.best')}
-        </button>
+        ${button({ label: `${t('lamp.here')}: ${name}` }, t('lamp.here'), () => {
+          const { azimuth, elevation } = this.state.light;
+          this.#stand(k, [Math.round(azimuth) % 360, Math.min(80, Math.max(15, Math.round(elevation)))]);
+        })}
+        ${button({ label: `${t('lamp.best')}: ${name}`, pressed: picture.lamp === null }, t('lamp.best'), () =>
+          this.#stand(k, null),
+        )}
       </div>
       ${contrast === undefined ? nothing : this.#gauge(contrast)}
     </li>`;

@@ -42,12 +42,8 @@ export function layerField(studio: Studio, layer: PlateLayer, key: LayerKey, own
   } = own;
   const value = layer[key] as SettingValue;
   const id = `layer-${key}`;
-  const onInput = (next: SettingValue): void => {
-    changeIn(studio, layer, () => set(next), `layer.${layer.id}.${key}`);
-  };
-  const onSettle = (): void => {
-    studio.settle();
-  };
+  const onInput = (next: SettingValue): void => changeIn(studio, layer, () => set(next), `layer.${layer.id}.${key}`);
+  const onSettle = (): void => studio.settle();
   if (key === 'angle' && setting.kind === 'number') {
     const { min, max } = setting;
     return angleField({ id, label, help, value: value as number, min, max, onInput, onSettle });

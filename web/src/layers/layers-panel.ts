@@ -26,6 +26,7 @@ import { dragRow, rowTaken } from './row-drag.js';
 import { startKinds, startStyle, startTiles } from './start.js';
 import { tile } from './tiles.js';
 import { warnedLayers } from '../model/warned.js';
+import { button } from '../controls/button.js';
 
 /** Kinds in the order of the tiles, the most wanted first. */
 const offered: readonly LayerKind[] = [
@@ -56,7 +57,7 @@ export class LayersPanel extends StudioElement {
     'welcome',
   ] as const;
 
-  static override styles = [...StudioElement.styles, panelStyle, layersStyle, startStyle];
+  static override styles = [panelStyle, layersStyle, startStyle];
 
   @state() private adding = false;
   @state() private allTiles = false;
@@ -145,7 +146,6 @@ export class LayersPanel extends StudioElement {
   /** Adds layers behind a button, since tiles would take the room of the fields where there is a list already. */
   #adder(): TemplateResult {
     return html`<button
-        type="button"
         id="add"
         aria-expanded=${String(this.adding)}
         aria-controls="kinds"
@@ -162,17 +162,13 @@ export class LayersPanel extends StudioElement {
     const added = isBare(this.state.plate) ? offered.filter((kind) => !startKinds.has(kind)) : offered;
     const kinds = this.allTiles ? added : added.slice(0, first);
     return html`<div class="tiles" id="kinds" role="group" aria-label=${l('add')}>
-      ${kinds.map(
-        (kind) =>
-          html`<button type="button" @click=${() => void this.#add(kind)}>
-            ${tile(kind)}<span>${l(`kind.${kind}`)}</span>
-          </button>`,
+      ${kinds.map((kind) =>
+        button('', html`${tile(kind)}<span>${l(`kind.${kind}`)}</span>`, () => void this.#add(kind)),
       )}
       ${
         this.allTiles
           ? nothing
           : html`<button
-              type="button"
               id="more-kinds"
               @click=${() => {
                 this.allTiles = true;
@@ -198,28 +194,17 @@ export class LayersPanel extends StudioElement {
     const look = `${chosen ? 'chosen' : ''} ${this.held === layer.id ? 'held' : ''} ${warned ? 'warned' : ''}`;
     return html`<li class=${look} data-layer=${layer.id}>
       <span class="grip" title=${l('drag')} aria-hidden="true">${layerIcon('grip', 16)}</span>
-      <button
-        type="button"
-        class="plain row"
-        aria-pressed=${String(chosen)}
-        @click=${() => {
-          this.studio.store.set({ layer: chosen ? undefined : layer.id, cropping: false, tool: 'pan' });
-        }}
-      >
-        ${lack === undefined && !warned ? kindIcon(layer) : icon('warn', 18)}
-        <span class=${layer.visible ? 'name' : 'name off'}>${name}</span>
-      </button>
-      <button
-        type="button"
-        class="plain square"
-        aria-label=${l(layer.visible ? 'hide' : 'show', { name })}
-        title=${l(layer.visible ? 'hide' : 'show', { name })}
-        @click=${() => {
-          this.#change((plate) => changeLayer(plate, layer.id, ({ visible }) => ({ visible: !visible })));
-        }}
-      >
-        ${layerIcon(layer.visible ? 'eye' : 'hidden')}
-      </button>
+      ${button(
+        { look: 'plain row', pressed: chosen },
+        html`${lack === undefined && !warned ? kindIcon(layer) : icon('warn', 18)}
+          <span class=${layer.visible ? 'name cut' : 'name cut off'}>${name}</span>`,
+        () => this.studio.store.set({ layer: chosen ? undefined : layer.id, cropping: false, tool: 'pan' }),
+      )}
+      ${button(
+        { look: 'plain square', name: l(layer.visible ? 'hide' : 'show', { name }) },
+        layerIcon(layer.visible ? 'eye' : 'hidden'),
+        () => this.#change((plate) => changeLayer(plate, layer.id, ({ visible }) => ({ visible: !visible }))),
+      )}
       ${chosen ? this.#actions(layer, name) : nothing}
     </li>`;
   }
@@ -232,27 +217,13 @@ export class LayersPanel extends StudioElement {
       image: SVGTemplateResult,
       disabled: boolean,
       run: () => void,
-    ): TemplateResult =>
-      html`<button
-        type="button"
-        class="plain square"
-        aria-label=${l(what, { name })}
-        title=${l(what, { name })}
-        ?disabled=${disabled}
-        @click=${run}
-      >
-        ${image}
-      </button>`;
-    const raise = (by: number) => (): void => {
-      this.#change((plate) => raised(plate, id, by));
-    };
+    ): TemplateResult => button({ look: 'plain square', name: l(what, { name }), disabled: disabled }, image, run);
+    const raise = (by: number) => (): void => this.#change((plate) => raised(plate, id, by));
     return html`<div class="actions">
       ${action('up', layerIcon('up', 16), layers.at(-1)?.id === id, raise(1))}
       ${action('down', layerIcon('down', 16), layers[0]?.id === id, raise(-1))}
       ${action('duplicate', icon('copy', 16), false, () => void duplicate(this.studio, layer))}
-      ${action('delete', icon('bin', 16), false, () => {
-        this.#remove(id);
-      })}
+      ${action('delete', icon('bin', 16), false, () => this.#remove(id))}
     </div>`;
   }
 
@@ -318,7 +289,11 @@ export class LayersPanel extends StudioElement {
           ${ground ? layerName({ ...layer, file: null, pictures: [] }) : l(`kind.${layer.kind}`)}
         </h3>
         ${kindFields(this.studio, layer)}
-        ${lack === undefined ? nothing : html`<p class="warning">${icon('warn', 16)} <span>${l(`lack.${lack}`)}</span></p>`}
+        ${
+          lack === undefined
+            ? nothing
+            : html`<p class="warning">${icon('warn', 16)} <span>${l(`lack.${lack}`)}</span></p>`
+        }
       </section>
       ${ground ? this.#groundFields(layer) : this.#topFields(layer)}`;
   }

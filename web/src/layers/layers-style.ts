@@ -46,11 +46,6 @@ export const layersStyle = css`
     border-color: transparent;
     background: none;
   }
-  .name {
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
-  }
   .off {
     color: var(--soft);
     text-decoration: line-through;
@@ -116,20 +111,6 @@ export const layersStyle = css`
   .tile .above {
     stroke: var(--accent);
     stroke-width: 1.5;
-  }
-  .size {
-    display: grid;
-    grid-template-columns: 1fr auto 1fr;
-    align-items: end;
-    gap: 8px;
-  }
-  .size .measure {
-    width: 100%;
-    min-width: 0;
-  }
-  .size label {
-    display: block;
-    margin-bottom: 4px;
   }
   .size > span {
     width: var(--control);

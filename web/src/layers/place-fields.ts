@@ -12,6 +12,7 @@ import type { LayerKey, LayerValues } from '../model/layers.js';
 import { pageOf, type Plate, type PlateLayer } from '../model/plate.js';
 import type { Studio } from '../studio/studio.js';
 import { changeIn, layerField } from './layer-field.js';
+import { button } from '../controls/button.js';
 
 /** Field of a length in mm. @param set  the layer's changes for a value of the field */
 function lengthField(
@@ -30,12 +31,8 @@ function lengthField(
     max,
     step,
     unit: 'mm',
-    onInput: (value) => {
-      changeIn(studio, layer, () => set(value), `layer.${layer.id}.${words.id}`);
-    },
-    onSettle: () => {
-      studio.settle();
-    },
+    onInput: (value) => changeIn(studio, layer, () => set(value), `layer.${layer.id}.${words.id}`),
+    onSettle: () => studio.settle(),
   };
   return html`<div class="field stacked">
     <label for=${field.id}>${field.label}</label>${numberInput(field)}
@@ -127,36 +124,16 @@ export function placeFields(
   };
   return html`<div class="size">
       ${place(0)}<span></span>${place(1)} ${side(0)}
-      <button
-        type="button"
-        class="square"
-        aria-pressed=${String(locked)}
-        aria-label=${a('size.lock')}
-        title=${a('size.lock')}
-        ?disabled=${keepsProportions(layer)}
-        @click=${lock.toggle}
-      >
-        ${icon(locked ? 'lock' : 'unlock', 16)}
-      </button>
+      ${button(
+        { look: 'square', name: a('size.lock'), disabled: keepsProportions(layer), pressed: locked },
+        icon(locked ? 'lock' : 'unlock', 16),
+        lock.toggle,
+      )}
       ${side(1)}
     </div>
     <div class="buttons">
-      <button
-        type="button"
-        @click=${() => {
-          set(() => ({ at: null }));
-        }}
-      >
-        ${l('centre')}
-      </button>
-      <button
-        type="button"
-        @click=${() => {
-          set((now) => coveringPage(pageOf(now), layer, frame));
-        }}
-      >
-        ${l('cover')}
-      </button>
+      ${button('', l('centre'), () => set(() => ({ at: null })))}
+      ${button('', l('cover'), () => set((now) => coveringPage(pageOf(now), layer, frame)))}
     </div>
     ${(['rotation', 'mirror'] satisfies LayerKey[]).map((key) => layerField(studio, layer, key))}`;
 }

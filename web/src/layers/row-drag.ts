@@ -64,9 +64,7 @@ export function dragRow(studio: Studio, id: number, down: PointerEvent, list: Ro
   const onEnd = ({ pointerId, type }: PointerEvent): void => {
     if (pointerId !== down.pointerId) return;
     // The click that follows a drag would choose a layer. It comes before any timer, so a timer ends its suppression.
-    setTimeout(() => {
-      dragging.abort();
-    });
+    setTimeout(() => dragging.abort());
     end(type === 'pointercancel');
   };
   const onKey = ({ key }: KeyboardEvent): void => {

@@ -8,6 +8,7 @@ import type { Studio } from '../studio/studio.js';
 import { drawingFiles, pictureFiles } from './add-layer.js';
 import { chooseFill } from './fill-cards.js';
 import { tile } from './tiles.js';
+import { button } from '../controls/button.js';
 
 const begins = {
   photo: 'picture',
@@ -50,21 +51,13 @@ export function startTiles(
   unfolded: boolean,
 ): TemplateResult {
   return html`<div class="start" role="group" aria-labelledby="layers-title">
-    ${Object.entries(begins).map(
-      ([name, kind]) =>
-        html`<button
-          type="button"
-          @click=${() => {
-            if (startKinds.has(kind)) add(kind);
-            else void begin(studio, name as Begin);
-          }}
-        >
-          ${tile(kind)}<span>${t(`start.${name as Begin}`)}</span>
-        </button>`,
+    ${Object.entries(begins).map(([name, kind]) =>
+      button('', html`${tile(kind)}<span>${t(`start.${name as Begin}`)}</span>`, () => {
+        if (startKinds.has(kind)) add(kind);
+        else void begin(studio, name as Begin);
+      }),
     )}
-    <button type="button" aria-expanded=${String(unfolded)} @click=${more}>
-      ${icon('more', 22)}<span>${t('start.more')}</span>
-    </button>
+    <button aria-expanded=${String(unfolded)} @click=${more}>${icon('more', 22)}<span>${t('start.more')}</span></button>
   </div>`;
 }
 

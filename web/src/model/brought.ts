@@ -3,14 +3,12 @@
 import type { PrinterValues } from 'sillon';
 import { filamentProfiles } from './appearance.js';
 import { printerDefaults } from './defaults.js';
-import { filamentOf, withFilament, withFilamentOf } from './filaments.js';
+import { filamentOf, heatOf, withFilament, withFilamentOf, type Heat } from './filaments.js';
 import type { Plate } from './plate.js';
 import { newPlate } from './new-plate.js';
 import { isGeneric, ofFilament, profileOf, sameMachine, withAdvance } from './printers.js';
 import { withNozzle } from './settings.js';
 import { without } from './without.js';
-
-type Heat = Pick<PrinterValues, 'nozzleTemperature' | 'firstLayerNozzleTemperature' | 'bedTemperature'>;
 
 const known = Object.values(filamentProfiles);
 const usual = {
@@ -92,10 +90,9 @@ export const countLines = (block: string): number =>
  * profile has, and temperatures without limits. Equal texts need no second look; an empty text needs none at all. */
 export function toReview(printer: PrinterValues): string {
   const { startGcode, endGcode, generalHeatLimits } = printer;
-  const { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature } = printer;
   const profile = profileOf(printer);
   const blocks = profile === undefined && (startGcode !== '' || endGcode !== '') ? [startGcode, endGcode] : [];
-  const heat = generalHeatLimits ? [nozzleTemperature, firstLayerNozzleTemperature, bedTemperature] : [];
+  const heat = generalHeatLimits ? Object.values(heatOf(printer)) : [];
   return blocks.length + heat.length === 0 ? '' : JSON.stringify([...blocks, ...heat]);
 }
 

@@ -1,4 +1,5 @@
 // The filaments on offer, their looks and their temperatures, from the core's tables of spools and filaments.
+import type { PrinterValues } from 'sillon';
 import { appearance, filamentProfiles, spools } from './appearance.js';
 import type { Machine, OwnSpool, Plate } from './plate.js';
 import { filamentFamily, withAdvance } from './printers.js';
@@ -58,11 +59,16 @@ export function withSpool(plate: Plate, spool: OwnSpool | undefined): Plate {
   return spool === undefined ? changed : { ...changed, spool };
 }
 
+export type Heat = Pick<PrinterValues, 'nozzleTemperature' | 'firstLayerNozzleTemperature' | 'bedTemperature'>;
+
+export const heatOf = ({ nozzleTemperature, firstLayerNozzleTemperature, bedTemperature }: Heat): Heat => ({
+  nozzleTemperature,
+  firstLayerNozzleTemperature,
+  bedTemperature,
+});
+
 /** Temperatures at which a filament is usually printed. */
-export const heatFor = ({ printed }: Filament) => {
-  const { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature } = printed;
-  return { nozzleTemperature, firstLayerNozzleTemperature, bedTemperature };
-};
+export const heatFor = ({ printed }: Filament): Heat => heatOf(printed);
 
 /** The plate in another filament, with that filament's look, temperatures and density. */
 export function withFilament(plate: Plate, key: FilamentKey): Plate {

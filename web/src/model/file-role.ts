@@ -1,22 +1,24 @@
 // Roles that opened files can have in a plate.
 import type { Plate, SourceFile } from './plate.js';
 
+/** Roles that a picture can have. */
+export const pictureRoles = [
+  'lamp',
+  'more',
+  'mask',
+  'tone',
+  'edges',
+  'levels',
+  'colours',
+  'angle',
+  'rotation',
+  'tangent',
+  'modes',
+  'none',
+] as const;
+
 /** Role of a file; the dictionary names it in `role.NAME`. */
-export type Role =
-  | 'shape'
-  | 'mask'
-  | 'colours'
-  | 'lamp'
-  | 'more'
-  | 'tone'
-  | 'edges'
-  | 'levels'
-  | 'angle'
-  | 'rotation'
-  | 'tangent'
-  | 'modes'
-  | 'project'
-  | 'none';
+export type Role = (typeof pictureRoles)[number] | 'shape' | 'project';
 
 /** Note on how a picture differs from its file: it is one frame of an animation, or white artwork on a ground that
  * is black now. The dictionary has `files.NAME`. */

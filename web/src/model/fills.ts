@@ -67,15 +67,10 @@ const hundredth = (length: number): number => Math.round(100 * length) / 100;
 const dark = 60;
 const bright = 150;
 
-const first: Record<Fill, (width: number) => Partial<LayerValues>> = {
-  picture: () => ({}),
-  map: () => ({}),
-  direction: () => ({}),
+const first: Partial<Record<Fill, (width: number) => Partial<LayerValues>>> = {
   brightness: (width) => ({ from: dark, to: bright, smoothing: hundredth(0.004 * width) }),
   edges: (width) => ({ smoothing: hundredth(0.01 * width) }),
   levels: () => ({ from: 0, to: 90 }),
-  colours: () => ({}),
-  radial: () => ({}),
   spiral: (width) => ({ waveLength: hundredth(width / 3) }),
   waves: (width) => ({ amplitude: 40, waveLength: hundredth(0.35 * width) }),
   noise: (width) => ({ amplitude: 90, waveLength: hundredth(0.2 * width) }),
@@ -101,7 +96,7 @@ const kindOf = (fill: Fill): Partial<LayerValues> & Pick<LayerValues, 'kind'> =>
 /** A layer with the first values of this fill. @param given  values to use instead, usually its files */
 export const newFill = (plate: PageParts, fill: Fill, given: Partial<LayerValues> = {}): LayerValues => ({
   ...layerDefaults(),
-  ...first[fill](pageOf(plate)[0]),
+  ...first[fill]?.(pageOf(plate)[0]),
   ...given,
   ...kindOf(fill),
 });

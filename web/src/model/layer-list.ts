@@ -31,9 +31,8 @@ const tenths = (length: number): number => Math.round(10 * length) / 10;
 
 /** First values of each kind, for a page of this size [mm]. A new layer shows at once against the directions below,
  * and is small enough to be moved. */
-const first: Record<LayerKind, (page: readonly [number, number]) => Partial<LayerValues>> = {
+const first: Partial<Record<LayerKind, (page: readonly [number, number]) => Partial<LayerValues>>> = {
   direction: ([width, height]) => ({ angle: 45, size: [tenths(width / 2), tenths(height / 2)] }),
-  map: () => ({}),
   picture: ([width, height]) => ({ size: width < height ? [tenths(0.6 * width), 0] : [0, tenths(0.6 * height)] }),
   text: (page) => ({ text: 'Abc', textSize: Math.max(4, Math.round(Math.min(...page) / 6)) }),
   code: (page) => ({ text: 'https://', size: [tenths(Math.min(...page) / 2), 0] }),
@@ -43,14 +42,13 @@ const first: Record<LayerKind, (page: readonly [number, number]) => Partial<Laye
   }),
   border: () => ({ fill: 'along' }),
   tones: () => ({ from: 60, to: 150 }),
-  strokes: () => ({}),
 };
 
 /** A layer with the first values of its kind. @param given  values to use instead */
 export const newLayer = (plate: PageParts, kind: LayerKind, given: Partial<LayerValues> = {}): LayerValues => ({
   ...layerDefaults(),
   kind,
-  ...first[kind](pageOf(plate)),
+  ...first[kind]?.(pageOf(plate)),
   ...given,
 });
 

@@ -2,7 +2,8 @@
 import type { DirectionMode, RebrushOptions, SlicedSurface, Stroke } from 'sillon';
 import { fieldsOf, numberIn, oneOf, textIn, Unfit } from './check.js';
 import { engineInput } from './input.js';
-import { filaments, spoolSlopes, type FilamentKey } from './filaments.js';
+import { spools } from './appearance.js';
+import { spoolSlopes, type FilamentKey } from './filaments.js';
 import { plateSpoolFrom } from './own-spool.js';
 import type { OwnSpool, Plate, SourceFile } from './plate.js';
 
@@ -34,19 +35,6 @@ export interface Wish {
   strokes: readonly Stroke[];
 }
 
-const keys: readonly (keyof Wish)[] = [
-  'side',
-  'chosen',
-  'way',
-  'angle',
-  'picture',
-  'lamp',
-  'spool',
-  'own',
-  'fit',
-  'strokes',
-];
-
 /** Reads a picture of an earlier visit. @throws Unfit */
 function pictureFrom(value: unknown): SourceFile | undefined {
   if (value === undefined) return undefined;
@@ -60,30 +48,34 @@ const isStroke = (value: unknown): value is Stroke => {
   return Array.isArray(points) && points.length % 2 === 0 && points.every(Number.isFinite);
 };
 
+const readers: { [Key in keyof Wish]: (value: unknown) => Wish[Key] } = {
+  side: (side) => oneOf(side, 'side', sides),
+  chosen(chosen) {
+    if (!(chosen instanceof Set) || ![...chosen].every(Number.isInteger)) throw new Unfit('chosen', chosen);
+    return chosen as Set<number>;
+  },
+  way: (way) => oneOf(way, 'way', ways),
+  angle: (angle) => numberIn(angle, 'angle', -360, 360),
+  picture: pictureFrom,
+  lamp(lamp) {
+    if (!Array.isArray(lamp)) throw new Unfit('lamp', lamp);
+    return [numberIn(lamp[0], 'lamp', 0, 360), numberIn(lamp[1], 'lamp', 0, 90)];
+  },
+  spool: (spool) => oneOf(spool, 'spool', Object.keys(spools) as FilamentKey[]),
+  own: (own) => plateSpoolFrom(own).spool,
+  fit: (fit) => oneOf(fit, 'fit', fits),
+  strokes(strokes) {
+    if (!Array.isArray(strokes) || !strokes.every(isStroke)) throw new Unfit('strokes', strokes);
+    return strokes;
+  },
+};
+
 /** Reads the choices of an earlier visit; undefined where this version cannot. The engine checks the values in the
  * strokes. */
 export function wishFrom(value: unknown): Wish | undefined {
   try {
-    const { side, chosen, way, angle, picture, lamp, spool, own, fit, strokes } = fieldsOf(value, 'wish', keys);
-    if (!(chosen instanceof Set) || ![...chosen].every(Number.isInteger)) throw new Unfit('chosen', chosen);
-    if (!Array.isArray(lamp)) throw new Unfit('lamp', lamp);
-    if (!Array.isArray(strokes) || !strokes.every(isStroke)) throw new Unfit('strokes', strokes);
-    return {
-      side: oneOf(side, 'side', sides),
-      chosen: chosen as Set<number>,
-      way: oneOf(way, 'way', ways),
-      angle: numberIn(angle, 'angle', -360, 360),
-      picture: pictureFrom(picture),
-      lamp: [numberIn(lamp[0], 'lamp', 0, 360), numberIn(lamp[1], 'lamp', 0, 90)],
-      spool: oneOf(
-        spool,
-        'spool',
-        filaments.map(({ key }) => key),
-      ),
-      own: plateSpoolFrom(own).spool,
-      fit: oneOf(fit, 'fit', fits),
-      strokes,
-    };
+    const given = fieldsOf(value, 'wish', Object.keys(readers));
+    return Object.fromEntries(Object.entries(readers).map(([key, read]) => [key, read(given[key])])) as unknown as Wish;
   } catch (error) {
     if (error instanceof Unfit) return undefined;
     throw error;

@@ -53,13 +53,13 @@ export interface State {
   tool: Tool;
 
   // The following fields are computed from the plate.
-  directions: PlateDirections | undefined;
-  result: PlateResult | undefined;
-  summary: GcodeSummary | undefined;
+  directions?: PlateDirections | undefined;
+  result?: PlateResult | undefined;
+  summary?: GcodeSummary | undefined;
   /** Check of the same file, read back as a printer would. */
-  check: GcodeCheck | undefined;
-  progress: Progress | undefined;
-  problem: Problem | undefined;
+  check?: GcodeCheck | undefined;
+  progress?: Progress | undefined;
+  problem?: Problem | undefined;
 }
 
 export const newState = (): State => ({
@@ -73,10 +73,4 @@ export const newState = (): State => ({
   panel: '',
   advanced: false,
   tool: 'pan',
-  directions: undefined,
-  result: undefined,
-  summary: undefined,
-  check: undefined,
-  progress: undefined,
-  problem: undefined,
 });

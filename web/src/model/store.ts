@@ -122,9 +122,7 @@ export class Store<State extends HasPlate> {
     this.#state = state;
     if (this.#telling) return;
     this.#telling = true;
-    queueMicrotask(() => {
-      this.#tell();
-    });
+    queueMicrotask(() => this.#tell());
   }
 
   #tell(): void {

@@ -58,23 +58,10 @@ const round = (value: number, digits: number): number => Number(value.toFixed(di
 
 /** All verdicts on a report; empty for one without measures. */
 export function verdictsOf(report: Report): Verdict[] {
-  const { spacing, width, coverage, overlap, uTurns, kinks, crossings, fillRatio, lostAreaMm2, lengthMm } = report;
-  const { alignmentConstrained, turnBound } = report;
-  if (
-    width === undefined ||
-    coverage === undefined ||
-    overlap === undefined ||
-    uTurns === undefined ||
-    kinks === undefined ||
-    crossings === undefined ||
-    fillRatio === undefined ||
-    lostAreaMm2 === undefined ||
-    lengthMm === undefined ||
-    alignmentConstrained === undefined ||
-    turnBound === undefined
-  ) {
-    return [];
-  }
+  if (report.coverage === undefined) return []; // the measures come together
+  const measured = report as Required<Report>;
+  const { spacing, width, coverage, overlap, uTurns, kinks, crossings, fillRatio, lostAreaMm2, lengthMm } = measured;
+  const { alignmentConstrained, turnBound } = measured;
   const area = Math.max(1e-6, lengthMm * spacing); // [mm²], accurate enough for a density
   const perCm2 = (count: number): number => round((100 * count) / area, 1);
   const verdicts: Verdict[] = [

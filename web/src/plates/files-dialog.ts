@@ -5,6 +5,7 @@ import { words } from '../i18n/en/files.js';
 import { formatBytes, say, t } from '../i18n/text.js';
 import { DialogElement } from '../controls/dialog.js';
 import type { Opened, Role } from '../model/file-role.js';
+import { button } from '../controls/button.js';
 
 const pictureSide = 192; // [pixels] for 64 CSS pixels on a screen with a pixel ratio of 3
 
@@ -12,43 +13,35 @@ const pictureSide = 192; // [pixels] for 64 CSS pixels on a screen with a pixel 
 export class Files extends DialogElement {
   static override reads = ['opened'] as const;
 
-  static override styles = [
-    ...DialogElement.styles,
-    css`
-      dialog {
-        width: min(560px, calc(100vw - 24px));
-      }
-      .body,
-      .files {
-        display: grid;
-        gap: 16px;
-      }
-      .files li {
-        display: grid;
-        grid-template-columns: 64px 1fr;
-        gap: 4px 14px;
-        align-items: start;
-      }
-      .files img,
-      .files .blank {
-        width: 64px;
-        height: 64px;
-        object-fit: contain;
-        border: 1px solid var(--line);
-        border-radius: var(--radius);
-        background: var(--sunken);
-        grid-row: span 3;
-      }
-      .files label {
-        overflow-wrap: anywhere;
-        font-weight: 500;
-      }
-      .end {
-        display: flex;
-        justify-content: end;
-      }
-    `,
-  ];
+  static override styles = css`
+    dialog {
+      width: min(560px, calc(100vw - 24px));
+    }
+    .files {
+      display: grid;
+      gap: 16px;
+    }
+    .files li {
+      display: grid;
+      grid-template-columns: 64px 1fr;
+      gap: 4px 14px;
+      align-items: start;
+    }
+    .files img,
+    .files .blank {
+      width: 64px;
+      height: 64px;
+      object-fit: contain;
+      border: 1px solid var(--line);
+      border-radius: var(--radius);
+      background: var(--sunken);
+      grid-row: span 3;
+    }
+    .files label {
+      overflow-wrap: anywhere;
+      font-weight: 500;
+    }
+  `;
 
   readonly #pictures = new Map<string, string>();
 
@@ -67,17 +60,7 @@ export class Files extends DialogElement {
       <ul class="files">
         ${opened?.files.map((file, k) => this.#row(file, k))}
       </ul>
-      <div class="end">
-        <button
-          type="button"
-          class="main"
-          @click=${() => {
-            this.close();
-          }}
-        >
-          ${t('verb.done')}
-        </button>
-      </div>
+      <div class="end">${button('main', t('verb.done'), () => this.close())}</div>
     `;
   }
 

@@ -9,126 +9,109 @@ import { language, say, t } from '../i18n/text.js';
 import { DialogElement } from '../controls/dialog.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { urlOf } from '../controls/thumbnail.js';
+import { button } from '../controls/button.js';
 
 @customElement('sillon-plates')
 export class Plates extends DialogElement {
-  static override styles = [
-    ...DialogElement.styles,
-    css`
-      dialog {
-        width: min(980px, calc(100vw - 24px));
-      }
-      .body {
-        display: grid;
-        gap: 14px;
-      }
+  static override styles = css`
+    dialog {
+      width: min(980px, calc(100vw - 24px));
+    }
+    .plates {
+      display: grid;
+      grid-template-columns: repeat(auto-fill, minmax(172px, 1fr));
+      gap: 12px;
+    }
+    .plates li {
+      display: grid;
+      grid-template-rows: auto auto auto;
+      gap: 6px;
+      padding: 8px;
+    }
+    .plates li.here {
+      border-color: var(--accent);
+    }
+    .open {
+      position: relative;
+      display: block;
+      width: 100%;
+      aspect-ratio: 1;
+      padding: 0;
+      border-color: transparent;
+      background: var(--sunken);
+    }
+    .open img {
+      display: block;
+      width: 100%;
+      height: 100%;
+      object-fit: contain;
+    }
+    .open .blank {
+      display: grid;
+      height: 100%;
+      place-content: center;
+      color: var(--edge);
+    }
+    .badge {
+      position: absolute;
+      left: 6px;
+      bottom: 6px;
+      font-size: var(--small);
+    }
+    .here .badge {
+      color: var(--accent);
+    }
+    input.name {
+      width: 100%;
+      border-color: transparent;
+      background: none;
+      font-weight: 500;
+      text-overflow: ellipsis;
+    }
+    input.name:hover,
+    input.name:focus {
+      border-color: var(--edge);
+    }
+    .foot {
+      display: flex;
+      align-items: center;
+      gap: 2px;
+      padding-left: 8px;
+    }
+    .foot .note {
+      flex: 1;
+      min-width: 0;
+    }
+    .told {
+      display: flex;
+      flex-wrap: wrap;
+      align-items: center;
+      gap: 8px 12px;
+      padding: 8px 12px;
+      border: 1px solid var(--line);
+      border-radius: var(--radius-large);
+      background: var(--tint);
+    }
+    .told span {
+      flex: 1 1 240px;
+    }
+    @media (max-width: 480px) {
       .plates {
-        display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(172px, 1fr));
-        gap: 12px;
+        grid-template-columns: 1fr 1fr;
+        gap: 8px;
       }
       .plates li {
-        display: grid;
-        grid-template-rows: auto auto auto;
-        gap: 6px;
-        padding: 8px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--raised);
-      }
-      .plates li.here {
-        border-color: var(--accent);
-      }
-      .open {
-        position: relative;
-        display: block;
-        width: 100%;
-        aspect-ratio: 1;
-        padding: 0;
-        border-color: transparent;
-        background: var(--sunken);
-      }
-      .open img {
-        display: block;
-        width: 100%;
-        height: 100%;
-        object-fit: contain;
-      }
-      .open .blank {
-        display: grid;
-        height: 100%;
-        place-content: center;
-        color: var(--edge);
-      }
-      .badge {
-        position: absolute;
-        left: 6px;
-        bottom: 6px;
-        padding: 2px 7px;
-        border-radius: var(--radius);
-        background: var(--surface);
-        color: var(--soft);
-        font-size: var(--small);
-      }
-      .here .badge {
-        color: var(--accent);
-      }
-      input.name {
-        width: 100%;
-        border-color: transparent;
-        background: none;
-        font-weight: 500;
-        text-overflow: ellipsis;
-      }
-      input.name:hover,
-      input.name:focus {
-        border-color: var(--edge);
+        padding: 4px;
       }
       .foot {
-        display: flex;
-        align-items: center;
-        gap: 2px;
-        padding-left: 8px;
+        flex-wrap: wrap;
+        padding-left: 6px;
       }
       .foot .note {
-        flex: 1;
-        min-width: 0;
+        flex-basis: 100%;
       }
-      .told {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 8px 12px;
-        padding: 8px 12px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--tint);
-      }
-      .told span {
-        flex: 1 1 240px;
-      }
-      .end {
-        display: flex;
-        justify-content: end;
-      }
-      @media (max-width: 480px) {
-        .plates {
-          grid-template-columns: 1fr 1fr;
-          gap: 8px;
-        }
-        .plates li {
-          padding: 4px;
-        }
-        .foot {
-          flex-wrap: wrap;
-          padding-left: 6px;
-        }
-        .foot .note {
-          flex-basis: 100%;
-        }
-      }
-    `,
-  ];
+    }
+  `;
 
   @state() private plates: readonly Listed[] | undefined;
   /** Plate that the visitor wants to open although another tab has it. */
@@ -141,20 +124,14 @@ export class Plates extends DialogElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    addEventListener('focus', this.#read);
+    this.listen('focus', this.#read);
     this.#read();
   }
 
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    removeEventListener('focus', this.#read);
-  }
-
-  #read = (): void => {
+  #read = (): void =>
     void this.studio.attempt(async () => {
       this.plates = await this.studio.services.plates().list();
     });
-  };
 
   protected override body(): TemplateResult {
     return html`
@@ -174,15 +151,10 @@ export class Plates extends DialogElement {
               </ul>`
       }
       <div class="end">
-        <button
-          type="button"
-          @click=${() => {
-            this.close();
-            this.studio.services.newPlate();
-          }}
-        >
-          ${icon('plus')} ${say(words, 'plates.new')}
-        </button>
+        ${button('', html`${icon('plus')} ${say(words, 'plates.new')}`, () => {
+          this.close();
+          this.studio.services.newPlate();
+        })}
       </div>
     `;
   }
@@ -192,46 +164,24 @@ export class Plates extends DialogElement {
     if (foreign !== undefined) {
       return html`<div class="told">
         <span>${say(words, 'plates.foreignHelp', { name: this.#nameOf(foreign) })}</span>
-        <button type="button" class="main" @click=${() => void this.#download(foreign)}>
-          ${icon('download', 16)} ${t('verb.download')}
-        </button>
+        ${button('main', html`${icon('download', 16)} ${t('verb.download')}`, () => void this.#download(foreign))}
       </div>`;
     }
     if (asked !== undefined) {
       return html`<div class="told">
         <span>${say(words, 'plates.asked', { name: this.#nameOf(asked) })} ${say(words, 'plates.takeHelp')}</span>
-        <button
-          type="button"
-          class="main"
-          @click=${() => {
-            void this.#open(asked.id, true);
-          }}
-        >
-          ${say(words, 'plates.take')}
-        </button>
-        <button
-          type="button"
-          @click=${() => {
-            void this.#open(asked.id, false);
-          }}
-        >
-          ${say(words, 'plates.copy')}
-        </button>
+        ${button('main', say(words, 'plates.take'), () => void this.#open(asked.id, true))}
+        ${button('', say(words, 'plates.copy'), () => void this.#open(asked.id, false))}
       </div>`;
     }
     if (deleted === undefined) return nothing;
     return html`<div class="told">
       <span>${say(words, 'plates.deleted', { name: deleted.name })}</span>
-      <button
-        type="button"
-        @click=${() => {
-          this.renderRoot.querySelector<HTMLElement>('.body')?.focus(); // as this button goes
-          this.deleted = undefined;
-          void this.#then(deleted.undo);
-        }}
-      >
-        ${icon('undo', 16)} ${t('verb.undo')}
-      </button>
+      ${button('', html`${icon('undo', 16)} ${t('verb.undo')}`, () => {
+        this.renderRoot.querySelector<HTMLElement>('.body')?.focus(); // as this button goes
+        this.deleted = undefined;
+        void this.#then(deleted.undo);
+      })}
     </div>`;
   }
 
@@ -243,7 +193,7 @@ export class Plates extends DialogElement {
     const size = say(words, 'plates.size', { width: Math.round(width), height: Math.round(height) });
     const badge = foreign ? 'plates.foreign' : here ? 'plates.here' : elsewhere ? 'plates.elsewhere' : undefined;
     const date = new Intl.DateTimeFormat(language(), { dateStyle: 'medium', timeStyle: 'short' }).format(changed);
-    return html`<li class=${here ? 'here' : ''}>
+    return html`<li class=${here ? 'board here' : 'board'}>
       <button
         type="button"
         class="open"
@@ -261,7 +211,7 @@ export class Plates extends DialogElement {
             ? html`<span class="blank">${icon('directions', 40)}</span>`
             : html`<img src=${urlOf(picture)} alt="" />`
         }
-        ${badge === undefined ? nothing : html`<span class="badge">${say(words, badge)}</span>`}
+        ${badge === undefined ? nothing : html`<span class="badge tag">${say(words, badge)}</span>`}
       </button>
       <input
         class="name"
@@ -272,9 +222,7 @@ export class Plates extends DialogElement {
         spellcheck="false"
         ?readonly=${elsewhere || foreign}
         .value=${plate.name}
-        @change=${(event: Event) => {
-          void this.#rename(plate, (event.currentTarget as HTMLInputElement).value.trim());
-        }}
+        @change=${(event: Event) => void this.#rename(plate, (event.currentTarget as HTMLInputElement).value.trim())}
       />
       <div class="foot">
         <span class="note">${size}<br />${date}</span>
@@ -293,16 +241,7 @@ export class Plates extends DialogElement {
   }
 
   #button(name: IconName, label: string, run: () => Promise<void>, disabled = false): TemplateResult {
-    return html`<button
-      type="button"
-      class="plain square"
-      aria-label=${label}
-      title=${label}
-      ?disabled=${disabled}
-      @click=${() => void run()}
-    >
-      ${icon(name, 16)}
-    </button>`;
+    return button({ look: 'plain square', name: label, disabled }, icon(name, 16), () => void run());
   }
 
   /** Runs an action that may fail, and then reads the list again. */

@@ -8,37 +8,26 @@ import { say, t } from '../i18n/text.js';
 import { DialogElement } from '../controls/dialog.js';
 import { icon } from '../controls/icons.js';
 import type { Shown } from '../studio/shown.js';
+import { button } from '../controls/button.js';
 
 @customElement('sillon-share')
 export class Share extends DialogElement {
-  static override styles = [
-    ...DialogElement.styles,
-    css`
-      dialog {
-        width: min(520px, calc(100vw - 24px));
-      }
-      .body {
-        display: grid;
-        gap: 12px;
-      }
-      .link {
-        display: grid;
-        grid-template-columns: 1fr auto;
-        gap: 8px;
-      }
-      .buttons {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 8px;
-      }
-      img {
-        justify-self: center;
-        max-width: 100%;
-        max-height: 40vh;
-        border-radius: var(--radius);
-      }
-    `,
-  ];
+  static override styles = css`
+    dialog {
+      width: min(520px, calc(100vw - 24px));
+    }
+    .link {
+      display: grid;
+      grid-template-columns: 1fr auto;
+      gap: 8px;
+    }
+    img {
+      justify-self: center;
+      max-width: 100%;
+      max-height: 40vh;
+      border-radius: var(--radius);
+    }
+  `;
 
   @state() private url = '';
   @state() private told = '';
@@ -80,35 +69,27 @@ export class Share extends DialogElement {
       <p>${say(words, 'export.link.help')} ${this.told}</p>
       <div class="link">
         <input type="text" readonly aria-label=${t('verb.share')} .value=${this.url} @focus=${this.#select} />
-        <button type="button" class="main" ?disabled=${this.url === ''} @click=${this.#copy}>
-          ${icon(this.copied ? 'check' : 'share')} ${t(this.copied ? 'verb.copied' : 'export.link')}
-        </button>
+        ${button(
+          { look: 'main', disabled: this.url === '' },
+          html`${icon(this.copied ? 'check' : 'share')} ${t(this.copied ? 'verb.copied' : 'export.link')}`,
+          this.#copy,
+        )}
       </div>
       <div class="buttons">
         ${
           'share' in navigator
-            ? html`<button
-                type="button"
-                @click=${() => {
-                  // Closing the browser's dialog without a choice is no error.
-                  navigator.share({ title: say(linksWords, 'app.name'), url: this.url }).catch(() => undefined);
-                }}
-              >
-                ${icon('share')} ${t('verb.share')}
-              </button>`
+            ? button('', html`${icon('share')} ${t('verb.share')}`, () => {
+                // Closing the browser's dialog without a choice is no error.
+                navigator.share({ title: say(linksWords, 'app.name'), url: this.url }).catch(() => undefined);
+              })
             : ''
         }
-        <button
-          type="button"
-          @click=${() => {
-            void this.studio.save('project');
-          }}
-        >
-          ${icon('file')} ${t('export.project')}
-        </button>
-        <button type="button" ?disabled=${this.making || this.loop !== undefined} @click=${this.#makeLoop}>
-          ${icon('video')} ${t('export.loop')}
-        </button>
+        ${button('', html`${icon('file')} ${t('export.project')}`, () => void this.studio.save('project'))}
+        ${button(
+          { disabled: this.making || this.loop !== undefined },
+          html`${icon('video')} ${t('export.loop')}`,
+          this.#makeLoop,
+        )}
       </div>
       ${this.loop === undefined ? nothing : this.#moving(this.loop)}
       <p class="note" role="status">
@@ -125,25 +106,12 @@ export class Share extends DialogElement {
       <div class="buttons">
         ${
           shares
-            ? html`<button
-                type="button"
-                class="main"
-                @click=${() => {
-                  navigator.share({ files: [file] }).catch(() => undefined);
-                }}
-              >
-                ${icon('share')} ${t('verb.share')}
-              </button>`
+            ? button('main', html`${icon('share')} ${t('verb.share')}`, () => {
+                navigator.share({ files: [file] }).catch(() => undefined);
+              })
             : nothing
         }
-        <button
-          type="button"
-          @click=${() => {
-            this.studio.deliver(file, file.name);
-          }}
-        >
-          ${icon('download')} ${t('verb.download')}
-        </button>
+        ${button('', html`${icon('download')} ${t('verb.download')}`, () => this.studio.deliver(file, file.name))}
       </div>`;
   }
 
@@ -167,9 +135,7 @@ export class Share extends DialogElement {
     this.loop = undefined;
   }
 
-  #select = (event: Event): void => {
-    (event.currentTarget as HTMLInputElement).select();
-  };
+  #select = (event: Event): void => (event.currentTarget as HTMLInputElement).select();
 
   #copy = async (): Promise<void> => {
     try {

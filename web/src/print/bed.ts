@@ -10,39 +10,36 @@ import { isRoundKind, pageOf } from '../model/plate.js';
 export class Bed extends StudioElement {
   static override reads = ['plate'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      svg {
-        display: block;
-        width: 100%;
-        max-height: 200px;
-        border-radius: var(--radius);
-        background: var(--sunken);
-      }
-      .bed {
-        fill: var(--raised);
-        stroke: var(--edge);
-        vector-effect: non-scaling-stroke;
-      }
-      .grid {
-        stroke: var(--line);
-        vector-effect: non-scaling-stroke;
-      }
-      .plate {
-        fill: color-mix(in srgb, var(--accent) 22%, transparent);
-        stroke: var(--accent);
-        stroke-width: 1.5;
-        vector-effect: non-scaling-stroke;
-        cursor: move;
-        touch-action: none;
-      }
-      .outside {
-        fill: color-mix(in srgb, var(--bad) 22%, transparent);
-        stroke: var(--bad);
-      }
-    `,
-  ];
+  static override styles = css`
+    svg {
+      display: block;
+      width: 100%;
+      max-height: 200px;
+      border-radius: var(--radius);
+      background: var(--sunken);
+    }
+    .bed {
+      fill: var(--raised);
+      stroke: var(--edge);
+      vector-effect: non-scaling-stroke;
+    }
+    .grid {
+      stroke: var(--line);
+      vector-effect: non-scaling-stroke;
+    }
+    .plate {
+      fill: color-mix(in srgb, var(--accent) 22%, transparent);
+      stroke: var(--accent);
+      stroke-width: 1.5;
+      vector-effect: non-scaling-stroke;
+      cursor: move;
+      touch-action: none;
+    }
+    .outside {
+      fill: color-mix(in srgb, var(--bad) 22%, transparent);
+      stroke: var(--bad);
+    }
+  `;
 
   #grab: { x: number; y: number; place: [number, number] } | undefined;
 

@@ -11,6 +11,7 @@ import { withoutBlocks } from '../model/brought.js';
 import { settings, type Setting, type SettingValue } from '../model/settings.js';
 import { DialogElement } from '../controls/dialog.js';
 import { icon } from '../controls/icons.js';
+import { button } from '../controls/button.js';
 
 type Block = 'startGcode' | 'endGcode';
 
@@ -24,86 +25,64 @@ const visible = (text: string): string =>
 export class Blocks extends DialogElement {
   static override reads = ['plate'] as const;
 
-  static override styles = [
-    ...DialogElement.styles,
-    css`
-      dialog {
-        width: min(760px, calc(100vw - 24px));
-      }
-      .body {
-        display: grid;
-        gap: 12px;
-      }
-      table {
-        width: 100%;
-        border-collapse: collapse;
-        font-size: var(--note);
-      }
-      th,
-      td {
-        padding: 4px 8px 4px 0;
-        border-bottom: 1px solid var(--line);
-        text-align: start;
-        overflow-wrap: anywhere;
-      }
-      ol {
-        margin: 0;
-        padding: 0;
-        list-style: none;
-        border: 1px solid var(--line);
-        border-radius: var(--radius);
-        background: var(--sunken);
-        font-size: var(--note);
-      }
-      li {
-        display: grid;
-        grid-template-columns: 3.5em minmax(0, 1fr);
-        gap: 2px 8px;
-        padding: 3px 8px;
-      }
-      li + li {
-        border-top: 1px solid var(--line);
-      }
-      .number {
-        color: var(--soft);
-        text-align: end;
-        font-variant-numeric: tabular-nums;
-      }
-      code {
-        overflow-wrap: anywhere;
-        unicode-bidi: isolate-override;
-      }
-      .mark {
-        display: flex;
-        gap: 6px;
-        grid-column: 2;
-        color: var(--soft);
-      }
-      .mark .icon {
-        flex: none;
-        margin-top: 1px;
-      }
-      .error {
-        background: var(--bad-tint);
-      }
-      .error .mark {
-        color: var(--bad);
-      }
-      .warning .mark {
-        color: var(--accent);
-      }
-      .end {
-        position: sticky;
-        bottom: -24px; /* down to the sheet's edge */
-        display: flex;
-        flex-wrap: wrap;
-        justify-content: end;
-        gap: 8px;
-        padding-block: 10px 24px;
-        background: var(--surface);
-      }
-    `,
-  ];
+  static override styles = css`
+    table {
+      width: 100%;
+      border-collapse: collapse;
+      font-size: var(--note);
+    }
+    th,
+    td {
+      padding: 4px 8px 4px 0;
+      border-bottom: 1px solid var(--line);
+      text-align: start;
+      overflow-wrap: anywhere;
+    }
+    ol {
+      list-style: none;
+      border: 1px solid var(--line);
+      border-radius: var(--radius);
+      background: var(--sunken);
+      font-size: var(--note);
+    }
+    li {
+      display: grid;
+      grid-template-columns: 3.5em minmax(0, 1fr);
+      gap: 2px 8px;
+      padding: 3px 8px;
+    }
+    li + li {
+      border-top: 1px solid var(--line);
+    }
+    .number {
+      color: var(--soft);
+      text-align: end;
+      font-variant-numeric: tabular-nums;
+    }
+    code {
+      overflow-wrap: anywhere;
+      unicode-bidi: isolate-override;
+    }
+    .mark {
+      display: flex;
+      gap: 6px;
+      grid-column: 2;
+      color: var(--soft);
+    }
+    .mark .icon {
+      flex: none;
+      margin-top: 1px;
+    }
+    .error {
+      background: var(--bad-tint);
+    }
+    .error .mark {
+      color: var(--bad);
+    }
+    .warning .mark {
+      color: var(--accent);
+    }
+  `;
 
   @property() purpose: 'brought' | 'blocks' = 'brought';
   /** The engine's findings; undefined for a block that is not examined yet, or that is empty. */
@@ -205,47 +184,25 @@ export class Blocks extends DialogElement {
   }
 
   #choice(): TemplateResult {
-    return html`<button
-        type="button"
-        @click=${() => {
-          this.studio.useBrought(true);
-          this.close();
-        }}
-      >
-        ${t('verb.use')}
-      </button>
-      <button
-        type="button"
-        class="main"
-        @click=${() => {
-          this.studio.keepOwnPrinter();
-          this.close();
-        }}
-      >
-        ${t('brought.keep')}
-      </button>`;
+    return html`${button('', t('verb.use'), () => {
+      this.studio.useBrought(true);
+      this.close();
+    })}
+    ${button('main', t('brought.keep'), () => {
+      this.studio.keepOwnPrinter();
+      this.close();
+    })}`;
   }
 
   #download(): TemplateResult {
-    return html`<button
-        type="button"
-        @click=${() => {
-          this.studio.change(withoutBlocks);
-          this.close();
-        }}
-      >
-        ${say(words, 'blocks.remove')}
-      </button>
-      <button
-        type="button"
-        class="main"
-        @click=${() => {
-          this.close(() => {
-            this.studio.goOn();
-          });
-        }}
-      >
-        ${icon('download')} ${t('keys.gcode')}
-      </button>`;
+    return html`${button('', say(words, 'blocks.remove'), () => {
+      this.studio.change(withoutBlocks);
+      this.close();
+    })}
+    ${button('main', html`${icon('download')} ${t('keys.gcode')}`, () =>
+      this.close(() => {
+        this.studio.goOn();
+      }),
+    )}`;
   }
 }

@@ -10,8 +10,10 @@ import { StudioElement } from '../controls/element.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { menuStyle } from '../controls/menu-style.js';
 import type { Product } from '../studio/studio.js';
+import { button } from '../controls/button.js';
 
-const products: readonly (readonly [Product, IconName])[] = [
+/** All files of a plate, with their icons. */
+export const products: readonly (readonly [Product, IconName])[] = [
   ['gcode', 'print'],
   ['body', 'body'],
   ['zones', 'body'],
@@ -27,7 +29,6 @@ export class Downloads extends StudioElement {
   static override reads = ['plate', 'result'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     menuStyle,
     css`
       :host {
@@ -38,13 +39,7 @@ export class Downloads extends StudioElement {
         padding: 4px 10px 0;
       }
       p {
-        display: grid;
-        grid-template-columns: auto 1fr;
-        gap: 8px;
-        margin: 0;
         max-width: 24rem;
-        color: var(--bad);
-        font-size: var(--note);
       }
     `,
   ];
@@ -56,7 +51,10 @@ export class Downloads extends StudioElement {
     // Warnings about layers: letters, codes and pictures that nobody will see.
     const unseen = known.filter(({ values }) => 'layer' in values);
     return html`<sillon-doubts .studio=${this.studio}></sillon-doubts>
-      ${unseen.map((warning) => html`<p role="status">${icon('warn', 16)} <span>${warningText(warning)}</span></p>`)}
+      ${unseen.map(
+        (warning) =>
+          html`<p class="warning" role="status">${icon('warn', 16)} <span>${warningText(warning)}</span></p>`,
+      )}
       ${products.map(([product, name]) => {
         const missing = product === 'body' && print.base === 0;
         const help: keyof typeof words = missing ? 'export.body.none' : `export.${product}.help`;
@@ -64,22 +62,17 @@ export class Downloads extends StudioElement {
         return this.#item(name, t(`export.${product}`), say(words, help), save, missing);
       })}
       <hr />
-      ${this.#item('share', t('verb.share'), say(words, 'export.link.help'), () => {
-        this.studio.show('share');
-      })}`;
+      ${this.#item('share', t('verb.share'), say(words, 'export.link.help'), this.studio.opens('share'))}`;
   }
 
   #item(name: IconName, label: string, help: string, run: () => void, disabled = false): TemplateResult {
-    return html`<button
-      type="button"
-      class="item"
-      ?disabled=${disabled}
-      @click=${() => {
+    return button(
+      { look: 'item', disabled },
+      html`${icon(name, 20)}<span>${label}</span>${help === '' ? nothing : html`<span class="note">${help}</span>`}`,
+      () => {
         this.dispatchEvent(new Event('done'));
         run();
-      }}
-    >
-      ${icon(name, 20)}<span>${label}</span>${help === '' ? nothing : html`<span class="note">${help}</span>`}
-    </button>`;
+      },
+    );
   }
 }

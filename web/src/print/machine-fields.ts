@@ -6,7 +6,7 @@ import { words } from '../i18n/en/printer.js';
 import { say, t } from '../i18n/text.js';
 import { countLines } from '../model/brought.js';
 import { filaments, withFilament, withSpool } from '../model/filaments.js';
-import type { OwnSpool } from '../model/plate.js';
+import type { OwnSpool, Plate } from '../model/plate.js';
 import {
   isGeneric,
   printers,
@@ -20,6 +20,7 @@ import { filamentLabel, filamentName, listedFilament } from './filament-name.js'
 import { spoolColour } from './spool.js';
 import { select, type ChoiceField } from '../controls/fields.js';
 import type { Studio } from '../studio/studio.js';
+import { button } from '../controls/button.js';
 
 /** The visitor's spools that are kept here, and the plate's own, which may have come with a project. */
 export function ownSpools(studio: Studio): readonly OwnSpool[] {
@@ -119,15 +120,7 @@ function startNote(
   if (current !== undefined) return nothing;
   return html`<p class="note">
     ${say(words, 'printer.ownStart', { n: countLines(startGcode) })}
-    <button
-      type="button"
-      class="link"
-      @click=${() => {
-        studio.review();
-      }}
-    >
-      ${t('brought.show')}
-    </button>
+    ${button('link', t('brought.show'), () => studio.review())}
   </p>`;
 }
 
@@ -146,40 +139,33 @@ export const takePrinter = (studio: Studio, file: File): Promise<boolean> =>
 /** Field for the filament: the listed ones and the visitor's own spools. */
 export function filamentField(studio: Studio): TemplateResult {
   const { plate } = studio.store.state;
-  const { spool } = plate;
-  const own = ownSpools(studio);
   const chosen = listedFilament(plate);
+  const swatch = (
+    colour: readonly number[],
+    name: string,
+    checked: boolean,
+    change: (plate: Plate) => Plate,
+  ): TemplateResult =>
+    html`<label title=${name} .style=${`--colour: rgb(${colour.join(' ')})`}>
+      <input
+        type="radio"
+        name="filament"
+        aria-label=${name}
+        .checked=${live(checked)}
+        @change=${() => studio.choosePrint(change)}
+      />
+    </label>`;
   return html`<div class="field">
       <span class="name" id="filament-name">${t('section.filament')}</span>
       <span class="note">${filamentName(plate)}</span>
       <div class="wide swatches" role="radiogroup" aria-labelledby="filament-name">
-        ${filaments.map(
-          (filament) =>
-            html`<label title=${filamentLabel(filament)} .style=${`--colour: rgb(${filament.colour.join(' ')})`}>
-              <input
-                type="radio"
-                name="filament"
-                aria-label=${filamentLabel(filament)}
-                .checked=${live(filament === chosen)}
-                @change=${() => {
-                  studio.choosePrint((now) => withFilament(now, filament.key));
-                }}
-              />
-            </label>`,
+        ${filaments.map((filament) =>
+          swatch(filament.colour, filamentLabel(filament), filament === chosen, (now) =>
+            withFilament(now, filament.key),
+          ),
         )}
-        ${own.map(
-          (one) =>
-            html`<label title=${one.key} .style=${`--colour: rgb(${one.colour.join(' ')})`}>
-              <input
-                type="radio"
-                name="filament"
-                aria-label=${one.key}
-                .checked=${live(spool?.key === one.key)}
-                @change=${() => {
-                  studio.choosePrint((now) => withSpool(now, one));
-                }}
-              />
-            </label>`,
+        ${ownSpools(studio).map((one) =>
+          swatch(one.colour, one.key, plate.spool?.key === one.key, (now) => withSpool(now, one)),
         )}
       </div>
     </div>

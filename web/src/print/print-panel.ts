@@ -34,6 +34,7 @@ import { panelStyle } from '../controls/panel-style.js';
 import { settingField } from '../controls/setting-field.js';
 import { thicknessField } from '../shape/thickness-field.js';
 import { settingGroups, type GroupName } from '../model/setting-groups.js';
+import { button } from '../controls/button.js';
 
 const mostSeeds = 1e6; // seeds to choose from at random
 
@@ -42,7 +43,6 @@ export class PrintPanel extends StudioElement {
   static override reads = ['plate', 'summary', 'check', 'result', 'advanced', 'problem', 'spools', 'units'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     swatchStyle,
     css`
@@ -115,22 +115,8 @@ export class PrintPanel extends StudioElement {
       <section aria-label=${t('section.filament')}>
         ${filamentField(this.studio)}
         <div class="buttons">
-          <button
-            type="button"
-            @click=${() => {
-              this.studio.show('spools');
-            }}
-          >
-            ${c('spools.yours')}
-          </button>
-          <button
-            type="button"
-            @click=${() => {
-              this.studio.show('calibrate');
-            }}
-          >
-            ${icon('tune', 16)} ${t('verb.calibrate')}
-          </button>
+          ${button('', c('spools.yours'), this.studio.opens('spools'))}
+          ${button('', html`${icon('tune', 16)} ${t('verb.calibrate')}`, this.studio.opens('calibrate'))}
         </div>
         ${settingField(this.studio, 'printer.nozzleTemperature')} ${settingField(this.studio, 'printer.bedTemperature')}
         ${settingField(this.studio, 'printer.speed')}
@@ -150,15 +136,7 @@ export class PrintPanel extends StudioElement {
       )}
       ${this.#before()}
       <div class="take">
-        <button
-          type="button"
-          class="main"
-          @click=${() => {
-            void this.studio.save('gcode');
-          }}
-        >
-          ${icon('download')} ${t('keys.gcode')}
-        </button>
+        ${button('main', html`${icon('download')} ${t('keys.gcode')}`, () => void this.studio.save('gcode'))}
       </div>
     `;
   }
@@ -169,9 +147,7 @@ export class PrintPanel extends StudioElement {
       label: t('setting.printer.nozzle'),
       value: String(this.state.plate.printer.nozzle),
       options: nozzleAdvice.map(({ nozzle }) => ({ value: String(nozzle), label: formatNumber(nozzle, 2) })),
-      onChoose: (value) => {
-        this.studio.change((now) => withNozzle(now, Number(value)));
-      },
+      onChoose: (value) => this.studio.change((now) => withNozzle(now, Number(value))),
     });
   }
 
@@ -186,15 +162,9 @@ export class PrintPanel extends StudioElement {
         ? nothing
         : html`<p class="note suggestion">
             ${t('setting.suggested', { nozzle, value: usual })}
-            <button
-              type="button"
-              class="link"
-              @click=${() => {
-                this.studio.change((now) => withValue(now, settingOf('toolpath.spacing'), usual));
-              }}
-            >
-              ${t('verb.use')}
-            </button>
+            ${button('link', t('verb.use'), () =>
+              this.studio.change((now) => withValue(now, settingOf('toolpath.spacing'), usual)),
+            )}
           </p>`
     }
     ${settingField(this.studio, 'toolpath.perimeterMode')}
@@ -213,9 +183,7 @@ export class PrintPanel extends StudioElement {
           label: say(presets, `preset.${value}`),
           picture: `presets/${value}.webp`,
         })),
-        onChoose: (value) => {
-          this.studio.change((now) => withQuality(now, value));
-        },
+        onChoose: (value) => this.studio.change((now) => withQuality(now, value)),
       })}
       <p class="note">
         ${quality === undefined ? say(presets, 'preset.custom') : say(presets, `preset.${quality}.help`)}
@@ -232,15 +200,10 @@ export class PrintPanel extends StudioElement {
   #more(name: GroupName): TemplateResult | undefined {
     if (name !== 'path') return undefined;
     return html`<div class="buttons">
-      <button
-        type="button"
-        @click=${() => {
-          const seed = Math.floor(Math.random() * mostSeeds);
-          this.studio.change((now) => withValue(now, settingOf('toolpath.seed'), seed));
-        }}
-      >
-        ${icon('shuffle', 16)} ${t('verb.shuffle')}
-      </button>
+      ${button('', html`${icon('shuffle', 16)} ${t('verb.shuffle')}`, () => {
+        const seed = Math.floor(Math.random() * mostSeeds);
+        this.studio.change((now) => withValue(now, settingOf('toolpath.seed'), seed));
+      })}
     </div>`;
   }
 
@@ -279,11 +242,7 @@ export class PrintPanel extends StudioElement {
       ${
         notes === 0
           ? nothing
-          : html`<p class="note">
-              <button type="button" class="link" @click=${this.#showNotes}>
-                ${say(words, 'summary.notes', { n: notes })}
-              </button>
-            </p>`
+          : html`<p class="note">${button('link', say(words, 'summary.notes', { n: notes }), this.#showNotes)}</p>`
       }`;
   }
 

@@ -1,16 +1,14 @@
 // Imports a printer from another program's file, with the filament that the file was made for.
-import type { ImportedPrinter, PrinterValues } from 'sillon';
+import type { ImportedPrinter } from 'sillon';
 import { words } from '../i18n/en/printer.js';
 import { importNoteText } from '../i18n/say-core.js';
 import { say, t } from '../i18n/text.js';
 import { onMachine } from '../model/brought.js';
 import { printerDefaults } from '../model/defaults.js';
-import { filamentLike, heatFor, withFilamentOf } from '../model/filaments.js';
+import { filamentLike, heatFor, heatOf, withFilamentOf, type Heat } from '../model/filaments.js';
 import type { Plate } from '../model/plate.js';
 import { problemOf, StudioError } from '../model/problem.js';
 import type { Studio } from '../studio/studio.js';
-
-type Heat = Pick<PrinterValues, 'nozzleTemperature' | 'firstLayerNozzleTemperature' | 'bedTemperature'>;
 
 /** Keys of slicers, Cura and project files that state a filament. */
 const names = {
@@ -18,11 +16,6 @@ const names = {
   nozzle: ['temperature', 'nozzle_temperature', 'material_print_temperature', 'nozzleTemperature'],
 };
 
-const heatOf = ({ nozzleTemperature, firstLayerNozzleTemperature, bedTemperature }: Heat): Heat => ({
-  nozzleTemperature,
-  firstLayerNozzleTemperature,
-  bedTemperature,
-});
 const sameHeat = (a: Heat, b: Heat): boolean => JSON.stringify(heatOf(a)) === JSON.stringify(heatOf(b));
 
 type Read = Pick<ImportedPrinter, 'printer' | 'read'>;

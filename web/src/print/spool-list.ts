@@ -12,84 +12,75 @@ import { readSpools, spoolKey, spoolsText, withOne } from './spools.js';
 import { spoolColour } from './spool.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
+import { button } from '../controls/button.js';
 
 @customElement('sillon-spools')
 export class Spools extends StudioElement {
   static override reads = ['plate', 'spools'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        display: grid;
-        gap: 14px;
-        align-content: start;
-      }
+  static override styles = css`
+    :host {
+      display: grid;
+      gap: 14px;
+      align-content: start;
+    }
+    ul {
+      display: grid;
+      grid-template-columns: repeat(auto-fill, minmax(300px, 1fr));
+      gap: 8px;
+    }
+    li {
+      display: grid;
+      grid-template-columns: 40px minmax(0, 1fr) auto auto;
+      align-items: center;
+      gap: 4px 10px;
+      padding: 8px 8px 8px 10px;
+    }
+    li.here {
+      border-color: var(--accent);
+      background: var(--tint);
+    }
+    .colour {
+      width: 36px;
+      height: 36px;
+      border-radius: 50%;
+      background: ${spoolColour};
+      box-shadow: inset 0 0 0 1px var(--edge);
+    }
+    .words {
+      display: grid;
+      gap: 1px;
+    }
+    .words input {
+      width: 100%;
+      margin-left: -8px;
+      border-color: transparent;
+      background: none;
+      font-weight: 600;
+    }
+    .words input:hover,
+    .words input:focus {
+      border-color: var(--edge);
+    }
+    .told {
+      display: flex;
+      flex-wrap: wrap;
+      align-items: center;
+      gap: 8px;
+    }
+    .none {
+      padding: 20px;
+      border: 1px dashed var(--edge);
+      border-radius: var(--radius-large);
+      color: var(--soft);
+      text-align: center;
+    }
+    @media (max-width: 400px) {
       ul {
-        display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(300px, 1fr));
-        gap: 8px;
+        grid-template-columns: minmax(0, 1fr);
       }
-      li {
-        display: grid;
-        grid-template-columns: 40px minmax(0, 1fr) auto auto;
-        align-items: center;
-        gap: 4px 10px;
-        padding: 8px 8px 8px 10px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--raised);
-      }
-      li.here {
-        border-color: var(--accent);
-        background: var(--tint);
-      }
-      .colour {
-        width: 36px;
-        height: 36px;
-        border-radius: 50%;
-        background: ${spoolColour};
-        box-shadow: inset 0 0 0 1px var(--edge);
-      }
-      .words {
-        display: grid;
-        gap: 1px;
-      }
-      .words input {
-        width: 100%;
-        margin-left: -8px;
-        border-color: transparent;
-        background: none;
-        font-weight: 600;
-      }
-      .words input:hover,
-      .words input:focus {
-        border-color: var(--edge);
-      }
-      .words b {
-        font-weight: 600;
-      }
-      .buttons,
-      .told {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 8px;
-      }
-      .none {
-        padding: 20px;
-        border: 1px dashed var(--edge);
-        border-radius: var(--radius-large);
-        color: var(--soft);
-        text-align: center;
-      }
-      @media (max-width: 400px) {
-        ul {
-          grid-template-columns: minmax(0, 1fr);
-        }
-      }
-    `,
-  ];
+    }
+  `;
 
   @state() private deleted: OwnSpool | undefined;
 
@@ -114,17 +105,15 @@ export class Spools extends StudioElement {
             </ul>`
       }
       <div class="buttons">
-        <button type="button" @click=${() => void this.#import()}>${icon('open', 16)} ${c('spools.import')}</button>
-        <button type="button" ?disabled=${spools.length === 0} @click=${this.#export}>
-          ${icon('download', 16)} ${c('spools.export')}
-        </button>
+        ${button('', html`${icon('open', 16)} ${c('spools.import')}`, () => void this.#import())}
+        ${button({ disabled: spools.length === 0 }, html`${icon('download', 16)} ${c('spools.export')}`, this.#export)}
       </div>
       <p class="note">${c('spools.give')}</p>
       <h3>${c('spools.builtIn')}</h3>
       <ul>
         ${filaments.map(
           (filament) =>
-            html`<li>
+            html`<li class="board">
               ${dot(filament.colour)}<span class="words"
                 ><b>${filamentLabel(filament)}</b>${slopes(filament.roughness.fine.nozzleSide)}</span
               >
@@ -138,22 +127,17 @@ export class Spools extends StudioElement {
     if (deleted === undefined) return nothing;
     return html`<div class="told">
       <span>${c('spools.deleted', { name: deleted.key })}</span>
-      <button
-        type="button"
-        @click=${() => {
-          this.deleted = undefined;
-          changeSpools(this.studio, (all) => withOne(all, deleted));
-        }}
-      >
-        ${icon('undo', 16)} ${t('verb.undo')}
-      </button>
+      ${button('', html`${icon('undo', 16)} ${t('verb.undo')}`, () => {
+        this.deleted = undefined;
+        changeSpools(this.studio, (all) => withOne(all, deleted));
+      })}
     </div>`;
   }
 
   #spool(spool: OwnSpool): TemplateResult {
     const { key: name } = spool;
     const here = this.state.plate.spool?.key === name;
-    return html`<li class=${here ? 'here' : ''}>
+    return html`<li class=${here ? 'board here' : 'board'}>
       ${dot(spool.colour)}
       <span class="words"
         ><input
@@ -162,34 +146,17 @@ export class Spools extends StudioElement {
           maxlength="40"
           spellcheck="false"
           .value=${name}
-          @change=${(event: Event) => {
-            this.#rename(spool, (event.currentTarget as HTMLInputElement).value);
-          }}
+          @change=${(event: Event) => this.#rename(spool, (event.currentTarget as HTMLInputElement).value)}
         />${slopes(spool.fine.nozzleSide)}</span
       >
-      <button
-        type="button"
-        aria-label=${c('spools.use', { name })}
-        aria-pressed=${String(here)}
-        @click=${() => {
-          this.studio.settle();
-          this.studio.change((plate) => withSpool(plate, here ? undefined : spool));
-        }}
-      >
-        ${here ? icon('check', 16) : t('verb.use')}
-      </button>
-      <button
-        type="button"
-        class="plain square"
-        aria-label=${c('spools.delete', { name })}
-        title=${c('spools.delete', { name })}
-        @click=${() => {
-          changeSpools(this.studio, (all) => all.filter(({ key }) => key !== name));
-          this.deleted = spool;
-        }}
-      >
-        ${icon('bin', 16)}
-      </button>
+      ${button({ label: c('spools.use', { name }), pressed: here }, here ? icon('check', 16) : t('verb.use'), () => {
+        this.studio.settle();
+        this.studio.change((plate) => withSpool(plate, here ? undefined : spool));
+      })}
+      ${button({ look: 'plain square', name: c('spools.delete', { name }) }, icon('bin', 16), () => {
+        changeSpools(this.studio, (all) => all.filter(({ key }) => key !== name));
+        this.deleted = spool;
+      })}
     </li>`;
   }
 

@@ -25,23 +25,15 @@ const words = (doubt: Doubt, pictures: readonly PictureReport[] | undefined): st
 export class Doubts extends StudioElement {
   static override reads = ['plate', 'result', 'scan'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        display: block;
-        min-height: 1px; /* of nothing, nobody could tell whether it is in sight */
-      }
-      p {
-        display: grid;
-        grid-template-columns: auto 1fr;
-        gap: 8px;
-        margin: 0 0 10px;
-        color: var(--bad);
-        font-size: var(--note);
-      }
-    `,
-  ];
+  static override styles = css`
+    :host {
+      display: block;
+      min-height: 1px; /* of nothing, nobody could tell whether it is in sight */
+    }
+    p {
+      margin-bottom: 10px;
+    }
+  `;
 
   override render(): TemplateResult {
     const { plate, result } = this.state;
@@ -50,7 +42,7 @@ export class Doubts extends StudioElement {
     const pictures = finished?.report.pictures;
     return html`${doubtsOf(plate, pictures, seen).map(
       (doubt) =>
-        html`<p class=${doubt} role="status">
+        html`<p class="warning ${doubt}" role="status">
           ${icon('warn', 16)} <span>${linked(this.studio, words(doubt, pictures))}</span>
         </p>`,
     )}

@@ -13,50 +13,41 @@ const kinds: readonly Mark['kind'][] = ['lost', 'kept', 'gap', 'turn', 'narrow',
 export class Legend extends StudioElement {
   static override reads = ['view', 'colourBy', 'result', 'marks', 'plate'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        display: flex;
-        flex-wrap: wrap;
-        align-items: center;
-        gap: 4px 10px;
-        max-width: 100%;
-        padding: 6px 12px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--surface);
-        box-shadow: var(--lift);
-        font-size: var(--note);
-        color: var(--soft);
-      }
-      :host(.within) {
-        padding: 0 8px;
-        border: 0;
-        box-shadow: none;
-      }
-      canvas {
-        display: block;
-      }
-      .ramp canvas {
-        width: 130px;
-        height: 10px;
-        border-radius: 5px;
-      }
-      .ramp,
-      .kind {
-        display: flex;
-        align-items: center;
-        gap: 8px;
-        white-space: nowrap;
-      }
-      .swatch {
-        width: 10px;
-        height: 10px;
-        border-radius: 5px;
-      }
-    `,
-  ];
+  static override styles = css`
+    :host {
+      display: flex;
+      flex-wrap: wrap;
+      align-items: center;
+      gap: 4px 10px;
+      max-width: 100%;
+      padding: 6px 12px;
+      font-size: var(--note);
+      color: var(--soft);
+    }
+    :host(.within) {
+      padding: 0 8px;
+    }
+    canvas {
+      display: block;
+    }
+    .ramp canvas {
+      width: 130px;
+      height: 10px;
+      border-radius: 5px;
+    }
+    .ramp,
+    .kind {
+      display: flex;
+      align-items: center;
+      gap: 8px;
+      white-space: nowrap;
+    }
+    .swatch {
+      width: 10px;
+      height: 10px;
+      border-radius: 5px;
+    }
+  `;
 
   override render(): TemplateResult | typeof nothing {
     const { view, colourBy, result } = this.state;

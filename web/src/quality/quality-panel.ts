@@ -17,6 +17,7 @@ import { StudioElement } from '../controls/element.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { linked } from '../controls/linked.js';
 import { panelStyle } from '../controls/panel-style.js';
+import { button } from '../controls/button.js';
 
 const icons: Record<Verdict['level'], IconName> = { good: 'check', fair: 'info', poor: 'warn' };
 const mostListed = 60;
@@ -35,7 +36,6 @@ export class QualityPanel extends StudioElement {
   static override reads = ['plate', 'result', 'check', 'progress', 'marks', 'mark', 'engine'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     css`
       .verdicts {
@@ -52,7 +52,6 @@ export class QualityPanel extends StudioElement {
         margin-top: 1px;
       }
       .verdicts b {
-        font-weight: 600;
         overflow-wrap: anywhere;
       }
       .verdicts p {
@@ -67,9 +66,6 @@ export class QualityPanel extends StudioElement {
       }
       .verdicts .poor :is(.icon, .level) {
         color: var(--bad);
-      }
-      figure {
-        margin: 0;
       }
       .histogram {
         display: block;
@@ -166,16 +162,10 @@ export class QualityPanel extends StudioElement {
             html`<li class="fair">
               ${icon('warn', 18)}
               <b
-                ><button
-                  type="button"
-                  class="link"
-                  @click=${() => {
-                    this.studio.store.set({ layer: layer.id, cropping: false, tool: 'pan' });
-                    this.studio.setPanel('layers');
-                  }}
-                >
-                  ${layerNameIn(this.state.plate.layers, layer)}
-                </button></b
+                >${button('link', layerNameIn(this.state.plate.layers, layer), () => {
+                  this.studio.store.set({ layer: layer.id, cropping: false, tool: 'pan' });
+                  this.studio.setPanel('layers');
+                })}</b
               >
               ${warnings.map((warning) => html`<p>${linked(this.studio, warningText(warning))}</p>`)}
             </li>`,
@@ -201,16 +191,11 @@ export class QualityPanel extends StudioElement {
     const at = this.state.marks.findIndex(({ kind }) => kinds.includes(kind));
     const good = (measure === 'lost' || measure === 'path') && level === 'good';
     if (at < 0 || (good && this.state.marks[at]?.kind !== 'kept')) return nothing;
-    return html`<button
-      type="button"
-      class="link"
-      aria-label="${say(words, `measure.${measure}`)}: ${say(words, 'mark.look')}"
-      @click=${() => {
-        this.studio.lookAtMark(at);
-      }}
-    >
-      ${say(words, 'mark.look')}
-    </button>`;
+    return button(
+      { look: 'link', label: `${say(words, `measure.${measure}`)}: ${say(words, 'mark.look')}` },
+      say(words, 'mark.look'),
+      () => this.studio.lookAtMark(at),
+    );
   }
 
   #histogram(): TemplateResult | typeof nothing {
@@ -243,52 +228,30 @@ export class QualityPanel extends StudioElement {
   #places(): TemplateResult | typeof nothing {
     const { marks, mark } = this.state;
     if (marks.length === 0) return nothing;
-    const step = (by: number): void => {
+    const step = (by: number): void =>
       this.studio.lookAtMark((mark + by + marks.length + (mark < 0 && by < 0 ? 1 : 0)) % marks.length);
-    };
     return html`<section aria-labelledby="places-title">
       <div class="places">
         <h3 id="places-title">${say(words, 'mark.count', { n: marks.length })}</h3>
         <span class="buttons">
-          <button
-            type="button"
-            class="square"
-            aria-label=${say(words, 'mark.previous')}
-            @click=${() => {
-              step(-1);
-            }}
-          >
-            ${icon('previous')}
-          </button>
-          <button
-            type="button"
-            class="square"
-            aria-label=${say(words, 'mark.next')}
-            @click=${() => {
-              step(1);
-            }}
-          >
-            ${icon('next')}
-          </button>
+          ${button({ look: 'square', label: say(words, 'mark.previous') }, icon('previous'), () => step(-1))}
+          ${button({ look: 'square', label: say(words, 'mark.next') }, icon('next'), () => step(1))}
         </span>
       </div>
       <ul class="list">
-        ${marks.slice(0, mostListed).map(
-          ({ kind, x, y }, k) =>
-            html`<li>
-              <button
-                type="button"
-                class="plain"
-                aria-pressed=${String(k === mark)}
-                @click=${() => {
-                  this.studio.lookAtMark(k);
-                }}
-              >
-                <span>${say(words, `mark.${kind}`)}</span
-                ><span class="note figures">${formatNumber(x, 1)}; ${formatNumber(y, 1)} mm</span>
-              </button>
-            </li>`,
-        )}
+        ${marks
+          .slice(0, mostListed)
+          .map(
+            ({ kind, x, y }, k) =>
+              html`<li>
+                ${button(
+                  { look: 'plain', pressed: k === mark },
+                  html`<span>${say(words, `mark.${kind}`)}</span
+                    ><span class="note figures">${formatNumber(x, 1)}; ${formatNumber(y, 1)} mm</span>`,
+                  () => this.studio.lookAtMark(k),
+                )}
+              </li>`,
+          )}
       </ul>
     </section>`;
   }

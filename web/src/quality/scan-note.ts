@@ -14,25 +14,22 @@ const told = ([from, to]: [number, number]): string => (from === to ? `${from}°
 export class ScanNote extends StudioElement {
   static override reads = ['scan', 'plate'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      p {
-        display: grid;
-        grid-template-columns: auto 1fr;
-        gap: 8px;
-        margin: 0 0 12px;
-        color: var(--soft);
-        font-size: var(--note);
-      }
-      .good .icon {
-        color: var(--good);
-      }
-      .poor .icon {
-        color: var(--bad);
-      }
-    `,
-  ];
+  static override styles = css`
+    p {
+      display: grid;
+      grid-template-columns: auto 1fr;
+      gap: 8px;
+      margin: 0 0 12px;
+      color: var(--soft);
+      font-size: var(--note);
+    }
+    .good .icon {
+      color: var(--good);
+    }
+    .poor .icon {
+      color: var(--bad);
+    }
+  `;
 
   override render(): TemplateResult | typeof nothing {
     const { scan, plate } = this.state;

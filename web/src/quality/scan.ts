@@ -31,12 +31,8 @@ async function widthFor(plate: Plate, id: number, text: string, engine: Engine):
 /** Asks the worker whether its decoder reads the text in a picture. */
 const asked = (worker: Worker, request: ScanRequest): Promise<boolean> =>
   new Promise((resolve, reject) => {
-    worker.onmessage = ({ data }: MessageEvent<boolean>) => {
-      resolve(data);
-    };
-    worker.onerror = ({ message }) => {
-      reject(new Error(message));
-    };
+    worker.onmessage = ({ data }: MessageEvent<boolean>) => resolve(data);
+    worker.onerror = ({ message }) => reject(new Error(message));
     worker.postMessage(request);
   });
 

@@ -49,20 +49,14 @@ export class RebrushBench extends PrintBench {
   readonly #camera = new PageCamera(
     this,
     () => this.#page.size,
-    () => {
-      this.redraw();
-    },
+    () => this.redraw(),
     { most: closest, across: 8 },
   );
   /** Pen of the brush, on the page [mm]. */
   readonly #pen = new Pen(
     () => this.#page.size,
-    () => {
-      this.redraw();
-    },
-    (points) => {
-      this.#endStroke(points);
-    },
+    () => this.redraw(),
+    (points) => this.#endStroke(points),
   );
   #pointed: number | undefined;
   #light: Light | undefined;
@@ -85,24 +79,12 @@ export class RebrushBench extends PrintBench {
     }
     this.watch(this.overlay, {
       draws: () => this.#draws(),
-      pan: (dx, dy) => {
-        this.#camera.pan(dx, dy, beyond);
-      },
-      zoom: (factor, x, y) => {
-        this.zoom(factor, x, y);
-      },
-      hover: (place) => {
-        this.#hover(place);
-      },
-      begin: (place) => {
-        this.#pen.begin(this.#camera.toPage(place));
-      },
-      draw: (place) => {
-        this.#pen.draw(this.#camera.toPage(place));
-      },
-      end: () => {
-        this.#pen.lift();
-      },
+      pan: (dx, dy) => this.#camera.pan(dx, dy, beyond),
+      zoom: (factor, x, y) => this.zoom(factor, x, y),
+      hover: (place) => this.#hover(place),
+      begin: (place) => this.#pen.begin(this.#camera.toPage(place)),
+      draw: (place) => this.#pen.draw(this.#camera.toPage(place)),
+      end: () => this.#pen.lift(),
       abandon: () => {
         this.#pen.points = undefined;
         this.redraw();
@@ -278,14 +260,10 @@ export class RebrushBench extends PrintBench {
       ArrowUp: go(0, step),
       ArrowDown: go(0, -step),
       ...(this.#draws() && {
-        ' ': () => {
-          this.#pen.toggle();
-        },
+        ' ': () => this.#pen.toggle(),
       }),
       ...(this.#pen.points !== undefined && {
-        Escape: () => {
-          this.#pen.lift();
-        },
+        Escape: () => this.#pen.lift(),
       }),
     };
   }

@@ -34,9 +34,7 @@ export function directionFields(work: PrintWork, page: PageFields): TemplateResu
         { value: 'plate', label: r('way.plate'), icon: 'directions' },
         { value: 'picture', label: r('way.picture'), icon: 'lamp' },
       ],
-      onChoose: (next) => {
-        work.want({ way: next });
-      },
+      onChoose: (next) => work.want({ way: next }),
     })}
     ${way === 'angle' || way === 'hand' ? angleField(work) : nothing}
     ${way === 'hand' ? handFields(work, page.brush, page.onBrush) : nothing}
@@ -49,9 +47,7 @@ export function directionFields(work: PrintWork, page: PageFields): TemplateResu
             label: r('fit'),
             value: fit,
             options: fits.map((value) => ({ value, label: r(`fit.${value}`) })),
-            onChoose: (next) => {
-              work.want({ fit: next });
-            },
+            onChoose: (next) => work.want({ fit: next }),
           })
         : nothing
     }
@@ -61,17 +57,13 @@ export function directionFields(work: PrintWork, page: PageFields): TemplateResu
 
 function angleField(work: PrintWork): TemplateResult {
   const { angle } = work.wish;
-  const set = (value: number): void => {
-    work.want({ angle: value });
-  };
+  const set = (value: number): void => work.want({ angle: value });
   const field = { id: 'angle', label: r('angle'), value: angle, min: -360, max: 360, step: 1, unit: '°' };
   return html`<div class="field angle">
     <sillon-dial
       .label=${r('angle')}
       .value=${angle}
-      @turn=${(event: CustomEvent<number>) => {
-        set(event.detail);
-      }}
+      @turn=${(event: CustomEvent<number>) => set(event.detail)}
     ></sillon-dial>
     <label for="angle">${r('angle')}</label>
     ${numberInput({ ...field, onInput: set, onSettle: () => undefined })}
@@ -82,14 +74,12 @@ function angleField(work: PrintWork): TemplateResult {
 /** Edits the picture's lamp, for which the beads are solved. */
 function lampField(work: PrintWork): TemplateResult {
   const [azimuth, elevation] = work.wish.lamp;
-  return standField('lamp', azimuth, elevation, 15, 80, (lamp) => {
-    work.want({ lamp });
-  });
+  return standField('lamp', azimuth, elevation, 15, 80, (lamp) => work.want({ lamp }));
 }
 
 /** Edits the light in the view alone; the beads stay as they are. */
 function lightField({ light, onLight }: PageFields): TemplateResult {
-  return standField('light', light.azimuth, light.elevation, 5, 90, ([azimuth, elevation]) => {
-    onLight({ azimuth, elevation });
-  });
+  return standField('light', light.azimuth, light.elevation, 5, 90, ([azimuth, elevation]) =>
+    onLight({ azimuth, elevation }),
+  );
 }

@@ -9,6 +9,7 @@ import { areaOf, objectOf, type Face } from '../model/rebrush.js';
 import { segments } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import type { PrintWork } from './work.js';
+import { button } from '../controls/button.js';
 
 /** Returns the section of the faces. @param onMark  called with the face under the pointer; undefined: none */
 export function faceList(work: PrintWork, onMark: (index: number | undefined) => void): TemplateResult {
@@ -18,15 +19,7 @@ export function faceList(work: PrintWork, onMark: (index: number | undefined) =>
   const staying = work.staying();
   const chosen = free.filter(({ index }) => work.wish.chosen.has(index));
   const choose = (label: string, faces: readonly Face[]): TemplateResult =>
-    html`<button
-      type="button"
-      class="link"
-      @click=${() => {
-        work.want({ chosen: new Set(faces.map(({ index }) => index)) });
-      }}
-    >
-      ${label}
-    </button>`;
+    button('link', label, () => work.want({ chosen: new Set(faces.map(({ index }) => index)) }));
   return html`<section>
     <div class="title">
       <h3 id="faces">${r('faces')}</h3>
@@ -40,9 +33,7 @@ export function faceList(work: PrintWork, onMark: (index: number | undefined) =>
             label: r('side'),
             value: side,
             options: work.sides().map((value) => ({ value, label: r(`side.${value}`) })),
-            onChoose: (next) => {
-              work.wantSide(next);
-            },
+            onChoose: (next) => work.wantSide(next),
           })
     }
     ${side === 'top' ? nothing : html`<p class="note">${r(`side.${side}.help`)}</p>`}
@@ -72,17 +63,13 @@ function faceRow(
   onMark: (index: number | undefined) => void,
 ): TemplateResult {
   const made = work.known.done?.surfaces.find((one) => one.index === index);
-  const mark = (marked: number | undefined) => () => {
-    onMark(marked);
-  };
+  const mark = (marked: number | undefined) => () => onMark(marked);
   return html`<li @pointerenter=${mark(index)} @pointerleave=${mark(undefined)}>
     <label>
       <input
         type="checkbox"
         .checked=${live(work.wish.chosen.has(index))}
-        @change=${() => {
-          work.toggle(index);
-        }}
+        @change=${() => work.toggle(index)}
         @focus=${mark(index)}
         @blur=${mark(undefined)}
       />

@@ -11,6 +11,7 @@ import { icon } from '../controls/icons.js';
 import { brushedName } from '../files/sliced.js';
 import { leftReasons, reasonText } from './faces.js';
 import type { PrintWork, Progress } from './work.js';
+import { button } from '../controls/button.js';
 
 /** Returns a progress bar with a cancel button. @param fraction  undefined: unknown */
 export function progressBar(
@@ -22,7 +23,7 @@ export function progressBar(
   const percent = fraction === undefined ? undefined : Math.floor(100 * fraction);
   return html`<div class="job">
     <span role="status">${what}</span>
-    <button type="button" @click=${onCancel}>${t('verb.cancel')}</button>
+    ${button('', t('verb.cancel'), onCancel)}
     <div
       class="bar ${percent === undefined ? 'unknown' : ''}"
       role="progressbar"
@@ -73,21 +74,23 @@ export function foot(work: PrintWork, print: SlicedFile, name: string): Template
   const { progress, problem, cancelled, done, saved } = work.known;
   const lack = lackOf(wish);
   return html`${progress === undefined ? nothing : making(wish, progress, work.cancel)}
-    ${problem === undefined ? nothing : failed(problem)}
-    ${lack === '' ? nothing : html`<p class="note" role="status">${r(lack)}</p>`}
-    ${
-      cancelled || (problem !== undefined && done === undefined && lack === '')
-        ? html`<div class="buttons">
-            ${cancelled ? html`<span role="status">${r('cancelled')}</span>` : nothing}
-            <button type="button" @click=${() => void work.lay()}>${r('again')}</button>
-          </div>`
-        : nothing
-    }
-    ${done === undefined ? nothing : ready(done, work.staying().length, print)}
-    <button type="button" class="main" ?disabled=${done === undefined} @click=${work.save}>
-      ${icon('download')} <span>${r('download', { name: brushedName(name) })}</span>
-    </button>
-    ${saved === '' ? nothing : html`<p class="note" role="status">${saved}</p>`}`;
+  ${problem === undefined ? nothing : failed(problem)}
+  ${lack === '' ? nothing : html`<p class="note" role="status">${r(lack)}</p>`}
+  ${
+    cancelled || (problem !== undefined && done === undefined && lack === '')
+      ? html`<div class="buttons">
+          ${cancelled ? html`<span role="status">${r('cancelled')}</span>` : nothing}
+          ${button('', r('again'), () => void work.lay())}
+        </div>`
+      : nothing
+  }
+  ${done === undefined ? nothing : ready(done, work.staying().length, print)}
+  ${button(
+    { look: 'main', disabled: done === undefined },
+    html`${icon('download')} <span class="cut">${r('download', { name: brushedName(name) })}</span>`,
+    work.save,
+  )}
+  ${saved === '' ? nothing : html`<p class="note" role="status">${saved}</p>`}`;
 }
 
 function making({ chosen }: Wish, { fraction, secondsLeft }: Progress, onCancel: () => void): TemplateResult {

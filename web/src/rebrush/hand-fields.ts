@@ -7,6 +7,7 @@ import type { HandBrush } from '../model/rebrush.js';
 import { numberField, segments, select } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import type { PrintWork } from './work.js';
+import { button } from '../controls/button.js';
 
 /** Returns the fields of the brush, and buttons to undo or clear its strokes. */
 export function handFields(
@@ -26,9 +27,7 @@ export function handFields(
         { value: 'mode', label: t('tool.mode'), icon: 'mode' },
         { value: 'erase', label: t('tool.erase'), icon: 'erase' },
       ],
-      onChoose: (chosen) => {
-        onBrush({ tool: chosen });
-      },
+      onChoose: (chosen) => onBrush({ tool: chosen }),
     })}
     <p class="note">${tool === 'pan' ? r('hand.help') : t(`tool.${tool}.help`)}</p>
     ${
@@ -38,9 +37,7 @@ export function handFields(
             label: t('section.modes'),
             value: brush.mode,
             options: modeChoices.map((value) => ({ value, label: t(`mode.${value}`) })),
-            onChoose: (mode) => {
-              onBrush({ mode });
-            },
+            onChoose: (mode) => onBrush({ mode }),
           })
         : nothing
     }
@@ -56,9 +53,7 @@ export function handFields(
             step: 0.5,
             usual: [0.5, 40],
             unit: 'mm',
-            onInput: (across) => {
-              onBrush({ across });
-            },
+            onInput: (across) => onBrush({ across }),
             onSettle: () => undefined,
           })
     }
@@ -67,22 +62,8 @@ export function handFields(
         ? nothing
         : html`<div class="buttons">
             <span class="note">${t('tool.strokes', { n: strokes.length })}</span>
-            <button
-              type="button"
-              @click=${() => {
-                work.undoStroke();
-              }}
-            >
-              ${icon('undo', 16)} ${r('hand.undo')}
-            </button>
-            <button
-              type="button"
-              @click=${() => {
-                work.want({ strokes: [] });
-              }}
-            >
-              ${icon('erase', 16)} ${t('tool.clear')}
-            </button>
+            ${button('', html`${icon('undo', 16)} ${r('hand.undo')}`, () => work.undoStroke())}
+            ${button('', html`${icon('erase', 16)} ${t('tool.clear')}`, () => work.want({ strokes: [] }))}
           </div>`
     }`;
 }

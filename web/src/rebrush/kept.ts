@@ -11,9 +11,7 @@ export const left = new WeakMap<File, Wish>();
 export function offer(studio: Studio, file: File): void {
   const goOn = {
     label: r('goOn'),
-    run: () => {
-      studio.store.set({ sliced: file, dialog: 'rebrush' });
-    },
+    run: () => studio.store.set({ sliced: file, dialog: 'rebrush' }),
   };
   studio.tell({ text: r('kept', { name: file.name }), actions: [goOn], stays: true });
 }

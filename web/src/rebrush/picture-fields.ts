@@ -9,6 +9,7 @@ import { select } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
 import { thumbnail } from '../controls/thumbnail.js';
 import type { PrintWork } from './work.js';
+import { button } from '../controls/button.js';
 
 /** Least cropped share of a picture that is worth a note. */
 const leastCut = 0.03;
@@ -19,17 +20,15 @@ export function pictureFields(work: PrintWork, onPick: () => void): TemplateResu
   const { picture } = wish;
   if (picture === undefined) {
     return html`<p class="note">${r('picture.help')}</p>
-      <div class="buttons">
-        <button type="button" class="main" @click=${onPick}>${icon('open', 16)} ${r('picture.choose')}</button>
-      </div>`;
+      <div class="buttons">${button('main', html`${icon('open', 16)} ${r('picture.choose')}`, onPick)}</div>`;
   }
   const seen = (work.known.done?.surfaces ?? []).flatMap(({ pictures }) => pictures);
   const mean = seen.reduce((sum, one) => sum + one.r, 0) / seen.length;
   const cut = Math.max(0, ...seen.map(({ leftOut = 0 }) => leftOut));
   const spools = ownSpools(work.studio);
   return html`<div class="picture">
-      ${thumbnail(picture)}<b title=${picture.name}>${picture.name}</b>
-      <button type="button" class="plain" @click=${onPick}>${t('verb.replace')}</button>
+      ${thumbnail(picture)}<b class="cut" title=${picture.name}>${picture.name}</b>
+      ${button('plain', t('verb.replace'), onPick)}
     </div>
     ${
       seen.length === 0

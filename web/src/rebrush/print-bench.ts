@@ -101,7 +101,6 @@ export abstract class PrintBench extends LitElement {
     pressed?: boolean,
   ): TemplateResult {
     return html`<button
-      type="button"
       class="plain square"
       aria-label=${label}
       title=${label}
@@ -114,17 +113,10 @@ export abstract class PrintBench extends LitElement {
 
   /** Returns the zoom buttons. @param more  further buttons of the view */
   protected buttons(more: unknown): TemplateResult {
-    return html`<div class="zoom" role="group" aria-label=${t('section.view')}>
-      ${this.button('minus', t('verb.zoomOut'), () => {
-        this.zoom(1 / 1.4);
-      })}
-      ${this.button('plus', t('verb.zoomIn'), () => {
-        this.zoom(1.4);
-      })}
-      ${this.button('fit', t('verb.fit'), () => {
-        this.fit();
-      })}
-      ${more}
+    return html`<div class="zoom raft" role="group" aria-label=${t('section.view')}>
+      ${this.button('minus', t('verb.zoomOut'), () => this.zoom(1 / 1.4))}
+      ${this.button('plus', t('verb.zoomIn'), () => this.zoom(1.4))}
+      ${this.button('fit', t('verb.fit'), () => this.fit())} ${more}
     </div>`;
   }
 
@@ -133,15 +125,9 @@ export abstract class PrintBench extends LitElement {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const keys: Record<string, () => void> = {
       ...this.keys(event.shiftKey),
-      '+': () => {
-        this.zoom(1.25);
-      },
-      '-': () => {
-        this.zoom(0.8);
-      },
-      '0': () => {
-        this.fit();
-      },
+      '+': () => this.zoom(1.25),
+      '-': () => this.zoom(0.8),
+      '0': () => this.fit(),
     };
     const run = keys[event.key === '=' ? '+' : event.key];
     if (run === undefined) return;

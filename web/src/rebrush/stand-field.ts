@@ -22,9 +22,7 @@ export function standField(
       .value=${azimuth}
       .min=${0}
       .max=${360}
-      @turn=${(event: CustomEvent<number>) => {
-        set([event.detail % 360, elevation]);
-      }}
+      @turn=${(event: CustomEvent<number>) => set([event.detail % 360, elevation])}
     ></sillon-dial>
     <span
       ><span
@@ -38,9 +36,7 @@ export function standField(
         aria-valuetext="${elevation}°"
         .value=${live(String(elevation))}
         .style=${`--share: ${(elevation - lowest) / (highest - lowest)}`}
-        @input=${(event: Event) => {
-          set([azimuth, Number((event.currentTarget as HTMLInputElement).value)]);
-        }}
+        @input=${(event: Event) => set([azimuth, Number((event.currentTarget as HTMLInputElement).value)])}
     /></span>
   </div>`;
 }

@@ -31,10 +31,7 @@ export const rebrushStyle = css`
   .head h2 {
     flex: 1;
     min-width: 0;
-    overflow: hidden;
     font-size: var(--lead);
-    text-overflow: ellipsis;
-    white-space: nowrap;
   }
   .head h2:focus {
     outline: none; /* where reading begins: there is nothing to press */
@@ -146,10 +143,7 @@ export const rebrushStyle = css`
     border-radius: var(--radius);
   }
   .picture b {
-    overflow: hidden;
     font-weight: 500;
-    text-overflow: ellipsis;
-    white-space: nowrap;
   }
   .foot {
     display: grid;
@@ -163,9 +157,6 @@ export const rebrushStyle = css`
   }
   .foot button.main span {
     min-width: 0;
-    overflow: hidden;
-    text-overflow: ellipsis;
-    white-space: nowrap;
   }
   .job {
     display: grid;
@@ -202,11 +193,6 @@ export const rebrushStyle = css`
   .problem div {
     display: grid;
     gap: 4px;
-  }
-  .buttons {
-    display: flex;
-    flex-wrap: wrap;
-    gap: 8px;
   }
   .alone {
     grid-column: 1 / -1;
@@ -276,9 +262,5 @@ export const zoomButtons = css`
     right: 8px;
     bottom: 8px;
     display: flex;
-    border: 1px solid var(--line);
-    border-radius: var(--radius-large);
-    background: var(--surface);
-    box-shadow: var(--lift);
   }
 `;

@@ -76,12 +76,8 @@ export class RebrushTilted extends PrintBench {
     this.watch(this.canvas, {
       // With other buttons or with Shift, and by two fingers, the print is moved instead.
       draws: ({ button, shiftKey }) => button === 0 && !shiftKey,
-      pan: (dx, dy) => {
-        this.#move(dx, dy);
-      },
-      zoom: (factor, x, y) => {
-        this.zoom(factor, x, y);
-      },
+      pan: (dx, dy) => this.#move(dx, dy),
+      zoom: (factor, x, y) => this.zoom(factor, x, y),
       hover: () => undefined,
       begin: (place) => {
         this.#held = place;
@@ -93,9 +89,7 @@ export class RebrushTilted extends PrintBench {
         if (this.points !== undefined) this.points = [...this.points, ...(this.pageAt(place.x, place.y) ?? [])];
         else this.#turn((place.x - from.x) * perPixel, (from.y - place.y) * perPixel);
       },
-      end: () => {
-        this.#endStroke();
-      },
+      end: () => this.#endStroke(),
       abandon: () => {
         this.points = undefined;
       },

@@ -23,6 +23,8 @@ import { faceList } from './faces.js';
 import { foot, noWork, progressBar } from './foot.js';
 import { rebrushStyle } from './style.js';
 import { PrintWork } from './work.js';
+import { button } from '../controls/button.js';
+import { dialogStyle } from '../controls/dialog-style.js';
 
 const pictureFiles = 'image/*,.tga';
 
@@ -30,7 +32,7 @@ const pictureFiles = 'image/*,.tga';
 export class RebrushView extends StudioElement {
   static override reads = ['sliced', 'theme'] as const;
 
-  static override styles = [...StudioElement.styles, rebrushStyle];
+  static override styles = [dialogStyle, rebrushStyle];
 
   @query('dialog') private dialog!: HTMLDialogElement;
 
@@ -54,9 +56,7 @@ export class RebrushView extends StudioElement {
     loadSpools(this.studio);
     const { azimuth, elevation } = this.studio.homeLight();
     this.light = { azimuth: Math.round(azimuth), elevation: Math.round(elevation) };
-    this.work = new PrintWork(this.studio, this.light, () => {
-      this.requestUpdate();
-    });
+    this.work = new PrintWork(this.studio, this.light, () => this.requestUpdate());
     this.#closed = closesByBack(this.#close);
     const { signal } = this.#end;
     // Capturing listeners run before those of the page below.
@@ -126,9 +126,7 @@ export class RebrushView extends StudioElement {
     this.tilted = !this.tilted;
   };
 
-  #close = (): void => {
-    this.dialog.close();
-  };
+  #close = (): void => this.dialog.close();
 
   // --- Content ----------------------------------------------------------------------------------------------------------------
 
@@ -143,10 +141,12 @@ export class RebrushView extends StudioElement {
       }}
     >
       <div class="head">
-        <button type="button" class="back" @click=${this.#close} aria-label=${r('back')}>
-          ${icon('previous', 16)} <span>${r('back')}</span>
-        </button>
-        <h2 id="title" title=${name} tabindex="-1" autofocus>${r('title', { name })}</h2>
+        ${button(
+          { look: 'back', label: r('back') },
+          html`${icon('previous', 16)} <span>${r('back')}</span>`,
+          this.#close,
+        )}
+        <h2 id="title" class="cut" title=${name} tabindex="-1" autofocus>${r('title', { name })}</h2>
       </div>
       <sillon-notices class="told" .studio=${this.studio} .known=${this.#known}></sillon-notices>
       ${print === undefined || this.work.free().length === 0 ? this.#alone(name) : this.#both(print)}
@@ -161,15 +161,11 @@ export class RebrushView extends StudioElement {
     }
     return html`<div class="alone">
       ${noWork(name, this.work.known)}
-      <div class="buttons">
-        <button type="button" class="main" @click=${this.#close}>${r('back')}</button>
-        ${this.#another()}
-      </div>
+      <div class="buttons">${button('main', r('back'), this.#close)} ${this.#another()}</div>
     </div>`;
   }
 
-  #another = (): TemplateResult =>
-    html`<button type="button" @click=${() => void this.#pick('')}>${icon('open', 16)} ${r('another')}</button>`;
+  #another = (): TemplateResult => button('', html`${icon('open', 16)} ${r('another')}`, () => void this.#pick(''));
 
   /** Returns the print and, beside it, all choices. */
   #both(print: SlicedFile): TemplateResult {
@@ -179,7 +175,11 @@ export class RebrushView extends StudioElement {
         <div class="scroll">
           <section>
             <p class="note">
-              ${r('print', { program: print.program, n: print.layers, size: formatBytes(this.state.sliced?.size ?? 0) })}
+              ${r('print', {
+                program: print.program,
+                n: print.layers,
+                size: formatBytes(this.state.sliced?.size ?? 0),
+              })}
             </p>
             <div class="buttons">${this.#another()}</div>
           </section>
@@ -212,14 +212,11 @@ export class RebrushView extends StudioElement {
     const pictures = { ...plate.pictures, spool: wish.spool, slopes: null };
     const filament = lookOf({ ...plate, pictures, spool: wish.own });
     const dark = theme === 'auto' ? this.darkScheme : theme === 'dark';
-    const toggle = (event: CustomEvent<number>): void => {
-      this.work.toggle(event.detail);
-    };
+    const toggle = (event: CustomEvent<number>): void => this.work.toggle(event.detail);
     const brush = wish.way === 'hand' ? this.brush : undefined;
     const strokes = done === undefined ? wish.strokes : [];
-    const draw = (event: CustomEvent<Stroke>): void => {
+    const draw = (event: CustomEvent<Stroke>): void =>
       this.work.want({ strokes: [...this.work.wish.strokes, event.detail] });
-    };
     return this.tilted && relief !== undefined
       ? html`<sillon-rebrush-tilted
           .relief=${relief}

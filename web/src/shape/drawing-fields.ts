@@ -14,32 +14,20 @@ type Drawing = Extract<ShapeSource, { kind: 'file' }>;
 export class DrawingFields extends StudioElement {
   static override reads = ['plate'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    panelStyle,
-    css`
-      :host {
-        display: grid;
-        gap: 12px;
-      }
-    `,
-  ];
+  static override styles = [panelStyle, css``];
 
   override render(): TemplateResult | typeof nothing {
     const { shape } = this.state.plate;
     if (shape.kind !== 'file') return nothing;
-    const change = (changed: Partial<Drawing>): void => {
+    const change = (changed: Partial<Drawing>): void =>
       this.studio.change((plate) => ({ ...plate, shape: { ...shape, ...changed } }));
-    };
     return html`${/\.svg$/i.test(shape.file.name) ? this.#ofVectors(shape, change) : nothing}
     ${flag({
       id: 'keep-thin',
       label: d('keepThin'),
       help: d('keepThin.help'),
       value: shape.keepThin,
-      onChange: (keepThin) => {
-        change({ keepThin });
-      },
+      onChange: (keepThin) => change({ keepThin }),
     })}`;
   }
 
@@ -53,9 +41,7 @@ export class DrawingFields extends StudioElement {
         { value: 'shown', label: d('paint.shown') },
         { value: 'ignore', label: d('paint.ignore') },
       ],
-      onChoose: (paint) => {
-        change({ paint });
-      },
+      onChoose: (paint) => change({ paint }),
     })}
     ${select({
       id: 'unitless',
@@ -65,9 +51,8 @@ export class DrawingFields extends StudioElement {
         { value: 'px', label: d('unitless.px') },
         { value: 'mm', label: d('unitless.mm') },
       ],
-      onChoose: (unitless) => {
-        change({ unitless, ...(shape.paint === usualPaint(shape.unitless) && { paint: usualPaint(unitless) }) });
-      },
+      onChoose: (unitless) =>
+        change({ unitless, ...(shape.paint === usualPaint(shape.unitless) && { paint: usualPaint(unitless) }) }),
     })}`;
   }
 }

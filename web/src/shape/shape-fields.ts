@@ -12,6 +12,7 @@ import { numberField, numberInput, segments, select, textField, type NumberField
 import { icon } from '../controls/icons.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { lengthField } from './size-fields.js';
+import { button } from '../controls/button.js';
 
 const widest = 1000; // [mm], largest plate in these fields
 const leastHole = 0.5; // [mm], the engine's own limit
@@ -24,13 +25,8 @@ export class ShapeFields extends StudioElement {
   static override reads = ['plate', 'units'] as const;
 
   static override styles = [
-    ...StudioElement.styles,
     panelStyle,
     css`
-      :host {
-        display: grid;
-        gap: 12px;
-      }
       .bare {
         padding: 0;
       }
@@ -38,8 +34,6 @@ export class ShapeFields extends StudioElement {
         display: grid;
         gap: 8px;
         margin: 8px 0;
-        padding: 0;
-        list-style: none;
       }
       li {
         display: grid;
@@ -61,7 +55,11 @@ export class ShapeFields extends StudioElement {
     const { shape } = this.state.plate;
     return html`${shape.kind === 'text' ? this.#letters(shape) : nothing}
     ${cornered.includes(shape.kind) ? this.#corners(shape) : nothing}
-    ${shape.kind === 'star' ? numberField(this.#field('points', a('points'), { step: 1, usual: [3, 12], integer: true })) : nothing}
+    ${
+      shape.kind === 'star'
+        ? numberField(this.#field('points', a('points'), { step: 1, usual: [3, 12], integer: true }))
+        : nothing
+    }
     ${
       shape.kind === 'ring' || shape.kind === 'tag'
         ? numberField(
@@ -84,21 +82,15 @@ export class ShapeFields extends StudioElement {
       value: text,
       maxLength: 200,
       long: true,
-      onInput: (value) => {
-        this.#change({ text: value }, 'shape.text');
-      },
-      onSettle: () => {
-        this.studio.settle();
-      },
+      onInput: (value) => this.#change({ text: value }, 'shape.text'),
+      onSettle: () => this.studio.settle(),
     })}
     ${select<string>({
       id: 'shape-font',
       label: a('font'),
       value: font,
       options: builtInFonts.map((name) => ({ value: name, label: name })),
-      onChoose: (name) => {
-        this.#change({ font: name });
-      },
+      onChoose: (name) => this.#change({ font: name }),
     })}`;
   }
 
@@ -111,9 +103,7 @@ export class ShapeFields extends StudioElement {
       label: a('corners'),
       value: shape.corners,
       options: shapeTable.corners.choices.map((value) => ({ value, label: a(`corners.${value}`) })),
-      onChoose: (corners) => {
-        this.#change({ corners });
-      },
+      onChoose: (corners) => this.#change({ corners }),
     })}`;
   }
 
@@ -132,12 +122,8 @@ export class ShapeFields extends StudioElement {
       max: high,
       step: 0.5,
       ...more,
-      onInput: (value) => {
-        this.#change({ [key]: value }, key);
-      },
-      onSettle: () => {
-        this.studio.settle();
-      },
+      onInput: (value) => this.#change({ [key]: value }, key),
+      onSettle: () => this.studio.settle(),
     };
   }
 
@@ -158,17 +144,10 @@ export class ShapeFields extends StudioElement {
               </ul>`
       }
       <div class="buttons">
-        ${(Object.keys(usualHoles) as HoleName[]).map(
-          (name) =>
-            html`<button
-              type="button"
-              ?disabled=${full}
-              @click=${() => {
-                this.studio.change((plate) => withHole(plate, name));
-              }}
-            >
-              ${icon('plus', 16)} ${a(`hole.${name}`, { d: usualHoles[name] })}
-            </button>`,
+        ${(Object.keys(usualHoles) as HoleName[]).map((name) =>
+          button({ disabled: full }, html`${icon('plus', 16)} ${a(`hole.${name}`, { d: usualHoles[name] })}`, () =>
+            this.studio.change((plate) => withHole(plate, name)),
+          ),
         )}
       </div>
     </section>`;
@@ -187,12 +166,8 @@ export class ShapeFields extends StudioElement {
           min,
           max,
           step: 0.1,
-          onInput: (value) => {
-            this.#setHole(k, { [key]: value });
-          },
-          onSettle: () => {
-            this.studio.settle();
-          },
+          onInput: (value) => this.#setHole(k, { [key]: value }),
+          onSettle: () => this.studio.settle(),
         },
         this.state.units,
       );
@@ -203,17 +178,9 @@ export class ShapeFields extends StudioElement {
     };
     return html`<li>
       ${field('x')} ${field('y')} ${field('diameter')}
-      <button
-        type="button"
-        class="square"
-        aria-label=${a('hole.remove', { n: k + 1 })}
-        title=${a('hole.remove', { n: k + 1 })}
-        @click=${() => {
-          this.#change({ holes: this.state.plate.shape.holes.filter((_, other) => other !== k) });
-        }}
-      >
-        ${icon('close', 16)}
-      </button>
+      ${button({ look: 'square', name: a('hole.remove', { n: k + 1 }) }, icon('close', 16), () =>
+        this.#change({ holes: this.state.plate.shape.holes.filter((_, other) => other !== k) }),
+      )}
     </li>`;
   }
 

@@ -15,7 +15,7 @@ import { linked } from '../controls/linked.js';
 import { panelStyle } from '../controls/panel-style.js';
 import { settingField } from '../controls/setting-field.js';
 import './shape-fields.js';
-import { sizeFields, sizeStyle } from './size-fields.js';
+import { sizeFields } from './size-fields.js';
 import { thicknessField } from './thickness-field.js';
 
 const loadDrawing = (): Promise<unknown> => import('./drawing-fields.js');
@@ -24,7 +24,7 @@ const loadDrawing = (): Promise<unknown> => import('./drawing-fields.js');
 export class ShapePanel extends StudioElement {
   static override reads = ['plate', 'keepRatio', 'units'] as const;
 
-  static override styles = [...StudioElement.styles, panelStyle, sizeStyle];
+  static override styles = panelStyle;
 
   readonly #pictures = new DrawnChoices<ShapeSource['kind']>(this, () => this.studio.services.shapePictures);
 
@@ -48,20 +48,14 @@ export class ShapePanel extends StudioElement {
             icon: value,
             picture: this.#pictures.url(value),
           })),
-          onChoose: (kind) => {
-            void this.#choose(kind);
-          },
+          onChoose: (kind) => void this.#choose(kind),
         })}
         ${this.#details(shape)}
       </section>
       <section aria-label=${t('verb.rotate')}>
         <div class="buttons">
-          ${this.#action('turn', t('verb.rotateLeft'), () => {
-            this.#turn(90);
-          })}
-          ${this.#action('mirror', t('verb.mirror'), () => {
-            this.#mirror();
-          })}
+          ${this.#action('turn', t('verb.rotateLeft'), () => this.#turn(90))}
+          ${this.#action('mirror', t('verb.mirror'), () => this.#mirror())}
         </div>
         ${settingField(this.studio, 'print.rotate')}
       </section>
@@ -70,7 +64,7 @@ export class ShapePanel extends StudioElement {
 
   #action(name: 'turn' | 'mirror', label: string, run: () => void): TemplateResult {
     const pressed = name === 'mirror' ? String(this.state.plate.print.mirror) : nothing;
-    return html`<button type="button" aria-pressed=${pressed} @click=${run}>${icon(name, 16)} ${label}</button>`;
+    return html`<button aria-pressed=${pressed} @click=${run}>${icon(name, 16)} ${label}</button>`;
   }
 
   #turn(by: number): void {
@@ -102,10 +96,14 @@ export class ShapePanel extends StudioElement {
   }
 
   #details(shape: ShapeSource): TemplateResult | typeof nothing {
-    const more = html`<sillon-shape-fields .studio=${this.studio}></sillon-shape-fields>`;
+    const more = html`<sillon-shape-fields class="stack" .studio=${this.studio}></sillon-shape-fields>`;
     if (shape.kind !== 'file') return more;
     return html`${fileChip(this.studio, shape.file, '.svg,.svgz,.png,.jpg,.jpeg,image/*')}
-    ${this.lazy(loadDrawing) ? html`<sillon-drawing-fields .studio=${this.studio}></sillon-drawing-fields>` : nothing}
+    ${
+      this.lazy(loadDrawing)
+        ? html`<sillon-drawing-fields class="stack" .studio=${this.studio}></sillon-drawing-fields>`
+        : nothing
+    }
     ${more}`;
   }
 
@@ -124,6 +122,12 @@ export class ShapePanel extends StudioElement {
         })}
       </p>
       ${tooLarge ? html`<p class="warning" role="status">${icon('warn', 16)} ${a('size.tooLarge')}</p>` : nothing}
-      ${beads < 5 ? html`<p class="warning" role="status">${icon('warn', 16)} <span>${linked(this.studio, a('size.tooThin', { n: beads }))}</span></p>` : nothing}`;
+      ${
+        beads < 5
+          ? html`<p class="warning" role="status">
+              ${icon('warn', 16)} <span>${linked(this.studio, a('size.tooThin', { n: beads }))}</span>
+            </p>`
+          : nothing
+      }`;
   }
 }

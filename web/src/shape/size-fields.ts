@@ -1,5 +1,5 @@
 // Fields of the plate's size, in millimetres or inches.
-import { css, html, type TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit';
 import { a } from '../i18n/shaping.js';
 import type { Units } from '../model/guest.js';
 import { isRoundKind, type Plate } from '../model/plate.js';
@@ -7,6 +7,7 @@ import { numberField, numberInput, type NumberField } from '../controls/fields.j
 import { icon } from '../controls/icons.js';
 import type { Studio } from '../studio/studio.js';
 import { inch } from './units.js';
+import { button } from '../controls/button.js';
 
 const smallest = 1; // [mm]
 const largest = 1000;
@@ -24,29 +25,9 @@ export function lengthField(field: NumberField, units: Units): NumberField {
     max: shown(field.max),
     step: 0.01,
     usual: field.usual === undefined ? undefined : [shown(field.usual[0]), shown(field.usual[1])],
-    onInput: (value) => {
-      field.onInput(value * inch);
-    },
+    onInput: (value) => field.onInput(value * inch),
   };
 }
-
-/** Styles for panels that show `sizeFields`. */
-export const sizeStyle = css`
-  .size {
-    display: grid;
-    grid-template-columns: 1fr auto 1fr;
-    align-items: end;
-    gap: 8px;
-  }
-  .size .measure {
-    width: 100%;
-    min-width: 0;
-  }
-  .size label {
-    display: block;
-    margin-bottom: 4px;
-  }
-`;
 
 /** Field of one side. @param sizes  the plate's changes for another length of that side */
 function sideField(
@@ -65,12 +46,8 @@ function sideField(
       max: largest,
       step: 0.1,
       usual: [10, 200],
-      onInput: (value) => {
-        studio.change((now) => ({ ...now, ...sizes(now, value) }), side);
-      },
-      onSettle: () => {
-        studio.settle();
-      },
+      onInput: (value) => studio.change((now) => ({ ...now, ...sizes(now, value) }), side),
+      onSettle: () => studio.settle(),
     },
     units,
   );
@@ -107,19 +84,11 @@ export function sizeFields(studio: Studio): TemplateResult {
   const locked = keepRatio || isFile;
   return html`<div class="size">
     ${stacked(first)}
-    <button
-      type="button"
-      class="square"
-      aria-pressed=${String(locked)}
-      aria-label=${a('size.lock')}
-      title=${a('size.lock')}
-      ?disabled=${isFile}
-      @click=${() => {
-        studio.store.set({ keepRatio: !keepRatio });
-      }}
-    >
-      ${icon(locked ? 'lock' : 'unlock', 16)}
-    </button>
+    ${button(
+      { look: 'square', name: a('size.lock'), disabled: isFile, pressed: locked },
+      icon(locked ? 'lock' : 'unlock', 16),
+      () => studio.store.set({ keepRatio: !keepRatio }),
+    )}
     ${stacked(second)}
   </div>`;
 }

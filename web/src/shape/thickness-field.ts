@@ -6,13 +6,13 @@ import { formatNumber } from '../i18n/text.js';
 import { thicknessOf, usualThicknesses, withThickness } from '../model/thickness.js';
 import type { Studio } from '../studio/studio.js';
 import { lengthField } from './size-fields.js';
+import { button } from '../controls/button.js';
 
 const largest = 50; // [mm], limit of this field; the print's own settings go further
 const rounded = (length: number): number => Math.round(1000 * length) / 1000;
 
-const setThickness = (studio: Studio, value: number, gesture?: string): void => {
+const setThickness = (studio: Studio, value: number, gesture?: string): void =>
   studio.change((now) => withThickness(now, value), gesture);
-};
 
 /** The number field, whose steps are layers. */
 export function thicknessNumber(studio: Studio): NumberField {
@@ -28,12 +28,8 @@ export function thicknessNumber(studio: Studio): NumberField {
       max: largest,
       step: layerHeight,
       usual: [layerHeight, 6],
-      onInput: (value) => {
-        setThickness(studio, value, 'thickness');
-      },
-      onSettle: () => {
-        studio.settle();
-      },
+      onInput: (value) => setThickness(studio, value, 'thickness'),
+      onSettle: () => studio.settle(),
     },
     units,
   );
@@ -46,16 +42,14 @@ export function thicknessField(studio: Studio): TemplateResult {
     <div class="buttons" role="group" aria-label=${a('thickness')}>
       ${usualThicknesses.map((value) => {
         const made = withThickness(plate, value);
-        return html`<button
-          type="button"
-          aria-pressed=${String(made.print.base === plate.print.base)}
-          @click=${() => {
+        return button(
+          { pressed: made.print.base === plate.print.base },
+          html`${formatNumber(rounded(thicknessOf(made)))} mm`,
+          () => {
             studio.settle();
             setThickness(studio, value);
-          }}
-        >
-          ${formatNumber(rounded(thicknessOf(made)))} mm
-        </button>`;
+          },
+        );
       })}
     </div>`;
 }

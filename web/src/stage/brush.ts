@@ -30,12 +30,8 @@ export class Brush extends Pen {
   constructor(studio: Studio) {
     super(
       () => pageOf(studio.store.state.plate),
-      (points) => {
-        this.#draw(points);
-      },
-      () => {
-        studio.settle();
-      },
+      (points) => this.#draw(points),
+      () => studio.settle(),
     );
     this.#studio = studio;
   }

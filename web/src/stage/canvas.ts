@@ -40,7 +40,6 @@ const halved = 0.5; // pixels drawn per screen pixel, in one direction, while so
 @customElement('sillon-canvas')
 export class PlateCanvas extends StudioElement implements Stage {
   static override styles = [
-    ...StudioElement.styles,
     bench,
     css`
       :host {
@@ -134,15 +133,9 @@ export class PlateCanvas extends StudioElement implements Stage {
     this.#gestures = new Gestures(this.overlay, {
       draws: (event, place) =>
         this.state.tool === 'pan' ? this.#layers?.takes(place, event) === true : event.button === 0 && !event.altKey,
-      pan: (dx, dy) => {
-        this.#camera.move(dx, dy);
-      },
-      zoom: (factor, x, y) => {
-        this.#camera.zoom(factor, x, y);
-      },
-      hover: (point, leads) => {
-        this.#hover(point, leads);
-      },
+      pan: (dx, dy) => this.#camera.move(dx, dy),
+      zoom: (factor, x, y) => this.#camera.zoom(factor, x, y),
+      hover: (point, leads) => this.#hover(point, leads),
       begin: (point) => {
         if (this.#layers?.holds !== true) this.#brush.begin(this.#camera.toPage(point));
       },
@@ -167,9 +160,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     this.overlay.addEventListener('dblclick', ({ offsetX: x, offsetY: y }) => {
       this.#layers?.doubleClick({ x, y });
     });
-    this.#observer = new ResizeObserver(() => {
-      this.#resize();
-    });
+    this.#observer = new ResizeObserver(() => this.#resize());
     this.#observer.observe(this);
     const bars = (this.getRootNode() as ShadowRoot).querySelector('.bottom');
     if (bars !== null) this.#observer.observe(bars);
@@ -316,9 +307,7 @@ export class PlateCanvas extends StudioElement implements Stage {
     if (moves && this.#isSlow()) this.#restTimer = setTimeout(this.#redraw, restsAfter);
   }
 
-  readonly #pace = new Pace(() => {
-    this.#redraw();
-  });
+  readonly #pace = new Pace(() => this.#redraw());
   /** Tells whether drawing is slow, as without a graphics card. */
   #isSlow = (): boolean => this.#pace.slow || this.#renderer?.stepwise === true;
 

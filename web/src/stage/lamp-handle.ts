@@ -18,46 +18,43 @@ const reach = (elevation: number): number => 1 - ((1 - inner) * elevation) / hig
 export class LampHandle extends StudioElement {
   static override reads = ['light'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        --inset: 30px; /* of its track from the edges: the handle's half, and a gap */
-        pointer-events: none;
-      }
-      .lamp {
-        position: absolute;
-        left: calc(50% + (50% - var(--inset)) * var(--x));
-        top: calc(50% - (50% - var(--inset)) * var(--y));
-        display: grid;
-        place-items: center;
-        width: 44px;
-        height: 44px;
-        margin: -22px 0 0 -22px;
-        border-radius: 50%;
-        color: #3a2a06;
-        cursor: grab;
-        pointer-events: auto;
-        touch-action: none;
-      }
-      .lamp::before {
-        content: '';
-        position: absolute;
-        inset: 6px;
-        border-radius: 50%;
-        background: radial-gradient(circle at 40% 35%, #fff7e0, #f3cf82 60%, #d9a548);
-        box-shadow:
-          0 0 0 1px rgb(0 0 0 / 0.35),
-          0 0 22px 4px rgb(255 214 130 / 0.45);
-      }
-      .lamp:active {
-        cursor: grabbing;
-      }
-      .icon {
-        position: relative;
-      }
-    `,
-  ];
+  static override styles = css`
+    :host {
+      --inset: 30px; /* of its track from the edges: the handle's half, and a gap */
+      pointer-events: none;
+    }
+    .lamp {
+      position: absolute;
+      left: calc(50% + (50% - var(--inset)) * var(--x));
+      top: calc(50% - (50% - var(--inset)) * var(--y));
+      display: grid;
+      place-items: center;
+      width: 44px;
+      height: 44px;
+      margin: -22px 0 0 -22px;
+      border-radius: 50%;
+      color: #3a2a06;
+      cursor: grab;
+      pointer-events: auto;
+      touch-action: none;
+    }
+    .lamp::before {
+      content: '';
+      position: absolute;
+      inset: 6px;
+      border-radius: 50%;
+      background: radial-gradient(circle at 40% 35%, #fff7e0, #f3cf82 60%, #d9a548);
+      box-shadow:
+        0 0 0 1px rgb(0 0 0 / 0.35),
+        0 0 22px 4px rgb(255 214 130 / 0.45);
+    }
+    .lamp:active {
+      cursor: grabbing;
+    }
+    .icon {
+      position: relative;
+    }
+  `;
 
   override render(): TemplateResult {
     const { azimuth, elevation } = this.state.light;
@@ -74,15 +71,9 @@ export class LampHandle extends StudioElement {
       aria-valuetext=${t('lamp.stands', degrees)}
       title=${t('light.drag')}
       .style=${`--x: ${far * Math.cos(turn)}; --y: ${far * Math.sin(turn)}`}
-      @pointerenter=${() => {
-        this.studio.store.set({ lampHeld: true });
-      }}
-      @pointerleave=${() => {
-        this.studio.store.set({ lampHeld: false });
-      }}
-      @pointerdown=${(event: PointerEvent) => {
-        (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
-      }}
+      @pointerenter=${() => this.studio.store.set({ lampHeld: true })}
+      @pointerleave=${() => this.studio.store.set({ lampHeld: false })}
+      @pointerdown=${(event: PointerEvent) => (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId)}
       @pointermove=${this.#onMove}
       @wheel=${this.#onWheel}
       @keydown=${this.#onKey}

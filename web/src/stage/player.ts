@@ -5,6 +5,7 @@ import { live } from 'lit/directives/live.js';
 import { formatNumber, t } from '../i18n/text.js';
 import { StudioElement } from '../controls/element.js';
 import { icon } from '../controls/icons.js';
+import { button } from '../controls/button.js';
 
 const duration = 14_000; // [ms] for a whole print
 
@@ -12,30 +13,23 @@ const duration = 14_000; // [ms] for a whole print
 export class Player extends StudioElement {
   static override reads = ['played', 'playing', 'result'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        display: grid;
-        grid-template-columns: auto 1fr auto;
-        align-items: center;
-        gap: 10px;
-        padding: 4px 12px 4px 4px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--surface);
-        box-shadow: var(--lift);
-      }
-      output {
-        min-width: 5ch;
-        text-align: right;
-        color: var(--soft);
-        font-size: var(--note);
-        font-variant-numeric: tabular-nums;
-        white-space: nowrap;
-      }
-    `,
-  ];
+  static override styles = css`
+    :host {
+      display: grid;
+      grid-template-columns: auto 1fr auto;
+      align-items: center;
+      gap: 10px;
+      padding: 4px 12px 4px 4px;
+    }
+    output {
+      min-width: 5ch;
+      text-align: right;
+      color: var(--soft);
+      font-size: var(--note);
+      font-variant-numeric: tabular-nums;
+      white-space: nowrap;
+    }
+  `;
 
   #before = 0;
 
@@ -45,9 +39,7 @@ export class Player extends StudioElement {
     const percent = t('progress.percent', { percent: Math.floor(100 * played) });
     const label = t(playing ? 'verb.pause' : 'verb.play');
     return html`
-      <button type="button" class="plain square" aria-label=${label} title=${label} @click=${this.#toggle}>
-        ${icon(playing ? 'pause' : 'play')}
-      </button>
+      ${button({ look: 'plain square', name: label }, icon(playing ? 'pause' : 'play'), this.#toggle)}
       <input
         type="range"
         min="0"
@@ -57,9 +49,8 @@ export class Player extends StudioElement {
         aria-valuetext=${percent}
         .value=${live(String(played))}
         .style=${`--share: ${played}`}
-        @input=${(event: Event) => {
-          this.studio.store.set({ played: Number((event.currentTarget as HTMLInputElement).value), playing: false });
-        }}
+        @input=${(event: Event) =>
+          this.studio.store.set({ played: Number((event.currentTarget as HTMLInputElement).value), playing: false })}
       />
       <output
         >${length === undefined ? percent : t('summary.metres', { m: formatNumber((length * played) / 1000, 1) })}</output
@@ -67,9 +58,7 @@ export class Player extends StudioElement {
     `;
   }
 
-  #toggle = (): void => {
-    this.studio.togglePlay();
-  };
+  #toggle = (): void => this.studio.togglePlay();
 
   protected override onState(state: this['state'], before: this['state']): void {
     if (state.playing && !before.playing) {

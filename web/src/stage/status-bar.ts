@@ -7,6 +7,7 @@ import { isOf } from '../model/result.js';
 import { StudioElement } from '../controls/element.js';
 import { inUnits } from '../shape/units.js';
 import { pageOf } from '../model/plate.js';
+import { button } from '../controls/button.js';
 
 /** Shortest job that is announced to screen readers [ms]; a shorter one ends before it could be heard. */
 const worthSaying = 1000;
@@ -15,120 +16,117 @@ const worthSaying = 1000;
 export class StatusBar extends StudioElement {
   static override reads = ['plate', 'result', 'summary', 'progress', 'reading', 'cancelled', 'live', 'units'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
+  static override styles = css`
+    :host {
+      position: relative;
+      display: flex;
+      align-items: center;
+      gap: 0 18px;
+      min-height: 40px;
+      padding: 0 6px 0 14px;
+      border-top: 1px solid var(--line);
+      background: var(--surface);
+      font-size: var(--note);
+      white-space: nowrap;
+    }
+    .said {
+      position: absolute;
+      clip-path: inset(50%);
+    }
+    .figures {
+      display: flex;
+      flex: 1;
+      flex-wrap: wrap;
+      gap: 0 16px;
+      min-width: 0;
+      overflow: hidden;
+      color: var(--soft);
+    }
+    .figures b {
+      color: var(--ink);
+      font-weight: 500;
+    }
+    .job {
+      display: flex;
+      flex: 1;
+      align-items: center;
+      gap: 12px;
+      min-width: 0;
+    }
+    .job .stage {
+      overflow: hidden;
+      text-overflow: ellipsis;
+    }
+    .job .share {
+      color: var(--soft);
+      font-variant-numeric: tabular-nums;
+    }
+    .bar {
+      position: absolute;
+      inset: -2px 0 auto;
+      height: 2px;
+      background: var(--line);
+    }
+    .bar div {
+      height: 100%;
+      width: calc(100% * var(--share));
+      background: var(--accent);
+    }
+    .job button {
+      min-height: max(28px, var(--control));
+      font-size: var(--note);
+    }
+    @media (max-width: 720px) {
       :host {
-        position: relative;
-        display: flex;
-        align-items: center;
-        gap: 0 18px;
-        min-height: 40px;
-        padding: 0 6px 0 14px;
-        border-top: 1px solid var(--line);
-        background: var(--surface);
-        font-size: var(--note);
-        white-space: nowrap;
+        padding-left: 10px;
       }
-      .said {
+    }
+    /* A low window needs the row: figures stand in the bench's corner, beside the plate. */
+    @media (max-height: 479px) {
+      :host {
         position: absolute;
-        clip-path: inset(50%);
+        left: 8px;
+        bottom: 8px;
+        z-index: 1;
+        width: max-content;
+        max-width: 7.5rem;
+        min-height: 28px;
+        padding: 4px 8px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        overflow: hidden;
       }
       .figures {
-        display: flex;
-        flex: 1;
-        flex-wrap: wrap;
-        gap: 0 16px;
-        min-width: 0;
-        overflow: hidden;
-        color: var(--soft);
-      }
-      .figures b {
-        color: var(--ink);
-        font-weight: 500;
+        flex-direction: column;
       }
       .job {
-        display: flex;
-        flex: 1;
-        align-items: center;
-        gap: 12px;
-        min-width: 0;
+        gap: 6px;
       }
-      .job .stage {
-        overflow: hidden;
-        text-overflow: ellipsis;
-      }
-      .job .share {
-        color: var(--soft);
-        font-variant-numeric: tabular-nums;
-      }
-      .bar {
-        position: absolute;
-        inset: -2px 0 auto;
-        height: 2px;
-        background: var(--line);
-      }
-      .bar div {
-        height: 100%;
-        width: calc(100% * var(--share));
-        background: var(--accent);
+      .job .stage,
+      .rest {
+        display: none;
       }
       .job button {
-        min-height: max(28px, var(--control));
-        font-size: var(--note);
+        min-height: 28px;
+        padding: 0 6px;
       }
-      @media (max-width: 720px) {
-        :host {
-          padding-left: 10px;
-        }
+    }
+    @container (width < 220px) {
+      :host {
+        display: none;
       }
-      /* A low window needs the row: figures stand in the bench's corner, beside the plate. */
-      @media (max-height: 479px) {
-        :host {
-          position: absolute;
-          left: 8px;
-          bottom: 8px;
-          z-index: 1;
-          width: max-content;
-          max-width: 7.5rem;
-          min-height: 28px;
-          padding: 4px 8px;
-          border: 1px solid var(--line);
-          border-radius: var(--radius-large);
-          overflow: hidden;
-        }
-        .figures {
-          flex-direction: column;
-        }
-        .job {
-          gap: 6px;
-        }
-        .job .stage,
-        .rest {
-          display: none;
-        }
-        .job button {
-          min-height: 28px;
-          padding: 0 6px;
-        }
-      }
-      @container (width < 220px) {
-        :host {
-          display: none;
-        }
-      }
-      /* Words go before figures are cut off. The container is the stage, which is as wide: Chromium gives no boxes to what
+    }
+    /* Words go before figures are cut off. The container is the stage, which is as wide: Chromium gives no boxes to what
          comes later into an element that measures itself. */
-      @container (max-width: 600px) {
-        .rest {
-          display: none;
-        }
-        .figures {
-          gap: 0 10px;
-        }
+    @container (max-width: 600px) {
+      .rest {
+        display: none;
       }
-    `,
-  ];
+      .figures {
+        gap: 0 10px;
+      }
+    }
+  `;
 
   /** Announcement for screen readers: the engine works, the plate is ready, or the job was cancelled. */
   @state() private said = '';
@@ -174,9 +172,7 @@ export class StatusBar extends StudioElement {
 
   #progress(progress: NonNullable<this['state']['progress']>): TemplateResult {
     const { job, stage, left } = progressWords(progress);
-    return this.#job(stage === '' ? job : stage, progress.fraction, left, () => {
-      this.studio.services.cancel();
-    });
+    return this.#job(stage === '' ? job : stage, progress.fraction, left, () => this.studio.services.cancel());
   }
 
   /** Returns the progress of a job, with a button that cancels it. */
@@ -195,7 +191,7 @@ export class StatusBar extends StudioElement {
       <div class="job">
         <span class="stage">${what}</span>
         <span class="share">${t('progress.percent', { percent })}</span><span class="share rest">${left}</span>
-        <button type="button" @click=${cancel}>${t('verb.cancel')}</button>
+        ${button('', t('verb.cancel'), cancel)}
       </div>`;
   }
 
@@ -211,15 +207,7 @@ export class StatusBar extends StudioElement {
       ${
         cancelled
           ? html`<span>${t('job.cancelled')}</span>
-              <button
-                type="button"
-                class="link"
-                @click=${() => {
-                  this.studio.services.retry();
-                }}
-              >
-                ${t('verb.retry')}
-              </button>`
+              ${button('link', t('verb.retry'), () => this.studio.services.retry())}`
           : html`<b>${size.join(' × ')} ${units}</b> ${
                 length === undefined
                   ? nothing

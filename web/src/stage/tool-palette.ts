@@ -17,39 +17,29 @@ const tools: readonly (readonly [Tool, IconName, string])[] = [
 export class ToolPalette extends StudioElement {
   static override reads = ['tool'] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        display: flex;
-        flex-direction: column;
-        gap: 2px;
-        padding: 3px;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--surface);
-        box-shadow: var(--lift);
-      }
-      button.square {
-        width: calc(var(--control) + 4px);
-        min-height: calc(var(--control) + 4px);
-      }
-    `,
-  ];
+  static override styles = css`
+    :host {
+      display: flex;
+      flex-direction: column;
+      gap: 2px;
+      padding: 3px;
+    }
+    button.square {
+      width: calc(var(--control) + 4px);
+      min-height: calc(var(--control) + 4px);
+    }
+  `;
 
   override render(): TemplateResult {
     return html`${tools.map(
       ([tool, name, key]) =>
         html`<button
-          type="button"
           class="plain square"
           aria-label=${t(`tool.${tool}`)}
           aria-keyshortcuts=${key}
           aria-pressed=${String(this.state.tool === tool)}
           title="${t(`tool.${tool}`)} (${key})"
-          @click=${() => {
-            this.studio.setTool(tool);
-          }}
+          @click=${() => this.studio.setTool(tool)}
         >
           ${icon(name, 20)}
         </button>`,

@@ -10,6 +10,7 @@ import { StudioElement } from '../controls/element.js';
 import { select } from '../controls/fields.js';
 import { icon, type IconName } from '../controls/icons.js';
 import { offers, type LightMode, type Over, type Sizing } from '../studio/shown.js';
+import { button } from '../controls/button.js';
 
 const [lowest, highest] = elevations;
 const lightModes: readonly LightMode[] = ['pointer', 'tilt', 'orbit', 'fixed'];
@@ -31,20 +32,17 @@ export class ViewOptions extends StudioElement {
     'view',
   ] as const;
 
-  static override styles = [
-    ...StudioElement.styles,
-    css`
-      :host {
-        display: grid;
-        grid-template-columns: minmax(0, 1fr);
-        gap: 12px;
-      }
-      .row {
-        display: flex;
-        gap: 6px;
-      }
-    `,
-  ];
+  static override styles = css`
+    :host {
+      display: grid;
+      grid-template-columns: minmax(0, 1fr);
+      gap: 12px;
+    }
+    .row {
+      display: flex;
+      gap: 6px;
+    }
+  `;
 
   override render(): TemplateResult {
     return html`${this.state.view === 'appearance' ? this.#look() : nothing}
@@ -75,21 +73,18 @@ export class ViewOptions extends StudioElement {
           value,
           label: value === 'beside' ? t('view.zigzag') : say(words, `looks.over.${value}`),
         })),
-        onChoose: (value) => {
+        onChoose: (value) =>
           this.studio.store.set({
             compare: value === 'beside',
             over: value === 'none' || value === 'beside' ? undefined : value,
-          });
-        },
+          }),
       })}
       ${select<Sizing>({
         id: 'sizing',
         label: say(words, 'looks.size'),
         value: sizing,
         options: sizings.map((value) => ({ value, label: say(words, `looks.size.${value}`) })),
-        onChoose: (value) => {
-          this.studio.store.set({ sizing: value });
-        },
+        onChoose: (value) => this.studio.store.set({ sizing: value }),
       })}
       ${select<LightMode>({
         id: 'light-mode',
@@ -110,9 +105,8 @@ export class ViewOptions extends StudioElement {
           aria-valuetext="${Math.round(light.elevation)}°"
           .value=${live(String(light.elevation))}
           .style=${`--share: ${(light.elevation - lowest) / (highest - lowest)}`}
-          @input=${(event: Event) => {
-            this.studio.setLight({ elevation: Number((event.currentTarget as HTMLInputElement).value) });
-          }}
+          @input=${(event: Event) =>
+            this.studio.setLight({ elevation: Number((event.currentTarget as HTMLInputElement).value) })}
         />
       </div>`;
   }
@@ -128,22 +122,19 @@ export class ViewOptions extends StudioElement {
   #captures(): TemplateResult {
     const { recording } = this.state;
     return html`${this.#button('camera', t('capture.picture'), () => void this.studio.save('png'))}
-      <button
-        type="button"
-        class="square"
-        aria-pressed=${String(recording)}
-        aria-label=${t(recording ? 'capture.making' : 'capture.loop')}
-        title=${t(recording ? 'capture.making' : 'capture.loop')}
-        ?disabled=${recording}
-        @click=${() => void this.studio.save('loop')}
-      >
-        ${icon('video')}
-      </button>`;
+    ${button(
+      {
+        look: 'square',
+        name: t(recording ? 'capture.making' : 'capture.loop'),
+        disabled: recording,
+        pressed: recording,
+      },
+      icon('video'),
+      () => void this.studio.save('loop'),
+    )}`;
   }
 
   #button(name: IconName, label: string, run: () => void): TemplateResult {
-    return html`<button type="button" class="square" aria-label=${label} title=${label} @click=${run}>
-      ${icon(name, 16)}
-    </button>`;
+    return button({ look: 'square', name: label }, icon(name, 16), run);
   }
 }

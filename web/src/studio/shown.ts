@@ -75,7 +75,7 @@ export interface Shown extends State {
   /** Origin of the page that shows this one in a frame and may command it; empty: none. */
   host: string;
   /** Reason why the plate named by the surrounding page or the address cannot be shown. */
-  lacking: Failure | undefined;
+  lacking?: Failure | undefined;
   brush: Brush;
   /** Share of the print that is shown, 0..1. */
   played: number;
@@ -84,22 +84,22 @@ export interface Shown extends State {
   /** Index of the picture whose lamp shines. */
   lamp: number;
   /** Light that a pointer left over pictures under lamps; undefined: the light belongs at the picture's lamp. */
-  aimed: Light | undefined;
+  aimed?: Light | undefined;
   /** The lamp moves from one picture to the next until it is stopped. */
   flipping: boolean;
-  over: Over | undefined;
+  over?: Over | undefined;
   /** Share of the plate that `over` covers, 0..1. */
   wipe: number;
   sizing: Sizing;
   marks: readonly Mark[];
   /** Lamp azimuths under which the code of that plate can be read [degrees], 0 to 180. */
-  scan: { plate: Plate; azimuths: readonly number[] } | undefined;
+  scan?: { plate: Plate; azimuths: readonly number[] } | undefined;
   /** Index of the mark in focus; -1: none. */
   mark: number;
   /** Proportions that `width` and `height` keep while one of them changes. */
   keepRatio: boolean;
   /** Id of the layer in work; undefined: none. */
-  layer: number | undefined;
+  layer?: number | undefined;
   /** The cropped-away part of its picture is shown, to crop it differently. */
   cropping: boolean;
   /** Boxes of the layers by id, as the engine placed them; the
@@ -107,27 +107,27 @@ export interface Shown extends State {
   layerBoxes: ReadonlyMap<number, KnownBox>;
   /** A drag that changes the plate is going on. */
   live: boolean;
-  dialog: Dialog | undefined;
+  dialog?: Dialog | undefined;
   /** Files that were opened last, as long as their roles can be changed. */
-  opened: OpenedFiles | undefined;
+  opened?: OpenedFiles | undefined;
   /** Print of the dialog 'rebrush', or body of the dialog 'zones'. */
-  sliced: File | undefined;
+  sliced?: File | undefined;
   /** Spools of the visitor; undefined: not read yet. */
-  spools: readonly OwnSpool[] | undefined;
+  spools?: readonly OwnSpool[] | undefined;
   /** Printer, filament and thickness that the visitor has named; undefined: none. */
-  own: OwnPrint | undefined;
+  own?: OwnPrint | undefined;
   dropping: boolean;
   /** File that is being read. */
-  reading: Reading | undefined;
+  reading?: Reading | undefined;
   recording: boolean;
   notices: readonly Notice[];
   /** Light that stands in for the beads of the first plate. */
-  shimmer: Shimmer | undefined;
+  shimmer?: Shimmer | undefined;
   /** A first visit, before the visitor has done anything: controls for later steps are hidden. */
   welcome: boolean;
   /** A pointer is on the lamp, which must not move away from it. */
   lampHeld: boolean;
-  engine: EngineInfo | undefined;
+  engine?: EngineInfo | undefined;
   /** The engine was told to stop, and nothing has changed since. */
   cancelled: boolean;
 }
@@ -151,37 +151,24 @@ export const newShown = (): Shown => ({
   controls: [],
   units: 'mm',
   host: '',
-  lacking: undefined,
   brush: { radius: 0.08, softness: 0.5, mode: 'parallel' },
   played: 1,
   playing: false,
   lightMode: 'pointer',
   lamp: 0,
-  aimed: undefined,
   flipping: false,
-  over: undefined,
   wipe: 0.5,
   sizing: 'whole',
   marks: [],
-  scan: undefined,
   mark: -1,
   keepRatio: true,
-  layer: undefined,
   cropping: false,
   layerBoxes: new Map(),
   live: false,
-  dialog: undefined,
-  opened: undefined,
-  sliced: undefined,
-  spools: undefined,
-  own: undefined,
   dropping: false,
-  reading: undefined,
   recording: false,
   notices: [],
-  shimmer: undefined,
   welcome: false,
   lampHeld: false,
-  engine: undefined,
   cancelled: false,
 });

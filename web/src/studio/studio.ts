@@ -287,6 +287,9 @@ export class Studio {
     this.store.set({ dialog });
   }
 
+  /** Returns a function that shows a dialog. */
+  opens = (dialog: Dialog) => (): void => this.show(dialog);
+
   async setLanguage(language: string): Promise<void> {
     await this.attempt(async () => {
       await this.speak(language);
@@ -344,9 +347,7 @@ export class Studio {
     this.store.set({ notices: all.filter((notice) => notice.stays || latest.includes(notice)) });
     if (told !== undefined || words.stays) return id;
     const shownFor = words.actions?.length ? offerFor : noticeFor;
-    setTimeout(() => {
-      this.dismiss(id);
-    }, shownFor);
+    setTimeout(() => this.dismiss(id), shownFor);
     return id;
   }
 
@@ -371,6 +372,8 @@ export class Studio {
       return (await import('../files/in-place.js')).pickInPlace(this.handles);
     return pickFiles(accept);
   }
+
+  openPicked = async (): Promise<void> => this.open(await this.pick());
 
   /** Makes a file and delivers it; a G-code file only after the printer and its blocks were confirmed. */
   async save(product: Product): Promise<void> {
@@ -469,9 +472,7 @@ export class Studio {
     const height = Number((startHeight + first + (base - 1) * layerHeight).toFixed(3));
     this.notify(t('export.body.rest', { name, height }), {
       label: t('export.body.set'),
-      run: () => {
-        this.change((now) => ({ ...now, print: { ...now.print, base: 0, startHeight: height } }));
-      },
+      run: () => this.change((now) => ({ ...now, print: { ...now.print, base: 0, startHeight: height } })),
     });
   }
 

@@ -15,24 +15,18 @@ export function untriedText({ printer }: Plate): string {
 }
 
 /** Remembers that the note was on the screen. */
-export const markUntried = (studio: Studio): void => {
-  studio.remember(told, 'yes');
-};
+export const markUntried = (studio: Studio): void => studio.remember(told, 'yes');
 
 /** Tells where to put the lamp for a downloaded file and, once per device, that nothing was tried on the printer. */
 export function tellPrint(studio: Studio, name: string): void {
   studio.notify(t('export.done', { name }), {
     label: say(words, 'card.title'),
-    run: () => {
-      studio.show('card');
-    },
+    run: studio.opens('card'),
   });
   if (studio.recall(told) !== undefined) return;
   markUntried(studio);
   studio.notify(untriedText(studio.store.state.plate), {
     label: t('verb.first'),
-    run: () => {
-      studio.show('first');
-    },
+    run: studio.opens('first'),
   });
 }

@@ -14,7 +14,5 @@ export function strokesAhead(plate: Plate, made: Plate): Draw | undefined {
   const ahead = top.strokes.filter((stroke, k) => known[k] !== stroke);
   if (ahead.length === 0) return undefined;
   const drawn = ahead.map(({ points, radius = usualRadius }) => ({ points, radius }));
-  return (context, styles) => {
-    drawStrokes(context, drawn, styles.getPropertyValue('--accent'));
-  };
+  return (context, styles) => drawStrokes(context, drawn, styles.getPropertyValue('--accent'));
 }

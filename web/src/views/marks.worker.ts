@@ -2,6 +2,4 @@
 import type { Toolpath } from 'sillon';
 import { findMarks } from './marks.js';
 
-self.addEventListener('message', ({ data }: MessageEvent<Toolpath>) => {
-  self.postMessage(findMarks(data));
-});
+self.addEventListener('message', ({ data }: MessageEvent<Toolpath>) => self.postMessage(findMarks(data)));

@@ -189,9 +189,7 @@ export function createTilted(canvas: HTMLCanvasElement): TiltedRenderer {
     const { relief, beads } = next;
     if (relief !== heightsOf) uploadHeights(relief);
     const texel = (Math.max(relief.columns, relief.rows) * relief.cell) / mostTexels;
-    drape(textures.painted, relief, (on) => {
-      next.paint(on, texel);
-    });
+    drape(textures.painted, relief, (on) => next.paint(on, texel));
     if (before?.beads === beads && before?.relief === relief) return;
     drape(textures.tangents, relief, (on) => {
       if (beads !== undefined) drawTangents(on, beads);
@@ -240,9 +238,7 @@ export function createTilted(canvas: HTMLCanvasElement): TiltedRenderer {
     }
   }
 
-  const onLost = (event: Event): void => {
-    event.preventDefault();
-  };
+  const onLost = (event: Event): void => event.preventDefault();
   const onRestored = (): void => {
     program = compile(gl, vertex, fragment);
     textures = { heights: gl.createTexture(), painted: gl.createTexture(), tangents: gl.createTexture() };

@@ -73,9 +73,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
   }
   prepare();
 
-  const onLost = (event: Event): void => {
-    event.preventDefault();
-  };
+  const onLost = (event: Event): void => event.preventDefault();
   const onRestored = (): void => {
     prepare();
     redraw();
@@ -277,9 +275,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
     const beads = quick ? undefined : scene.toolpath && beadsFor(scene, scene.toolpath, camera);
     if (scene.toolpath === undefined) before = undefined;
     const opacity = veilFor(beads !== undefined, scene);
-    const told = (program: Program): void => {
-      setColours(program, scene, scene.spacing ?? 1);
-    };
+    const told = (program: Program): void => setColours(program, scene, scene.spacing ?? 1);
     const { drawingBufferWidth: columns, drawingBufferHeight: rows } = gl;
     const edge = wipe === undefined ? 0 : Math.round(columns / 2 + (wipe * page[0] - camera.x) * camera.scale);
     for (let k = 0; k < (comparing(scene) ? 2 : 1); ++k) {
@@ -323,9 +319,7 @@ export function createRenderer(canvas: HTMLCanvasElement, lazy?: (load: () => Pr
       draw(whole, above);
       for (const { work } of preparing.values()) work.finish();
       draw(whole, above);
-      const blob = await new Promise<Blob | null>((resolve) => {
-        canvas.toBlob(resolve, 'image/png');
-      });
+      const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
       ({ last } = kept);
       this.resize(kept.width, kept.height);
       redraw();

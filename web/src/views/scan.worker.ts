@@ -20,11 +20,7 @@ async function reads({ picture, text }: ScanRequest): Promise<boolean> {
 
 self.addEventListener('message', ({ data }: MessageEvent<ScanRequest>) => {
   reads(data).then(
-    (read) => {
-      self.postMessage(read);
-    },
-    () => {
-      self.postMessage(false);
-    },
+    (read) => self.postMessage(read),
+    () => self.postMessage(false),
   );
 });

@@ -12,6 +12,7 @@ import { newFileShape } from '../model/defaults.js';
 import { problemOf, type Problem } from '../model/problem.js';
 import { readBody, stlOf, type Mesh } from './mesh.js';
 import { drawingOf, pathOf, topFaces, type TopFace } from './top-faces.js';
+import { button } from '../controls/button.js';
 
 interface Known {
   file: File;
@@ -23,43 +24,39 @@ interface Known {
 export class Zones extends DialogElement {
   static override reads = ['sliced'] as const;
 
-  static override styles = [
-    ...DialogElement.styles,
-    css`
-      dialog {
-        width: min(640px, calc(100vw - 24px));
-      }
-      .body,
-      .none {
-        display: grid;
-        gap: 14px;
-      }
-      .faces {
-        display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(150px, 1fr));
-        gap: 10px;
-      }
-      .faces button {
-        display: grid;
-        justify-items: start;
-        gap: 4px;
-        width: 100%;
-        height: 100%;
-        padding: 8px;
-        text-align: start;
-      }
-      svg.face {
-        width: 100%;
-        height: 96px;
-      }
-      .others {
-        fill: var(--line);
-      }
-      .own {
-        fill: var(--accent);
-      }
-    `,
-  ];
+  static override styles = css`
+    dialog {
+      width: min(640px, calc(100vw - 24px));
+    }
+    .none {
+      display: grid;
+      gap: 14px;
+    }
+    .faces {
+      display: grid;
+      grid-template-columns: repeat(auto-fill, minmax(150px, 1fr));
+      gap: 10px;
+    }
+    .faces button {
+      display: grid;
+      justify-items: start;
+      gap: 4px;
+      width: 100%;
+      height: 100%;
+      padding: 8px;
+      text-align: start;
+    }
+    svg.face {
+      width: 100%;
+      height: 96px;
+    }
+    .others {
+      fill: var(--line);
+    }
+    .own {
+      fill: var(--accent);
+    }
+  `;
 
   @state() private known: Known | undefined;
   @state() private problem: Problem | undefined;
@@ -116,16 +113,13 @@ export class Zones extends DialogElement {
 
   #card(face: TopFace, known: Known): TemplateResult {
     const [width, height] = face.size.map((length) => formatNumber(length, 1)) as [string, string];
-    return html`<button
-      type="button"
-      @click=${() => {
-        void this.studio.attempt(() => this.#choose(face, known));
-      }}
-    >
-      ${picture(face, known.faces)}
-      <span>${say(words, 'zones.face', { width, height, z: formatNumber(face.z, 2) })}</span>
-      <span class="note">${say(words, 'zones.area', { area: formatNumber(face.areaMm2, 0) })}</span>
-    </button>`;
+    return button(
+      '',
+      html`${picture(face, known.faces)}
+        <span>${say(words, 'zones.face', { width, height, z: formatNumber(face.z, 2) })}</span>
+        <span class="note">${say(words, 'zones.area', { area: formatNumber(face.areaMm2, 0) })}</span>`,
+      () => void this.studio.attempt(() => this.#choose(face, known)),
+    );
   }
 
   async #choose(face: TopFace, { file, mesh }: Known): Promise<void> {
@@ -148,9 +142,7 @@ export class Zones extends DialogElement {
       this.studio.store.set({ sliced: undefined });
       this.studio.notify(say(words, 'zones.opened', { name }), {
         label: say(words, 'zones.download'),
-        run: () => {
-          void this.studio.save('zones');
-        },
+        run: () => void this.studio.save('zones'),
       });
     });
   }
