@@ -338,6 +338,21 @@ test('whatever a link carries, it can be opened again', async () => {
   }
 });
 
+test('a link of version 2 opens as it was made', async () => {
+  // Never made anew: somebody keeps it.
+  const kept =
+    '#plate=2.TZBNTsMwEIXv8tYjmqY_Et6yhAUS7KouTDNNTF3bsidtIfIBOBcXQ3FaYOV5M9Y3896AEP077wRqQDLWegc1J6ROBx57vTNiOSUohAsIQRsnUEidPzsQDszhtTMOaq9tYsJbb6yMGtH3ruEGhGQ-GWpzX9G62maC1R8cE9RmwMG4ZmRrEY6uLJgqhbM-cQKV94ldKx1UvbxbEfQxWCN9w1DLKtMvRfgiIGiB2iwqqqstIXrRYoqtFU0_FL6_gsGkXspt85qw98XZgz6xFvzD7nzDN-y6ouWIvVparGhUV2wnEpKazfgyXsh3PrbIW0IwO-kjpxJy8N5CofW2ebYamSDe26BHe0MmhFgSHhDNEaq-dThO4yR9Y_w4P3FMxVhNcPrIUHjkICXD9i9vwt7YsjvnnH8A';
+  const plate = (await read(kept)) ?? assert.fail('it is no link');
+  assert.deepEqual([plate.name, plate.width, plate.height, plate.shape.kind], ['Kept', 90, 60, 'rounded']);
+  const [, text, code] = plate.layers;
+  assert.deepEqual(
+    [text?.kind, text?.text, text?.font, text?.at, text?.rotation],
+    ['text', 'Épi', 'Caveat', [30, 20], 15],
+  );
+  assert.deepEqual([code?.kind, code?.text, code?.at], ['code', 'https://example.org', [60, 40]]);
+  assert.equal(plate.print.rim, 2);
+});
+
 // --- Strangers' links --------------------------------------------------------------------------------------------------
 
 test('other hashes are no links', async () => {
