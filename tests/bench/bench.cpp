@@ -133,7 +133,7 @@ void quality(const std::vector<std::string>& scenes, const std::string& perimete
     if (perimeters == "none") params.perimeterMode = sillon::PerimeterMode::None;
     if (perimeters == "soft") params.perimeterMode = sillon::PerimeterMode::Soft;
     if (const auto known = sillon::presets(); std::find(known.begin(), known.end(), perimeters) != known.end()) {
-      if (!sillon::applyPreset(perimeters, params).empty()) continue;
+      if (sillon::applyPreset(perimeters, params)) continue;
     }
     if (!perimeters.empty() && std::isdigit(perimeters[0])) {
       params.perimeterMode = sillon::PerimeterMode::Count;
@@ -519,7 +519,7 @@ int main(int argc, char** argv) {
       Loaded scene;
       const fs::path file = fs::path(SILLON_SOURCE_DIR) / "examples" / "paper" / (std::string(result.scene) + ".json");
       if (!load(file.string(), scene)) return 1;
-      if (!rest.empty() && !sillon::applyPreset(rest[0], scene.project.toolpath).empty()) return 1;
+      if (!rest.empty() && sillon::applyPreset(rest[0], scene.project.toolpath)) return 1;
       if (!bench::paperRows(result, scene.input, scene.project.toolpath)) return 1;
     }
     return 0;

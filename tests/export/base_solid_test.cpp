@@ -338,7 +338,7 @@ TEST_CASE("what has no body says why") {
   PrintParams params;
   params.base = 0;
   const Shape shape = shapeOf({box(0, 0, 60, 40)});
-  CHECK(baseBody(shape, Printer{}, params).error().message.find("base is 0; it must be at least 1") == 0);
+  CHECK(baseBody(shape, Printer{}, params).error().message.find("print.base is 0; it must be at least 1") == 0);
   params.base = 2000;
   CHECK(baseBody(shape, Printer{}, params).error().message.find("print.base is 2000; it must be 0 to 1000") == 0);
   CHECK(baseBody({}, Printer{}, {}).error().code == ErrorCode::EmptyShape);

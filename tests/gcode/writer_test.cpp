@@ -604,12 +604,12 @@ TEST_CASE("bad input is refused by name before a byte is written") {
       {"startHeight is not a number", [](Job& j) { j.params.startHeight = kNan; }},
       {"with the lift of the nozzle the print is 200.6 mm high", [](Job& j) { j.params.startHeight = 199.6; },
        ErrorCode::DoesNotFit},
-      {"startHeight is 5 mm; it must be 0 where showSide is not up",
+      {"startHeight is 5 mm; it must be 0 where print.showSide is not up",
        [](Job& j) {
          j.params.startHeight = 5;
          j.params.showSide = ShowSide::Bed;
        }},
-      {"startHeight is 5 mm; it must be 0 where showSide is not up",
+      {"startHeight is 5 mm; it must be 0 where print.showSide is not up",
        [](Job& j) {
          j.params.startHeight = 5;
          j.params.showSide = ShowSide::Both;
@@ -644,12 +644,12 @@ TEST_CASE("bad input is refused by name before a byte is written") {
          j.printer.bedTemperature = 121;
        }},
       {"machineSpeed is 4 mm/s; it must be 5 to 1000, or 0", [](Job& j) { j.printer.machineSpeed = 4; }},
-      {"; strict refuses that",
+      {"; print.strict refuses that",
        [](Job& j) {
          j.params.strict = true;
          j.shape = rectangle(30, 15);
        }},
-      {"the path crosses itself 1 time; strict refuses that",
+      {"the path's crossings with itself are 1; print.strict allows none",
        [](Job& j) {
          j.params.strict = true;
          j.toolpath.cycles = {{{{1, 1}, {29, 19}, {29, 1}, {1, 19}}, std::vector<float>(4, 0.4f)}};

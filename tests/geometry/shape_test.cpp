@@ -111,12 +111,12 @@ TEST_CASE("a rounded rectangle loses its corners, never more than half its short
 TEST_CASE("sizes out of range are refused with their value") {
   for (const double size : {0.0, -3.0, 10000.5, 1e300, kNan, kInfinity}) {
     CAPTURE(size);
-    checkRefused(makeRectangle({size, 5}), ErrorCode::InvalidArgument, "width");
-    checkRefused(makeRectangle({5, size}), ErrorCode::InvalidArgument, "height");
-    checkRefused(makeRoundedRectangle({size, 5}, 1), ErrorCode::InvalidArgument, "width");
-    checkRefused(makeDisc(size), ErrorCode::InvalidArgument, "diameter");
-    checkRefused(shapeFromMask(picture({"#"}), size), ErrorCode::InvalidArgument, "width");
-    checkRefused(scaledToWidth(get(makeRectangle({5, 5})), size), ErrorCode::InvalidArgument, "width");
+    checkRefused(makeRectangle({size, 5}), ErrorCode::InvalidArgument, "shape.size.x");
+    checkRefused(makeRectangle({5, size}), ErrorCode::InvalidArgument, "shape.size.y");
+    checkRefused(makeRoundedRectangle({size, 5}, 1), ErrorCode::InvalidArgument, "shape.size.x");
+    checkRefused(makeDisc(size), ErrorCode::InvalidArgument, "shape.size.x");
+    checkRefused(shapeFromMask(picture({"#"}), size), ErrorCode::InvalidArgument, "shape.size.x");
+    checkRefused(scaledToWidth(get(makeRectangle({5, 5})), size), ErrorCode::InvalidArgument, "shape.size.x");
   }
   checkRefused(makeRectangle({-0.4, 5}), ErrorCode::InvalidArgument,
                "is -0.4 mm; it must be more than 0 and at most 10000 mm");

@@ -77,7 +77,7 @@ PlacedLayer boxOf(const Layer& layer, const Shape& shape, std::optional<Error> p
 
 bool lacksLetter(const Error& error) {
   const std::string_view why = error.reason;
-  return why == reason::kMissingLetter || why == reason::kPictureLetter;
+  return why == "MissingLetter" || why == "PictureLetter";
 }
 
 int texelsOn(double side, double spacing) {
@@ -136,7 +136,7 @@ std::vector<Warning> letterWarnings(const std::vector<PlacedLayer>& placed) {
   for (std::size_t k = 0; k < placed.size(); ++k) {
     const auto number = static_cast<double>(k + 1);
     if (const auto& problem = placed[k].problem) {
-      const bool picture = std::string_view(problem->reason) == reason::kPictureLetter;
+      const bool picture = std::string_view(problem->reason) == "PictureLetter";
       warnings.push_back({picture ? WarningCode::LayerOnlyPicture : WarningCode::LayerLeftOut,
                           {{"layer", number}, {"letter", problem->values.back().text}}});
     }

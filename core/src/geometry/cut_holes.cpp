@@ -40,8 +40,8 @@ Result<Shape> withHoles(Shape shape, const std::vector<RoundHole>& holes) {
     }
     if (!meets(hole, outline.value())) {
       const Bounds box = outline.value().bounds;
-      return refused(ErrorCode::InvalidArgument, reason::kHoleOutside,
-                     {{"n", static_cast<double>(k + 1)},
+      return refused(ErrorCode::InvalidArgument, "HoleOutside",
+                     {{"n", k + 1},
                       {"x", hole.centre.x},
                       {"y", hole.centre.y},
                       {"diameter", hole.diameter},

@@ -56,7 +56,7 @@ Image levelMask(const Grid& grid, const std::vector<float>& distance, double off
 /// shape's depth.
 Error nothingLeft(double offset, const std::vector<float>& distance) {
   const double deepest = -static_cast<double>(*std::min_element(distance.begin(), distance.end()));
-  return refused(ErrorCode::EmptyShape, reason::kOffsetTooDeep,
+  return refused(ErrorCode::EmptyShape, "OffsetTooDeep",
                  {{"offset", offset}, {"depth", std::ceil(10 * deepest - 1e-3) / 10}});
 }
 

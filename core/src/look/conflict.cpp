@@ -32,10 +32,10 @@ PictureConflict conflictOf(const DirectionMap& directions, std::span<const Shown
                            const Roughness& roughness, double level) {
   PictureConflict conflict{directions.width, directions.height, {}};
   // Maps may come from outside: a map whose values do not match its size gives no conflict.
-  if (!mapDefect("direction", directions.width, directions.height, directions.angle.size()).empty()) return {};
+  if (mapDefect("directions", directions.width, directions.height, directions.angle.size())) return {};
   for (const ShownPicture& picture : shown) {
     const Tones& tones = picture.tones;
-    if (!mapDefect("tone", tones.width, tones.height, tones.value.size()).empty()) return {};
+    if (mapDefect("tones", tones.width, tones.height, tones.value.size())) return {};
   }
   for (const ShownPicture& picture : shown) {
     // Codes by direction under this lamp, and the range that counts as 0 to 1.

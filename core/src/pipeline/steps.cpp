@@ -27,7 +27,7 @@ constexpr double kPictureStitchAlignment = 4;
 constexpr int kGivingRounds = 3;
 
 Error noBeadFits(const Shape& shape, double spacing) {
-  const char* const why = shape.drawing.linesOnly ? reason::kLinesTooThin : reason::kNoBeadFits;
+  const Reason why = shape.drawing.linesOnly ? Reason("LinesTooThin") : Reason("NoBeadFits");
   return refused(ErrorCode::EmptyShape, why, {{"spacing", spacing}});
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/lines.hpp"
 #include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "gcode/blocks.hpp"
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/parser.hpp"
@@ -320,9 +321,9 @@ void chooseTool(SlicerSettings& settings, std::size_t tool) {
 void judgeBlocks(ImportedPrinter& out) {
   const std::vector<TemplateValue> values = templateValues(out.printer, {}, somePlate(out.printer));
   for (const auto& [name, text] :
-       {std::pair{"the start block", &out.printer.startGcode}, {"the end block", &out.printer.endGcode}}) {
+       {std::pair{"printer.startGcode", &out.printer.startGcode}, {"printer.endGcode", &out.printer.endGcode}}) {
     if (const auto expanded = expandTemplate(*text, values, name); !expanded) {
-      addNote(out.notRead, importNote("Placeholder", {{"detail", expanded.error().message}}));
+      addNote(out.notRead, importNote(expanded.error()));
     }
   }
 }
@@ -347,9 +348,7 @@ void addHeating(Printer& printer) {
 
 Result<ImportedPrinter> printerOfSettings(const SlicerSettings& settings, ImportedPrinter out) {
   takeSettings(settings, out);
-  if (out.read.empty()) {
-    return Error{ErrorCode::InvalidFile, "the file has no setting of a printer that is known here"};
-  }
+  if (out.read.empty()) return refusedFile("NoPrinterSettings");
   addHeating(out.printer);
   judgeBlocks(out);
   std::sort(out.read.begin(), out.read.end());

@@ -35,10 +35,10 @@ Error tooDetailed(const std::string& font, std::size_t most) {
 }
 
 Error missingLetter(const std::string& font, const LackedLetter& lacked) {
-  const NamedValue letter("letter", letterWithCode(lacked.letter));
+  const std::string letter = letterWithCode(lacked.letter);
   return lacked.picture
-             ? refused(ErrorCode::InvalidArgument, reason::kPictureLetter, {{"font", inQuotes(font)}, letter})
-             : refused(ErrorCode::InvalidArgument, reason::kMissingLetter, {letter});
+             ? refused(ErrorCode::InvalidArgument, "PictureLetter", {{"font", inQuotes(font)}, {"letter", letter}})
+             : refused(ErrorCode::InvalidArgument, "MissingLetter", {{"letter", letter}});
 }
 
 void addLacked(std::vector<LackedLetter>& all, const LackedLetter& one) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,8 @@ struct Mesh {
 /// TooLarge.
 Result<Mesh> baseBody(const Shape& shape, const Printer& printer, const PrintParams& params);
 
-/// Describes a fault of a mesh in one sentence: a corner that is not a point of it, or a point that
-/// is not finite. The sentence is empty where there is no fault.
-[[nodiscard]] std::string meshDefect(const Mesh& mesh);
+/// Refuses a mesh that has a corner which is not a point of it, or a point that is not finite.
+std::optional<Error> meshDefect(const Mesh& mesh);
 
 /// Writes a mesh as binary STL.
 /// \return InvalidArgument where meshDefect finds a fault.

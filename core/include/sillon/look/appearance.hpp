@@ -3,9 +3,10 @@
 // describes it.
 #pragma once
 
-#include <string>
+#include <optional>
 #include <vector>
 
+#include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
 
 namespace sillon {
@@ -43,9 +44,9 @@ struct Lobe {
   float brightest = 1;  ///< highlight of the brightest direction
 };
 
-/// Returns a sentence about a value that is out of range; it is empty where none is.
-std::string invalidLamp(const Lamp& lamp);
-std::string invalidRoughness(const Roughness& roughness);
+/// Refuses a value that is out of range; nothing where none is.
+std::optional<Error> invalidLamp(const Lamp& lamp);
+std::optional<Error> invalidRoughness(const Roughness& roughness);
 
 /// Computes the lobe of a bead under a lamp.
 /// \param lamp,  roughness  in range.

@@ -239,7 +239,7 @@ class Brushes {
 
 std::optional<Error> drawStrokes(const StrokesLayer& strokes, std::size_t number, const LayerPlate& plate,
                                  LayerStack& stack, const RunContext& run) {
-  if (!Brushes(strokes, number, plate, stack).draw(run)) return Error{ErrorCode::Cancelled, "cancelled"};
+  if (!Brushes(strokes, number, plate, stack).draw(run)) return cancelledRun();
   return std::nullopt;
 }
 
