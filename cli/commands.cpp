@@ -1,5 +1,4 @@
 #include "commands/commands.hpp"
-#include "command.hpp"
 
 namespace sillon::cli {
 

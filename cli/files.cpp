@@ -6,10 +6,8 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
-#include <filesystem>
 #include <memory>
 #include <random>
-#include <string_view>
 #include <utility>
 
 #if defined(__unix__) || defined(__APPLE__)

@@ -3,9 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 #include "threads.hpp"

@@ -1,7 +1,6 @@
 #include "pictures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -9,11 +8,9 @@
 #include <fstream>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "files.hpp"
 #include "sillon/input/image_io.hpp"
-#include "sillon/look/spools.hpp"
 #include "sillon/settings/table.hpp"
 #include "words.hpp"
 

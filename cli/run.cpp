@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "memory.hpp"
-#include "sillon/base/result.hpp"
 #include "threads.hpp"
 
 namespace sillon::cli {

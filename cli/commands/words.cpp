@@ -2,7 +2,6 @@
 // programs.
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 #include <utility>
 

@@ -2,12 +2,10 @@
 #include "base/exact_math.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "base/json.hpp"
 #include "base/numbers.hpp"

@@ -1,9 +1,5 @@
 #include "gcode/job.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 #include "base/numbers.hpp"
 #include "gcode/base_layers.hpp"
 #include "gcode/blocks.hpp"

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <utility>
 
 #include "base/lines.hpp"
 #include "base/numbers.hpp"
-#include "gcode/job.hpp"
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {

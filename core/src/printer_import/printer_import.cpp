@@ -1,7 +1,6 @@
 #include "sillon/printer_import/printer_import.hpp"
 
 #include <optional>
-#include <utility>
 
 #include "export/zip.hpp"
 #include "printer_import/slicer_files.hpp"

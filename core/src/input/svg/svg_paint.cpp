@@ -1,13 +1,7 @@
 #include "input/svg/svg_style.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <string>
 
 #include <fast_float/fast_float.h>
 

@@ -1,10 +1,6 @@
 #include "input/svg/svg_style.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <utility>
 
 namespace sillon::svg {
 namespace {
