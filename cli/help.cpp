@@ -7,7 +7,7 @@
 
 #include "words.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 constexpr std::size_t kColumn = 26;  // largest column at which texts begin; longer names get a line of their own
@@ -94,4 +94,4 @@ std::string sentenceCase(std::string text) {
   return text;
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace cli {
+namespace sillon::cli {
 
 /// A value of an option, and its meaning.
 using ValueHelp = std::pair<std::string, std::string>;
@@ -35,4 +35,4 @@ std::string helpText(const HelpPage& page, bool all, int width);
 /// Puts the first letter in lower case, unless the first word is an abbreviation.
 std::string sentenceCase(std::string text);
 
-}  // namespace cli
+}  // namespace sillon::cli

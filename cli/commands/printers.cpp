@@ -9,15 +9,8 @@
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
-
-using sillon::Error;
-using sillon::ErrorCode;
-using sillon::GcodeFlavor;
-using sillon::Printer;
-using sillon::PrinterProfile;
-using sillon::ProfileKind;
 
 struct Arguments {
   std::string id;  ///< id of a profile; empty for all
@@ -25,15 +18,15 @@ struct Arguments {
 };
 
 std::string flavor(const Printer& printer) {
-  sillon::Project project;
+  Project project;
   project.printer = printer;
-  return sillon::settingText(*sillon::findSetting(sillon::Section::Printer, "flavor"), project);
+  return settingText(*findSetting(Section::Printer, "flavor"), project);
 }
 
 /// Formats the row of a printer in the table.
 std::string printerLine(const PrinterProfile& preset) {
   const Printer& p = preset.printer;
-  const sillon::Vec2 size = p.bedMax - p.bedMin;
+  const Vec2 size = p.bedMax - p.bedMin;
   const bool centred = p.bedMin.x < 0;
   char bed[64];
   std::snprintf(bed, sizeof bed, "%gx%gx%g%s%s", size.x, size.y, p.maxZ, p.roundBed ? " round" : "",
@@ -61,8 +54,7 @@ std::string presetTable(ProfileKind kind) {
   std::string out =
       printers ? "id                           dialect  bed [mm]                   nozzle most [C]  start block\n"
                : "id           type   nozzle [C]      bed [C]  g/cm3\n";
-  for (const PrinterProfile& preset : sillon::profiles(kind))
-    out += printers ? printerLine(preset) : filamentLine(preset);
+  for (const PrinterProfile& preset : profiles(kind)) out += printers ? printerLine(preset) : filamentLine(preset);
   return out;
 }
 
@@ -71,18 +63,18 @@ std::string presetTable(ProfileKind kind) {
 std::string presetsJson(ProfileKind kind) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
-  for (const PrinterProfile& preset : sillon::profiles(kind)) {
+  for (const PrinterProfile& preset : profiles(kind)) {
     Json& one = list.emplace_back(Json{{"id", preset.id}});
     if (!preset.maker.empty()) one["maker"] = preset.maker;
-    one["printer"] = Json::parse(sillon::writePrinter(preset.printer))["printer"];
+    one["printer"] = Json::parse(writePrinter(preset.printer))["printer"];
   }
   return Json{{kind == ProfileKind::Printer ? "printers" : "filaments", list}}.dump(2) + "\n";
 }
 
 /// Returns a project file with the printer of a profile; empty if no profile has this id.
 std::string presetFile(ProfileKind kind, const std::string& id) {
-  for (const PrinterProfile& preset : sillon::profiles(kind)) {
-    if (preset.id == id) return sillon::writePrinter(preset.printer);
+  for (const PrinterProfile& preset : profiles(kind)) {
+    if (preset.id == id) return writePrinter(preset.printer);
   }
   return "";
 }
@@ -122,4 +114,4 @@ const Command printersCommand{"printers",
 const Command filamentsCommand{
     "filaments", "list the filaments that come with the program", "[ID]", "--json", "", add<ProfileKind::Filament>};
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -76,13 +76,13 @@ struct Loaded {
 
 bool load(const std::string& path, Loaded& out) {
   out.name = fs::path(path).stem().string();
-  const auto project = cli::loadProject(path);
+  const auto project = sillon::cli::loadProject(path);
   if (!project) {
     std::printf("%s: %s\n", path.c_str(), project.error().message.c_str());
     return false;
   }
   out.project = project.value();
-  auto input = cli::assemblePlate(out.project);
+  auto input = sillon::cli::assemblePlate(out.project);
   if (!input) {
     std::printf("%s: %s\n", path.c_str(), input.error().message.c_str());
     return false;
@@ -488,7 +488,7 @@ void growth(double most) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::keepFreedMemory();
+  sillon::cli::keepFreedMemory();
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   const std::string what = arguments.empty() ? "" : arguments[0];
   std::vector<std::string> rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());

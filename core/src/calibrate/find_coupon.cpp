@@ -1,8 +1,6 @@
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <string>
 
 #include "base/numbers.hpp"

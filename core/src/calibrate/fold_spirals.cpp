@@ -2,10 +2,6 @@
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numbers>
 
 namespace sillon {
 namespace {

@@ -4,12 +4,10 @@
 #include "input/map_defect.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "base/json.hpp"
 #include "base/numbers.hpp"

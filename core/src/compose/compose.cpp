@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <numbers>
-#include <string>
 #include <string_view>
 #include <utility>
 

@@ -1,8 +1,6 @@
 #include "compose/content.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 #include <utility>
 
 #include "project/files.hpp"

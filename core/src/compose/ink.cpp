@@ -1,8 +1,6 @@
 #include "compose/ink.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 

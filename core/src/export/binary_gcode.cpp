@@ -1,12 +1,8 @@
 #include "export/packing.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <initializer_list>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "base/checksums.hpp"
 #include "base/lines.hpp"

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
-#include "base/checksums.hpp"
 #include "base/refused.hpp"
 #include "base/sort_key.hpp"
-#include "export/packing.hpp"
 #include "input/inflate.hpp"
 
 namespace sillon {

@@ -1,7 +1,5 @@
 #include "field/fields.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/fast_math.hpp"

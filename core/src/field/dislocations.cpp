@@ -1,9 +1,7 @@
 #include "field/fields.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"

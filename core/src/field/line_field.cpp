@@ -1,8 +1,5 @@
 #include "field/fields.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"

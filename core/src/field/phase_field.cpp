@@ -1,6 +1,5 @@
 #include "field/fields.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/fast_math.hpp"

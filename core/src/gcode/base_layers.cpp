@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
 #include "base/refused.hpp"
 #include "gcode/layout.hpp"
 #include "gcode_reader/coverage.hpp"
-#include "sillon/geometry/outline.hpp"
 
 namespace sillon {
 namespace {

@@ -1,6 +1,5 @@
 #include "gcode/file_comments.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>

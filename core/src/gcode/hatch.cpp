@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sillon/geometry/outline.hpp"
-
 namespace sillon {
 namespace {
 

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "base/numbers.hpp"
 #include "gcode/base_layers.hpp"
-#include "gcode/file_comments.hpp"
 #include "printer/dialect.hpp"
 #include "sillon/settings/presets.hpp"
 

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "base/numbers.hpp"
 #include "base/refused.hpp"
-#include "sillon/base/result.hpp"
 
 namespace sillon {
 namespace {

@@ -1,7 +1,6 @@
 #include "gcode/nozzle.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "base/numbers.hpp"

@@ -1,9 +1,6 @@
 #include "gcode/job.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
+#include "base/numbers.hpp"
 #include "base/refused.hpp"
 #include "gcode/base_layers.hpp"
 #include "gcode/blocks.hpp"

@@ -1,7 +1,5 @@
 #include "gcode/layout.hpp"
 
-#include <cmath>
-
 #include "base/fast_math.hpp"
 
 namespace sillon {

@@ -1,7 +1,6 @@
 #include "gcode/read_back.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "base/refused.hpp"
 #include "gcode/job.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/numbers.hpp"
 #include "gcode/file_comments.hpp"

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <utility>
 
 #include "base/lines.hpp"
 #include "base/numbers.hpp"
 #include "base/refused.hpp"
-#include "gcode/job.hpp"
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {

@@ -1,16 +1,10 @@
 #include "gcode/job.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
 #include <string_view>
-#include <utility>
 
 #include "base/numbers.hpp"
 #include "base/refused.hpp"
 #include "settings/json.hpp"
-#include "sillon/base/result.hpp"
-#include "sillon/base/words.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace sillon {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "base/numbers.hpp"
 #include "base/refused.hpp"

@@ -1,9 +1,8 @@
 #include "gcode_reader/machine.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
-#include <utility>
 
 namespace sillon {
 namespace {
@@ -141,20 +140,8 @@ bool readsWords(const GcodeCommand& command) {
   if (command.letter == 'G') {
     return command.sub == 0 && (command.code <= 3 || command.code == 10 || command.code == 11 || command.code == 92);
   }
-  if (command.letter != 'M') return false;
-  switch (command.code) {
-    case 104:
-    case 109:
-    case 140:
-    case 141:
-    case 190:
-    case 191:
-    case 200:
-    case 568:
-      return true;
-    default:
-      return false;
-  }
+  constexpr int kCodes[] = {104, 109, 140, 141, 190, 191, 200, 568};
+  return command.letter == 'M' && std::find(std::begin(kCodes), std::end(kCodes), command.code) != std::end(kCodes);
 }
 
 std::optional<MachineMove> runCommand(MachineState& state, const GcodeCommand& command, const GcodeWords& words) {

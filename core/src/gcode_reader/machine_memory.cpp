@@ -1,10 +1,5 @@
 #include "gcode_reader/machine.hpp"
 
-#include <algorithm>
-#include <memory>
-#include <string>
-#include <utility>
-
 #include "gcode_reader/macros.hpp"
 
 namespace sillon {

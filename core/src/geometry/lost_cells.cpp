@@ -1,7 +1,6 @@
 #include "geometry/parts.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "base/parallel_for.hpp"
 #include "geometry/bead_room.hpp"

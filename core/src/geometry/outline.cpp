@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <utility>
 
 #include "base/numbers.hpp"
 #include "geometry/outline_steps.hpp"

@@ -1,6 +1,5 @@
 #include "geometry/signed_distance.hpp"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>

@@ -1,10 +1,5 @@
 #include "input/gzip.hpp"
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <utility>
-
 #include "base/checksums.hpp"
 #include "base/deflate.hpp"
 #include "input/inflate.hpp"

@@ -3,11 +3,9 @@
 #include "sillon/input/image_io.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <memory>
 #include <new>
-#include <string_view>
 #include <utility>
 
 #include "base/checksums.hpp"

@@ -3,8 +3,6 @@
 #include <string_view>
 #include <utility>
 
-#include "sillon/look/preview.hpp"
-
 namespace sillon {
 
 Result<GcodeSummary> writePathGcode(const PathToWrite& path, const Printer& printer, const PrintParams& print,

@@ -1,6 +1,5 @@
 #include "look/inversion_parts.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>

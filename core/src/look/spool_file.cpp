@@ -1,7 +1,6 @@
 // Reads files of a person's own spools (docs/reference/spools.md). They may come from anywhere, so that everything is
 // checked.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>

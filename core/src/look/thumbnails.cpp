@@ -1,6 +1,5 @@
 #include "sillon/look/preview.hpp"
 
-#include <array>
 #include <utility>
 
 #include "base/refused.hpp"

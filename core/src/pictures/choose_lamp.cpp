@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"

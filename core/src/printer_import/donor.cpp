@@ -4,7 +4,6 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "base/numbers.hpp"
 #include "base/refused.hpp"

@@ -1,9 +1,7 @@
 #include "printer_import/slicer_files.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
-#include <vector>
 
 #include "base/refused.hpp"
 #include "printer_import/notes.hpp"

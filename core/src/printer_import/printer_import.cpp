@@ -1,7 +1,6 @@
 #include "sillon/printer_import/printer_import.hpp"
 
 #include <optional>
-#include <utility>
 
 #include "base/refused.hpp"
 #include "export/zip.hpp"

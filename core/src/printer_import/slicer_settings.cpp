@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <optional>
 #include <utility>
-#include <vector>
 
-#include "base/lines.hpp"
 #include "base/numbers.hpp"
 #include "base/refused.hpp"
-#include "gcode/blocks.hpp"
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/parser.hpp"
 #include "printer_import/notes.hpp"

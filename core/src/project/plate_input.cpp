@@ -4,8 +4,6 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "project/files.hpp"
 
 #include <algorithm>
-#include <cstddef>
 
 #include "base/json.hpp"
 #include "settings/json.hpp"

@@ -1,7 +1,6 @@
 #include "sillon/quality/metrics.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/fast_math.hpp"
 #include "base/numbers.hpp"

@@ -1,7 +1,6 @@
 #include "sillon/rebrush/rebrush.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/numbers.hpp"

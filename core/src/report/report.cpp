@@ -156,15 +156,8 @@ std::string delayJson(const NeighbourDelay& delay) {
 }
 
 std::string perimeterText(const ToolpathParams& params) {
-  switch (params.perimeterMode) {
-    case PerimeterMode::None:
-      return "none";
-    case PerimeterMode::Soft:
-      return "soft";
-    case PerimeterMode::Count:
-      break;
-  }
-  return std::to_string(params.perimeters);
+  if (params.perimeterMode == PerimeterMode::Count) return std::to_string(params.perimeters);
+  return params.perimeterMode == PerimeterMode::None ? "none" : "soft";
 }
 
 }  // namespace

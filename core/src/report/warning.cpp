@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <string_view>
-#include <utility>
 
 #include "base/sentence.hpp"
 #include "base/sort_key.hpp"

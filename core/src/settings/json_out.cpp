@@ -1,8 +1,6 @@
 #include "settings/json.hpp"
 
 #include <cmath>
-#include <cstdint>
-#include <string_view>
 
 #include "base/json.hpp"
 #include "sillon/base/words.hpp"
@@ -76,35 +74,9 @@ struct ValueJson {
 };
 
 const char* typeName(SettingType type) {
-  switch (type) {
-    case SettingType::Number:
-      return "number";
-    case SettingType::Integer:
-      return "integer";
-    case SettingType::Flag:
-      return "flag";
-    case SettingType::Choice:
-      return "choice";
-    case SettingType::Pair:
-      return "pair";
-    case SettingType::IntegerPair:
-      return "integer pair";
-    case SettingType::Text:
-      return "text";
-    case SettingType::Block:
-      return "block";
-    case SettingType::PictureList:
-      return "pictures";
-    case SettingType::HoleList:
-      return "holes";
-    case SettingType::ColourList:
-      return "colours";
-    case SettingType::StrokeList:
-      return "strokes";
-    case SettingType::Name:
-      break;
-  }
-  return "name";
+  constexpr const char* kNames[] = {"number", "integer",  "flag",  "choice",  "pair",    "integer pair", "text",
+                                    "block",  "pictures", "holes", "colours", "strokes", "name"};
+  return kNames[static_cast<std::size_t>(type)];
 }
 
 const char* levelName(Level level) {

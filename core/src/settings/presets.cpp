@@ -1,7 +1,6 @@
 #include "sillon/settings/presets.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "base/json.hpp"

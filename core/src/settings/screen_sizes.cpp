@@ -1,6 +1,5 @@
 #include "sillon/settings/project.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cstddef>
 

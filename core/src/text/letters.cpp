@@ -5,7 +5,6 @@
 
 #include "base/refused.hpp"
 #include "sillon/base/words.hpp"
-#include "sillon/text/text.hpp"
 #include "text/font_names.hpp"
 
 namespace sillon {

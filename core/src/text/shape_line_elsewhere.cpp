@@ -1,7 +1,6 @@
 // Takes lines that JavaScript has shaped (wasm/src/text/text.ts) with the same library. With HarfBuzz, engines in
 // browsers would be a fifth larger, and most plates have no text.
 #include <cstddef>
-#include <utility>
 
 #include "base/json.hpp"
 #include "sillon/base/words.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"

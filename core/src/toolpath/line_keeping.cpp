@@ -5,7 +5,6 @@
 
 #include "base/parallel_for.hpp"
 #include "field/hierarchy.hpp"
-#include "geometry/closed_curves.hpp"
 
 namespace sillon {
 namespace {

@@ -1,10 +1,8 @@
 #include "toolpath/path.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "base/parallel_for.hpp"
 #include "base/sort_key.hpp"

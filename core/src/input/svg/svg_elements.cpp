@@ -2,12 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -52,7 +48,7 @@ bool isRoot(const Node& node) { return !node.parent()->parent(); }
 
 // Tells whether children or CSS animate an element; such an element is read at rest.
 bool isAnimated(const Node& node, const Style& style) {
-  for (const Property property : {Property::Animation, Property::AnimationName}) {
+  for (const Property property : {"animation"_css, "animation-name"_css}) {
     if (style.isCss(property) && style.word(property) != "none") return true;
   }
   for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
@@ -208,7 +204,7 @@ class DrawingReader {
     }
     work_.spend(node);
     const Style style = styleSheet_.styleOf(node, work_);
-    if (style.word(Property::Display) == "none") return false;
+    if (style.word("display"_css) == "none") return false;
     applyTo(state.paint, node, style, state.viewport);
     state.toWorld = state.toWorld * transformOf(node, style, state);
     noteUnread(node, style, state);
@@ -220,19 +216,19 @@ class DrawingReader {
 
   // Returns `transform` about `transform-origin`.
   Matrix transformOf(const Node& node, const Style& style, const Inherited& state) {
-    const std::string& text = style.value(Property::Transform);
+    const std::string& text = style.value("transform"_css);
     if (text.empty()) return Matrix::Identity();
-    const bool isCss = style.isCss(Property::Transform);
+    const bool isCss = style.isCss("transform"_css);
     try {
       CssLengths css{unitsOf(state.paint), state.viewport};
       Vec2 corner;
-      if (style.word(Property::TransformBox) == "fill-box") {
+      if (style.word("transform-box"_css) == "fill-box") {
         const Bounds box = userBox(node, state);
         if (box.empty()) return Matrix::Identity();
         corner = box.min;
         css.box = box.size();
       }
-      std::string about = style.value(Property::TransformOrigin);
+      std::string about = style.value("transform-origin"_css);
       if (about.empty()) about = isRoot(node) ? "center" : "0 0";  // the root is a box of CSS
       const Vec2 origin = corner + parseOrigin(about, css);
       current_ = &node;
@@ -266,12 +262,12 @@ class DrawingReader {
 
   // Notes markers and filters, which clip paths ignore.
   void noteEffects(const Style& style) {
-    for (const Property marker : {Property::Marker, Property::MarkerStart, Property::MarkerMid, Property::MarkerEnd}) {
+    for (const Property marker : {"marker"_css, "marker-start"_css, "marker-mid"_css, "marker-end"_css}) {
       if (targetOf(style.value(marker), "marker")) note("<marker>");
     }
-    const std::string filter = style.word(Property::Filter);
+    const std::string filter = style.word("filter"_css);
     const bool isFunction = filter.find('(') != std::string::npos && !startsWith(filter, "url");
-    if (isFunction || targetOf(style.value(Property::Filter), "filter")) note("<filter>");
+    if (isFunction || targetOf(style.value("filter"_css), "filter")) note("<filter>");
   }
 
   // Returns the element that url(#id) names, if it is of the given kind.
@@ -390,7 +386,7 @@ class DrawingReader {
     const double y = units.of(node, "y", state.viewport.y, 0);
     state.toWorld = state.toWorld * shifted(x, y);
     state.viewport = size;
-    const std::string overflow = styleSheet_.styleOf(node, work_).word(Property::Overflow);
+    const std::string overflow = styleSheet_.styleOf(node, work_).word("overflow"_css);
     if (reading_ != Aspect::Outlines && overflow != "visible" && overflow != "auto") {
       state.limits.push_back(rectangleLimit({0, 0}, size, state.toWorld));
     }
@@ -631,8 +627,8 @@ class DrawingReader {
       }
       return target;
     };
-    const Node* const clip = named(Property::ClipPath, "clipPath");
-    const Node* const mask = named(Property::Mask, "mask");
+    const Node* const clip = named("clip-path"_css, "clipPath");
+    const Node* const mask = named("mask"_css, "mask");
     if (clip) addClip(*clip, node, state);
     if (mask) addMask(*mask, node, state);
   }
@@ -742,7 +738,7 @@ class DrawingReader {
     uses_.push_back(&mask);
     const Style style = styleSheet_.styleOf(mask, work_);
     addLimits(mask, style, inside);
-    const bool before = std::exchange(maskByAlpha_, style.word(Property::MaskType) == "alpha");
+    const bool before = std::exchange(maskByAlpha_, style.word("mask-type"_css) == "alpha");
     const std::vector<PaintLayer> layers = drawnAs(Aspect::Mask, [&] { drawChildren(mask, inside); });
     maskByAlpha_ = before;
     uses_.pop_back();

@@ -4,8 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "input/svg/svg_reader.hpp"
-
 namespace sillon::svg {
 namespace {
 

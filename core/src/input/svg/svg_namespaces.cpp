@@ -1,8 +1,6 @@
 #include "input/svg/svg_node.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <string_view>
 #include <utility>
 #include <vector>
 

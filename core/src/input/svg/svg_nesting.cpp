@@ -1,12 +1,8 @@
 #include "input/svg/svg_node.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <string>
 #include <utility>
 #include <vector>
-
-#include "input/svg/svg_reader.hpp"
 
 namespace sillon::svg {
 namespace {

@@ -1,6 +1,5 @@
 // Joins unpainted outlines as CAD programs write them: pieces whose ends meet, and holes as outlines of their own.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
