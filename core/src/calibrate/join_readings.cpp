@@ -7,7 +7,7 @@
 #include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "calibrate/photo.hpp"
-#include "sillon/calibrate/read_photo.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 
 namespace sillon {
 namespace {

@@ -1,5 +1,5 @@
-#include "sillon/calibrate/read_photo.hpp"
 #include "base/exact_math.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "base/numbers.hpp"
 #include "base/parallel_for.hpp"
 #include "calibrate/photo.hpp"
-#include "sillon/calibrate/calibrate.hpp"
+#include "look/rasters.hpp"
 #include "sillon/look/appearance.hpp"
 #include "sillon/look/inversion.hpp"
 

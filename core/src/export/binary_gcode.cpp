@@ -7,7 +7,7 @@
 #include "base/checksums.hpp"
 #include "base/lines.hpp"
 #include "input/inflate.hpp"
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "geometry/triangulate.hpp"
 #include "sillon/base/result.hpp"
-#include "sillon/export/base_solid.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/geometry/shape.hpp"
 
 namespace sillon {
@@ -34,5 +34,9 @@ Result<FlatBody> flatBody(const Shape& shape, PrismPoint offset);
 /// Appends the prism between two heights [mm]. \param flat  triangulation of `points`.
 void addPrism(const Triangulation& flat, const std::vector<PrismPoint>& points, PrismPoint offset, double bottom,
               double top, Mesh& mesh);
+
+/// Describes a fault of a mesh in one sentence: a corner that is not a point of it, or a point that
+/// is not finite. The sentence is empty where there is no fault.
+[[nodiscard]] std::string meshDefect(const Mesh& mesh);
 
 }  // namespace sillon

@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "base/numbers.hpp"
-#include "sillon/export/zones.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "export/zones.hpp"
+#include "geometry/outline.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {

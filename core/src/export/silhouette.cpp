@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sillon/export/zones.hpp"
+#include "export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 

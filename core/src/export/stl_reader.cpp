@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "export/packing.hpp"
-#include "sillon/export/zones.hpp"
+#include "export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/parallel_for.hpp"
+#include "geometry/outline.hpp"
 
 namespace sillon {
 namespace {

@@ -3,8 +3,11 @@
 #include <optional>
 #include <utility>
 
+#include "compose/visible.hpp"
 #include "input/plate_size.hpp"
 #include "job/place_on_bed.hpp"
+#include "pictures/parts.hpp"
+#include "report/told.hpp"
 #include "sillon/compose/compose.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/job/plate.hpp"

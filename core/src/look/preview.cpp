@@ -11,6 +11,7 @@
 #include "base/parallel_for.hpp"
 #include "look/inversion_parts.hpp"
 #include "look/preview_parts.hpp"
+#include "look/rasters.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/inversion.hpp"
 #include "toolpath/path.hpp"

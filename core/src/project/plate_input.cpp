@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "geometry/parts.hpp"
+#include "geometry/shape_points.hpp"
 #include "input/gzip.hpp"
 #include "input/map_defect.hpp"
 #include "input/plate_size.hpp"
+#include "input/shaped_line.hpp"
 #include "input/svg.hpp"
 #include "project/files.hpp"
 #include "sillon/base/words.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/settings/table.hpp"
 #include "sillon/text/text.hpp"

@@ -10,6 +10,8 @@
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
 #include "input/map_defect.hpp"
+#include "look/rasters.hpp"
+#include "quality/seen_cells.hpp"
 #include "sillon/input/image_io.hpp"
 #include "toolpath/path.hpp"
 
@@ -290,23 +292,6 @@ std::vector<PictureMeasures> comparePictures(const std::vector<std::vector<float
     for (const Tones& other : asked) measures.back().others.push_back(correlation(sumsOf(lights[k], other)));
   }
   return measures;
-}
-
-Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, Vec2 page,
-                                                     std::span<const ShownPicture> pictures, const Roughness& roughness,
-                                                     const RunContext& run) {
-  std::vector<Lamp> lamps;
-  for (const ShownPicture& picture : pictures) {
-    const Tones& tones = picture.tones;
-    if (std::string bad = mapDefect("tone", tones.width, tones.height, tones.value.size()); !bad.empty()) {
-      return Error{ErrorCode::InvalidArgument, std::move(bad)};
-    }
-    lamps.push_back(picture.lamp);
-  }
-  const auto seen = seePlate(toolpath, page, lamps, roughness, run);
-  if (!seen) return seen.error();
-  const auto& [width, height, lights] = seen.value();
-  return comparePictures(lights, pictures, width, height);
 }
 
 }  // namespace sillon

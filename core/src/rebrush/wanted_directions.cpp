@@ -4,8 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/shape_points.hpp"
 #include "rebrush/blocks.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 #include "sillon/project/project.hpp"
 
 namespace sillon {
