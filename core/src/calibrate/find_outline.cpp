@@ -239,8 +239,6 @@ Result<std::vector<Vec2>> findOutline(const Image& photograph) {
   }
   std::vector<Vec2> hull = convexHull(part);
   if (hull.size() < 4) return unreadable("the photograph shows no coupon; what lies there is not square");
-  Vec2 middle;
-  for (const Vec2 p : hull) middle = middle + (1.0 / static_cast<double>(hull.size())) * p;
   const double hullArea = areaOf(hull);
   const std::vector<Vec2> quad = quadAround(hull);
   if (quad.size() != 4 || static_cast<double>(part.size()) < 0.8 * hullArea || hullArea < 0.9 * areaOf(quad)) {

@@ -93,11 +93,6 @@ struct SineField {
   std::vector<Vec2f> phase;  ///< q, unit
 };
 
-/// Phase of i [rad, not wrapped] with which its wave agrees best with that of j: Eq. 8 at the midpoint, which is second
-/// order; the published form takes only the line of j and is first order.
-/// \param offset  p_i - p_j [mm]. \param frequency  pi/tau [rad/mm].
-float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequency);
-
 /// Aligns all waves over the hierarchy. In mode Count the ring's phase is fixed so that the first bead lies half a bead
 /// inside the border; in mode Soft the border's wave joins the sum of ring cells as one more neighbour.
 /// \param frequency  frequency of the wave per cell, from spacingField.

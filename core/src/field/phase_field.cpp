@@ -443,13 +443,6 @@ PhaseLevel finestLevel(const LineField& lines, const std::vector<float>& frequen
 
 }  // namespace
 
-float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequency) {
-  // Eq. 8, the phase at which the difference of the two waves, Eq. 7, is least.
-  const float s = dot(di, dj) > 0 ? 1.0f : -1.0f;
-  const float along = phaseJ + 0.5f * frequency * dot(offset, dj + di * s);
-  return s > 0 ? along : kPi - along;  // opposed lines run backwards
-}
-
 Result<SineField> alignPhases(const LineField& lines, std::vector<float> frequency, const SignedDistanceField& sdf,
                               const CellConstraints& cells, const ToolpathParams& params, const RunContext& run) {
   const Jitter jitter = jitterOf(params);
