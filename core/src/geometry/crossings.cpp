@@ -216,12 +216,10 @@ CellEntries sortIntoCells(const Corners& corners, const std::vector<int>& segmen
   }
   out.begin[cells] = sum;
   out.entries.resize(sum);
-  parallelFor(run, shares, 1, [&](int from, int to) {
-    for (int k = from; k < to; ++k) {
-      Share& share = all[k];
-      for (const Pair& pair : share.pairs) {
-        out.entries[share.next[pair.cell]++] = pair.segment;
-      }
+  parallelForEach(run, shares, 1, [&](int k) {
+    Share& share = all[k];
+    for (const Pair& pair : share.pairs) {
+      out.entries[share.next[pair.cell]++] = pair.segment;
     }
   });
   return out;

@@ -261,14 +261,11 @@ Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layou
   const Bands bands = sortIntoBands(beads, layout.look.height * kSamples, kBandRows * kSamples);
   const Drawing drawing{layout, beads, bands, lookOf(params.look, std::max(layout.look.width, layout.look.height))};
   std::vector<std::uint8_t> covered(cellCount(layout.look.width, layout.look.height));
-  parallelFor(run, static_cast<int>(bands.begin.size()) - 1, 1, [&](int begin, int end) {
-    for (int band = begin; band < end; ++band) drawBand(drawing, static_cast<std::size_t>(band), image, covered);
-  });
+  parallelForEach(run, static_cast<int>(bands.begin.size()) - 1, 1,
+                  [&](int band) { drawBand(drawing, static_cast<std::size_t>(band), image, covered); });
   // The shadow needs the whole plate, so that the background comes after all bands.
   const Shadow shadow = shadowOf(covered, kSamples * kSamples, layout.look);
-  parallelFor(run, image.height, kBandRows, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) drawBackground(drawing, shadow, covered, y, image);
-  });
+  parallelForEach(run, image.height, kBandRows, [&](int y) { drawBackground(drawing, shadow, covered, y, image); });
   if (directions) {
     drawLegend(image, layout);
     drawLamp(image, layout, params.look.lamp);

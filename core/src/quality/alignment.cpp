@@ -105,9 +105,7 @@ Alignment alignmentOf(const Toolpath& toolpath, const BorderIndex& border, const
                     (perimeters + 0.05) * params.spacing};
   const std::vector<Stretch> stretches = stretchesOf(toolpath);
   std::vector<Alignment> sums(stretches.size());
-  parallelFor(run, static_cast<int>(stretches.size()), 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) sums[k] = sumsOf(stretches[k], asked);
-  });
+  parallelForEach(run, static_cast<int>(stretches.size()), 1, [&](int k) { sums[k] = sumsOf(stretches[k], asked); });
   Alignment out;
   for (const Alignment& part : sums) {
     out.all.add(part.all);

@@ -270,10 +270,8 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
         inBand[band].push_back(static_cast<std::uint32_t>(k));
       }
     }
-    parallelFor(run, bands, 1, [&](int begin, int end) {
-      for (int band = begin; band < end; ++band) {
-        drawBand(beads, inBand[band], band * kBandCells, std::min(cells.height, (band + 1) * kBandCells), lights);
-      }
+    parallelForEach(run, bands, 1, [&](int band) {
+      drawBand(beads, inBand[band], band * kBandCells, std::min(cells.height, (band + 1) * kBandCells), lights);
     });
     if (run.cancelled()) return cancelledRun();
     return SeenCells{cells.width, cells.height, std::move(lights)};
