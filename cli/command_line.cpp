@@ -9,7 +9,6 @@
 #include "command.hpp"
 #include "help.hpp"
 #include "run.hpp"
-#include "sillon/base/version.hpp"
 #include "sillon/base/words.hpp"
 #include "terminal.hpp"
 

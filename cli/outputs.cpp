@@ -15,12 +15,10 @@
 #include "assemble.hpp"
 #include "findings.hpp"
 #include "previews.hpp"
-#include "sillon/export/base_solid.hpp"
-#include "sillon/export/gcode_archive.hpp"
-#include "sillon/export/svg_drawing.hpp"
-#include "sillon/look/conflict.hpp"
-#include "sillon/look/spools.hpp"
-#include "sillon/look/view_file.hpp"
+#include "sillon/export/export.hpp"
+#include "sillon/look/appearance.hpp"
+#include "sillon/look/inversion.hpp"
+#include "sillon/look/preview.hpp"
 #include "sillon/report/report.hpp"
 #include "words.hpp"
 
@@ -120,14 +118,30 @@ std::string durationText(double seconds) {
   return minutes < 60 ? print("%lld min", minutes) : print("%lld h %02lld min", minutes / 60, minutes % 60);
 }
 
-}  // namespace
-
-namespace {
-
 std::string sizeText(std::size_t bytes) {
   const auto size = static_cast<double>(bytes);
   if (size < 1e3) return print("%.0f bytes", size);
   return size < 1e6 ? print("%.1f kB", size / 1e3) : print("%.1f MB", size / 1e6);
+}
+
+/// Packs the G-code into the kind of file that its name asks for.
+Result<std::string> packed(std::string gcode, const OutputPaths& paths) {
+  if (paths.container.empty()) return packedAs(paths.gcode, std::move(gcode));
+  const bool package = endsWith(paths.gcode, ".gcode.3mf");
+  const bool binary = endsWith(paths.gcode, ".bgcode");
+  Result<std::string> bytes = readFile(paths.container, "file of a slicer", kMaxInputBytes);
+  if (!bytes) return bytes.error();
+  const Result<GcodeContainer> container = readGcodeContainer(std::move(bytes).value());
+  if (!container) return container.error();
+  const auto kind = package  ? GcodeContainerKind::Package3mf
+                    : binary ? GcodeContainerKind::Binary
+                             : GcodeContainerKind::Text;
+  if (kind == GcodeContainerKind::Text || container.value().kind != kind) {
+    return Error{ErrorCode::InvalidArgument, "--container " + paths.container + " and --gcode " + paths.gcode +
+                                                 " must both be .gcode.3mf or both .bgcode"};
+  }
+  if (container.value().plates > 1) return severalPlates(paths.container, container.value().plates);
+  return writeGcodeContainer(container.value(), std::move(gcode));
 }
 
 }  // namespace
@@ -191,30 +205,6 @@ std::optional<Error> packageProblem(const std::string& path, GcodeFlavor flavor,
           donor + " > mine.json\", and go on with \"sillon " + command + " mine.json ..." +
           (plate ? " --gcode " : " -o ") + path + (plate ? " --container " + donor : "") + "\""};
 }
-
-namespace {
-
-/// Packs the G-code into the kind of file that its name asks for.
-Result<std::string> packed(std::string gcode, const OutputPaths& paths) {
-  if (paths.container.empty()) return packedAs(paths.gcode, std::move(gcode));
-  const bool package = endsWith(paths.gcode, ".gcode.3mf");
-  const bool binary = endsWith(paths.gcode, ".bgcode");
-  Result<std::string> bytes = readFile(paths.container, "file of a slicer", kMaxInputBytes);
-  if (!bytes) return bytes.error();
-  const Result<GcodeContainer> container = readGcodeContainer(std::move(bytes).value());
-  if (!container) return container.error();
-  const auto kind = package  ? GcodeContainerKind::Package3mf
-                    : binary ? GcodeContainerKind::Binary
-                             : GcodeContainerKind::Text;
-  if (kind == GcodeContainerKind::Text || container.value().kind != kind) {
-    return Error{ErrorCode::InvalidArgument, "--container " + paths.container + " and --gcode " + paths.gcode +
-                                                 " must both be .gcode.3mf or both .bgcode"};
-  }
-  if (container.value().plates > 1) return severalPlates(paths.container, container.value().plates);
-  return writeGcodeContainer(container.value(), std::move(gcode));
-}
-
-}  // namespace
 
 Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const RunContext& run) {
   std::vector<OutputFile> files;

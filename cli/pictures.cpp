@@ -48,6 +48,12 @@ std::string choose(const char* key, const std::string& word, const std::vector<s
   return "";
 }
 
+std::string likeness(const PictureMeasures& measures) {
+  char text[80];
+  std::snprintf(text, sizeof text, ": r %.3f, SSIM %.3f, contrast %.1f", measures.r, measures.ssim, measures.contrast);
+  return text;
+}
+
 }  // namespace
 
 void addPictures(Options& options, PictureOptions& pictures) {
@@ -188,16 +194,6 @@ std::string cutOffNote(double leftOut) {
                 100 * leftOut);
   return text;
 }
-
-namespace {
-
-std::string likeness(const PictureMeasures& measures) {
-  char text[80];
-  std::snprintf(text, sizeof text, ": r %.3f, SSIM %.3f, contrast %.1f", measures.r, measures.ssim, measures.contrast);
-  return text;
-}
-
-}  // namespace
 
 std::string pictureLines(const Plate& plate) {
   const PlatePictures& pictures = plate.pictures();

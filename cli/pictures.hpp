@@ -10,7 +10,7 @@
 #include "options.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/job/plate.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/quality/metrics.hpp"

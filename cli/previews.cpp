@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sillon/input/image_io.hpp"
-#include "sillon/look/loop.hpp"
+#include "sillon/look/preview.hpp"
 #include "webp.hpp"
 
 namespace sillon::cli {

@@ -14,8 +14,8 @@
 #include "call.hpp"
 #include "convert.hpp"
 #include "sillon/gcode_reader/check.hpp"
+#include "sillon/look/appearance.hpp"
 #include "sillon/look/preview.hpp"
-#include "sillon/look/spools.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/project/project.hpp"
 

@@ -16,7 +16,7 @@
 #include "bindings.hpp"
 #include "convert.hpp"
 #include "kept.hpp"
-#include "sillon/base/version.hpp"
+#include "sillon/base/words.hpp"
 
 namespace sillon::bindings {
 namespace {

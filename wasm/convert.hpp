@@ -20,12 +20,11 @@
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/image_io.hpp"
-#include "sillon/look/conflict.hpp"
+#include "sillon/look/inversion.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/printer_import/printer_import.hpp"
 #include "sillon/project/project.hpp"
-#include "sillon/report/input_note.hpp"
 #include "sillon/report/warning.hpp"
 
 namespace sillon::bindings {

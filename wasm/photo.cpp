@@ -9,7 +9,7 @@
 #include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
-#include "sillon/calibrate/read_photo.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 #include "sillon/project/project.hpp"
 
 namespace sillon::bindings {

@@ -16,7 +16,6 @@
 #include "kept.hpp"
 #include "sillon/compose/compose.hpp"
 #include "sillon/job/plate.hpp"
-#include "sillon/job/zones.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/project/project.hpp"

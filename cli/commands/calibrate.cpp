@@ -18,11 +18,10 @@
 #include "project_arguments.hpp"
 #include "run.hpp"
 #include "sillon/calibrate/calibrate.hpp"
-#include "sillon/calibrate/read_photo.hpp"
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/input/image_io.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 #include "words.hpp"
 
 namespace sillon::cli {

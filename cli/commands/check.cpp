@@ -13,7 +13,7 @@
 #include "files.hpp"
 #include "findings.hpp"
 #include "run.hpp"
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/settings/presets.hpp"
 #include "words.hpp"

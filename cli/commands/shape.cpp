@@ -9,9 +9,8 @@
 #include "assemble.hpp"
 #include "commands/commands.hpp"
 #include "run.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/project/project.hpp"
-#include "sillon/report/input_note.hpp"
 #include "sillon/report/warning.hpp"
 #include "words.hpp"
 

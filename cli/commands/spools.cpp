@@ -10,7 +10,7 @@
 #include "commands/commands.hpp"
 #include "pictures.hpp"
 #include "run.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 
 namespace sillon::cli {
 namespace {

@@ -11,7 +11,6 @@
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/printer_import/printer_import.hpp"
 #include "sillon/rebrush/rebrush.hpp"
-#include "sillon/report/input_note.hpp"
 #include "sillon/report/warning.hpp"
 
 namespace sillon::cli {

@@ -11,7 +11,7 @@
 #include "files.hpp"
 #include "project_arguments.hpp"
 #include "run.hpp"
-#include "sillon/job/zones.hpp"
+#include "sillon/job/plate.hpp"
 #include "words.hpp"
 
 namespace sillon::cli {

@@ -43,7 +43,7 @@
 #include "photo.hpp"
 #include "random.hpp"
 #include "sillon/gcode_reader/check.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"

@@ -14,10 +14,13 @@
 
 #include "assemble.hpp"
 #include "gcode/read_back.hpp"
+#include "look/rasters.hpp"
+#include "quality/seen_cells.hpp"
 #include "sillon/compose/compose.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
+#include "support/measure_pictures.hpp"
 
 namespace bench {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "assemble.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "support/joinable.hpp"

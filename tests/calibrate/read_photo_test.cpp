@@ -1,5 +1,5 @@
 // Photographs of coupons whose beads, lamp and camera are known, and pictures that are none.
-#include "sillon/calibrate/read_photo.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 #include "support/coupon_photo.hpp"
 
 using namespace sillon;

@@ -25,9 +25,9 @@
 #include <vector>
 
 #include "export/zip.hpp"
-#include "sillon/base/version.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/calibrate/calibrate.hpp"
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/report/warning.hpp"
 #include "support/about.hpp"

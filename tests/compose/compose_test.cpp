@@ -11,8 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "compose/visible.hpp"
 #include "input/stored_angle.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "report/told.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/settings/table.hpp"
 #include "sillon/text/text.hpp"

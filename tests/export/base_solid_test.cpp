@@ -1,4 +1,4 @@
-#include "sillon/export/base_solid.hpp"
+#include "sillon/export/export.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +12,7 @@
 #include <vector>
 
 #include "geometry/triangulate.hpp"
-#include "sillon/export/gcode_archive.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "support/random_plates.hpp"
 #include "support/scenes.hpp"
 

@@ -1,6 +1,6 @@
 // Zones of straight lines: what they cover, that they neither overlap nor become slivers, and how PrusaSlicer lays
 // them.
-#include "sillon/export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 #include <doctest/doctest.h>
 
@@ -24,7 +24,8 @@
 #include "export/packing.hpp"
 #include "export/zip.hpp"
 #include "export/zone_parts.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "export/zones.hpp"
+#include "geometry/outline.hpp"
 
 using namespace sillon;
 using doctest::Approx;

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "sillon/geometry/outline.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "support/about.hpp"
 #include "support/random_plates.hpp"

@@ -1,4 +1,4 @@
-#include "sillon/geometry/outline.hpp"
+#include "geometry/outline.hpp"
 
 #include <doctest/doctest.h>
 

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "sillon/geometry/outline.hpp"
+#include "geometry/outline.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;
@@ -966,8 +966,6 @@ TEST_CASE("a second tone by opacity is told by its area; shadows on what is pain
   CHECK(faint(firm + "<rect x='5' y='5' width='5' height='5' fill='#fff' opacity='.3'/>") == 0);
   CHECK(faint(firm + "<rect x='5' y='20' width='10' height='0.1' opacity='.3'/>") == 0);
   CHECK(faint("<rect width='20' height='20' opacity='.3'/>") == 0);  // one tone
-  const Shape two = read(page(firm + "<rect x='40' y='10' width='10' height='30' opacity='.4'/>"));
-  CHECK(scaledToWidth(two, 50).value().drawing.faintMm2 == doctest::Approx(75));
 }
 
 TEST_CASE("several colours are told, in whatever words they are written") {
@@ -1118,10 +1116,9 @@ TEST_CASE("what lies off the page is cut off, and said in mm2") {
   CHECK(ringArea(beside) == doctest::Approx(100));
   CHECK(beside.drawing.offPage == doctest::Approx(std::numbers::pi * 100).epsilon(0.001));
   CHECK(read(page(kSquare)).drawing.offPage == 0);
-  // Twice the same place is lost once, and scales with the page.
+  // Twice the same place is lost once.
   const Shape twice = read(page("<path d='M-10 40h20v10h-20z'/><path d='M-10 40h20v10h-20z'/>"));
   CHECK(twice.drawing.offPage == doctest::Approx(100));
-  CHECK(scaledToWidth(twice, 50).value().drawing.offPage == doctest::Approx(25));
   CHECK(bounds(read(page("<rect x='-10' y='40' width='20' height='10'/>"), kOutlines)).min.x == -10);
   checkRefused(page("<rect x='-20' y='40' width='10' height='10'/>"), ErrorCode::EmptyShape,
                {"off the page", "ignore"});
@@ -1214,7 +1211,7 @@ TEST_CASE("outlines that nearly or exactly cover each other have one border") {
       "<path d='M48 30H31a10 10 0 0 1 0 -20C45 8 48 30 48 30z'/><path d='M48 80V30'/></g>");
   for (const double width : {100.0, 40.0, 41.3, 63.7, 127.1, 333.3}) {
     CAPTURE(width);
-    const Shape shape = scaledToWidth(read(drawing), width).value();
+    const Shape shape = read(drawing, {.width = width});
     const Outline outline = resolveOutline(shape).value();
     const int rows = 20000;
     double area = 0;

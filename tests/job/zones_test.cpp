@@ -1,5 +1,5 @@
 // Zones of a project's layers, on a prism of its shape and on a body of one's own.
-#include "sillon/job/zones.hpp"
+#include "sillon/job/plate.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "sillon/export/base_solid.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "export/zones.hpp"
+#include "sillon/export/export.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/text/text.hpp"
 
 using namespace sillon;

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "look/inversion_parts.hpp"
+#include "look/rasters.hpp"
 #include "sillon/look/inversion.hpp"
-#include "sillon/look/spools.hpp"
 
 using namespace sillon;
 

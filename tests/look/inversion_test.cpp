@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "quality/seen_cells.hpp"
 #include "sillon/quality/metrics.hpp"
 
 using namespace sillon;

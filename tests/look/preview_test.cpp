@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "look/preview_parts.hpp"
-#include "sillon/export/svg_drawing.hpp"
+#include "sillon/export/export.hpp"
 #include "support/about.hpp"
 
 using namespace sillon;

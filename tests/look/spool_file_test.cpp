@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 #include "support/damaged.hpp"
 
 using namespace sillon;

@@ -8,6 +8,7 @@
 #include <random>
 #include <utility>
 
+#include "report/told.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/report/report.hpp"
 #include "sillon/report/warning.hpp"

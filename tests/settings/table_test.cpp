@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "sillon/base/sentence.hpp"
+#include "sillon/base/result.hpp"
 
 namespace sillon {
 

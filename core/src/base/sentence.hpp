@@ -11,7 +11,6 @@
 
 #include "base/numbers.hpp"
 #include "sillon/base/result.hpp"
-#include "sillon/base/sentence.hpp"
 
 namespace sillon {
 

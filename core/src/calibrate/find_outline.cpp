@@ -228,8 +228,6 @@ Result<std::vector<Vec2>> findOutline(const Image& photograph) {
   if (border > 2) return refusedFile("CouponCutOff");
   std::vector<Vec2> hull = convexHull(part);
   if (hull.size() < 4) return refusedFile("NotSquare");
-  Vec2 middle;
-  for (const Vec2 p : hull) middle = middle + (1.0 / static_cast<double>(hull.size())) * p;
   const double hullArea = areaOf(hull);
   const std::vector<Vec2> quad = quadAround(hull);
   if (quad.size() != 4 || static_cast<double>(part.size()) < 0.8 * hullArea || hullArea < 0.9 * areaOf(quad)) {

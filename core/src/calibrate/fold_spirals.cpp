@@ -1,5 +1,6 @@
 #include "base/exact_math.hpp"
 #include "calibrate/photo.hpp"
+#include "look/rasters.hpp"
 
 #include <algorithm>
 

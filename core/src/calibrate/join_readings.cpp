@@ -8,7 +8,7 @@
 #include "base/numbers.hpp"
 #include "base/refused.hpp"
 #include "calibrate/photo.hpp"
-#include "sillon/calibrate/read_photo.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 
 namespace sillon {
 namespace {

@@ -1,18 +1,17 @@
-#include "sillon/calibrate/read_photo.hpp"
-#include "base/exact_math.hpp"
-#include "base/refused.hpp"
-#include "input/map_defect.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
 
+#include "base/exact_math.hpp"
 #include "base/json.hpp"
 #include "base/numbers.hpp"
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 #include "calibrate/photo.hpp"
+#include "input/map_defect.hpp"
+#include "look/rasters.hpp"
 #include "sillon/calibrate/calibrate.hpp"
 #include "sillon/look/appearance.hpp"
 #include "sillon/look/inversion.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "calibrate/prints.hpp"
+#include "look/rasters.hpp"
 #include "sillon/look/appearance.hpp"
 #include "sillon/look/inversion.hpp"
 

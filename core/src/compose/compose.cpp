@@ -15,7 +15,10 @@
 #include "compose/redraw.hpp"
 #include "compose/region.hpp"
 #include "compose/visible.hpp"
+#include "geometry/shape_points.hpp"
 #include "input/stored_angle.hpp"
+#include "pictures/parts.hpp"
+#include "report/told.hpp"
 
 namespace sillon {
 namespace {

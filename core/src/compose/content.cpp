@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/shape_points.hpp"
+#include "look/rasters.hpp"
 #include "project/files.hpp"
-#include "sillon/text/qr_code.hpp"
 #include "sillon/text/text.hpp"
+#include "text/qr_code.hpp"
 
 namespace sillon {
 namespace {

@@ -9,7 +9,8 @@
 #include "base/exact_math.hpp"
 #include "compose/background.hpp"
 #include "compose/lines.hpp"
-#include "sillon/text/qr_code.hpp"
+#include "geometry/outline.hpp"
+#include "text/qr_code.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "sillon/export/base_solid.hpp"
+#include "sillon/export/export.hpp"
 
 #include <algorithm>
 #include <cmath>

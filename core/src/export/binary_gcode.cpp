@@ -8,7 +8,7 @@
 #include "base/lines.hpp"
 #include "base/refused.hpp"
 #include "input/inflate.hpp"
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 
 #include <algorithm>
 #include <cmath>

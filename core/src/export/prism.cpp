@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/numbers.hpp"
 #include "base/refused.hpp"
-#include "sillon/export/zones.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "export/zones.hpp"
+#include "geometry/outline.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {

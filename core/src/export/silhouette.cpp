@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "base/refused.hpp"
-#include "sillon/export/zones.hpp"
+#include "export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 

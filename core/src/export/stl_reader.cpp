@@ -11,7 +11,8 @@
 
 #include "base/refused.hpp"
 #include "export/packing.hpp"
-#include "sillon/export/zones.hpp"
+#include "export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "sillon/export/svg_drawing.hpp"
+#include "sillon/export/export.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -11,7 +11,8 @@
 #include "export/mesh.hpp"
 #include "export/zip.hpp"
 #include "export/zone_parts.hpp"
-#include "sillon/export/zones.hpp"
+#include "export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {

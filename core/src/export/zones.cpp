@@ -1,4 +1,4 @@
-#include "sillon/export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include "base/parallel_for.hpp"
 #include "base/refused.hpp"
 #include "export/zone_parts.hpp"
+#include "export/zones.hpp"
+#include "geometry/outline.hpp"
 #include "input/map_defect.hpp"
-#include "sillon/geometry/outline.hpp"
-#include "toolpath/path.hpp"
 
 namespace sillon {
 namespace {

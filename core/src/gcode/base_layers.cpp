@@ -8,6 +8,7 @@
 #include "base/refused.hpp"
 #include "gcode/layout.hpp"
 #include "gcode_reader/coverage.hpp"
+#include "geometry/outline.hpp"
 
 namespace sillon {
 namespace {

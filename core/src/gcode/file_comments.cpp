@@ -11,7 +11,7 @@
 #include "gcode_reader/file_settings.hpp"
 #include "printer/bed.hpp"
 #include "printer/dialect.hpp"
-#include "sillon/base/version.hpp"
+#include "sillon/base/words.hpp"
 
 namespace sillon {
 namespace {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/outline.hpp"
+#include "geometry/shape_points.hpp"
+
 namespace sillon {
 namespace {
 

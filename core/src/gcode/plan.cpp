@@ -5,7 +5,8 @@
 #include "gcode/base_layers.hpp"
 #include "gcode/blocks.hpp"
 #include "gcode/layout.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "quality/measured_parts.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/quality/metrics.hpp"
 
 namespace sillon {

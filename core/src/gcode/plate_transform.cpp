@@ -1,6 +1,7 @@
 #include "gcode/layout.hpp"
 
 #include "base/fast_math.hpp"
+#include "geometry/shape_points.hpp"
 
 namespace sillon {
 namespace {

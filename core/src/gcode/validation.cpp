@@ -4,6 +4,7 @@
 
 #include "base/numbers.hpp"
 #include "base/refused.hpp"
+#include "geometry/outline.hpp"
 #include "settings/json.hpp"
 #include "sillon/settings/table.hpp"
 

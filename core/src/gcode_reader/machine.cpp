@@ -52,7 +52,6 @@ MachineMove runMove(MachineState& state, int code, const GcodeWords& words) {
   move.from = state.at;
   move.zFrom = state.z;
   move.xy = words.has('X') || words.has('Y');
-  move.toldZ = words.has('Z');
   move.toldF = words.has('F');
   move.arc = code >= 2;
   if (move.toldF) state.speed = words.at('F') * unit / 60;

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/refused.hpp"
+#include "geometry/outline.hpp"
 #include "geometry/shape_points.hpp"
-#include "sillon/geometry/outline.hpp"
 
 namespace sillon {
 namespace {

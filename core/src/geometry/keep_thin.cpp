@@ -8,7 +8,8 @@
 #include "base/numbers.hpp"
 #include "base/sort_key.hpp"
 #include "geometry/bead_room.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "geometry/shape_points.hpp"
+#include "sillon/geometry/shape.hpp"
 
 namespace sillon {
 namespace {

@@ -8,7 +8,7 @@
 #include "geometry/shape_points.hpp"
 #include "geometry/signed_distance.hpp"
 #include "geometry/straightened.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 
 namespace sillon {
 namespace {

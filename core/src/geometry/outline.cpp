@@ -1,4 +1,4 @@
-#include "sillon/geometry/outline.hpp"
+#include "geometry/outline.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -20,6 +20,36 @@ std::vector<PathEdge> gridEdges(const std::vector<PathEdge>& edges) {
     if (!(to.a == to.b)) out.push_back(to);
   }
   return out;
+}
+
+/// Returns a point beyond kMaxCoordinate, or one that is no number; null if there is none.
+const Vec2* farPoint(const Shape& shape) {
+  for (const FilledPath& path : shape.paths) {
+    for (const Ring& ring : path.rings) {
+      for (const Vec2& p : ring) {
+        if (!(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate)) return &p;
+      }
+    }
+  }
+  return nullptr;
+}
+
+/// Checks a shape's points and resolves its outline.
+Result<Outline> outlineOf(const Shape& shape, Points points) {
+  if (const Vec2* far = farPoint(shape)) {
+    return Error{ErrorCode::InvalidArgument, "the shape has a point at " + shownNumber(far->x) + ", " +
+                                                 shownNumber(far->y) +
+                                                 " mm; both coordinates must be -1000000 to 1000000 mm"};
+  }
+  Result<Outline> outline = borderOf(shape.paths, nullptr, points);
+  if (!outline) return outline;
+  if (outline.value().bounds.empty()) {
+    return Error{ErrorCode::EmptyShape, "the shape has no outline; it needs at least one closed path"};
+  }
+  if (!(outline.value().area > 0)) {
+    return Error{ErrorCode::EmptyShape, "the shape encloses no area; it needs at least one closed path with an inside"};
+  }
+  return outline;
 }
 
 }  // namespace
@@ -58,40 +88,6 @@ Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule*
   }
   return outline;
 }
-
-namespace {
-
-/// Returns a point beyond kMaxCoordinate, or one that is no number; null if there is none.
-const Vec2* farPoint(const Shape& shape) {
-  for (const FilledPath& path : shape.paths) {
-    for (const Ring& ring : path.rings) {
-      for (const Vec2& p : ring) {
-        if (!(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate)) return &p;
-      }
-    }
-  }
-  return nullptr;
-}
-
-/// Checks a shape's points and resolves its outline.
-Result<Outline> outlineOf(const Shape& shape, Points points) {
-  if (const Vec2* far = farPoint(shape)) {
-    return Error{ErrorCode::InvalidArgument, "the shape has a point at " + shownNumber(far->x) + ", " +
-                                                 shownNumber(far->y) +
-                                                 " mm; both coordinates must be -1000000 to 1000000 mm"};
-  }
-  Result<Outline> outline = borderOf(shape.paths, nullptr, points);
-  if (!outline) return outline;
-  if (outline.value().bounds.empty()) {
-    return Error{ErrorCode::EmptyShape, "the shape has no outline; it needs at least one closed path"};
-  }
-  if (!(outline.value().area > 0)) {
-    return Error{ErrorCode::EmptyShape, "the shape encloses no area; it needs at least one closed path with an inside"};
-  }
-  return outline;
-}
-
-}  // namespace
 
 Result<Outline> resolveOutline(const Shape& shape) { return outlineOf(shape, Points::AsGiven); }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/sort_key.hpp"
+#include "geometry/outline.hpp"
 
 namespace sillon {
 namespace {

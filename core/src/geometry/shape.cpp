@@ -205,36 +205,6 @@ Result<Shape> shapeFromMask(const Image& mask, double width) {
   return shape;
 }
 
-Result<Shape> scaledToWidth(const Shape& shape, double width) {
-  if (!validSize(width)) return sizeError("The width of the shape", width);
-  if (!(shape.page.x > 0)) return sizeError("The width of the shape's page", shape.page.x);
-  const double scale = width / shape.page.x;
-  const double height = snapped(shape.page.y * scale);
-  if (!validSize(height)) return sizeError("The height of the shape at this width", height);
-
-  Shape scaled;
-  scaled.page = {width, height};
-  scaled.drawing = shape.drawing;
-  scaled.drawing.offPage *= scale * scale;
-  scaled.drawing.faintMm2 *= scale * scale;
-  for (const FilledPath& path : shape.paths) {
-    FilledPath copy;
-    copy.fillRule = path.fillRule;
-    for (const Ring& ring : path.rings) {
-      Ring points;
-      points.reserve(ring.size());
-      for (const Vec2 p : ring) points.push_back(snapped(p * scale));
-      dropRepeatedPoints(points);
-      if (points.size() >= 3) copy.rings.push_back(std::move(points));
-    }
-    if (!copy.rings.empty()) scaled.paths.push_back(std::move(copy));
-  }
-  if (scaled.paths.empty()) {
-    return Error{ErrorCode::EmptyShape, "Nothing of the shape is left at a width of " + shownNumber(width) + " mm"};
-  }
-  return scaled;
-}
-
 Bounds bounds(const Shape& shape) {
   Bounds box;
   for (const FilledPath& path : shape.paths) {

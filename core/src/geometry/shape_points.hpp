@@ -33,4 +33,15 @@ inline void dropRepeatedPoints(Ring& ring) {
 /// Makes a circle, counter-clockwise, accurate within 0.001 mm.
 Ring circleRing(Vec2 centre, double diameter);
 
+/// Moves every point of a shape; its page stays.
+/// \param move  function from a point to its new place.
+template <class Move>
+void movePoints(Shape& shape, const Move& move) {
+  for (FilledPath& path : shape.paths) {
+    for (Ring& ring : path.rings) {
+      for (Vec2& point : ring) point = move(point);
+    }
+  }
+}
+
 }  // namespace sillon

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/parallel_for.hpp"
+#include "geometry/outline.hpp"
 
 namespace sillon {
 namespace {
@@ -263,15 +264,13 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
     std::vector<int> candidates;
   };
   std::vector<std::vector<Leaf>> leaves(tasks.size());
-  parallelFor(run, static_cast<int>(tasks.size()), 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      subdivision.descend(tasks[k], 1, [&](CellBlock block, double lowest) {
-        if (!hasRoom(block)) return false;
-        leaves[k].push_back(
-            {blocks.index(block.x, block.y), static_cast<float>(lowest * (1 - 1e-6)), std::move(block.candidates)});
-        return true;
-      });
-    }
+  parallelForEach(run, static_cast<int>(tasks.size()), 1, [&](int k) {
+    subdivision.descend(tasks[k], 1, [&](CellBlock block, double lowest) {
+      if (!hasRoom(block)) return false;
+      leaves[k].push_back(
+          {blocks.index(block.x, block.y), static_cast<float>(lowest * (1 - 1e-6)), std::move(block.candidates)});
+      return true;
+    });
   });
   if (run.cancelled()) return cancelledRun();
   if (kept > most) {
@@ -296,11 +295,9 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
     }
   }
   index.outside_.assign(blocks.size(), 0);
-  parallelFor(run, blocks.ny, 16, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < blocks.nx; ++x) {
-        index.outside_[blocks.index(x, y)] = index.nearest(blocks.centre(x, y)).distance > 0 ? 1 : 0;
-      }
+  parallelForEach(run, blocks.ny, 16, [&](int y) {
+    for (int x = 0; x < blocks.nx; ++x) {
+      index.outside_[blocks.index(x, y)] = index.nearest(blocks.centre(x, y)).distance > 0 ? 1 : 0;
     }
   });
   return index;

@@ -3,8 +3,10 @@
 #include <utility>
 
 #include "base/refused.hpp"
+#include "compose/visible.hpp"
+#include "export/zones.hpp"
 #include "sillon/compose/compose.hpp"
-#include "sillon/job/zones.hpp"
+#include "sillon/job/plate.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/settings/table.hpp"
 

@@ -1,4 +1,4 @@
-#include "sillon/job/path_gcode.hpp"
+#include "sillon/job/plate.hpp"
 
 #include <string_view>
 #include <utility>

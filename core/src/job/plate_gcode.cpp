@@ -5,7 +5,6 @@
 #include "base/refused.hpp"
 #include "gcode/read_back.hpp"
 #include "sillon/gcode_reader/check.hpp"
-#include "sillon/job/path_gcode.hpp"
 #include "sillon/job/plate.hpp"
 
 namespace sillon {

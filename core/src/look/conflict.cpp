@@ -1,4 +1,4 @@
-#include "sillon/look/conflict.hpp"
+#include "sillon/look/inversion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "input/map_defect.hpp"
+#include "look/rasters.hpp"
 
 namespace sillon {
 namespace {

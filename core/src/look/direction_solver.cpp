@@ -11,6 +11,7 @@
 
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
+#include "look/rasters.hpp"
 
 namespace sillon {
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/fast_math.hpp"
+#include "look/rasters.hpp"
 
 namespace sillon {
 namespace {

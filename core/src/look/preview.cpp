@@ -12,6 +12,7 @@
 #include "base/parallel_for.hpp"
 #include "look/inversion_parts.hpp"
 #include "look/preview_parts.hpp"
+#include "look/rasters.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/inversion.hpp"
 #include "toolpath/path.hpp"
@@ -253,14 +254,11 @@ Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layou
   const Bands bands = sortIntoBands(beads, layout.look.height * kSamples, kBandRows * kSamples);
   const BandDrawing drawing{layout, beads, bands, lookOf(params.look, std::max(layout.look.width, layout.look.height))};
   std::vector<std::uint8_t> covered(cellCount(layout.look.width, layout.look.height));
-  parallelFor(run, static_cast<int>(bands.begin.size()) - 1, 1, [&](int begin, int end) {
-    for (int band = begin; band < end; ++band) drawBand(drawing, band, image, covered);
-  });
+  parallelForEach(run, static_cast<int>(bands.begin.size()) - 1, 1,
+                  [&](int band) { drawBand(drawing, toSize(band), image, covered); });
   // The shadow needs the whole plate, so that the background comes after all bands.
   const Shadow shadow = shadowOf(covered, kSamples * kSamples, layout.look);
-  parallelFor(run, image.height, kBandRows, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) drawBackground(drawing, shadow, covered, y, image);
-  });
+  parallelForEach(run, image.height, kBandRows, [&](int y) { drawBackground(drawing, shadow, covered, y, image); });
   if (directions) {
     drawLegend(image, layout);
     drawLamp(image, layout, params.look.lamp);

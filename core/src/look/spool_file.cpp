@@ -10,7 +10,7 @@
 #include "base/json.hpp"
 #include "base/refused.hpp"
 #include "sillon/base/words.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 
 namespace sillon {
 namespace {

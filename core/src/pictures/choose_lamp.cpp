@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "look/rasters.hpp"
+#include "quality/seen_cells.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 

@@ -1,3 +1,4 @@
+#include "look/rasters.hpp"
 #include "pictures/parts.hpp"
 
 #include <algorithm>

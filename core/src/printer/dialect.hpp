@@ -38,11 +38,4 @@ inline std::string pressureAdvanceCommand(GcodeFlavor flavor, double seconds) {
   return (flavor == GcodeFlavor::PrusaBuddy ? "M572 S" : "M900 K") + value + "\n";
 }
 
-/// Waits until the nozzle has heated up or cooled down to a temperature [degrees Celsius]. Klipper and Bambu wait for
-/// both with S.
-inline std::string waitForNozzle(GcodeFlavor flavor, double degrees) {
-  const bool both = flavor == GcodeFlavor::Klipper || flavor == GcodeFlavor::Bambu;
-  return (both ? "M109 S" : "M109 R") + fixed(degrees, 0) + "\n";
-}
-
 }  // namespace sillon

@@ -3,9 +3,10 @@
 #include <optional>
 
 #include "base/refused.hpp"
+#include "export/packing.hpp"
 #include "export/zip.hpp"
 #include "printer_import/slicer_files.hpp"
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {

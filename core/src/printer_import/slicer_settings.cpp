@@ -283,6 +283,27 @@ void SettingsReader::block(Keys keys, std::string& out) {
   took();
 }
 
+// A plate in the middle of the bed, for blocks that compute something from the plate.
+Bounds somePlate(const Printer& printer) {
+  const Vec2 middle = 0.5 * (printer.bedMin + printer.bedMax);
+  const Vec2 quarter = 0.25 * (printer.bedMax - printer.bedMin);
+  return {middle - quarter, middle + quarter};
+}
+
+// Adds the heating that a start block lacks, as its slicer does by itself.
+void addHeating(Printer& printer) {
+  std::string& block = printer.startGcode;
+  if (block.empty()) return;
+  const auto expanded = expandTemplate(block, templateValues(printer, {}, somePlate(printer)), "");
+  if (!expanded) return;  // judgeBlocks notes the reason
+  const GcodeCheck check = checkGcode(expanded.value(), printer);
+  if (!check.heatsNozzle) {
+    if (!block.ends_with('\n')) block += '\n';
+    block = "M104 S{first_layer_temperature}\n" + block + "M109 S{first_layer_temperature}\n";
+  }
+  if (!check.heatsBed) block = "M190 S{first_layer_bed_temperature}\n" + block;
+}
+
 }  // namespace
 
 ImportNote bedUnknown(const Printer& printer) {
@@ -291,17 +312,6 @@ ImportNote bedUnknown(const Printer& printer) {
 }
 
 void takeSettings(const SlicerSettings& settings, ImportedPrinter& out) { SettingsReader(settings, out).all(); }
-
-namespace {
-
-// A plate in the middle of the bed, for blocks that compute something from the plate.
-Bounds somePlate(const Printer& printer) {
-  const Vec2 middle = 0.5 * (printer.bedMin + printer.bedMax);
-  const Vec2 quarter = 0.25 * (printer.bedMax - printer.bedMin);
-  return {middle - quarter, middle + quarter};
-}
-
-}  // namespace
 
 void chooseTool(SlicerSettings& settings, std::size_t tool) {
   const auto types = settings.find("filament_type");
@@ -323,24 +333,6 @@ void judgeBlocks(ImportedPrinter& out) {
     }
   }
 }
-
-namespace {
-
-// Adds the heating that a start block lacks, as its slicer does by itself.
-void addHeating(Printer& printer) {
-  std::string& block = printer.startGcode;
-  if (block.empty()) return;
-  const auto expanded = expandTemplate(block, templateValues(printer, {}, somePlate(printer)), "");
-  if (!expanded) return;  // judgeBlocks notes the reason
-  const GcodeCheck check = checkGcode(expanded.value(), printer);
-  if (!check.heatsNozzle) {
-    if (!block.ends_with('\n')) block += '\n';
-    block = "M104 S{first_layer_temperature}\n" + block + "M109 S{first_layer_temperature}\n";
-  }
-  if (!check.heatsBed) block = "M190 S{first_layer_bed_temperature}\n" + block;
-}
-
-}  // namespace
 
 Result<ImportedPrinter> printerOfSettings(const SlicerSettings& settings, ImportedPrinter out) {
   takeSettings(settings, out);

@@ -10,7 +10,7 @@
 #include "base/capsule_rows.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "geometry/outline.hpp"
 
 namespace sillon {
 namespace {

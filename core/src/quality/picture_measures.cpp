@@ -11,6 +11,8 @@
 #include "base/refused.hpp"
 #include "base/simd.hpp"
 #include "input/map_defect.hpp"
+#include "look/rasters.hpp"
+#include "quality/seen_cells.hpp"
 #include "sillon/input/image_io.hpp"
 #include "toolpath/path.hpp"
 
@@ -265,10 +267,8 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
         inBand[band].push_back(static_cast<std::uint32_t>(k));
       }
     }
-    parallelFor(run, bands, 1, [&](int begin, int end) {
-      for (int band = begin; band < end; ++band) {
-        drawBand(beads, inBand[band], band * kBandCells, std::min(cells.height, (band + 1) * kBandCells), lights);
-      }
+    parallelForEach(run, bands, 1, [&](int band) {
+      drawBand(beads, inBand[band], band * kBandCells, std::min(cells.height, (band + 1) * kBandCells), lights);
     });
     if (run.cancelled()) return cancelledRun();
     return SeenCells{cells.width, cells.height, std::move(lights)};
@@ -287,21 +287,6 @@ std::vector<PictureMeasures> comparePictures(const std::vector<std::vector<float
     for (const Tones& other : asked) measures.back().others.push_back(correlation(sumsOf(lights[k], other)));
   }
   return measures;
-}
-
-Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, Vec2 page,
-                                                     std::span<const ShownPicture> pictures, const Roughness& roughness,
-                                                     const RunContext& run) {
-  std::vector<Lamp> lamps;
-  for (const ShownPicture& picture : pictures) {
-    const Tones& tones = picture.tones;
-    if (auto bad = mapDefect("tones", tones.width, tones.height, tones.value.size())) return *std::move(bad);
-    lamps.push_back(picture.lamp);
-  }
-  const auto seen = seePlate(toolpath, page, lamps, roughness, run);
-  if (!seen) return seen.error();
-  const auto& [width, height, lights] = seen.value();
-  return comparePictures(lights, pictures, width, height);
 }
 
 }  // namespace sillon

@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "base/refused.hpp"
+#include "geometry/shape_points.hpp"
 #include "rebrush/blocks.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 #include "sillon/project/project.hpp"
 
 namespace sillon {

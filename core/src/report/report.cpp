@@ -10,7 +10,8 @@
 
 #include "base/json.hpp"
 #include "base/numbers.hpp"
-#include "sillon/base/version.hpp"
+#include "report/told.hpp"
+#include "sillon/base/words.hpp"
 
 namespace sillon {
 namespace {

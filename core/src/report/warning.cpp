@@ -7,9 +7,9 @@
 
 #include "base/sentence.hpp"
 #include "base/sort_key.hpp"
+#include "report/told.hpp"
 #include "report/told_json.hpp"
 #include "sillon/base/words.hpp"
-#include "sillon/report/layers.hpp"
 
 namespace sillon {
 namespace {

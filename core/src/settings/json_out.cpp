@@ -128,6 +128,34 @@ std::string settingJson(const Setting& setting, const Field& field, const std::s
   return "    {" + out + "}";
 }
 
+/// Writes a layer on one line: its kind and all settings that differ from the defaults. The fill is also written beside
+/// an angle, which would select the fill by angle otherwise.
+std::string layerText(const Layer& layer) {
+  Layer usual;
+  SettingsView view, defaults;
+  defaults.layer = &usual;
+  choose(findSetting(Section::Layers, "kind")->field(defaults), layer.contents.index());
+  view.layer = const_cast<Layer*>(&layer);
+  std::string out;
+  for (const Setting& setting : settings()) {
+    if (setting.section != Section::Layers) continue;
+    const Field field = setting.field(view), other = setting.field(defaults);
+    if (std::holds_alternative<std::monostate>(field)) continue;
+    const std::string json = std::visit(ValueJson{setting, field, ""}, field);
+    const bool fill = setting.key == std::string_view("fill");
+    const bool angled = fill && layer.as<LayerAngle>()->angle != usual.as<LayerAngle>()->angle;
+    const bool told = out.empty() || angled || json != std::visit(ValueJson{setting, other, ""}, other);
+    if (told) add(out, setting.key, json);
+  }
+  return "{" + out + "}";
+}
+
+std::string layersText(const std::vector<Layer>& layers) {
+  std::string out;
+  for (const Layer& layer : layers) out += (out.empty() ? "\n    " : ",\n    ") + layerText(layer);
+  return out.empty() ? "[]" : "[" + out + "\n  ]";
+}
+
 }  // namespace
 
 std::string numberText(double value) {
@@ -166,38 +194,6 @@ std::string inLayer(std::string message, std::size_t number) {
   if (at != std::string::npos) message.insert(at + section.size() - 1, "[" + std::to_string(number) + "]");
   return message;
 }
-
-namespace {
-
-/// Writes a layer on one line: its kind and all settings that differ from the defaults. The fill is also written beside
-/// an angle, which would select the fill by angle otherwise.
-std::string layerText(const Layer& layer) {
-  Layer usual;
-  SettingsView view, defaults;
-  defaults.layer = &usual;
-  choose(findSetting(Section::Layers, "kind")->field(defaults), layer.contents.index());
-  view.layer = const_cast<Layer*>(&layer);
-  std::string out;
-  for (const Setting& setting : settings()) {
-    if (setting.section != Section::Layers) continue;
-    const Field field = setting.field(view), other = setting.field(defaults);
-    if (std::holds_alternative<std::monostate>(field)) continue;
-    const std::string json = std::visit(ValueJson{setting, field, ""}, field);
-    const bool fill = setting.key == std::string_view("fill");
-    const bool angled = fill && layer.as<LayerAngle>()->angle != usual.as<LayerAngle>()->angle;
-    const bool told = out.empty() || angled || json != std::visit(ValueJson{setting, other, ""}, other);
-    if (told) add(out, setting.key, json);
-  }
-  return "{" + out + "}";
-}
-
-std::string layersText(const std::vector<Layer>& layers) {
-  std::string out;
-  for (const Layer& layer : layers) out += (out.empty() ? "\n    " : ",\n    ") + layerText(layer);
-  return out.empty() ? "[]" : "[" + out + "\n  ]";
-}
-
-}  // namespace
 
 std::string projectText(const SettingsView& view) {
   std::string out = "{\n  \"sillon\": 1";

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "base/json.hpp"
+#include "input/shaped_line.hpp"
 #include "sillon/base/words.hpp"
 #include "sillon/text/text.hpp"
 #include "text/letters.hpp"

@@ -12,6 +12,8 @@
 #include "base/exact_math.hpp"
 #include "base/json.hpp"
 #include "base/lines.hpp"
+#include "geometry/shape_points.hpp"
+#include "input/shaped_line.hpp"
 #include "input/svg.hpp"
 #include "sillon/base/words.hpp"
 #include "sillon/text/text.hpp"

@@ -54,18 +54,16 @@ std::vector<Vec2f> movesToLines(const ClosedCurves& curves, const LineField& lin
     excess.assign(n, {});
     kept.assign(n, 0);
     share.assign(n, 0);
-    parallelFor(run, static_cast<int>(n), 8192, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        const Vec2f a = curves.points[first + k];
-        const Vec2f b = curves.points[first + (k + 1) % n];
-        const Vec2f step = b - a;
-        const Vec2f bead = beadAt(lines, (a + b) * 0.5f);
-        const float size = length(step);
-        const float along = dot(bead, step);
-        if (!(size > 0) || std::abs(along) < kAlike * size) continue;
-        excess[k] = bead * (along < 0 ? -size : size) - step;
-        kept[k] = 1;
-      }
+    parallelForEach(run, static_cast<int>(n), 8192, [&](std::size_t k) {
+      const Vec2f a = curves.points[first + k];
+      const Vec2f b = curves.points[first + (k + 1) % n];
+      const Vec2f step = b - a;
+      const Vec2f bead = beadAt(lines, (a + b) * 0.5f);
+      const float size = length(step);
+      const float along = dot(bead, step);
+      if (!(size > 0) || std::abs(along) < kAlike * size) return;
+      excess[k] = bead * (along < 0 ? -size : size) - step;
+      kept[k] = 1;
     });
     // A symmetric tridiagonal system for each run of points between turned segments, solved by the Thomas algorithm:
     // eliminated forwards, solved backwards. The first point stays, so that a closed curve needs no other treatment.

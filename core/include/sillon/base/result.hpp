@@ -9,8 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include "sillon/base/sentence.hpp"
-
 namespace sillon {
 
 /// Kinds of errors.
@@ -96,6 +94,17 @@ inline constexpr char kPlateTooLarge[] = "PlateTooLarge";
 }  // namespace sillon::reason
 
 namespace sillon {
+
+/// One sentence of the core by its code. English is made from it, and other languages translate it
+/// by the code.
+struct Sentence {
+  const char* code;
+  /// English in ASCII, without a full stop. {name} stands for a value; a setting is named in full,
+  /// as printer.maxFlow.
+  const char* text;
+  /// Names of values that come along but are not said, separated by spaces
+  const char* unsaid = "";
+};
 
 /// Returns the sentences of the reasons whose errors say nothing else. Their placeholders are the
 /// names of the values; lengths are in mm.

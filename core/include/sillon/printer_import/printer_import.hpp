@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "sillon/base/result.hpp"
-#include "sillon/base/sentence.hpp"
 #include "sillon/settings/project.hpp"
 
 namespace sillon {

@@ -9,7 +9,6 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/input/plate_input.hpp"
-#include "sillon/input/read_input.hpp"
 #include "sillon/settings/project.hpp"
 
 namespace sillon {
@@ -42,17 +41,6 @@ std::string writeProject(const Project& project);
 /// keepThinPlaces, with the file's name.
 Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read,
                                   const RunContext& run = RunContext());
-
-/// A picture, or a drawing as it is seen.
-struct PaintedFile {
-  Image picture;         ///< pixels; for a drawing RGBA, clear where nothing is painted
-  DrawingFacts drawing;  ///< facts about a drawing; none for a picture
-};
-
-/// Reads a picture, or paints a drawing in its colours, 1024 pixels along its longer side.
-/// \return the errors of readSvg and decodeImage.
-Result<PaintedFile> readPainted(const ReadInput& read, const std::string& name,
-                                const std::string& what);
 
 /// Does the same as the first readPlateInput, for another surface than the project's own shape.
 Result<PlateInput> readPlateInput(const Project& project, Shape shape, const ReadInput& read);

@@ -6,8 +6,11 @@
 #include <vector>
 
 #include "compose/lines.hpp"
+#include "geometry/outline.hpp"
+#include "geometry/shape_points.hpp"
 #include "input/stored_angle.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "look/rasters.hpp"
+#include "pictures/parts.hpp"
 #include "sillon/look/inversion.hpp"
 #include "sillon/pictures/pictures.hpp"
 

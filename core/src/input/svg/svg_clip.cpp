@@ -1,3 +1,4 @@
+#include "geometry/outline.hpp"
 #include "input/svg/svg_path.hpp"
 
 #include <algorithm>

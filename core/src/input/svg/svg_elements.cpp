@@ -10,10 +10,11 @@
 
 #include <Eigen/LU>
 
+#include "geometry/outline.hpp"
+#include "input/shaped_line.hpp"
 #include "input/svg/svg_letters.hpp"
 #include "input/svg/svg_path.hpp"
 #include "input/svg/svg_style.hpp"
-#include "sillon/geometry/outline.hpp"
 
 namespace sillon::svg {
 namespace {

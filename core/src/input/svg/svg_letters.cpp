@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "input/shaped_line.hpp"
+
 namespace sillon::svg {
 namespace {
 

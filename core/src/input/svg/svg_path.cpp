@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/outline.hpp"
 #include "input/svg/svg_reader.hpp"
 
 namespace sillon::svg {

@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
+#include "input/shaped_line.hpp"
 #include "input/svg/svg_node.hpp"
 #include "input/svg/svg_path.hpp"
 #include "input/svg/svg_work.hpp"
 #include "sillon/geometry/shape.hpp"
-#include "sillon/input/shaped_line.hpp"
 
 namespace sillon::svg {
 
