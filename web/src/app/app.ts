@@ -242,7 +242,6 @@ export class App extends StudioElement {
           ${this.#sections().map(
             ([name, image, label]) =>
               html`<button
-                type="button"
                 aria-expanded=${String(panel === name)}
                 aria-controls="panel"
                 @click=${() => this.studio.setPanel(panel === name ? '' : name)}

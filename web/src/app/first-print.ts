@@ -197,7 +197,7 @@ export class FirstPrint extends DialogElement {
   }
 
   #choice(value: First): TemplateResult {
-    return html`<label class="card">
+    return html`<label class="card board">
       <input
         type="radio"
         name="first"

@@ -254,7 +254,7 @@ export class Header extends StudioElement {
   };
 
   #opener(popover: Popover, label: string, look: string, name: IconName): TemplateResult {
-    return html`<button type="button" class=${look} aria-label=${label} title=${label} popovertarget=${popover}>
+    return html`<button class=${look} aria-label=${label} title=${label} popovertarget=${popover}>
       ${icon(name)}
     </button>`;
   }

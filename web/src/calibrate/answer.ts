@@ -50,7 +50,7 @@ function triedValues(
   return html`<div class="tried" role="radiogroup" aria-label=${c('best.value')}>
     ${calibration.values.map(
       ({ label, value }) =>
-        html`<label class="card"
+        html`<label class="card board"
           ><input type="radio" name="tried" .checked=${value === chosen} @change=${() => choose(value)} /><span
             class="figures"
             >${label}</span

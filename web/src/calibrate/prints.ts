@@ -129,7 +129,7 @@ export class CalibratePrints extends StudioElement {
   #card(kind: CalibrationKind): TemplateResult {
     const made = this.made.get(kind);
     const cost = made === undefined ? '–' : 'problem' in made ? c('cannot') : costText(made.calibration);
-    return html`<label class="card">
+    return html`<label class="card board">
       <input
         type="radio"
         name="kind"

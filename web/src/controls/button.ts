@@ -28,7 +28,6 @@ export function button(how: Look | string, content: unknown, run: (event: Event)
     pressed,
   } = typeof how === 'string' ? { look: how } : how;
   return html`<button
-    type="button"
     class=${look || nothing}
     aria-label=${label ?? nothing}
     title=${title ?? nothing}

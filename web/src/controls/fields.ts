@@ -59,7 +59,6 @@ export const aboutButton = (id: string, label: string, help: string): Content =>
   help === ''
     ? nothing
     : html`<button
-        type="button"
         class="about"
         aria-label="${t('verb.help')}: ${label}"
         aria-expanded="false"

@@ -1,4 +1,5 @@
 // Files that the system hands to the installed page, shared from another app or opened with it.
+import { filesOf } from './in-place.js';
 
 /** Name of the cache, which must be the same in service-worker/sw.ts. */
 const cacheName = (): string => `sillon-shared ${new URL('./', document.baseURI).href}`;
@@ -28,16 +29,9 @@ interface Queue {
 /** Calls `open` with the files that the page was started with. @param handles  receives their handles */
 export function onLaunched(open: (files: File[]) => void, handles: WeakMap<File, FileSystemHandle>): void {
   const { launchQueue } = window as { launchQueue?: Queue };
-  launchQueue?.setConsumer(
-    ({ files = [] }) =>
-      void Promise.all(
-        files.map(async (handle) => {
-          const file = await handle.getFile();
-          handles.set(file, handle);
-          return file;
-        }),
-      ).then((opened) => {
-        if (opened.length > 0) open(opened);
-      }),
-  );
+  launchQueue?.setConsumer(({ files = [] }) => {
+    void filesOf(files, handles).then((opened) => {
+      if (opened.length > 0) open(opened);
+    });
+  });
 }

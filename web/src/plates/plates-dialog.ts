@@ -195,7 +195,6 @@ export class Plates extends DialogElement {
     const date = new Intl.DateTimeFormat(language(), { dateStyle: 'medium', timeStyle: 'short' }).format(changed);
     return html`<li class=${here ? 'board here' : 'board'}>
       <button
-        type="button"
         class="open"
         aria-label=${say(words, 'plates.open', { name })}
         aria-current=${here ? 'true' : nothing}

@@ -99,12 +99,7 @@ export function printerField(studio: Studio, question?: PrinterQuestion): Templa
         if (printers.some((one) => one.key === key)) studio.choosePrint((now) => withPrinter(now, key));
       },
     })}
-    <button
-      type="button"
-      id="printer-file"
-      class=${question?.value ? 'main' : ''}
-      @click=${() => void pickPrinter(studio)}
-    >
+    <button id="printer-file" class=${question?.value ? 'main' : ''} @click=${() => void pickPrinter(studio)}>
       ${say(words, 'printer.import')}
     </button>
     ${question?.value === undefined ? startNote(studio, startGcode, current) : nothing}`;
