@@ -256,8 +256,8 @@ void addToolpath(Options& options, std::vector<Change>& changes) {
   options.change("--preset", "NAME", "named set of values: " + listed(presets()) + " [standard]", changes,
                  [](const std::string& text) {
                    return [text](Project& project) {
-                     const std::string wrong = applyPreset(text, project.toolpath);
-                     return wrong.empty() ? wrong : "--preset: " + wrong;
+                     const auto wrong = applyPreset(text, project.toolpath);
+                     return wrong ? "--preset: " + wrong->message : std::string();
                    };
                  });
   addPerimeters(options, changes);
@@ -274,19 +274,19 @@ void addPrinter(Options& options, std::vector<Change>& changes) {
       printer.showSpeed = project.printer.showSpeed;
       printer.showFan = project.printer.showFan;
       project.printer = printer;
-      if (const std::string wrong = applyProfile(ProfileKind::Printer, text, project.printer); !wrong.empty()) {
-        return "--printer: " + wrong;
+      if (const auto wrong = applyProfile(ProfileKind::Printer, text, project.printer)) {
+        return "--printer: " + wrong->message;
       }
-      return project.filamentProfile.empty()
-                 ? std::string()
-                 : applyProfile(ProfileKind::Filament, project.filamentProfile, project.printer);
+      if (project.filamentProfile.empty()) return std::string();
+      const auto wrong = applyProfile(ProfileKind::Filament, project.filamentProfile, project.printer);
+      return wrong ? wrong->message : std::string();
     };
   });
   options.change("--filament", "ID", "filament that sillon filaments lists", changes, [](const std::string& text) {
     return [text](Project& project) {
       project.filamentProfile = text;
-      const std::string wrong = applyProfile(ProfileKind::Filament, text, project.printer);
-      return wrong.empty() ? wrong : "--filament: " + wrong;
+      const auto wrong = applyProfile(ProfileKind::Filament, text, project.printer);
+      return wrong ? "--filament: " + wrong->message : std::string();
     };
   });
   options.change("--bed", "WxH", "size of the bed in mm [220x220]", changes, [](const std::string& text) {

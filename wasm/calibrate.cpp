@@ -65,8 +65,12 @@ val calibrate(const std::string& kind, const val& from, const val& to, const std
   return withProject(projectJson, [&](const Project& project, RunContext& run) {
     const std::vector<std::string>& kinds = calibrationKinds();
     const auto found = std::find(kinds.begin(), kinds.end(), kind);
-    if (found == kinds.end())
-      return failure("InvalidArgument", "kind is \"" + kind + "\"; it must be one of the kinds");
+    if (found == kinds.end()) {
+      std::string choices;
+      for (const std::string& one : kinds) choices += (choices.empty() ? "" : ", ") + one;
+      return failure(
+          refusedArgument("NotChoice", {{"setting", "kind"}, {"value", inQuotes(kind)}, {"choices", choices}}));
+    }
     auto made = makeCalibration(
         {static_cast<CalibrationKind>(found - kinds.begin()), optionalOf(from), optionalOf(to), project}, run);
     if (!made) return failure(made.error());

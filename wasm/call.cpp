@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <exception>
 #include <memory>
 #include <new>
@@ -51,8 +50,7 @@ val guarded(const std::function<val(RunContext&)>& body) {
     context->limitMemory(freeMemory());
     return body(*context);
   } catch (const std::bad_alloc&) {
-    return failure("OutOfMemory",
-                   "the engine ran out of memory at " + std::to_string(emscripten_get_heap_size() >> 20) + " MiB");
+    return failure(sillon::refused(sillon::ErrorCode::OutOfMemory, "NeedsMoreMemory"));
   } catch (const std::exception& problem) {
     return failure("Internal", problem.what());
   } catch (...) {
@@ -90,12 +88,8 @@ val room(double size) {
     constexpr double kMiB = 1 << 20;
     const double most = std::floor(freeMemory() / 2 / kMiB);  // half, because results are as large as the file
     if (!(size <= most * kMiB)) {
-      char text[160];
-      std::snprintf(text, sizeof text,
-                    "the file is %.0f MiB; it must be at most %.0f: put fewer objects into it, or slice with a coarser "
-                    "resolution",
-                    std::ceil(size / kMiB), most);
-      return failure("TooLarge", text);
+      return failure(
+          refused(ErrorCode::TooLarge, "FileTooLarge", {{"megabytes", std::ceil(size / kMiB)}, {"most", most}}));
     }
     incoming.resize(toSize(size));
     return success(

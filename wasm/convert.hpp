@@ -14,8 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/refused.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/shape.hpp"
@@ -234,11 +236,7 @@ inline Result<Image> imageFrom(const val& js, const std::string& name) {
   const bool sized = whole(width, 1, kMaxImageSide) && whole(height, 1, kMaxImageSide) && whole(channels, 1, 4) &&
                      width * height <= static_cast<double>(kMaxImagePixels);
   if (!sized || length != width * height * channels) {
-    return Error{ErrorCode::InvalidArgument,
-                 name +
-                     " is a picture whose sides, channels (1 to 4) and number of samples do not fit; it "
-                     "needs width * height * channels samples, sides of 1 to 32768 pixels and at most 100 "
-                     "million pixels"};
+    return refusedArgument("SamplesUnlikeSides", {{"name", name}, {"side", kMaxImageSide}, {"millions", 100}});
   }
   Image image{static_cast<int>(width), static_cast<int>(height), static_cast<int>(channels), {}};
   if (js["samples"]["BYTES_PER_ELEMENT"].as<int>() == 2) {
@@ -255,21 +253,19 @@ inline Result<Image> imageFrom(const val& js, const std::string& name) {
 
 /// Makes a reader of files by their names; a file is bytes or a picture.
 inline ReadInput reader(const val& files) {
-  return [files](const std::string& name, const std::string& what) -> Result<InputFile> {
+  return [files](const std::string& name, const std::string& /*what*/) -> Result<InputFile> {
     const val file = files[name];
     if (file.isUndefined() || file.isNull()) {
-      return Error{ErrorCode::InvalidArgument,
-                   "the " + what + " \"" + name + "\" is named but not given; hand its bytes over"};
+      return refusedArgument("FileNotGiven", {{"file", inQuotes(name)}});
     }
     if (file["samples"].isUndefined()) {
       std::string content = bytes(file);
       if (content.empty()) {
-        return Error{ErrorCode::InvalidFile,
-                     "the " + what + " \"" + name + "\" is empty; it must hold at least one byte"};
+        return refusedFile("FileEmpty", {{"file", inQuotes(name)}});
       }
       return InputFile(std::move(content));
     }
-    Result<Image> image = imageFrom(file, "the " + what);
+    Result<Image> image = imageFrom(file, inQuotes(name));
     if (!image) return image.error();
     return InputFile(std::move(image).value());
   };
@@ -358,7 +354,7 @@ inline val toJs(const GcodeCheck& check, const std::vector<std::string>& uncheck
 inline const char* codeName(ErrorCode code) {
   constexpr const char* kNames[] = {"InvalidArgument", "InvalidFile", "TooLarge",  "OutOfMemory",
                                     "EmptyShape",      "DoesNotFit",  "Cancelled", "Internal"};
-  return kNames[static_cast<std::size_t>(code)];
+  return kNames[toSize(code)];
 }
 
 /// Makes {error: {code, message, reason, values}}.

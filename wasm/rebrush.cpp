@@ -118,10 +118,7 @@ val printRelief(int side, const val& onProgress) {
 val rebrush(const std::string& projectJson, const val& files, const std::string& sides, const std::string& fit,
             const val& only, const val& onProgress, const val& onPiece) {
   return withProject(projectJson, [&](const Project& project, RunContext& run) {
-    if (print->plates > 1) {
-      return failure("InvalidFile", "file holds " + std::to_string(print->plates) +
-                                        " plates; export them one by one, so that none is forgotten");
-    }
+    if (print->plates > 1) return failure(refusedFile("SeveralPlates", {{"count", print->plates}}));
     RebrushOptions options;
     options.project = project;
     options.read = reader(files);

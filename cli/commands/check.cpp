@@ -130,8 +130,8 @@ Action add(Options& options) {
   options.group("Options");
   options.take("--printer", "ID", "printer whose bed and limits apply [those in the file]",
                [arguments](const std::string& id) {
-                 const std::string wrong = applyProfile(ProfileKind::Printer, id, arguments->printer.emplace());
-                 if (!wrong.empty()) refuse("--printer: " + wrong);
+                 const auto wrong = applyProfile(ProfileKind::Printer, id, arguments->printer.emplace());
+                 if (wrong) refuse("--printer: " + wrong->message);
                });
   options.flag("--json", "print JSON instead of text", arguments->json);
   return [arguments] { return run(*arguments); };

@@ -88,7 +88,7 @@ int run(ProfileKind kind, const char* command, const Arguments& arguments) {
   const std::string text = arguments.json ? presetsJson(kind) : id.empty() ? presetTable(kind) : presetFile(kind, id);
   if (!text.empty()) return answer(text);
   Printer printer;
-  return fail({ErrorCode::InvalidArgument, std::string(command) + ": " + applyProfile(kind, id, printer)});
+  return fail({ErrorCode::InvalidArgument, std::string(command) + ": " + applyProfile(kind, id, printer)->message});
 }
 
 template <ProfileKind kind>

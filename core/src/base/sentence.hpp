@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -16,7 +17,8 @@ namespace sillon {
 
 inline std::string_view nameOf(const NamedValue& value) { return value.name; }
 inline std::string textOf(const NamedValue& value) {
-  return value.text.empty() ? decimal(value.number, 3) : value.text;
+  if (!value.text.empty()) return value.text;
+  return std::abs(value.number) < 1e-3 ? shownNumber(value.number) : decimal(value.number, 3);
 }
 
 template <class Name>

@@ -27,6 +27,7 @@ Error ofLayer(std::size_t number, const Error& error) {
   if (error.code == ErrorCode::Cancelled) return error;
   Error told = error;
   told.message = "layers[" + std::to_string(number) + "]: " + error.message;
+  told.values.insert(told.values.begin(), {"layer", static_cast<double>(number + 1)});
   return told;
 }
 

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/numbers.hpp"
 #include "base/refused.hpp"
 #include "geometry/shape_points.hpp"
 #include "geometry/signed_distance.hpp"
@@ -63,7 +62,7 @@ Error nothingLeft(double offset, const std::vector<float>& distance) {
 
 Result<Shape> offsetShape(Shape shape, double offset, const RunContext& run) {
   if (!(offset >= -20 && offset <= 50)) {  // false for NaN
-    return Error{ErrorCode::InvalidArgument, outOfRange("offset", offset, " mm", "-20 to 50 mm")};
+    return outOfRange("shape.offset", offset, -20, 50, "mm");
   }
   if (offset == 0) return shape;
   const Result<Outline> outline = resolveOutline(shape);

@@ -4,9 +4,9 @@
 #include <atomic>
 #include <cmath>
 #include <span>
-#include <string>
 
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 #include "geometry/outline.hpp"
 
 namespace sillon {
@@ -192,8 +192,7 @@ Result<int> checkRows(const Shape& shape, const Grid& lattice) {
     }
   }
   if (crossings > static_cast<double>(kMaxRowCrossings)) {
-    return Error{ErrorCode::TooLarge, "the outline is too detailed: it crosses the rows of the grid more than " +
-                                          std::to_string(kMaxRowCrossings) + " times"};
+    return refused(ErrorCode::TooLarge, "OutlineTooDetailed");
   }
   return 0;
 }
@@ -232,7 +231,7 @@ Grid nodeLattice(const Grid& grid) {
 }
 
 Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, const RunContext& run) {
-  if (outline.segments.empty()) return Error{ErrorCode::EmptyShape, "the outline is empty; it needs a piece of border"};
+  if (outline.segments.empty()) return refused(ErrorCode::EmptyShape, "NoOutline");
   BorderIndex index;
   index.segments_ = outline.segments;
   index.blocks_ = {grid.origin, kBlockCells * grid.cell, (grid.nx - 1) / kBlockCells + 1,
@@ -274,9 +273,7 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
   });
   if (run.cancelled()) return cancelledRun();
   if (kept > most) {
-    return Error{byMemory ? ErrorCode::OutOfMemory : ErrorCode::TooLarge,
-                 std::string("the outline is too detailed for this spacing") + (byMemory ? " and this memory" : "") +
-                     "; simplify the drawing"};
+    return refused(byMemory ? ErrorCode::OutOfMemory : ErrorCode::TooLarge, "OutlineTooDetailed");
   }
 
   index.lowest_.assign(blocks.size(), 0);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/refused.hpp"
 #include "geometry/parts.hpp"
 #include "geometry/shape_points.hpp"
 #include "input/gzip.hpp"
@@ -40,9 +41,7 @@ bool looksLikeSvg(std::string_view bytes, std::string_view name) {
 // Decodes a picture, or checks one that is decoded already.
 Result<Image> picture(InputFile file, const std::string& name) {
   if (auto* decoded = std::get_if<Image>(&file)) {
-    if (const std::string defect = imageDefect(*decoded); !defect.empty()) {
-      return Error{ErrorCode::InvalidArgument, inQuotes(name) + " is a " + defect};
-    }
+    if (std::optional<Error> defect = imageDefect(*decoded, inQuotes(name))) return *std::move(defect);
     return std::move(*decoded);
   }
   const std::string& bytes = std::get<std::string>(file);
@@ -163,8 +162,7 @@ Result<Shape> builtinShape(const Project& project, const ReadInput& read, const 
   for (const std::string& name : splitWords(findSetting(Section::Shape, "builtin")->choices)) {
     if (name != "none") names += (names.empty() ? "" : ", ") + name;
   }
-  return Error{ErrorCode::InvalidArgument,
-               "there is no shape; give a shape file, a built-in shape (" + names + ") or a direction picture"};
+  return refusedArgument("NoShape", {{"names", names}});
 }
 
 // Tells whether a picture has an alpha channel and at least a hundredth of it is transparent.

@@ -188,11 +188,12 @@ std::string settingText(const Setting& setting, const Project& project) {
   return setting.type == SettingType::Choice ? json.substr(1, json.size() - 2) : json;
 }
 
-std::string inLayer(std::string message, std::size_t number) {
+Error inLayer(Error error, std::size_t number) {
   const std::string_view section = "layers.";
-  const std::size_t at = message.find(section);
-  if (at != std::string::npos) message.insert(at + section.size() - 1, "[" + std::to_string(number) + "]");
-  return message;
+  const std::size_t at = error.message.find(section);
+  if (at != std::string::npos) error.message.insert(at + section.size() - 1, "[" + std::to_string(number) + "]");
+  error.values.emplace_back("layer", static_cast<double>(number + 1));
+  return error;
 }
 
 std::string projectText(const SettingsView& view) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/refused.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/input/plate_input.hpp"
@@ -30,10 +31,6 @@ inline constexpr int kQuietZone = 4;
 bool qrReads(const Image& code, const std::vector<char>& wrong);
 
 /// Makes the error for a text that fits into no QR code.
-inline Error qrTooLong(std::size_t bytes) {
-  return {ErrorCode::TooLarge,
-          "the text has " + std::to_string(bytes) +
-              " bytes; no QR code of this correction holds it: shorten it, or lower the correction"};
-}
+inline Error qrTooLong(std::size_t bytes) { return refused(ErrorCode::TooLarge, "QrTooLong", {{"bytes", bytes}}); }
 
 }  // namespace sillon

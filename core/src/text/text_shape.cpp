@@ -12,6 +12,7 @@
 #include "base/exact_math.hpp"
 #include "base/json.hpp"
 #include "base/lines.hpp"
+#include "base/refused.hpp"
 #include "geometry/shape_points.hpp"
 #include "input/shaped_line.hpp"
 #include "input/svg.hpp"
@@ -80,10 +81,9 @@ Result<LetterDrawing> onCircle(const std::vector<ShapedLine>& lines, const Lette
     const double radius = std::abs(lettering.circle) + (below ? step : -step);
     const double width = widthOf(line) * scale;
     if (!(radius > 0 && width <= kAlmostFull * 2 * std::numbers::pi * radius)) {
-      return Error{ErrorCode::InvalidArgument,
-                   "the line is " + std::to_string(std::lround(width)) + " mm long and its circle " +
-                       std::to_string(std::lround(std::max(0.0, 2 * std::numbers::pi * radius))) +
-                       " mm; take a larger circle, smaller letters or fewer of them"};
+      return refusedArgument(
+          "LineLongerThanCircle",
+          {{"line", std::lround(width)}, {"circle", std::lround(std::max(0.0, 2 * std::numbers::pi * radius))}});
     }
     // Letters stand upright on their own middles; along the lower side they run counter-clockwise.
     double pen = -width / 2;
@@ -109,7 +109,7 @@ Result<Shape> shapeOf(const LetterDrawing& drawing) {
               "mm\" viewBox=\"0 0 " + side + " " + side + "\"><g transform=\"matrix(1 0 0 -1 " + reach + " " + reach +
               ")\">" + drawing.paths + "</g></svg>");
   if (!read && read.error().code == ErrorCode::EmptyShape) {
-    return Error{ErrorCode::EmptyShape, "the text has no ink; it must have letters that can be seen"};
+    return refused(ErrorCode::EmptyShape, "TextWithoutInk");
   }
   return read;
 }

@@ -6,6 +6,7 @@
 
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 
 namespace sillon {
 namespace {
@@ -159,7 +160,7 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
   for (std::size_t y = 1; y < first.size(); ++y) first[y] += first[y - 1];
   const std::int64_t total = first.back();
   if (total > INT32_MAX / 2) {
-    return Error{ErrorCode::TooLarge, "the plate needs more than a thousand million path points; use a larger spacing"};
+    return refused(ErrorCode::TooLarge, "PathTooLong");
   }
 
   // 3. Place the vertices and link them, square by square. Each row numbers its vertices anew from its own begin.

@@ -38,7 +38,7 @@ struct NamedValue {
 struct Error {
   ErrorCode code = ErrorCode::Internal;
   std::string message;  ///< one English sentence: the fault, its value, and the allowed range
-  /// Code of the sentence, for other languages: of sillon::reason, of reasonSentences(), or the name
+  /// Code of the sentence, for other languages: of sillon::reason or reasonSentences(), or the name
   /// of a warning (report/warning.hpp) that stops this job
   const char* reason = "";
   std::vector<NamedValue> values = {};  ///< values that the reason's sentence names

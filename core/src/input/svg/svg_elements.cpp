@@ -84,7 +84,7 @@ class DrawingReader {
     const double scale = options_.width > 0 ? options_.width / page.x : 1;
     shape_.page = {std::round(page.x * scale * 1e6) / 1e6, std::round(page.y * scale * 1e6) / 1e6};
     if (!(shape_.page.y > 0 && shape_.page.y <= kMaxPage)) {
-      refuseTooLarge("the height at the width asked for is out of range; it must be more than 0 and at most 100000 mm");
+      refuseTooLarge("HeightOutOfRange", {{"width", shape_.page.x}, {"height", shape_.page.y}, {"most", kMaxPage}});
     }
 
     Inherited state;
@@ -107,11 +107,7 @@ class DrawingReader {
       alternateNested(layers_);
     }
     if (layers_.empty()) {
-      throw Refused{ErrorCode::EmptyShape,
-                    painted_ ? "all that is painted lies off the page or is clipped away; \"paint\": \"ignore\" takes "
-                               "outlines whatever their paint and place"
-                             : "the drawing has no area to fill; it needs paths, basic shapes, lines with a stroke or "
-                               "text that can be set in a built-in font (images do not count)"};
+      throw Refused{refused(ErrorCode::EmptyShape, painted_ ? Reason("PaintOffPage") : Reason("NothingDrawn"))};
     }
     shape_.drawing.faintMm2 = reading_ == Aspect::Painted ? faintArea() : 0;
     std::vector<PathPaint> paints;
@@ -159,12 +155,12 @@ class DrawingReader {
     const std::optional<double> width = side("width"), height = side("height");
     if (width && height) return {*width, *height};
     if (!box && !width && !height) box = drawnBox(root);
-    if (!box) refuse("the size of the drawing is unknown; <svg> needs width and height, or a viewBox");
+    if (!box) refuse("SvgWithoutSize");
     Vec2 page = box->size * units_.mm;
     if (width) page = {*width, *width * box->size.y / box->size.x};
     if (height) page = {*height * box->size.x / box->size.y, *height};
-    checkPageSide("the width by the viewBox", page.x, attribute(root, "viewBox").value_or(""));
-    checkPageSide("the height by the viewBox", page.y, attribute(root, "viewBox").value_or(""));
+    checkPageSide("viewBox", page.x, attribute(root, "viewBox").value_or(""));
+    checkPageSide("viewBox", page.y, attribute(root, "viewBox").value_or(""));
     return page;
   }
 
@@ -190,18 +186,17 @@ class DrawingReader {
     return drawn.empty() ? std::nullopt : std::optional(ViewBox{drawn.min, drawn.size()});
   }
 
-  static void checkPageSide(const std::string& what, double mm, std::string_view text) {
+  static void checkPageSide(const char* name, double mm, std::string_view text) {
     if (std::round(mm * 1e6) > 0 && mm <= kMaxPage) return;
-    const std::string problem = what + " is " + quoted(text) + "; it must be more than 0 and at most 100000 mm";
-    if (mm > kMaxPage) refuseTooLarge(problem);
-    refuse(problem);
+    throw Refused{refused(mm > kMaxPage ? ErrorCode::TooLarge : ErrorCode::InvalidFile, "SvgPageSide",
+                          {{"attribute", name}, {"text", quoted(text)}, {"value", mm}, {"most", kMaxPage}})};
   }
 
   // Reads into `state` the properties that all elements share. Returns false if the element is not displayed.
   bool enter(const Node& node, Inherited& state) {
     current_ = &node;
     if (++state.depth > kMaxDepth) {
-      refuseTooLarge("<use> nests elements deeper than " + std::to_string(kMaxDepth) + " levels");
+      refuseTooLarge("SvgNested", {{"most", kMaxDepth}});
     }
     work_.spend(node);
     const Style style = styleSheet_.styleOf(node, work_);
@@ -381,7 +376,7 @@ class DrawingReader {
       return units.of(node, name, full, full);
     };
     const Vec2 size{side("width", state.viewport.x), side("height", state.viewport.y)};
-    if (size.x < 0 || size.y < 0) refuse("width and height must not be negative");
+    if (size.x < 0 || size.y < 0) refuse("SvgNegativeSize");
     if (size.x == 0 || size.y == 0) return;
     const double x = units.of(node, "x", state.viewport.x, 0);
     const double y = units.of(node, "y", state.viewport.y, 0);
@@ -403,9 +398,9 @@ class DrawingReader {
     const std::optional<std::string_view> href = hrefOf(use);
     if (!href) return nullptr;
     const std::string_view target = trimmed(*href);
-    if (!startsWith(target, "#")) refuse("href is " + quoted(target) + "; it must name an element of this file by #id");
+    if (!startsWith(target, "#")) refuse("SvgHrefElsewhere", {{"text", quoted(target)}});
     const auto found = byId_.find(target.substr(1));
-    if (found == byId_.end()) refuse("href is " + quoted(target) + ", but no element has this id");
+    if (found == byId_.end()) refuse("SvgHrefUnknown", {{"text", quoted(target)}});
     return found->second;
   }
 
@@ -415,7 +410,7 @@ class DrawingReader {
     if (!used) return;
     const Node& shown = *used;
     if (std::find(uses_.begin(), uses_.end(), used) != uses_.end()) {
-      refuse("href is " + quoted(*hrefOf(node)) + ", which shows itself again");
+      refuse("SvgShowsItself", {{"attribute", "href"}, {"text", quoted(*hrefOf(node))}});
     }
     state.paint.outer = std::make_shared<const std::pair<Paint, Paint>>(state.paint.fill, state.paint.stroke);
     const double x = unitsOf(state.paint).of(node, "x", state.viewport.x, 0);
@@ -624,7 +619,7 @@ class DrawingReader {
       // covers circle(), linear-gradient(), and url() of another file
       if (value.find('(') != std::string::npos && urlOf(value).empty()) note("CSS " + quoted(nameOf(property)));
       if (std::find(uses_.begin(), uses_.end(), target) != uses_.end()) {
-        refuse(std::string(nameOf(property)) + " is " + quoted(value) + ", which shows itself again");
+        refuse("SvgShowsItself", {{"attribute", nameOf(property)}, {"text", quoted(value)}});
       }
       return target;
     };
@@ -702,7 +697,7 @@ class DrawingReader {
     inside.viewport = state.viewport;
     inside.paint = inheritedBy(limit, state);
     inside.depth = state.depth + 1;
-    if (inside.depth > kMaxDepth) refuseTooLarge("clipping nests deeper than " + std::to_string(kMaxDepth) + " levels");
+    if (inside.depth > kMaxDepth) refuseTooLarge("SvgNested", {{"most", kMaxDepth}});
     return inside;
   }
 

@@ -23,7 +23,7 @@ std::vector<double> lengthsOf(const Node& node, const char* name, double full, c
     if (end > 0) {
       lengths.push_back(units.ofStyle(rest.substr(0, end), full));
       if (!std::isfinite(lengths.back())) {
-        refuse(std::string(name) + " is " + quoted(*attribute(node, name)) + "; it must be lengths");
+        refuse("SvgLengths", {{"attribute", name}, {"text", quoted(*attribute(node, name))}});
       }
     }
     rest.remove_prefix(std::min(end + 1, rest.size()));
@@ -411,7 +411,7 @@ void LetterRuns::add(std::string_view text, const PaintState& paint) {
     if (space && afterSpace_ && !style.keepsSpaces) continue;
     afterSpace_ = space && !style.keepsSpaces;
     lettersLeft_ -= std::ssize(letter);
-    if (lettersLeft_ < 0) refuseTooLarge("the drawing has more than " + std::to_string(kMaxLetters) + " letters");
+    if (lettersLeft_ < 0) refuseTooLarge("SvgLetters", {{"most", kMaxLetters}});
     if (element.style == kNoStyle) {
       element.style = styles_.size();
       styles_.push_back(paint);
