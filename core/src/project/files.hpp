@@ -41,14 +41,4 @@ bool isScene(const nlohmann::json& root);
 /// Applies the keys of a scene to a project. \return the fault, of type or range; empty: none.
 std::optional<Error> readSceneKeys(const nlohmann::json& root, Project& project);
 
-/// A picture, or a drawing as it is seen.
-struct PaintedFile {
-  Image picture;         ///< pixels; for a drawing RGBA, clear where nothing is painted
-  DrawingFacts drawing;  ///< facts about a drawing; none for a picture
-};
-
-/// Reads a picture, or paints a drawing in its colours, 1024 pixels along its longer side.
-/// \return the errors of readSvg and decodeImage.
-Result<PaintedFile> readPainted(const ReadInput& read, const std::string& name, const std::string& what);
-
 }  // namespace sillon

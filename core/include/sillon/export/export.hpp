@@ -97,11 +97,11 @@ struct Mesh {
 Result<Mesh> baseBody(const Shape& shape, const Printer& printer, const PrintParams& params);
 
 /// Writes a mesh as binary STL.
-/// \return InvalidArgument where meshDefect finds a fault.
+/// \return InvalidArgument for a corner that is none of the points, or a point that is not finite.
 Result<std::string> writeStl(const Mesh& mesh);
 
 /// Writes a mesh as 3MF with one object, uncompressed. The same mesh gives the same bytes.
-/// \return InvalidArgument where meshDefect finds a fault.
+/// \return the errors of writeStl.
 Result<std::string> write3mf(const Mesh& mesh);
 
 // The field of directions cut into a few zones of one direction each, for slicers that only lay

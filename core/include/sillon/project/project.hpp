@@ -42,6 +42,17 @@ std::string writeProject(const Project& project);
 Result<PlateInput> readPlateInput(const Project& project, const ReadInput& read,
                                   const RunContext& run = RunContext());
 
+/// A picture, or a drawing as it is seen.
+struct PaintedFile {
+  Image picture;         ///< pixels; for a drawing RGBA, clear where nothing is painted
+  DrawingFacts drawing;  ///< facts about a drawing; none for a picture
+};
+
+/// Reads a picture, or paints a drawing in its colours, 1024 pixels along its longer side.
+/// \return the errors of readSvg and decodeImage.
+Result<PaintedFile> readPainted(const ReadInput& read, const std::string& name,
+                                const std::string& what);
+
 /// Does the same as the first readPlateInput, for another surface than the project's own shape.
 Result<PlateInput> readPlateInput(const Project& project, Shape shape, const ReadInput& read);
 
