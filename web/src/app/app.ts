@@ -218,7 +218,6 @@ export class App extends StudioElement {
     @media print {
       sillon-header,
       sillon-brought,
-      sillon-welcome,
       nav,
       .panel,
       .work:has(~ sillon-lamp-card) {

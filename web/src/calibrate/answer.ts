@@ -85,7 +85,6 @@ function settingAnswer(
     step: setting.step,
     unit: setting.unit,
     onInput: (next) => change({ value: next }),
-    onSettle: () => undefined,
   })}
   ${
     kind === 'speed'
@@ -124,7 +123,6 @@ function widthsAnswer(studio: Studio, calibration: Calibration, found: Found, ch
       usual: [low, high],
       unit: 'mm',
       onInput: (next) => change({ [name]: next }),
-      onSettle: () => undefined,
     });
   const [from, to] = [found.low ?? low, found.high ?? high];
   const { spacing, variation } = spacingBetween(from, to);

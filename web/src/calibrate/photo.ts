@@ -261,7 +261,6 @@ export class CalibratePhoto extends StudioElement {
           onInput: (name) => {
             this.name = name;
           },
-          onSettle: () => undefined,
         })}
         ${button('main', html`${icon('check', 16)} ${c('photo.keep')}`, () => this.#keep(read))}
       </div>

@@ -104,7 +104,7 @@ export interface NumberField extends Field {
   integer?: boolean;
   disabled?: boolean;
   onInput: (value: number) => void;
-  onSettle: () => void;
+  onSettle?: () => void;
 }
 
 const digitsOf = (step: number): number => Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
@@ -139,9 +139,9 @@ function readNumber(field: NumberField, input: HTMLInputElement): number | undef
 let pause: ReturnType<typeof setTimeout> | undefined;
 
 /** Settles after a pause of 1 s: no event tells that typing has ended before the focus goes, and the focus may stay. */
-function settleSoon({ onSettle }: { onSettle: () => void }): void {
+function settleSoon({ onSettle }: { onSettle?: () => void }): void {
   clearTimeout(pause);
-  pause = setTimeout(onSettle, 1000);
+  pause = setTimeout(() => onSettle?.(), 1000);
 }
 
 /** Returns the number's input with its unit, without a name. */
@@ -163,7 +163,7 @@ export function numberInput(field: NumberField, name = true): TemplateResult {
     input.value = inputText(value ?? shortNumber(field.value, step));
     input.setAttribute('aria-invalid', 'false');
     clearTimeout(pause); // a late pause could end the next drag
-    field.onSettle();
+    field.onSettle?.();
   };
   /** Steps with the arrow keys. Spin buttons of number inputs do the same, but cannot write decimal commas. */
   const onKey = (event: KeyboardEvent): void => {
@@ -337,7 +337,7 @@ export interface TextField extends Field {
   maxLength: number;
   long?: boolean;
   onInput: (value: string) => void;
-  onSettle: () => void;
+  onSettle?: () => void;
 }
 
 /** Returns a text's name and input, in one or several lines. */
@@ -362,7 +362,7 @@ export function textField(field: TextField): TemplateResult {
     if (input.value.length > maxLength) input.value = value; // the sentence about it stays, see `numberInput`
     input.setAttribute('aria-invalid', 'false');
     clearTimeout(pause); // a late pause could end the next drag
-    field.onSettle();
+    field.onSettle?.();
   };
   const input = field.long
     ? html`<textarea

@@ -30,7 +30,7 @@ export function scrub(
   const onEnd = (): void => {
     end.abort();
     name.classList.remove('drags');
-    if (moved) onSettle();
+    if (moved) onSettle?.();
   };
   name.classList.add('drags');
   addEventListener('pointermove', onMove, { signal });

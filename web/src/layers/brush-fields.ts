@@ -33,7 +33,6 @@ export function brushFields(studio: Studio): TemplateResult {
       usual: [0.2, Math.max(1, Math.round(wide / 2))],
       unit: 'mm',
       onInput: (across) => set({ radius: across / 2 / wide }),
-      onSettle: () => undefined,
     })}
     ${numberField({
       id: 'brush-softness',
@@ -45,6 +44,5 @@ export function brushFields(studio: Studio): TemplateResult {
       usual: [0, 100],
       unit: '%',
       onInput: (percent) => set({ softness: percent / 100 }),
-      onSettle: () => undefined,
     })}`;
 }

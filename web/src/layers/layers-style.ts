@@ -35,7 +35,8 @@ export const layersStyle = css`
   li > button.row:first-child {
     grid-column: 1 / 3;
   }
-  li button.row {
+  li button.row,
+  li.below button {
     justify-content: start;
     gap: 10px;
     min-height: calc(var(--control) + 6px);
@@ -69,12 +70,7 @@ export const layersStyle = css`
   }
   li.below button {
     grid-column: 1 / -1;
-    justify-content: start;
-    gap: 10px;
-    min-height: calc(var(--control) + 6px);
-    padding: 0 8px;
     color: var(--soft);
-    text-align: left;
   }
   .strokes {
     display: flex;

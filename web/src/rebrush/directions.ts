@@ -66,7 +66,7 @@ function angleField(work: PrintWork): TemplateResult {
       @turn=${(event: CustomEvent<number>) => set(event.detail)}
     ></sillon-dial>
     <label for="angle">${r('angle')}</label>
-    ${numberInput({ ...field, onInput: set, onSettle: () => undefined })}
+    ${numberInput({ ...field, onInput: set })}
     <p class="error" id="angle-error" role="status" hidden></p>
   </div>`;
 }

@@ -54,7 +54,6 @@ export function handFields(
             usual: [0.5, 40],
             unit: 'mm',
             onInput: (across) => onBrush({ across }),
-            onSettle: () => undefined,
           })
     }
     ${
