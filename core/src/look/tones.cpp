@@ -69,7 +69,7 @@ const Curves& curves() {
 // Linear interpolation in a table over [0, 1].
 float between(const std::array<float, kCurveSteps + 2>& curve, float x) {
   const float place = std::clamp(x, 0.0f, 1.0f) * kCurveSteps;
-  const std::size_t k = toSize(place);
+  const int k = static_cast<int>(place);
   return curve[k] + (curve[k + 1] - curve[k]) * (place - static_cast<float>(k));
 }
 
