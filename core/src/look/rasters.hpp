@@ -1,4 +1,4 @@
-// Operations on rasters, whatever their values stand for.
+// Operations on rasters, and grey pictures as light: sRGB codes, levels, areas.
 #pragma once
 
 #include <vector>

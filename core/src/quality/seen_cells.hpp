@@ -1,4 +1,4 @@
-// The light of a plate in cells, and its likeness to pictures. docs/reference/metrics.md defines it.
+// Renders a plate as cells of light, and measures its likeness to pictures (docs/reference/metrics.md).
 #pragma once
 
 #include <span>

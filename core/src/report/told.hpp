@@ -1,4 +1,4 @@
-// What a plate's warnings and notes are made from.
+// Makes the warnings and notes about a plate.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// What people should know of a plate: warnings about it or its file, the visibility of its layers,
-// and notes on its input.
+// Warnings about a plate or its file, the visibility of its layers, and notes on its input. Each is
+// a code with its values, and the English sentence made of them.
 #pragma once
 
 #include <cstddef>
