@@ -12,6 +12,7 @@
 #include "export/zones.hpp"
 #include "geometry/outline.hpp"
 #include "input/map_defect.hpp"
+#include "toolpath/path.hpp"
 
 namespace sillon {
 namespace {

@@ -6,6 +6,7 @@
 #include "base/refused.hpp"
 #include "geometry/outline.hpp"
 #include "settings/json.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace sillon {

@@ -13,6 +13,7 @@
 
 #include "base/refused.hpp"
 #include "sillon/base/result.hpp"
+#include "sillon/base/types.hpp"
 
 namespace sillon::svg {
 
