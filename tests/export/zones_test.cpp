@@ -246,8 +246,9 @@ TEST_CASE("what makes no zones is refused") {
   CHECK_FALSE(directionZones(shape, map, {13, 3}, run));
   CHECK_FALSE(directionZones(shape, map, {6, 0}, run));
   CHECK_FALSE(directionZones(shape, {}, {}, run));
-  CHECK(directionZones(shape, {300, 300, {}}, {}, run).error().message ==
-        "direction map is 300 x 300 pixels with 0 values; it must have a pixel at least, and one value for each");
+  CHECK(
+      directionZones(shape, {300, 300, {}}, {}, run).error().message ==
+      "the map of directions is 300 x 300 pixels with 0 values; it must have a pixel at least, and one value for each");
   CHECK(directionZones(Shape{{}, {10, 10}}, map, {}, run).error().code == ErrorCode::EmptyShape);
   for (const double height : {0.0, 0.04, 5001.0, HUGE_VAL, std::nan("")}) CHECK_FALSE(prismOf(shape, height));
   const DirectionZones zones = zonesOf(shape, map);

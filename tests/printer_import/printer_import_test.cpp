@@ -534,8 +534,8 @@ TEST_CASE("Orca's packed presets and projects are opened, unless they hold G-cod
       imported(packed({{"Metadata/project_settings.config", json}, {"Metadata/plate_1.gcode", sliced}}));
   CHECK(donor.source == "donor G-code");
   CHECK(donor.printer.retractLength == 4);
-  CHECK(problem(packed({{"printer/Mine.json", "[1"}})).find("is not a JSON object") != std::string::npos);
-  CHECK(problem(packed({{"3D/3dmodel.model", ""}})).find("holds no .gcode") != std::string::npos);
+  CHECK(problem(packed({{"printer/Mine.json", "[1"}})).find("the file is neither G-code nor") == 0);
+  CHECK(problem(packed({{"3D/3dmodel.model", ""}})).find("holds no G-code") != std::string::npos);
 }
 
 TEST_CASE("an Orca preset gives its own values and names what it inherits") {

@@ -187,7 +187,7 @@ std::optional<Error> checkPatch(const Patch& patch, std::size_t number, const Pr
     if (auto error = within(patch.fan, 0, 100, "fan", "%")) return error;
   }
   if (patch.constantFlow) {
-    if (auto error = within(patch.spacing, kLeastLength, kMaxCoordinate, "spacing", "mm")) return error;
+    if (auto error = within(patch.spacing, 0.001, kMaxCoordinate, "spacing", "mm")) return error;
   }
   double widest = 0;
   for (const PatchLine& line : patch.lines) {
