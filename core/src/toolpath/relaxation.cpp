@@ -33,8 +33,8 @@ constexpr float kAskedStrength = 0.25f;
 constexpr float kAskedSmoothing = 0.3f;
 constexpr int kAskedRounds = 2;
 
-// The pull of line keeping: a move is felt over 18 points, or 4.5 tau. In the last but one round it is felt over 1.4
-// tau, so that the round that is left makes gaps even again.
+// The pull of turning beads to lines: a move is felt over 18 points, or 4.5 tau. In the last but one round it is felt
+// over 1.4 tau, so that the round that is left makes gaps even again.
 constexpr float kAskedPull = 0.003f;
 constexpr float kLastPull = 0.03f;
 
