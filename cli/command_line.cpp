@@ -88,7 +88,7 @@ Added addCommand(CLI::App& app, const Command& command) {
   added.page.title = name + ": " + command.help;
   added.page.usage = name + (*command.files == '\0' ? "" : " ") + command.files + " [options]";
   added.page.notes = paragraphs(command.examples);
-  added.page.all = name + " --help-all";
+  added.page.completeHelpCommand = name + " --help-all";
   Options options(*added.app, added.page, command.common);
   added.action = command.add(options);
   options.finish();

@@ -88,7 +88,7 @@ void Options::row(const std::string& names, const std::string& unit, const std::
                   std::vector<ValueHelp> values) {
   const bool common = std::find(common_.begin(), common_.end(), longName(names)) != common_.end();
   page_.rows.push_back(
-      {group_, names + (unit.empty() ? "" : " " + unit), sentenceCase(help), std::move(values), common});
+      {group_, names + (unit.empty() ? "" : " " + unit), withSmallInitial(help), std::move(values), common});
 }
 
 void Options::file(const std::string& name, const std::string& help, std::string& path, bool required) {
