@@ -9,7 +9,7 @@ export interface EngineOptions {
   /** 'auto': as many as the machine has, at most 8, where memory can be shared between threads, else 1; 'off': 1;
    * a number: 1..64. Results never depend on it. Default 'auto'. */
   threads?: 'auto' | 'off' | number;
-  /** Where the files of `sillon/dist/engine` are served from, with or without a final slash; may be another origin.
+  /** Folder from which the files of `sillon/dist/engine` are served, with or without a final slash; may be another origin.
    * Default: beside this module. */
   assetBase?: string | URL;
   /** Milliseconds without work after which the worker is ended and its memory given back; it comes back by itself.
@@ -21,7 +21,7 @@ export interface EngineOptions {
   memory?: number;
 }
 
-/** What a page that sells or shows plates needs of an upload, in one call with limits. The engine that it starts is ended in
+/** Makes all that a page that sells or shows plates needs of an upload, with limits. The engine that it starts is ended in
  * any case. docs/guide/shops.md
  * @throws SillonError as the calls of Engine do; `TooLarge` also after `limits.seconds`, `OutOfMemory` also beyond
  * `limits.memory`. */
@@ -29,7 +29,7 @@ export function preparePlate(upload: PlateInput, options?: PrepareOptions): Prom
 
 export interface PrepareOptions {
   toolpath?: ToolpathOptions;
-  /** Of the shop, in place of one in the upload: start and end blocks are run by a machine. */
+  /** Printer of the shop; it replaces one in the upload, because a machine runs its start and end blocks. */
   printer?: Partial<Printer>;
   print?: Partial<PrintParams>;
   /** The filament that poster and view show. */
@@ -41,12 +41,12 @@ export interface PrepareOptions {
   limits?: {
     /** For all of it. More than 0; default 60. */
     seconds?: number;
-    /** As EngineOptions.memory. Default 512. */
+    /** The same as EngineOptions.memory. Default 512. */
     memory?: number;
-    /** As EngineOptions.threads. Default 'off', as servers have other uploads to look after. */
+    /** The same as EngineOptions.threads. Default 'off', because servers have other uploads to look after. */
     threads?: EngineOptions['threads'];
   };
-  /** As EngineOptions.assetBase. */
+  /** The same as EngineOptions.assetBase. */
   assetBase?: string | URL;
 }
 
@@ -57,18 +57,18 @@ export interface PreparedPlate {
   view: Blob;
   /** text/x-gcode */
   gcode: Blob;
-  /** What a printer would trip over, as `sillon check` finds it. */
+  /** Faults that would make a print fail, the same as `sillon check` finds. */
   findings: GcodeFinding[];
   grams: number;
   /** Estimate. */
   minutes: number;
-  /** Of the plate's page, in mm. */
+  /** Width and height of the plate's page [mm]. */
   page: [number, number];
   summary: GcodeSummary;
   report: Report;
 }
 
-/** What was started, and why not more. */
+/** The engine as it was started, and the reason if it has fewer threads than asked for. */
 export interface EngineInfo {
   version: string;
   variant: 'mt' | 'st';
@@ -159,7 +159,7 @@ export interface Engine {
    * G-code, .gcode.3mf, .bgcode or .gz. The engine keeps the print for the next call with the same Blob, as do printRelief and
    * rebrush: hand it over again, and it is read once. @throws `InvalidFile`, `TooLarge`. */
   listSurfaces(file: Bytes, options?: RunOptions): Promise<SlicedFile>;
-  /** What such a print looks like from above: the highest bead at each place.
+  /** Computes the relief of such a print as seen from above: the highest bead at each place.
    * @param side  most cells of the longer side, 16..4096, default 1024. @throws `InvalidFile`, `InvalidArgument`. */
   printRelief(file: Bytes, side?: number, options?: RunOptions): Promise<PrintRelief>;
   /** Lays other beads on the surfaces of such a file, and changes nothing else (docs/guide/rebrush.md).
@@ -173,7 +173,7 @@ export interface Engine {
    * @param photograph  as decodePicture gives it, or a canvas; at most 64 million pixels.
    * @throws `InvalidFile` (one sentence: why nothing can be measured), `InvalidArgument`, `TooLarge`. */
   readCoupon(photograph: Picture, request?: CouponRequest, options?: RunOptions): Promise<CouponReading>;
-  /** What several photographs of one coupon say together, as `sillon calibrate read` joins them. Lamp and camera are the first's.
+  /** Joins the readings of one coupon's photographs, as `sillon calibrate read` does. Lamp and camera are the first's.
    * @param readings  of readCoupon, at least one. @param request  that they were read with.
    * @throws `InvalidFile` (one sentence) where one differs so much that it shows another spool, `InvalidArgument`. */
   joinReadings(
@@ -226,7 +226,7 @@ export interface CalibrationRequest {
   /** First and last value to try, in the kind's unit; left out: the kind's own. */
   from?: number;
   to?: number;
-  /** What the file's pictures and `picture` show. Default: blue PLA. */
+  /** Filament that the file's pictures and `picture` show. Default: blue PLA. */
   filament?: Partial<ViewParams>;
   /** Longer side of `picture` [pixels], 64..1024; 0 makes none. Default 0. */
   pictureSide?: number;
@@ -236,15 +236,15 @@ export interface Calibration {
   /** text/x-gcode */
   blob: Blob;
   summary: GcodeSummary;
-  /** Of the same file, read back. */
+  /** Check of the same file, read back. */
   check: GcodeCheck;
   /** Value to enter: names of settings, or words where it is none of ours. */
   setting: string[];
-  /** Of the values: 'mm', 's', 'mm/s', 'degrees Celsius', '%', 'degrees' or ''. */
+  /** Unit of the values: 'mm', 's', 'mm/s', 'degrees Celsius', '%', 'degrees' or ''. */
   unit: string;
   /** One English sentence: which of the values is right. */
   advice: string;
-  /** What was tried, and where: from the page's lower left. `label` is printed beside it. */
+  /** Values that were tried, each with its place from the page's lower left. `label` is printed beside it. */
   values: { label: string; value: number; at: [number, number] }[];
   /** Width and height. */
   page: [number, number];
@@ -253,14 +253,14 @@ export interface Calibration {
 }
 
 export interface CouponRequest {
-  /** As the coupon was made: nozzle and flow count. */
+  /** The printer for which the coupon was made; nozzle and flow count. */
   printer?: Partial<Printer>;
   print?: Partial<PrintParams>;
   from?: number;
   to?: number;
   /** A slope as `pictures.lampSize`, 0..2; left out: unknown, and small. */
   lampSize?: number;
-  /** As measured within 2° [degrees], 10..80; left out: 47 within 9. */
+  /** Elevation measured to within 2° [degrees], 10..80; if left out, 47 to within 9° is assumed. */
   lampElevation?: number;
 }
 
@@ -279,13 +279,13 @@ export interface CouponReading {
   /** Without `flow`: all discs are closed, or none is; neither: the photograph does not tell. */
   allDiscsClosed: boolean;
   noDiscClosed: boolean;
-  /** Of a bead, and what was asked for. */
+  /** Width of a bead, and the width that was asked for. */
   width: Measured;
   widthAsked: number;
-  /** Of the lamp, in the coupon's own directions [degrees]. */
+  /** Direction of the lamp, in the coupon's own directions [degrees]. */
   azimuth: Measured;
   elevation: Measured;
-  /** Of the camera off the coupon's normal [degrees]. */
+  /** Tilt of the camera off the coupon's normal [degrees]. */
   tilt: number;
   pixelsPerMm: number;
   /** Standard deviation. */
@@ -308,7 +308,7 @@ export interface SpoolSlopes {
   bedSide: [number, number];
 }
 
-/** What to lay on a print. */
+/** The beads to lay on a print. */
 export interface RebrushOptions {
   /** The same as of a plate. Where the lowest shows pictures, beads follow borders only as far as these allow it, unless
    * `toolpath.perimeterMode` says otherwise. */
@@ -364,14 +364,14 @@ export interface SlicedSurface {
   layer: number;
   z: number;
   height: number;
-  /** As the slicer names it; may be empty. */
+  /** The slicer's name for it; may be empty. */
   object: string;
   tool: number;
   /** On a page of its own, whose lower left lies at `corner` on the bed. */
   region: Shape;
   corner: [number, number];
   areaMm2: number;
-  /** Of its beads, and between them. */
+  /** Width of its beads, and spacing between them. */
   width: number;
   spacing: number;
   volumeMm3: number;
@@ -397,7 +397,7 @@ export interface Rebrushed {
   blob: Blob;
   /** By which the print takes longer, as estimated; the file's own times say so too. */
   seconds: number;
-  /** Those that were asked for. */
+  /** The surfaces that were asked for. */
   surfaces: (SlicedSurface & {
     /** Its place in the list of listSurfaces. */
     index: number;
@@ -407,7 +407,7 @@ export interface Rebrushed {
     alignment: number;
     /** [%] */
     coverage: number;
-    /** How far a bead reaches over the region at most. */
+    /** Greatest distance by which a bead reaches over the region. */
     beyond: number;
     seconds: number;
     /** Lamps as azimuth and elevation, how well each picture is seen (docs/reference/metrics.md), and the share of it that is
@@ -530,7 +530,7 @@ export type ShapeInput = ShapeChanges &
         /** Letters of the shape `text`, as wide as its size, and their font: a built-in one, or a file's bytes. */
         text?: string;
         font?: string | Bytes;
-        /** Of these letters, where their font is a variable one: 1..1000; 0 is the font's own. */
+        /** Weight of these letters, 1..1000, if their font is a variable one; 0 is the font's own. */
         weight?: number;
       }
     /** SVG, or a mask picture whose bright, opaque pixels are inside. `pageWidth` 0: as drawn, 80 mm for a mask.
@@ -906,29 +906,29 @@ export interface PrintParams {
   /** Where the lower left corner of the (rotated) page goes on the bed; null centres it. -10000..10000 mm, default null. */
   place: [number, number] | null;
 
-  /** Of the file's first line; default: now. The same date gives the same bytes. */
+  /** Date in the file's first line; default: now. The same date gives the same bytes. */
   date: Date;
 }
 
 /** The filament that a plate is shown in. */
 export interface ViewParams {
-  /** Of the body: red, green, blue in sRGB, 0..255. Default gold. */
+  /** Colour of the body: red, green, blue in sRGB, 0..255. Default gold. */
   colour: [number, number, number];
   /** RMS slopes of the surface along and across the bead [degrees], 0.1..45. Default 8.93, 15.6. */
   slopes: [number, number];
 }
 
 export interface PreviewParams {
-  /** Of one panel [pixels], 16..16384; of the look alone 16..1024, and so its height, which follows the page. Default 1600;
+  /** Width of one panel [pixels], 16..16384; of the look alone 16..1024, like its height, which follows the page. Default 1600;
    * 1024 for the look alone. */
   width: number;
   /** Directions with their legend beside the look, or the look alone, as a poster. Default 'both'. */
   panels: 'both' | 'look';
-  /** Of the body: red, green, blue in sRGB, 0..255. Default blue. */
+  /** Colour of the body: red, green, blue in sRGB, 0..255. Default blue. */
   colour: [number, number, number];
   /** RMS slopes of the surface along and across the bead [degrees], 0.1..45. Default 2.36, 17.32. */
   slopes: [number, number];
-  /** Of the light, degrees counter-clockwise from +x. Default 60. */
+  /** Direction of the light, degrees counter-clockwise from +x. Default 60. */
   lightAzimuth: number;
   /** Degrees above the plate, 1..90. Default 35. */
   lightElevation: number;
@@ -962,7 +962,7 @@ export interface Project {
   toolpath: ToolpathParams;
   print: Omit<PrintParams, 'date'>;
   printer: Printer;
-  /** What the studio keeps of its own in a project; other programs leave it as it is. */
+  /** The studio's own values in a project; other programs leave them as they are. */
   studio?: Record<string, unknown>;
 }
 
@@ -977,11 +977,11 @@ export type DeepPartial<T> = T extends readonly unknown[]
 export interface ToolpathResult {
   toolpath: Toolpath;
   report: Report;
-  /** Of two pictures and more. */
+  /** Present for two pictures and more. */
   conflict?: Conflict;
 }
 
-/** What pictures on one plate take from each other, in cells over the page, row 0 on top. */
+/** Tones that pictures on one plate take from each other, in cells over the page, row 0 on top. */
 export interface Conflict {
   width: number;
   height: number;
@@ -996,17 +996,17 @@ export interface Toolpath {
   spacing: number;
   /** One per connected part, in printing order. */
   cycles: Cycle[];
-  /** What was filled: base layers and skirt are made from it. */
+  /** Shape that was filled: base layers and skirt are made from it. */
   shape: Shape;
-  /** What made the toolpath and how good it is; goes into the G-code's header. */
+  /** Notes on the making and the quality of the toolpath, for the G-code's header. */
   notes: string[];
-  /** Of plates that show pictures: what the pictures in the G-code look like, too. */
+  /** Given for plates that show pictures: the look of the pictures in the G-code, too. */
   look?: Look;
 }
 
-/** How a plate of pictures is to be seen. */
+/** The filament and the light under which a plate of pictures is to be seen. */
 export interface Look {
-  /** Of the spool, sRGB. */
+  /** Colour of the spool, sRGB. */
   colour: [number, number, number];
   /** Along and across the bead, degrees. */
   slopes: [number, number];
@@ -1054,11 +1054,11 @@ export interface Report {
   gapJoints: number;
   /** Toolpaths more than connected parts: no joint to the rest of their part was possible. */
   unjoined: number;
-  /** Where these lie: x, y [mm] of the middle of each. */
+  /** Middles of these toolpaths, x, y [mm]. */
   apart: [number, number][];
   /** Seconds by stage, and their `total`. */
   time: Record<string, number>;
-  /** Of the engine's memory. */
+  /** Greatest size of the engine's memory. */
   peakBytes: number;
   threads: number;
   /** Equal digests mean equal plates, on every platform. */
@@ -1089,9 +1089,9 @@ export interface Report {
   lostPlaces?: [number, number, number, number][];
   /** Widened to one bead by `keepThin`. */
   keptAreaMm2?: number;
-  /** As lostPlaces. */
+  /** The same as lostPlaces, for the parts that were kept. */
   keptPlaces?: [number, number, number, number][];
-  /** How well the toolpath shows each picture under its lamp: docs/reference/metrics.md. */
+  /** Figures on how well the toolpath shows each picture under its lamp: docs/reference/metrics.md. */
   pictures?: PictureReport[];
   /** Visible layers: the shares of their letters, drawing, modules or box that are not seen, each for one reason. */
   layers?: LayerReport[];
@@ -1143,7 +1143,7 @@ export interface GcodeSummary {
   moves: number;
   bytes: number;
   clampedLengthMm: number;
-  /** Of oriented beads that `curveAcceleration` slows. */
+  /** Length of oriented beads that `curveAcceleration` slows. */
   curveSlowedMm: number;
   warnings: GcodeWarning[];
 }
@@ -1157,7 +1157,7 @@ export interface DrawingNote {
   message: string;
 }
 
-/** What the user should know of a plate, or of a file that was written. */
+/** A fact that the user should know of a plate, or of a file that was written. */
 export interface GcodeWarning {
   code: WarningCode;
   /** Numbers, names of settings, and what a reader of a block says; the words in braces of `message`'s pattern. */
@@ -1224,9 +1224,9 @@ export interface PrinterProfile {
 }
 
 export interface ImportNote {
-  /** As `core/src/printer_import/notes.cpp` lists them: `BedUnknown`, `OutOfRange` …, or the `reason` of an error. */
+  /** A code of `core/src/printer_import/notes.cpp`: `BedUnknown`, `OutOfRange` …, or the `reason` of an error. */
   code: string;
-  /** What the message names: texts as the file has them, numbers in plain notation. */
+  /** Values that the message names: texts as in the file, numbers in plain notation. */
   values: Record<string, string>;
   /** One sentence in English. */
   message: string;
@@ -1240,13 +1240,13 @@ export interface ImportedPrinter {
   source: 'donor G-code' | 'PrusaSlicer settings' | 'Orca settings' | 'project';
   /** Names of the settings taken. */
   read: string[];
-  /** What could not be taken over or needs a look. */
+  /** Settings that could not be taken over or need a look. */
   notRead: ImportNote[];
 }
 
 export interface GcodeCheck {
   findings: GcodeFinding[];
-  /** What could not be judged, as neither a printer was given nor the file tells the machine's limits. */
+  /** Rules that could not be judged, since no printer was given and the file does not tell the machine's limits. */
   unchecked: ('bed' | 'height' | 'nozzle' | 'flow' | 'speed')[];
   /** Lines that put the print at risk. */
   errors: number;
@@ -1260,22 +1260,22 @@ export interface GcodeCheck {
   closed: number;
   open: number;
   retractions: number;
-  /** Of beads. */
+  /** Greatest speed of beads. */
   fastest: number;
-  /** Of oriented beads slower than the fastest of their layer. */
+  /** Length of oriented beads slower than the fastest of their layer. */
   slowedMm: number;
   /** mm³/s. */
   mostFlow: number;
   /** Moves per second over any 8. */
   mostMoves: number;
   printer: string;
-  /** Of the middles of beads, without start and end blocks, mm; null: there are none. */
+  /** Box of the middles of beads, without start and end blocks, mm; null: there are none. */
   box: { min: [number, number]; max: [number, number] } | null;
-  /** Of the highest bead, mm. */
+  /** Top of the highest bead, mm. */
   top: number;
   /** Share of the base that each oriented layer of a file of ours covers; null where there is no base. */
   coverage: (number | null)[];
-  /** How long the beads of the visible layers wait for their neighbours; null: no oriented bead has one, or the file is
+  /** Times that the beads of the visible layers wait for their neighbours; null: no oriented bead has one, or the file is
    * not ours. */
   neighbourDelay: NeighbourDelay | null;
 }
@@ -1296,14 +1296,14 @@ export interface NeighbourDelay {
 export interface GcodeFinding {
   /** One per sentence, such as 'too-hot'. */
   code: string;
-  /** What the code belongs to, such as 'heating'. */
+  /** Group of the code, such as 'heating'. */
   rule: string;
   /** The print is at risk; else worth knowing. */
   error: boolean;
   /** The first, from 1; 0: the file as a whole. */
   line: number;
   count: number;
-  /** What the sentence shows, by name, such as { limit: '300', degrees: '480' }. */
+  /** Values that the sentence shows, by name, such as { limit: '300', degrees: '480' }. */
   values: Record<string, string>;
   /** In English. */
   message: string;
@@ -1812,7 +1812,7 @@ export type PlainReason =
   /** Zones show directions as they are given, so the mode must be constrained; --mode constrained sets it. */
   | 'ZonesConstrained';
 
-/** Which sentence an error's message is, for those who say it in another language than English. Besides the values of
+/** Code of an error's sentence, for those who say it in another language than English. Besides the values of
  * the sentence there may be `place`, a file; `layer`, from 1; or `element` and `elementLine` of a drawing. */
 export type ErrorReason =
   /** A number is out of its range: `setting` ("print.layerHeight"), `value`, `low`, `high`, in the setting's own unit.
@@ -1839,10 +1839,10 @@ export class SillonError extends Error {
   );
   readonly name: 'SillonError';
   readonly code: ErrorCode;
-  /** What to do about it, one sentence; may be empty. */
+  /** One sentence on the way out; may be empty. */
   readonly hint: string;
   /** Empty for errors of the package itself and of its worker. */
   readonly reason: ErrorReason | '';
-  /** Of the reason. */
+  /** Values of the reason. */
   readonly values: Readonly<Record<string, number | string>>;
 }
