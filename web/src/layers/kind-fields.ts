@@ -1,4 +1,4 @@
-// Fields of a layer: the few that matter for its kind, and those that are folded away.
+// Makes the fields of a layer: the few that matter for its kind, and those that are folded away.
 import { html, nothing, type TemplateResult } from 'lit';
 import { angleField } from '../controls/angle-field.js';
 import { flag, select } from '../controls/fields.js';

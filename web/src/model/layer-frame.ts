@@ -108,7 +108,7 @@ export function boundsOf(frame: Frame): Bounds {
 const shortestSide = 1; // shortest side that dragging can make [mm]
 
 /** Drags a corner of the box; the opposite corner stays. Returns the factors that scale the box, and its new middle.
- * @param free  scales each side by itself; otherwise both by the same factor */
+ * @param free  scales each side on its own; otherwise both by the same factor */
 export function resized(frame: Frame, corner: Point, to: Point, free: boolean): { scale: Point; middle: Point } {
   const { size } = frame;
   const fixed = placeIn(frame, [-corner[0], -corner[1]]);

@@ -1,4 +1,4 @@
-// Fields for the printer and the filament.
+// Makes the fields for the printer and the filament.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { printerLabel } from '../i18n/say.js';
@@ -63,7 +63,7 @@ const printersToChoose: readonly PrinterChoice[] = [
   ...printers.filter(isGeneric),
 ];
 
-/** The choice of one printer; those that need a file can be chosen only where the printer is asked for. */
+/** Makes the choice of one printer; those that need a file can be chosen only where the printer is asked for. */
 function optionOf(printer: PrinterChoice, asks: boolean): ChoiceField['options'][number] {
   const { key, label } = printer;
   if (printersByFile.includes(printer))
