@@ -366,7 +366,7 @@ void Rules::move(const MachineMove& move) {
   }
   const bool wipes = block() && beside(settings_, move.from) && beside(settings_, move.to);
   const bool zTold = machine_.told(kAxisZ);
-  if (zTold && (move.xy || move.z < move.zFrom) && !wipes) {  // a block by itself does not tell where a move begins
+  if (zTold && (move.xy || move.z < move.zFrom) && !wipes) {  // a block alone does not tell where a move begins
     const double low = lastZTold_ ? std::min(move.zFrom, move.z) : move.z;
     check_.lowest = std::min(check_.lowest, low);
     if (low < startHeight_ && (move.xy || startHeight_ > 0)) found("below-print", !block(), {{"mm", decimal(low, 3)}});

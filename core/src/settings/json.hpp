@@ -58,7 +58,7 @@ inline Error settingOutOfRange(const Setting& setting, double value, double low,
 
 // Settings from JSON.
 
-/// What is wrong; nothing if all is well.
+/// Error that a reader found; empty if the value is good.
 using Fault = std::optional<Error>;
 
 // Each of these reads one value. \param name  name in messages.

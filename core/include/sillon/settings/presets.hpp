@@ -44,7 +44,7 @@ std::string filamentFamily(std::string_view filamentType);
 double usualFan(std::string_view filamentType);
 
 /// Sets pressure advance to the value that the maker's own slicer sets for this machine. It depends
-/// on the family of filamentType and on the nozzle; it is off where the maker tells none.
+/// on the family of filamentType and on the nozzle; it is off if the maker gives no value.
 /// applyProfile does this for the filament and nozzle that it finds; after a change of either,
 /// followAdvance does. An unknown profile changes nothing.
 void applyAdvance(const std::string& profile, Printer& printer);
