@@ -26,13 +26,10 @@ EM_JS(char*, sillonMadeElsewhere, (const char* name), {
 // clang-format on
 #endif
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using sillon::Error;
-using sillon::Project;
-using sillon::Result;
 
 /// Resolves a file name in a scene, relative to the working directory.
 /// \param up  number of folders above the scene's own that are also searched.
@@ -75,15 +72,15 @@ auto fileFields(OneProject& project) {
     if (!name.empty()) fields.push_back(&name);
   };
   const auto addFont = [&](auto& name) {
-    if (sillon::isFontFile(name)) fields.push_back(&name);
+    if (isFontFile(name)) fields.push_back(&name);
   };
   add(project.shapeFile);
   addFont(project.shapeFont);
   for (auto& layer : project.layers) {
-    const auto pictures = layer.template as<sillon::PictureLayer>();
+    const auto pictures = layer.template as<PictureLayer>();
     for (std::size_t k = 0; pictures != nullptr && k < pictures->pictures.size(); ++k) add(pictures->pictures[k].file);
-    if (const auto part = layer.template as<sillon::LayerFile>()) add(part->file);
-    if (const auto part = layer.template as<sillon::LayerLetters>()) addFont(part->font);
+    if (const auto part = layer.template as<LayerFile>()) add(part->file);
+    if (const auto part = layer.template as<LayerLetters>()) addFont(part->font);
     add(layer.modeFile);
     add(layer.maskFile);
   }
@@ -91,22 +88,22 @@ auto fileFields(OneProject& project) {
 }
 
 /// Gets letters and codes that core leaves to others (core/src/text): from JavaScript in the command line for Node.
-Result<sillon::InputFile> madeElsewhere(const std::string& name, const std::string& what) {
+Result<InputFile> madeElsewhere(const std::string& name, const std::string& what) {
 #ifdef __EMSCRIPTEN__
   const std::unique_ptr<char, decltype(&std::free)> made(sillonMadeElsewhere(name.c_str()), &std::free);
-  if (what == "shaped line") return sillon::InputFile(std::string(made.get()));
+  if (what == "shaped line") return InputFile(std::string(made.get()));
   // A code comes as its side and a character for each module.
   const std::string_view text(made.get());
   const std::size_t space = text.find(' ');
-  if (space == std::string_view::npos) return sillon::InputFile(std::string());
+  if (space == std::string_view::npos) return InputFile(std::string());
   const int side = std::atoi(made.get());
-  sillon::Image image{side, side, 1, {}};
+  Image image{side, side, 1, {}};
   for (const char module : text.substr(space + 1)) image.samples.push_back(module == '#' ? 0 : 65535);
-  return sillon::InputFile(std::move(image));
+  return InputFile(std::move(image));
 #else
   static_cast<void>(name);
-  return sillon::Error{sillon::ErrorCode::InvalidArgument,
-                       "this program was built without HarfBuzz and libqrcodegen, so it makes no " + what};
+  return Error{ErrorCode::InvalidArgument,
+               "this program was built without HarfBuzz and libqrcodegen, so it makes no " + what};
 #endif
 }
 
@@ -138,7 +135,7 @@ std::string asUtf8(std::string text) {
 }  // namespace
 
 Result<Project> loadProject(const std::string& path) {
-  Result<std::string> text = readFile(path, "scene", sillon::kMaxProjectBytes);
+  Result<std::string> text = readFile(path, "scene", kMaxProjectBytes);
   if (!text) return text.error();
   text = asUtf8(std::move(text).value());
   Result<Project> project = sillon::readProject(text.value());
@@ -154,15 +151,15 @@ Result<Project> loadProject(const std::string& path) {
   return project;
 }
 
-Result<sillon::PlateInput> assemblePlate(const Project& project, const sillon::RunContext& run) {
-  return sillon::readPlateInput(project, readInputFile, run);
+Result<PlateInput> assemblePlate(const Project& project, const RunContext& run) {
+  return readPlateInput(project, readInputFile, run);
 }
 
-Result<sillon::InputFile> readInputFile(const std::string& name, const std::string& what) {
+Result<InputFile> readInputFile(const std::string& name, const std::string& what) {
   if (what == "shaped line" || what == "QR code") return madeElsewhere(name, what);
   Result<std::string> bytes = readFile(name, what, kMaxInputBytes);
   if (!bytes) return bytes.error();
-  return sillon::InputFile(std::move(bytes).value());
+  return InputFile(std::move(bytes).value());
 }
 
 std::vector<std::string> inputFiles(const Project& project) {
@@ -176,7 +173,7 @@ std::string projectFor(const Project& project, const std::string& path) {
   const fs::path folder = fs::absolute(pathOf(path), error).parent_path();
   Project written = project;
   for (std::string* name : fileFields(written)) *name = seenFrom(folder, *name);
-  return sillon::writeProject(written);
+  return writeProject(written);
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

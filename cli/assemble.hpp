@@ -8,22 +8,21 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/project/project.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
 /// Reads a scene and makes its file names relative to the working directory.
-sillon::Result<sillon::Project> loadProject(const std::string& path);
+Result<Project> loadProject(const std::string& path);
 
 /// Reads and decodes shape, directions and modes.
-sillon::Result<sillon::PlateInput> assemblePlate(const sillon::Project& project,
-                                                 const sillon::RunContext& run = sillon::RunContext());
+Result<PlateInput> assemblePlate(const Project& project, const RunContext& run = RunContext());
 
 /// Reads one of a project's files. \param what  kind of file, for messages.
-sillon::Result<sillon::InputFile> readInputFile(const std::string& name, const std::string& what);
+Result<InputFile> readInputFile(const std::string& name, const std::string& what);
 
 /// Returns the names of a project's files.
-std::vector<std::string> inputFiles(const sillon::Project& project);
+std::vector<std::string> inputFiles(const Project& project);
 
 /// Formats a project as a file at `path`, with file names relative to its folder.
-std::string projectFor(const sillon::Project& project, const std::string& path);
+std::string projectFor(const Project& project, const std::string& path);
 
-}  // namespace cli
+}  // namespace sillon::cli

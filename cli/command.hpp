@@ -2,12 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "options.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
 /// Function that runs a command after its options were read. \return the exit code.
 using Action = std::function<int()>;
@@ -24,4 +23,4 @@ struct Command {
 /// Returns all commands, in the order of the help.
 const std::vector<const Command*>& commands();
 
-}  // namespace cli
+}  // namespace sillon::cli

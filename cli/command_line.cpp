@@ -3,23 +3,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
-#include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
 #include "help.hpp"
 #include "run.hpp"
-#include "sillon/base/version.hpp"
 #include "sillon/base/words.hpp"
 #include "terminal.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
-
-using sillon::Error;
-using sillon::ErrorCode;
 
 /// A command that was added to the parser.
 struct Added {
@@ -31,7 +25,7 @@ struct Added {
 
 /// Returns "; did you mean check?", or nothing if no name is similar.
 std::string didYouMean(const std::string& word, const std::vector<std::string>& names) {
-  const std::vector<std::string> near = sillon::nearNames(word, names);
+  const std::vector<std::string> near = nearNames(word, names);
   return near.empty() ? "" : "; did you mean " + near.front() + "?";
 }
 
@@ -94,7 +88,7 @@ Added addCommand(CLI::App& app, const Command& command) {
   added.page.title = name + ": " + command.help;
   added.page.usage = name + (*command.files == '\0' ? "" : " ") + command.files + " [options]";
   added.page.notes = paragraphs(command.examples);
-  added.page.all = name + " --help-all";
+  added.page.completeHelpCommand = name + " --help-all";
   Options options(*added.app, added.page, command.common);
   added.action = command.add(options);
   options.finish();
@@ -128,7 +122,7 @@ int runCommandLine(int argc, const char* const* argv) {
   }
   CLI::App app{"", "sillon"};
   app.set_help_all_flag("--help-all");
-  app.set_version_flag("--version", std::string("sillon ") + sillon::kVersion);
+  app.set_version_flag("--version", std::string("sillon ") + kVersion);
   app.require_subcommand(1);
   app.allow_windows_style_options(false);  // "/x/part.gcode" is a file, not an option
   std::vector<Added> all;
@@ -168,4 +162,4 @@ int runCommandLine(int argc, const char* const* argv) {
   return asked()->action();
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -1,9 +1,9 @@
 // Parses the command line.
 #pragma once
 
-namespace cli {
+namespace sillon::cli {
 
 /// Parses the command line and runs the command. \return the exit code.
 int runCommandLine(int argc, const char* const* argv);
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -1,7 +1,6 @@
 #include "commands/commands.hpp"
-#include "command.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
 const std::vector<const Command*>& commands() {
   static const std::vector<const Command*> all{
@@ -11,4 +10,4 @@ const std::vector<const Command*>& commands() {
   return all;
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

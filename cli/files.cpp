@@ -6,10 +6,8 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
-#include <filesystem>
 #include <memory>
 #include <random>
-#include <string_view>
 #include <utility>
 
 #include "sillon/base/types.hpp"
@@ -25,12 +23,10 @@
 #include <sys/stat.h>
 #endif
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using sillon::Error;
-using sillon::ErrorCode;
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -287,7 +283,7 @@ bool endsWith(std::string name, std::string_view end) {
   return name.ends_with(end);
 }
 
-sillon::Result<std::string> readFile(const std::string& path, const std::string& what, std::size_t maxBytes) {
+Result<std::string> readFile(const std::string& path, const std::string& what, std::size_t maxBytes) {
   const std::string name = "the " + what + " \"" + path + "\"";
   std::error_code error;
   if (fs::is_directory(pathOf(path), error)) return invalid(name + " is a folder; it must be a file");
@@ -370,4 +366,4 @@ std::optional<Error> writeTogether(const std::vector<OutputFile>& files) {
   return written.keep();
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

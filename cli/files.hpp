@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,7 +10,7 @@
 
 #include "sillon/base/result.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
 inline constexpr std::size_t kMaxSpoolsBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kMaxInputBytes = std::size_t{256} << 20;
@@ -27,13 +26,13 @@ std::string nameOf(const std::filesystem::path& path);
 bool endsWith(std::string name, std::string_view end);
 
 /// Reads a file. \param what  "shape", "direction picture", ..., for messages.
-sillon::Result<std::string> readFile(const std::string& path, const std::string& what, std::size_t maxBytes);
+Result<std::string> readFile(const std::string& path, const std::string& what, std::size_t maxBytes);
 
 /// Tells whether two names lead to the same place, also through links, and if nothing exists there yet.
 bool sameFile(const std::string& a, const std::string& b);
 
 /// Makes the error for a package with several plates, of which a command would read only the first.
-sillon::Error severalPlates(const std::string& path, int plates);
+Error severalPlates(const std::string& path, int plates);
 
 struct OutputFile {
   std::string path;
@@ -50,12 +49,11 @@ struct Outcome {
 /// Checks output names before the work begins: folders exist, names are files, and no name is used twice or is an
 /// input.
 /// \param moving  outputs that may be moving pictures
-std::optional<sillon::Error> checkOutputs(const std::vector<std::string>& outputs,
-                                          const std::vector<std::string>& inputs,
-                                          const std::vector<std::string>& moving = {});
+std::optional<Error> checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs,
+                                  const std::vector<std::string>& moving = {});
 
 /// Writes each file beside its target first and renames them only when all are complete. If anything fails on the way,
 /// existing files stay as they were.
-std::optional<sillon::Error> writeTogether(const std::vector<OutputFile>& files);
+std::optional<Error> writeTogether(const std::vector<OutputFile>& files);
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -3,11 +3,11 @@
 #include <cstdio>
 #include <utility>
 
-namespace cli {
+namespace sillon::cli {
 
-nlohmann::ordered_json findingsJson(const std::vector<sillon::GcodeFinding>& findings) {
+nlohmann::ordered_json findingsJson(const std::vector<GcodeFinding>& findings) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const sillon::GcodeFinding& finding : findings) {
+  for (const GcodeFinding& finding : findings) {
     nlohmann::ordered_json values = nlohmann::ordered_json::object();
     for (const auto& [name, value] : finding.values) values[name] = value;
     list.push_back({{"code", finding.code},
@@ -21,7 +21,7 @@ nlohmann::ordered_json findingsJson(const std::vector<sillon::GcodeFinding>& fin
   return list;
 }
 
-std::string delayLine(const sillon::NeighbourDelay& delay) {
+std::string delayLine(const NeighbourDelay& delay) {
   char line[200];
   std::snprintf(
       line, sizeof line,
@@ -31,4 +31,4 @@ std::string delayLine(const sillon::NeighbourDelay& delay) {
   return line;
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -7,11 +7,11 @@
 
 #include "sillon/gcode_reader/check.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
-nlohmann::ordered_json findingsJson(const std::vector<sillon::GcodeFinding>& findings);
+nlohmann::ordered_json findingsJson(const std::vector<GcodeFinding>& findings);
 
 /// Returns a line for summaries: how long beads wait for their neighbours.
-std::string delayLine(const sillon::NeighbourDelay& delay);
+std::string delayLine(const NeighbourDelay& delay);
 
-}  // namespace cli
+}  // namespace sillon::cli

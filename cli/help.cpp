@@ -7,16 +7,18 @@
 
 #include "words.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 constexpr std::size_t kColumn = 26;  // largest column at which texts begin; longer names get a line of their own
 
-/// Wraps a text to lines of at most `width` characters, unless a word is longer; all lines but the first are indented.
-std::string wrapped(const std::string& text, std::size_t indent, std::size_t at, std::size_t width) {
+/// Wraps a text to lines of at most `width` characters, unless a word is longer.
+/// \param indent  spaces before each line but the first
+/// \param firstColumn  column at which the first line begins
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t firstColumn, std::size_t width) {
   std::istringstream words(text);
   std::string out;
-  std::size_t column = at;
+  std::size_t column = firstColumn;
   for (std::string word; words >> word;) {
     if (column + 1 + word.size() > width && column > indent) {
       out += "\n" + std::string(indent, ' ') + word;
@@ -53,8 +55,8 @@ std::string valueRows(const std::vector<ValueHelp>& values, std::size_t column, 
 }  // namespace
 
 std::string helpText(const HelpPage& page, bool all, int width) {
-  const std::size_t most = width;
-  std::string out = wrapped(page.title, 0, 0, most) + "\n\nusage: " + wrapped(page.usage, 7, 7, most) + "\n";
+  const std::size_t lineWidth = width;
+  std::string out = wrapped(page.title, 0, 0, lineWidth) + "\n\nusage: " + wrapped(page.usage, 7, 7, lineWidth) + "\n";
   std::vector<std::string> groups;
   std::size_t hidden = 0;
   std::size_t column = 0;
@@ -72,21 +74,23 @@ std::string helpText(const HelpPage& page, bool all, int width) {
     out += "\n" + (group.empty() ? "" : group + ":\n");
     for (const HelpRow& one : page.rows) {
       if (one.group != group || (!all && !one.common)) continue;
-      out += row(one.names, one.text, 2, column, most) + valueRows(one.values, column, most);
+      out += row(one.names, one.text, 2, column, lineWidth) + valueRows(one.values, column, lineWidth);
     }
   }
   for (const std::string& note : page.notes) {
     out += "\n";
     std::istringstream lines(note);
     for (std::string line; std::getline(lines, line);) {
-      out += (line.rfind(' ', 0) == 0 ? line : wrapped(line, 0, 0, most)) + "\n";
+      out += (line.rfind(' ', 0) == 0 ? line : wrapped(line, 0, 0, lineWidth)) + "\n";
     }
   }
-  if (hidden > 0) out += "\n" + wrapped(page.all + " shows " + plural(hidden, "more option") + ".", 0, 0, most) + "\n";
+  if (hidden > 0)
+    out += "\n" + wrapped(page.completeHelpCommand + " shows " + plural(hidden, "more option") + ".", 0, 0, lineWidth) +
+           "\n";
   return out;
 }
 
-std::string sentenceCase(std::string text) {
+std::string withSmallInitial(std::string text) {
   const auto letter = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   if (text.size() < 2 || std::isupper(letter(0)) == 0) return text;
   const bool article = text[0] == 'A' && text[1] == ' ';
@@ -94,4 +98,4 @@ std::string sentenceCase(std::string text) {
   return text;
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace cli {
+namespace sillon::cli {
 
 /// A value of an option, and its meaning.
 using ValueHelp = std::pair<std::string, std::string>;
@@ -20,11 +20,11 @@ struct HelpRow {
 };
 
 struct HelpPage {
-  std::string title;               ///< "sillon check: read any G-code ..."
-  std::string usage;               ///< "sillon check FILE.gcode [options]"
-  std::vector<HelpRow> rows;       ///< rows in the order of the page, group by group
-  std::vector<std::string> notes;  ///< paragraphs at the end; lines that begin with a space are not wrapped
-  std::string all;                 ///< command for the complete help; empty if this is it
+  std::string title;                ///< "sillon check: read any G-code ..."
+  std::string usage;                ///< "sillon check FILE.gcode [options]"
+  std::vector<HelpRow> rows;        ///< rows in the order of the page, group by group
+  std::vector<std::string> notes;   ///< paragraphs at the end; lines that begin with a space are not wrapped
+  std::string completeHelpCommand;  ///< empty if this is the complete help
 };
 
 /// Formats a page of help.
@@ -33,6 +33,6 @@ struct HelpPage {
 std::string helpText(const HelpPage& page, bool all, int width);
 
 /// Puts the first letter in lower case, unless the first word is an abbreviation.
-std::string sentenceCase(std::string text);
+std::string withSmallInitial(std::string text);
 
-}  // namespace cli
+}  // namespace sillon::cli

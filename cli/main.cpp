@@ -24,7 +24,7 @@ namespace {
   try {
     if (const std::exception_ptr problem = std::current_exception()) std::rethrow_exception(problem);
   } catch (const std::bad_alloc&) {
-    std::_Exit(cli::endWithoutMemory());
+    std::_Exit(sillon::cli::endWithoutMemory());
   } catch (...) {  // continue as without this handler
   }
   std::abort();
@@ -45,7 +45,7 @@ void prepareConsole() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::keepFreedMemory();
+  sillon::cli::keepFreedMemory();
   std::set_terminate(onTerminate);
 #if defined(_WIN32)
   prepareConsole();
@@ -57,9 +57,9 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the shell allows becomes an error of writing
 #endif
   try {
-    return cli::runCommandLine(argc, argv);
+    return sillon::cli::runCommandLine(argc, argv);
   } catch (const std::bad_alloc&) {
-    return cli::endWithoutMemory();
+    return sillon::cli::endWithoutMemory();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "sillon: internal error: %s; please report it\n", error.what());
     return 1;

@@ -13,7 +13,7 @@
 #include <windows.h>
 #endif
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
@@ -59,4 +59,4 @@ double freeMemory() {
   return std::max(0.0, least);
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

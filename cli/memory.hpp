@@ -7,7 +7,7 @@
 #include <malloc.h>
 #endif
 
-namespace cli {
+namespace sillon::cli {
 
 /// Keeps freed blocks in the process. By default glibc returns blocks above 32 MB at once, and the kernel must clear
 /// their pages anew for every stage: a third of the whole time, measured on 16 million cells.
@@ -26,4 +26,4 @@ double freeMemory();
 /// which raise the peak from 120 to 140 bytes per cell (2 million cells, 280 mm at 0.4 mm).
 inline double memoryForPlates() { return 0.8 * freeMemory(); }
 
-}  // namespace cli
+}  // namespace sillon::cli

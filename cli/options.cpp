@@ -3,25 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 #include "threads.hpp"
 #include "words.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
-
-using sillon::ChoiceField;
-using sillon::Field;
-using sillon::Level;
-using sillon::Project;
-using sillon::Section;
-using sillon::Setting;
-using sillon::SettingType;
-using sillon::Vec2;
 
 /// Returns the name of a setting's value in help: "MM", "N", "up|bed|both".
 std::string valueName(const Setting& row) {
@@ -62,7 +51,7 @@ struct SetField {
   }
 
   void choice() const {
-    const std::vector<std::string> words = sillon::splitWords(row.choices);
+    const std::vector<std::string> words = splitWords(row.choices);
     const auto found = std::find(words.begin(), words.end(), text);
     if (found == words.end()) refuse(option, text, listed(words));
     sillon::choose(field, found - words.begin());
@@ -93,13 +82,13 @@ std::string listed(const std::vector<std::string>& words) {
 }
 
 Options::Options(CLI::App& app, HelpPage& page, const char* common)
-    : app_(app), page_(page), common_(sillon::splitWords(common)) {}
+    : app_(app), page_(page), common_(splitWords(common)) {}
 
 void Options::row(const std::string& names, const std::string& unit, const std::string& help,
                   std::vector<ValueHelp> values) {
   const bool common = std::find(common_.begin(), common_.end(), longName(names)) != common_.end();
   page_.rows.push_back(
-      {group_, names + (unit.empty() ? "" : " " + unit), sentenceCase(help), std::move(values), common});
+      {group_, names + (unit.empty() ? "" : " " + unit), withSmallInitial(help), std::move(values), common});
 }
 
 void Options::file(const std::string& name, const std::string& help, std::string& path, bool required) {
@@ -190,7 +179,7 @@ void Options::change(const std::string& name, const std::string& unit, const std
 }
 
 void Options::setting(const Setting& row, std::vector<Change>& changes) {
-  const sillon::SettingWords words = sillon::wordsOf(row);
+  const SettingWords words = wordsOf(row);
   const std::string name = words.option;
   if (row.type == SettingType::Flag) {
     app_.add_flag_callback(name, [&changes, &row] {
@@ -203,7 +192,7 @@ void Options::setting(const Setting& row, std::vector<Change>& changes) {
     return;
   }
   Project defaults;
-  const std::string standard = sillon::settingText(row, defaults);
+  const std::string standard = settingText(row, defaults);
   change(name, valueName(row), words.help + (standard.empty() ? std::string() : " [" + standard + "]"), changes,
          [&row, name](const std::string& text) {
            Project scratch;
@@ -219,7 +208,7 @@ void Options::settings(std::vector<Change>& changes, const std::function<bool(co
   for (const bool experts : {false, true}) {
     for (const Setting& row : sillon::settings()) {
       if (!wanted(row) || (row.level == Level::Expert) != experts) continue;
-      const char* option = sillon::wordsOf(row).option;
+      const char* option = wordsOf(row).option;
       if (*option == '\0' || app_.get_option_no_throw(option) != nullptr) continue;
       group(experts ? "For experts" : groupOf(row.section));
       setting(row, changes);
@@ -272,4 +261,4 @@ void setField(const Setting& row, Project& project, const std::string& option, c
   std::visit(SetField{row, field, option, text}, field);
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

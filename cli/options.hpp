@@ -16,10 +16,10 @@ class App;
 class Option;
 }  // namespace CLI
 
-namespace cli {
+namespace sillon::cli {
 
 /// Change that an option makes to the project; returns an error, or an empty string.
-using Change = std::function<std::string(sillon::Project&)>;
+using Change = std::function<std::string(Project&)>;
 
 /// Adds options to the command line, in the order of the help.
 class Options {
@@ -75,7 +75,7 @@ class Options {
 
   /// Adds options of the table of settings, except those that exist already.
   /// \param wanted  tells whether a setting belongs to the command.
-  void settings(std::vector<Change>& changes, const std::function<bool(const sillon::Setting&)>& wanted);
+  void settings(std::vector<Change>& changes, const std::function<bool(const Setting&)>& wanted);
 
   void threads(int& out);
   void previewWidth(int& out);
@@ -96,7 +96,7 @@ class Options {
  private:
   [[noreturn]] static void refuseWord(const std::string& name, const std::string& text,
                                       const std::vector<std::string>& words);
-  void setting(const sillon::Setting& row, std::vector<Change>& changes);
+  void setting(const Setting& row, std::vector<Change>& changes);
   void row(const std::string& names, const std::string& unit, const std::string& help,
            std::vector<ValueHelp> values = {});
 
@@ -107,9 +107,9 @@ class Options {
 };
 
 /// Assigns a word of the command line to the field of a setting; throws by refuse().
-void setField(const sillon::Setting& row, sillon::Project& project, const std::string& option, const std::string& text);
+void setField(const Setting& row, Project& project, const std::string& option, const std::string& text);
 
 /// Joins words to "a, b or c".
 std::string listed(const std::vector<std::string>& words);
 
-}  // namespace cli
+}  // namespace sillon::cli

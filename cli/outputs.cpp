@@ -15,12 +15,10 @@
 #include "assemble.hpp"
 #include "findings.hpp"
 #include "previews.hpp"
-#include "sillon/export/base_solid.hpp"
-#include "sillon/export/gcode_archive.hpp"
-#include "sillon/export/svg_drawing.hpp"
-#include "sillon/look/conflict.hpp"
-#include "sillon/look/spools.hpp"
-#include "sillon/look/view_file.hpp"
+#include "sillon/export/export.hpp"
+#include "sillon/look/appearance.hpp"
+#include "sillon/look/inversion.hpp"
+#include "sillon/look/preview.hpp"
 #include "sillon/report/report.hpp"
 #include "words.hpp"
 
@@ -33,13 +31,8 @@
 #include <psapi.h>
 #endif
 
-namespace cli {
+namespace sillon::cli {
 namespace {
-
-using sillon::Error;
-using sillon::ErrorCode;
-using sillon::Measures;
-using sillon::Result;
 
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))
@@ -77,28 +70,28 @@ std::int64_t peakBytes() {
 
 /// Returns the colour of the chosen spool if it is one of the user's own.
 std::optional<std::array<std::uint8_t, 3>> colourOf(const PictureOptions& options) {
-  const sillon::Spool* own = ownSpool(options);
+  const Spool* own = ownSpool(options);
   return own == nullptr ? std::nullopt : std::optional(own->colour);
 }
 
 /// Writes the G-code of a plate and checks it.
-Result<std::string> gcodeText(Job& job, const sillon::RunContext& run) {
+Result<std::string> gcodeText(Job& job, const RunContext& run) {
   std::string text;
   const auto keep = [&text](std::string_view piece) {
     text += piece;
     return true;
   };
-  if (const auto error = sillon::writePlateGcode(job.plate, {job.date, colourOf(job.pictureOptions)}, keep, run)) {
+  if (const auto error = writePlateGcode(job.plate, {job.date, colourOf(job.pictureOptions)}, keep, run)) {
     return *error;
   }
-  if (const auto error = sillon::checkPlateGcode(job.plate, text, run)) return *error;
+  if (const auto error = checkPlateGcode(job.plate, text, run)) return *error;
   return text;
 }
 
 /// Renders each picture under its lamp, or a plate without pictures under one lamp.
-Result<std::vector<OutputFile>> previews(const Job& job, const OutputPaths& paths, const sillon::RunContext& run) {
-  const sillon::Plate& plate = job.plate;
-  std::vector<sillon::LookParams> looks;
+Result<std::vector<OutputFile>> previews(const Job& job, const OutputPaths& paths, const RunContext& run) {
+  const Plate& plate = job.plate;
+  std::vector<LookParams> looks;
   for (std::size_t k = 0; k < std::max<std::size_t>(1, plate.pictures().shown.size()); ++k) {
     looks.push_back(previewLook(job.pictureOptions, plate.project, plate.pictures(), k));
   }
@@ -106,13 +99,13 @@ Result<std::vector<OutputFile>> previews(const Job& job, const OutputPaths& path
 }
 
 /// Adds a picture for each of the plate's pictures that shows which tones the others take from it.
-std::optional<Error> addConflicts(const sillon::Plate& plate, const std::string& path, std::vector<OutputFile>& files) {
+std::optional<Error> addConflicts(const Plate& plate, const std::string& path, std::vector<OutputFile>& files) {
   constexpr int kSide = 800;  // [pixels]
-  const sillon::PlatePictures& pictures = plate.pictures();
-  const sillon::PictureConflict conflict =
-      sillon::conflictOf(plate.input.directions, pictures.shown, pictures.roughness, pictures.level);
+  const PlatePictures& pictures = plate.pictures();
+  const PictureConflict conflict =
+      conflictOf(plate.input.directions, pictures.shown, pictures.roughness, pictures.level);
   for (std::size_t k = 0; k < pictures.shown.size(); ++k) {
-    Result<std::string> png = pngFile(sillon::conflictImage(conflict, k, pictures.shown[k].tones, kSide));
+    Result<std::string> png = pngFile(conflictImage(conflict, k, pictures.shown[k].tones, kSide));
     if (!png) return png.error();
     files.push_back({previewName(path, k), std::move(png).value()});
   }
@@ -125,14 +118,30 @@ std::string durationText(double seconds) {
   return minutes < 60 ? print("%lld min", minutes) : print("%lld h %02lld min", minutes / 60, minutes % 60);
 }
 
-}  // namespace
-
-namespace {
-
 std::string sizeText(std::size_t bytes) {
   const auto size = static_cast<double>(bytes);
   if (size < 1e3) return print("%.0f bytes", size);
   return size < 1e6 ? print("%.1f kB", size / 1e3) : print("%.1f MB", size / 1e6);
+}
+
+/// Packs the G-code into the kind of file that its name asks for.
+Result<std::string> packed(std::string gcode, const OutputPaths& paths) {
+  if (paths.container.empty()) return packedAs(paths.gcode, std::move(gcode));
+  const bool package = endsWith(paths.gcode, ".gcode.3mf");
+  const bool binary = endsWith(paths.gcode, ".bgcode");
+  Result<std::string> bytes = readFile(paths.container, "file of a slicer", kMaxInputBytes);
+  if (!bytes) return bytes.error();
+  const Result<GcodeContainer> container = readGcodeContainer(std::move(bytes).value());
+  if (!container) return container.error();
+  const auto kind = package  ? GcodeContainerKind::Package3mf
+                    : binary ? GcodeContainerKind::Binary
+                             : GcodeContainerKind::Text;
+  if (kind == GcodeContainerKind::Text || container.value().kind != kind) {
+    return Error{ErrorCode::InvalidArgument, "--container " + paths.container + " and --gcode " + paths.gcode +
+                                                 " must both be .gcode.3mf or both .bgcode"};
+  }
+  if (container.value().plates > 1) return severalPlates(paths.container, container.value().plates);
+  return writeGcodeContainer(container.value(), std::move(gcode));
 }
 
 }  // namespace
@@ -173,9 +182,9 @@ std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictu
 }
 
 Result<std::string> packedAs(const std::string& path, std::string gcode) {
-  if (endsWith(path, ".gcode.3mf")) return sillon::packGcode(gcode);
-  if (endsWith(path, ".bgcode")) return sillon::packBinaryGcode(gcode);
-  if (endsWith(path, ".gz")) return sillon::gzipGcode(gcode);
+  if (endsWith(path, ".gcode.3mf")) return packGcode(gcode);
+  if (endsWith(path, ".bgcode")) return packBinaryGcode(gcode);
+  if (endsWith(path, ".gz")) return gzipGcode(gcode);
   if (endsWith(path, ".3mf")) {
     return Error{ErrorCode::InvalidArgument,
                  "\"" + path + "\" would be taken for a model; G-code in a 3MF must end in .gcode.3mf"};
@@ -183,9 +192,9 @@ Result<std::string> packedAs(const std::string& path, std::string gcode) {
   return gcode;
 }
 
-std::optional<Error> packageProblem(const std::string& path, sillon::GcodeFlavor flavor, const std::string& command,
+std::optional<Error> packageProblem(const std::string& path, GcodeFlavor flavor, const std::string& command,
                                     const std::string& container) {
-  if (!endsWith(path, ".gcode.3mf") || flavor == sillon::GcodeFlavor::Bambu) return std::nullopt;
+  if (!endsWith(path, ".gcode.3mf") || flavor == GcodeFlavor::Bambu) return std::nullopt;
   const std::string donor = container.empty() ? "your.gcode.3mf" : container;
   const bool plate = command == "generate";
   return Error{
@@ -197,34 +206,10 @@ std::optional<Error> packageProblem(const std::string& path, sillon::GcodeFlavor
           (plate ? " --gcode " : " -o ") + path + (plate ? " --container " + donor : "") + "\""};
 }
 
-namespace {
-
-/// Packs the G-code into the kind of file that its name asks for.
-Result<std::string> packed(std::string gcode, const OutputPaths& paths) {
-  if (paths.container.empty()) return packedAs(paths.gcode, std::move(gcode));
-  const bool package = endsWith(paths.gcode, ".gcode.3mf");
-  const bool binary = endsWith(paths.gcode, ".bgcode");
-  Result<std::string> bytes = readFile(paths.container, "file of a slicer", kMaxInputBytes);
-  if (!bytes) return bytes.error();
-  const Result<sillon::GcodeContainer> container = sillon::readGcodeContainer(std::move(bytes).value());
-  if (!container) return container.error();
-  const auto kind = package  ? sillon::GcodeContainerKind::Package3mf
-                    : binary ? sillon::GcodeContainerKind::Binary
-                             : sillon::GcodeContainerKind::Text;
-  if (kind == sillon::GcodeContainerKind::Text || container.value().kind != kind) {
-    return Error{ErrorCode::InvalidArgument, "--container " + paths.container + " and --gcode " + paths.gcode +
-                                                 " must both be .gcode.3mf or both .bgcode"};
-  }
-  if (container.value().plates > 1) return severalPlates(paths.container, container.value().plates);
-  return sillon::writeGcodeContainer(container.value(), std::move(gcode));
-}
-
-}  // namespace
-
-Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run) {
+Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const RunContext& run) {
   std::vector<OutputFile> files;
-  const sillon::Plate& plate = job.plate;
-  const sillon::Project& project = plate.project;
+  const Plate& plate = job.plate;
+  const Project& project = plate.project;
   if (!paths.gcode.empty()) {
     Result<std::string> text = gcodeText(job, run);
     if (!text) return text.error();
@@ -234,7 +219,7 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
     run.report(paths.preview.empty() ? 1 : 0.25);
   }
   if (!paths.svg.empty()) {
-    Result<std::string> svg = sillon::toolpathSvg(plate.toolpath(), plate.input.shape.page);
+    Result<std::string> svg = toolpathSvg(plate.toolpath(), plate.input.shape.page);
     if (!svg) return svg.error();
     files.push_back({paths.svg, std::move(svg).value()});
   }
@@ -247,16 +232,16 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
     if (const auto error = addConflicts(plate, paths.conflict, files)) return *error;
   }
   if (!paths.view.empty()) {
-    const sillon::LookParams look = previewLook(job.pictureOptions, project, plate.pictures(), 0);
-    const auto view = sillon::viewFile(plate.toolpath(), plate.input.shape.page, {look.colour, look.roughness});
+    const LookParams look = previewLook(job.pictureOptions, project, plate.pictures(), 0);
+    const auto view = viewFile(plate.toolpath(), plate.input.shape.page, {look.colour, look.roughness});
     if (!view) return view.error();
     files.push_back({paths.view, std::string(view.value().begin(), view.value().end())});
   }
   if (!paths.body.empty()) {
-    const auto mesh = sillon::baseBody(plate.input.shape, project.printer, project.print);
+    const auto mesh = baseBody(plate.input.shape, project.printer, project.print);
     if (mesh) {
       const bool zipped = endsWith(paths.body, ".3mf");
-      Result<std::string> bytes = zipped ? sillon::write3mf(mesh.value()) : sillon::writeStl(mesh.value());
+      Result<std::string> bytes = zipped ? write3mf(mesh.value()) : writeStl(mesh.value());
       if (!bytes) return bytes.error();
       files.push_back({paths.body, std::move(bytes).value()});
     } else {
@@ -266,21 +251,21 @@ Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, 
   if (!paths.project.empty()) files.push_back({paths.project, projectFor(project, paths.project)});
   // The report comes last, so that its peak of memory includes all other outputs.
   if (!paths.report.empty()) {
-    sillon::Report report = plate.report();
+    Report report = plate.report();
     report.peakBytes = peakBytes();
     files.push_back({paths.report, sillon::reportJson(report)});
   }
   return files;
 }
 
-std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& files) {
+std::string summary(const Plate& plate, const std::vector<OutputFile>& files) {
   const std::size_t toolpaths = plate.toolpath().cycles.size();
   double seconds = 0;
-  for (const sillon::StageTime& stage : plate.result.time) seconds += stage.seconds;
+  for (const StageTime& stage : plate.result.time) seconds += stage.seconds;
 
   std::string out = print("plate      %.2f x %.2f mm, spacing %g mm\n", plate.input.shape.page.x,
                           plate.input.shape.page.y, plate.toolpath().spacing);
-  for (const sillon::InputNote& note : plate.notes()) out += "note       " + note.message + "\n";
+  for (const InputNote& note : plate.notes()) out += "note       " + note.message + "\n";
   out += "toolpath   " + plural(plate.result.contourCycles, "cycle") + " joined to " + plural(toolpaths, "toolpath");
   if (plate.measures) out += print(", %.2f m", plate.measures->lengthMm / 1000);
   out += "\n";
@@ -291,7 +276,7 @@ std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& f
   }
   if (!plate.input.shape.kept.empty()) {
     double area = 0;
-    for (const sillon::ThinPlace& place : plate.input.shape.kept) area += place.areaMm2;
+    for (const ThinPlace& place : plate.input.shape.kept) area += place.areaMm2;
     out += print("kept       %.2f mm2 in %s narrower than a bead, widened to one\n", area,
                  plural(plate.input.shape.kept.size(), "place").c_str());
   }
@@ -306,15 +291,15 @@ std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& f
   }
   if (plate.delay) out += delayLine(*plate.delay);
   for (const OutputFile& file : files) out += "wrote      " + file.path + " (" + sizeText(file.bytes.size()) + ")\n";
-  const std::vector<sillon::Warning> warnings = plate.warnings();
-  for (const sillon::Warning& warning : warnings) {
+  const std::vector<Warning> warnings = plate.warnings();
+  for (const Warning& warning : warnings) {
     out += "warning    " + warning.message + "\n";
   }
   if (plate.gcode) {
-    for (const sillon::GcodeFinding& finding : plate.findings) {
+    for (const GcodeFinding& finding : plate.findings) {
       // Lines of the owner's start or end code are reported as warnings already, with their place in that code.
-      if (std::any_of(warnings.begin(), warnings.end(), [&finding](const sillon::Warning& warning) {
-            const sillon::NamedValue* what = warning.value("what");
+      if (std::any_of(warnings.begin(), warnings.end(), [&finding](const Warning& warning) {
+            const NamedValue* what = warning.value("what");
             return what != nullptr && what->text == finding.message;
           })) {
         continue;
@@ -326,4 +311,4 @@ std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& f
   return out;
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

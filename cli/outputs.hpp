@@ -11,7 +11,7 @@
 #include "sillon/job/plate.hpp"
 #include "sillon/settings/project.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
 /// File name of each output; empty if it is not wanted.
 struct OutputPaths {
@@ -29,14 +29,14 @@ struct OutputPaths {
 
 /// A finished plate, and further data for its outputs.
 struct Job {
-  sillon::Plate plate;
+  Plate plate;
   PictureOptions pictureOptions;
-  std::optional<sillon::Error> bodyRefused;  ///< why there is no body; the other outputs are made all the same
-  std::string date;                          ///< for line 1 of the G-code
+  std::optional<Error> bodyRefused;  ///< why there is no body; the other outputs are made all the same
+  std::string date;                  ///< for line 1 of the G-code
 };
 
 /// Returns the date of this run: from SOURCE_DATE_EPOCH [s] if set, otherwise from the clock.
-sillon::Result<std::string> runDate();
+Result<std::string> runDate();
 
 /// Returns the names of the outputs that are wanted.
 /// \param pictures  number of pictures; each has a preview.
@@ -44,18 +44,18 @@ std::vector<std::string> outputNames(const OutputPaths& paths, std::size_t pictu
 
 /// Packs G-code by the ending of `path`: .gcode.3mf, .bgcode, .gz, otherwise plain text.
 /// \return InvalidArgument for a .3mf that would be taken for a model; TooLarge from packing.
-sillon::Result<std::string> packedAs(const std::string& path, std::string gcode);
+Result<std::string> packedAs(const std::string& path, std::string gcode);
 
 /// Refuses a .gcode.3mf for a printer that cannot read it.
 /// \param command  command that would make it: "generate", "calibrate flow".
 /// \param container  file from the slicer; empty if none is given.
-std::optional<sillon::Error> packageProblem(const std::string& path, sillon::GcodeFlavor flavor,
-                                            const std::string& command, const std::string& container = {});
+std::optional<Error> packageProblem(const std::string& path, GcodeFlavor flavor, const std::string& command,
+                                    const std::string& container = {});
 
 /// Makes all outputs. Fills job.bodyRefused, and the plate's facts about its G-code.
-sillon::Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const sillon::RunContext& run);
+Result<std::vector<OutputFile>> makeOutputs(Job& job, const OutputPaths& paths, const RunContext& run);
 
 /// Summarises a plate in a few lines for the terminal.
-std::string summary(const sillon::Plate& plate, const std::vector<OutputFile>& files);
+std::string summary(const Plate& plate, const std::vector<OutputFile>& files);
 
-}  // namespace cli
+}  // namespace sillon::cli

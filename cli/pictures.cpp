@@ -1,7 +1,6 @@
 #include "pictures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -9,18 +8,14 @@
 #include <fstream>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "files.hpp"
 #include "sillon/input/image_io.hpp"
-#include "sillon/look/spools.hpp"
 #include "sillon/settings/table.hpp"
 #include "words.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
-
-using sillon::Vec2;
 
 constexpr double kElevation = 45;  // default elevation of lamps [degrees]
 
@@ -39,9 +34,9 @@ std::optional<Vec2> lampOf(const std::string& text) {
 /// \param besides  further names for the message.
 /// \return an error, or an empty string
 std::string choose(const char* key, const std::string& word, const std::vector<std::string>& besides,
-                   sillon::Project& project) {
-  const sillon::Setting& row = *sillon::findSetting(sillon::Section::Pictures, key);
-  const std::vector<std::string> words = sillon::splitWords(row.choices);
+                   Project& project) {
+  const Setting& row = *findSetting(Section::Pictures, key);
+  const std::vector<std::string> words = splitWords(row.choices);
   const auto found = std::find(words.begin(), words.end(), word);
   if (found == words.end()) {
     std::string all = words.front();
@@ -49,8 +44,14 @@ std::string choose(const char* key, const std::string& word, const std::vector<s
     for (const std::string& other : besides) all += ", " + other;
     return std::string("--") + key + " is \"" + word + "\"; it must be one of " + all;
   }
-  sillon::choose(row.field(sillon::viewOf(project)), found - words.begin());
+  sillon::choose(row.field(viewOf(project)), found - words.begin());
   return "";
+}
+
+std::string likeness(const PictureMeasures& measures) {
+  char text[80];
+  std::snprintf(text, sizeof text, ": r %.3f, SSIM %.3f, contrast %.1f", measures.r, measures.ssim, measures.contrast);
+  return text;
 }
 
 }  // namespace
@@ -80,7 +81,7 @@ void addSpools(Options& options, PictureOptions& pictures) {
 }
 
 std::array<std::pair<const char*, double>, 3> lampSizes() {
-  return {{{"bulb", sillon::bulbSlope()}, {"softbox", sillon::softboxSlope()}, {"window", sillon::windowSlope()}}};
+  return {{{"bulb", bulbSlope()}, {"softbox", softboxSlope()}, {"window", windowSlope()}}};
 }
 
 std::string lampSizeRange() {
@@ -97,24 +98,24 @@ std::optional<double> lampSlopeOf(const std::string& size) {
   return parseNumber(size);
 }
 
-std::optional<sillon::Error> readOwnSpools(PictureOptions& options) {
+std::optional<Error> readOwnSpools(PictureOptions& options) {
   if (options.spoolsFile.empty()) return std::nullopt;
-  const sillon::Result<std::string> text = readFile(options.spoolsFile, "file of spools", kMaxSpoolsBytes);
+  const Result<std::string> text = readFile(options.spoolsFile, "file of spools", kMaxSpoolsBytes);
   if (!text) return text.error();
-  sillon::Result<std::vector<sillon::Spool>> read = sillon::readSpools(text.value());
-  if (!read) return sillon::Error{read.error().code, "\"" + options.spoolsFile + "\": " + read.error().message};
+  Result<std::vector<Spool>> read = readSpools(text.value());
+  if (!read) return Error{read.error().code, "\"" + options.spoolsFile + "\": " + read.error().message};
   options.ownSpools = std::move(read).value();
   return std::nullopt;
 }
 
-const sillon::Spool* ownSpool(const PictureOptions& options) {
-  for (const sillon::Spool& spool : options.ownSpools) {
+const Spool* ownSpool(const PictureOptions& options) {
+  for (const Spool& spool : options.ownSpools) {
     if (options.spool == spool.key) return &spool;
   }
   return nullptr;
 }
 
-std::string applyPictures(const PictureOptions& options, sillon::Project& project) {
+std::string applyPictures(const PictureOptions& options, Project& project) {
   std::vector<std::optional<Vec2>> lamps;
   for (const std::string& text : options.lamps) {
     lamps.push_back(lampOf(text));
@@ -133,13 +134,13 @@ std::string applyPictures(const PictureOptions& options, sillon::Project& projec
   if (!options.spoolsFile.empty() && !options.spool) {
     return "--spools is \"" + options.spoolsFile + "\", but no --spool is given; it must name one";
   }
-  if (const sillon::Spool* own = ownSpool(options)) {
-    const bool bed = project.print.showSide == sillon::ShowSide::Bed;
-    const sillon::Roughness slopes = sillon::roughnessOf(*own, project.printer.nozzle, bed);
+  if (const Spool* own = ownSpool(options)) {
+    const bool bed = project.print.showSide == ShowSide::Bed;
+    const Roughness slopes = sillon::roughnessOf(*own, project.printer.nozzle, bed);
     project.pictures.slopes = Vec2{slopes.along, slopes.across};
   } else if (options.spool) {
     std::vector<std::string> own;
-    for (const sillon::Spool& spool : options.ownSpools) own.push_back(spool.key);
+    for (const Spool& spool : options.ownSpools) own.push_back(spool.key);
     if (std::string problem = choose("spool", *options.spool, own, project); !problem.empty()) return problem;
     project.pictures.slopes.reset();  // removes the slopes of an own spool
   }
@@ -149,13 +150,13 @@ std::string applyPictures(const PictureOptions& options, sillon::Project& projec
   }
   if (options.smoothness) project.pictures.smoothness = *options.smoothness;
   if (options.localContrast) project.pictures.localContrast = *options.localContrast;
-  const std::size_t count = sillon::groundPictures(project.layers).size();
+  const std::size_t count = groundPictures(project.layers).size();
   if (lamps.size() > std::max<std::size_t>(1, count)) {
     return "--lamp is given " + plural(lamps.size(), "time") + " for " + plural(count, "picture") +
            "; give at most one for each picture";
   }
   for (std::size_t k = 0; k < std::min(lamps.size(), count); ++k) {
-    project.layers[0].as<sillon::PictureLayer>()->pictures[k].lamp = lamps[k];
+    project.layers[0].as<PictureLayer>()->pictures[k].lamp = lamps[k];
   }
   return "";
 }
@@ -170,13 +171,13 @@ bool looksLikePicture(const std::string& path) {
   std::array<char, 32> head{};
   std::ifstream in(pathOf(path), std::ios::binary);
   in.read(head.data(), head.size());
-  return sillon::beginsLikePicture({reinterpret_cast<const std::uint8_t*>(head.data()), sillon::toSize(in.gcount())});
+  return beginsLikePicture({reinterpret_cast<const std::uint8_t*>(head.data()), sillon::toSize(in.gcount())});
 }
 
-sillon::LookParams previewLook(const PictureOptions& options, const sillon::Project& project,
-                               const sillon::PlatePictures& pictures, std::size_t picture) {
-  sillon::LookParams look = sillon::lookOf(project, pictures, picture);
-  if (const sillon::Spool* own = ownSpool(options)) look.colour = own->colour;
+LookParams previewLook(const PictureOptions& options, const Project& project, const PlatePictures& pictures,
+                       std::size_t picture) {
+  LookParams look = sillon::lookOf(project, pictures, picture);
+  if (const Spool* own = ownSpool(options)) look.colour = own->colour;
   if (picture < pictures.shown.size() || options.lamps.empty()) return look;
   const Vec2 lamp = lampOf(options.lamps[0]).value_or(Vec2{look.lamp.azimuth, look.lamp.elevation});
   look.lamp.azimuth = lamp.x;
@@ -194,21 +195,11 @@ std::string cutOffNote(double leftOut) {
   return text;
 }
 
-namespace {
-
-std::string likeness(const sillon::PictureMeasures& measures) {
-  char text[80];
-  std::snprintf(text, sizeof text, ": r %.3f, SSIM %.3f, contrast %.1f", measures.r, measures.ssim, measures.contrast);
-  return text;
-}
-
-}  // namespace
-
-std::string pictureLines(const sillon::Plate& plate) {
-  const sillon::PlatePictures& pictures = plate.pictures();
+std::string pictureLines(const Plate& plate) {
+  const PlatePictures& pictures = plate.pictures();
   std::string out;
   for (std::size_t k = 0; k < pictures.shown.size(); ++k) {
-    const sillon::ShownPicture& shown = pictures.shown[k];
+    const ShownPicture& shown = pictures.shown[k];
     char text[160];
     std::snprintf(text, sizeof text, " under a lamp at %.0f degrees, %.0f high%s", shown.lamp.azimuth,
                   shown.lamp.elevation, pictures.chosen[k] ? " (chosen)" : "");
@@ -219,13 +210,13 @@ std::string pictureLines(const sillon::Plate& plate) {
     if (!note.empty()) out += "note       " + note + "\n";
   }
   for (std::size_t k = pictures.shown.size(); k < plate.shown.size(); ++k) {
-    const sillon::JudgedPicture& one = plate.shown[k];
+    const JudgedPicture& one = plate.shown[k];
     char text[160];
     std::snprintf(text, sizeof text, " in layer %zu under a lamp at %.0f degrees, %.0f high", one.layer,
                   one.lamp.azimuth, one.lamp.elevation);
     out += "picture    " + one.file + text + likeness(one.measures) + "\n";
   }
-  if (!pictures.shown.empty() && pictures.contrast < sillon::kWeakContrast) {
+  if (!pictures.shown.empty() && pictures.contrast < kWeakContrast) {
     char text[160];
     std::snprintf(text, sizeof text,
                   "note       this spool under this lamp shows white only %.1f times as bright as black\n",
@@ -235,4 +226,4 @@ std::string pictureLines(const sillon::Plate& plate) {
   return out;
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -10,12 +10,12 @@
 #include "options.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/job/plate.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/quality/metrics.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
 /// Options as given; lamps belong to pictures in order.
 struct PictureOptions {
@@ -23,8 +23,8 @@ struct PictureOptions {
   std::vector<std::string> lamps;       ///< "AZ" or "AZ,EL"; if fewer than files, the other lamps are chosen
   std::optional<std::string> lampSize;  ///< "bulb", "softbox", "window" or a slope
   std::optional<std::string> spool;
-  std::string spoolsFile;                ///< file of the user's own spools; empty if none
-  std::vector<sillon::Spool> ownSpools;  ///< contents of spoolsFile, once it is read
+  std::string spoolsFile;        ///< file of the user's own spools; empty if none
+  std::vector<Spool> ownSpools;  ///< contents of spoolsFile, once it is read
   std::optional<std::string> proportions;
   std::optional<double> smoothness;
   std::optional<double> localContrast;
@@ -45,27 +45,27 @@ std::string lampSizeRange();
 void addSpools(Options& options, PictureOptions& pictures);
 
 /// Reads the file of own spools, if one is named. \return its error, or nothing.
-std::optional<sillon::Error> readOwnSpools(PictureOptions& options);
+std::optional<Error> readOwnSpools(PictureOptions& options);
 
 /// Returns the own spool that is chosen; null if none is, or if the chosen one comes with the program.
-const sillon::Spool* ownSpool(const PictureOptions& options);
+const Spool* ownSpool(const PictureOptions& options);
 
 /// Applies the options to a project: pictures replace its own and its directions; lamps alone move those of its own
 /// pictures.
 /// \return an error, or an empty string.
-std::string applyPictures(const PictureOptions& options, sillon::Project& project);
+std::string applyPictures(const PictureOptions& options, Project& project);
 
 /// Tells whether a file is a picture, not a scene, by its name or its first bytes.
 bool looksLikePicture(const std::string& path);
 
 /// Returns the look of the preview: that of sillon::lookOf(), but under the first given lamp if there is no picture.
-sillon::LookParams previewLook(const PictureOptions& options, const sillon::Project& project,
-                               const sillon::PlatePictures& pictures, std::size_t picture);
+LookParams previewLook(const PictureOptions& options, const Project& project, const PlatePictures& pictures,
+                       std::size_t picture);
 
 /// Returns a note on a picture of which this share is cut off; empty if the share is small.
 std::string cutOffNote(double leftOut);
 
 /// Returns the lines of the summary about a plate's pictures.
-std::string pictureLines(const sillon::Plate& plate);
+std::string pictureLines(const Plate& plate);
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -6,54 +6,47 @@
 #include <utility>
 
 #include "sillon/input/image_io.hpp"
-#include "sillon/look/loop.hpp"
+#include "sillon/look/preview.hpp"
 #include "webp.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
-using sillon::Error;
-using sillon::ErrorCode;
-using sillon::LookParams;
-using sillon::Result;
-using sillon::RgbImage;
-
 constexpr int kUsualWidth = 1600;    // default width of a panel [pixels]
-constexpr int kMostLoopSide = 1024;  // limit of sillon::renderLook() [pixels]
+constexpr int kMostLoopSide = 1024;  // limit of renderLook() [pixels]
 
 bool moves(const std::string& path) { return endsWith(path, ".webp"); }
 
-Result<std::string> previewPng(const sillon::Toolpath& toolpath, sillon::Vec2 page, const LookParams& look, int width,
-                               const sillon::RunContext& run) {
-  const auto picture = sillon::renderPreview(toolpath, page, {width, look}, run);
+Result<std::string> previewPng(const Toolpath& toolpath, Vec2 page, const LookParams& look, int width,
+                               const RunContext& run) {
+  const auto picture = renderPreview(toolpath, page, {width, look}, run);
   if (!picture) return picture.error();
   return pngFile(picture.value());
 }
 
 /// Encodes the look under moving light. \param side  longer side [pixels].
-Result<std::string> loopFile(const sillon::Toolpath& toolpath, sillon::Vec2 page, const std::vector<LookParams>& looks,
-                             int side, const sillon::RunContext& run) {
+Result<std::string> loopFile(const Toolpath& toolpath, Vec2 page, const std::vector<LookParams>& looks, int side,
+                             const RunContext& run) {
   const auto pixels = [&](double length) {
     return std::max(16, static_cast<int>(std::lround(side * length / std::max(page.x, page.y))));
   };
-  std::vector<sillon::Lamp> lamps;
+  std::vector<Lamp> lamps;
   for (const LookParams& look : looks) lamps.push_back(look.lamp);
   std::vector<WebpFrame> frames;
-  for (const sillon::LoopFrame& frame : sillon::loopFrames(lamps)) {
+  for (const LoopFrame& frame : loopFrames(lamps)) {
     LookParams look = looks.front();
     look.lamp = frame.lamp;
-    Result<RgbImage> picture = sillon::renderLook(toolpath, page, pixels(page.x), pixels(page.y), look, run);
+    Result<RgbImage> picture = renderLook(toolpath, page, pixels(page.x), pixels(page.y), look, run);
     if (!picture) return picture.error();
     frames.push_back({std::move(picture).value(), frame.milliseconds});
   }
   // A quality applies to the whole loop, because frames of different quality would flicker.
-  for (const int quality : sillon::loopQualities()) {
+  for (const int quality : loopQualities()) {
     Result<std::string> bytes = encodeWebp(frames, quality, run);
-    if (!bytes || bytes.value().size() <= sillon::toSize(sillon::loopBytes())) return bytes;
+    if (!bytes || bytes.value().size() <= sillon::toSize(loopBytes())) return bytes;
   }
   return Error{ErrorCode::TooLarge, "a moving picture " + std::to_string(side) + " pixels large takes more than " +
-                                        std::to_string(sillon::loopBytes()) +
-                                        " bytes; choose a smaller --preview-width"};
+                                        std::to_string(loopBytes()) + " bytes; choose a smaller --preview-width"};
 }
 
 }  // namespace
@@ -84,12 +77,11 @@ std::optional<Error> previewProblem(const std::string& path, int width) {
                                                std::to_string(kMostLoopSide)};
 }
 
-Result<std::vector<OutputFile>> previewFiles(const std::string& path, const sillon::Toolpath& toolpath,
-                                             sillon::Vec2 page, const std::vector<LookParams>& looks, int width,
-                                             const sillon::RunContext& run) {
+Result<std::vector<OutputFile>> previewFiles(const std::string& path, const Toolpath& toolpath, Vec2 page,
+                                             const std::vector<LookParams>& looks, int width, const RunContext& run) {
   std::vector<OutputFile> files;
   if (moves(path)) {
-    Result<std::string> loop = loopFile(toolpath, page, looks, width > 0 ? width : sillon::loopSide(), run);
+    Result<std::string> loop = loopFile(toolpath, page, looks, width > 0 ? width : loopSide(), run);
     if (!loop) return loop.error();
     files.push_back({path, std::move(loop).value()});
     return files;
@@ -103,9 +95,9 @@ Result<std::vector<OutputFile>> previewFiles(const std::string& path, const sill
 }
 
 Result<std::string> pngFile(const RgbImage& image) {
-  const std::vector<std::uint8_t> png = sillon::encodePng(image.width, image.height, image.rgb);
+  const std::vector<std::uint8_t> png = encodePng(image.width, image.height, image.rgb);
   if (png.empty()) return Error{ErrorCode::TooLarge, "a picture needs more memory than there is"};
   return std::string(png.begin(), png.end());
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

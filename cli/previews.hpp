@@ -10,7 +10,7 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/look/preview.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
 /// Names the preview of a picture: "plate.png" for the first, "plate-2.png" for the second.
 std::string previewName(const std::string& path, std::size_t picture);
@@ -19,16 +19,15 @@ std::string previewName(const std::string& path, std::size_t picture);
 std::vector<std::string> previewNames(const std::string& path, std::size_t lights);
 
 /// Refuses, before the work begins, previews that cannot be made. \param width  see previewFiles()
-std::optional<sillon::Error> previewProblem(const std::string& path, int width);
+std::optional<Error> previewProblem(const std::string& path, int width);
 
 /// Renders the previews.
 /// \param looks  one for each light; not empty.
 /// \param width  width of each panel, or longer side of a moving picture [pixels]; 0 for the default.
-sillon::Result<std::vector<OutputFile>> previewFiles(const std::string& path, const sillon::Toolpath& toolpath,
-                                                     sillon::Vec2 page, const std::vector<sillon::LookParams>& looks,
-                                                     int width, const sillon::RunContext& run);
+Result<std::vector<OutputFile>> previewFiles(const std::string& path, const Toolpath& toolpath, Vec2 page,
+                                             const std::vector<LookParams>& looks, int width, const RunContext& run);
 
 /// Encodes a picture as PNG. \return TooLarge if memory runs out.
-sillon::Result<std::string> pngFile(const sillon::RgbImage& image);
+Result<std::string> pngFile(const RgbImage& image);
 
-}  // namespace cli
+}  // namespace sillon::cli

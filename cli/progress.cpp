@@ -6,7 +6,7 @@
 
 #include "terminal.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 constexpr int kCells = 30;
@@ -39,4 +39,4 @@ void ProgressBar::clear() {
   drawn_ = false;
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

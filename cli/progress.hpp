@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace cli {
+namespace sillon::cli {
 
 /// Draws a line on stderr if that is a terminal. The destructor removes the line.
 class ProgressBar {
@@ -25,4 +25,4 @@ class ProgressBar {
   std::chrono::steady_clock::time_point last_{};
 };
 
-}  // namespace cli
+}  // namespace sillon::cli

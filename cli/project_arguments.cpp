@@ -13,26 +13,11 @@
 #include "sillon/settings/table.hpp"
 #include "words.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
-using sillon::BuiltinShape;
-using sillon::Error;
-using sillon::ErrorCode;
-using sillon::Layer;
-using sillon::PerimeterMode;
-using sillon::ProfileKind;
-using sillon::Project;
-using sillon::Result;
-using sillon::RoundHole;
-using sillon::Section;
-using sillon::Setting;
-using sillon::Vec2;
-
 /// Returns the names of built-in shapes in the order of the enumerators; the first is "none".
-std::vector<std::string> builtinNames() {
-  return sillon::splitWords(sillon::findSetting(Section::Shape, "builtin")->choices);
-}
+std::vector<std::string> builtinNames() { return splitWords(findSetting(Section::Shape, "builtin")->choices); }
 
 /// Replaces the shape by a built-in one or a file, and resets the size, the holes and the way of reading.
 std::string setShape(Project& project, const std::string& text) {
@@ -87,7 +72,7 @@ void addHoles(Options& options, std::vector<Change>& changes) {
 
 /// Sets the size of the shape. \param size  y is 0 if only a width was given.
 std::string setSize(Project& project, Vec2 size, const std::string& text) {
-  const bool round = sillon::isRound(project.builtin);
+  const bool round = isRound(project.builtin);
   const bool square = round && size.y == size.x;
   if (size.y != 0 && !square && (!project.shapeFile.empty() || round)) {
     const std::string what = !project.shapeFile.empty()              ? "a shape from a file"
@@ -105,31 +90,31 @@ std::string setSize(Project& project, Vec2 size, const std::string& text) {
 
 /// Returns the lowest layer that fills the page; if there is none, one is added below all others.
 Layer& lowestOf(Project& project) {
-  if (sillon::groundOf(project.layers) == nullptr) project.layers.emplace(project.layers.begin());
+  if (groundOf(project.layers) == nullptr) project.layers.emplace(project.layers.begin());
   return project.layers[0];
 }
 
 /// Returns the lowest layer as a map.
-sillon::MapLayer& lowestMap(Project& project) {
+MapLayer& lowestMap(Project& project) {
   Layer& lowest = lowestOf(project);
-  if (lowest.kind() != sillon::LayerKind::Map) lowest.contents = sillon::MapLayer();
-  return *lowest.as<sillon::MapLayer>();
+  if (lowest.kind() != LayerKind::Map) lowest.contents = MapLayer();
+  return *lowest.as<MapLayer>();
 }
 
 /// Adds an option for a setting of one layer. \param find  returns that layer of a project.
 void layerSetting(Options& options, const char* key, std::vector<Change>& changes,
                   const std::function<Layer&(Project&)>& find) {
-  const Setting& row = *sillon::findSetting(Section::Layers, key);
-  const sillon::SettingWords words = sillon::wordsOf(row);
+  const Setting& row = *findSetting(Section::Layers, key);
+  const SettingWords words = wordsOf(row);
   const std::string option = words.option;
-  const std::vector<std::string> choices = sillon::splitWords(row.choices);
+  const std::vector<std::string> choices = splitWords(row.choices);
   options.change(option, "HOW", std::string(words.help) + ": " + listed(choices), changes,
                  [=, &row](const std::string& text) {
                    const auto found = std::find(choices.begin(), choices.end(), text);
                    if (found == choices.end()) refuse(option, text, listed(choices));
                    const std::size_t number = found - choices.begin();
                    return [number, find, &row](Project& project) {
-                     sillon::SettingsView view;
+                     SettingsView view;
                      view.layer = &find(project);
                      sillon::choose(row.field(view), number);
                      return std::string();
@@ -152,7 +137,7 @@ void addLowest(Options& options, std::vector<Change>& changes) {
   });
   options.change("--angle", "DEG", "one bead direction everywhere, counter-clockwise from the right [0]", changes,
                  [](const std::string& text) {
-                   sillon::DirectionLayer one;
+                   DirectionLayer one;
                    parseInto("--angle", text, one.angle);
                    return [one](Project& project) {
                      lowestOf(project).contents = one;
@@ -186,7 +171,7 @@ Result<Project> readProject(ProjectArguments& arguments) {
     project = std::move(scene).value();
   }
   if (const std::vector<std::string>& files = arguments.pictures.files; !files.empty()) {
-    sillon::PictureLayer pictures;
+    PictureLayer pictures;
     for (const std::string& file : files) pictures.pictures.push_back({file, std::nullopt});
     lowestOf(project).contents = pictures;
   }
@@ -196,11 +181,11 @@ Result<Project> readProject(ProjectArguments& arguments) {
       return Error{ErrorCode::InvalidArgument, std::move(problem)};
     }
   }
-  sillon::followAdvance(given, project);
+  followAdvance(given, project);
   if (std::string problem = applyPictures(arguments.pictures, project); !problem.empty()) {
     return Error{ErrorCode::InvalidArgument, std::move(problem)};
   }
-  if (auto wrong = sillon::invalidSettings(project)) return *std::move(wrong);
+  if (auto wrong = invalidSettings(project)) return *std::move(wrong);
   return project;
 }
 
@@ -268,11 +253,11 @@ void addPerimeters(Options& options, std::vector<Change>& changes) {
 
 void addToolpath(Options& options, std::vector<Change>& changes) {
   options.group("Toolpath");
-  options.change("--preset", "NAME", "named set of values: " + listed(sillon::presets()) + " [standard]", changes,
+  options.change("--preset", "NAME", "named set of values: " + listed(presets()) + " [standard]", changes,
                  [](const std::string& text) {
                    return [text](Project& project) {
-                     const std::string wrong = sillon::applyPreset(text, project.toolpath);
-                     return wrong.empty() ? wrong : "--preset: " + wrong;
+                     const auto wrong = applyPreset(text, project.toolpath);
+                     return wrong ? "--preset: " + wrong->message : std::string();
                    };
                  });
   addPerimeters(options, changes);
@@ -284,24 +269,24 @@ void addPrinter(Options& options, std::vector<Change>& changes) {
     return [text](Project& project) {
       project.printerProfile = text;
       // No profile knows these: the plate was made for the nozzle, and its look for a speed and a fan.
-      sillon::Printer printer;
+      Printer printer;
       printer.nozzle = project.printer.nozzle;
       printer.showSpeed = project.printer.showSpeed;
       printer.showFan = project.printer.showFan;
       project.printer = printer;
-      if (const std::string wrong = applyProfile(ProfileKind::Printer, text, project.printer); !wrong.empty()) {
-        return "--printer: " + wrong;
+      if (const auto wrong = applyProfile(ProfileKind::Printer, text, project.printer)) {
+        return "--printer: " + wrong->message;
       }
-      return project.filamentProfile.empty()
-                 ? std::string()
-                 : applyProfile(ProfileKind::Filament, project.filamentProfile, project.printer);
+      if (project.filamentProfile.empty()) return std::string();
+      const auto wrong = applyProfile(ProfileKind::Filament, project.filamentProfile, project.printer);
+      return wrong ? wrong->message : std::string();
     };
   });
   options.change("--filament", "ID", "filament that sillon filaments lists", changes, [](const std::string& text) {
     return [text](Project& project) {
       project.filamentProfile = text;
-      const std::string wrong = applyProfile(ProfileKind::Filament, text, project.printer);
-      return wrong.empty() ? wrong : "--filament: " + wrong;
+      const auto wrong = applyProfile(ProfileKind::Filament, text, project.printer);
+      return wrong ? "--filament: " + wrong->message : std::string();
     };
   });
   options.change("--bed", "WxH", "size of the bed in mm [220x220]", changes, [](const std::string& text) {
@@ -314,4 +299,4 @@ void addPrinter(Options& options, std::vector<Change>& changes) {
   });
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -10,7 +10,7 @@
 #include "sillon/job/plate.hpp"
 #include "sillon/settings/project.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
 struct ProjectArguments {
   std::string scene;  ///< JSON file; empty if only options are given
@@ -19,11 +19,11 @@ struct ProjectArguments {
   PictureOptions pictures;
   /// Mode of the border when pictures are given without a project. Beads along the border would frame the pictures in
   /// tones that they do not have.
-  sillon::PerimeterMode besidePictures = sillon::PerimeterMode::None;
+  PerimeterMode besidePictures = PerimeterMode::None;
 };
 
 /// Reads the scene, applies the options and checks the range of every field. Also reads the file of own spools.
-sillon::Result<sillon::Project> readProject(ProjectArguments& arguments);
+Result<Project> readProject(ProjectArguments& arguments);
 
 // Options that change the project, shared by several commands.
 void addShape(Options& options, std::vector<Change>& changes);
@@ -32,4 +32,4 @@ void addPerimeters(Options& options, std::vector<Change>& changes);
 void addToolpath(Options& options, std::vector<Change>& changes);
 void addPrinter(Options& options, std::vector<Change>& changes);
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -8,23 +8,19 @@
 #include <optional>
 
 #include "memory.hpp"
-#include "sillon/base/result.hpp"
 #include "threads.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
-
-using sillon::Error;
-using sillon::ErrorCode;
 
 constexpr const char* kCancelled = "cancelled; nothing was written";
 
-std::atomic<sillon::RunContext*> running{nullptr};
-static_assert(std::atomic<sillon::RunContext*>::is_always_lock_free, "used in a signal handler");
+std::atomic<RunContext*> running{nullptr};
+static_assert(std::atomic<RunContext*>::is_always_lock_free, "used in a signal handler");
 
 // Handles Ctrl-C: the first one asks the work to stop, the second one ends the program at once.
 extern "C" void cancelRun(int signal) {
-  if (sillon::RunContext* run = running.load()) run->requestCancel();
+  if (RunContext* run = running.load()) run->requestCancel();
   std::signal(signal, SIG_DFL);
 }
 
@@ -65,7 +61,7 @@ int answer(const std::string& text, int code) {
   return fail({ErrorCode::InvalidFile, std::string("stdout cannot be written: ") + std::strerror(errno)});
 }
 
-int commit(const sillon::Result<Outcome>& made, const Run& run) {
+int commit(const Result<Outcome>& made, const Run& run) {
   if (!run.context().cancelled() && !made) return fail(made.error());
   // From here on, finishing is faster than stopping.
   std::signal(SIGINT, SIG_IGN);
@@ -82,10 +78,10 @@ int commit(const sillon::Result<Outcome>& made, const Run& run) {
 
 int endWithoutMemory() {
   // Prints without making a string, which would take memory.
-  for (const auto& [code, text, unsaid] : sillon::errorHints()) {
+  for (const auto& [code, text, unsaid] : errorHints()) {
     if (std::strcmp(code, "OutOfMemory") == 0) std::fprintf(stderr, "sillon: out of memory; %s\n", text);
   }
   return 2;
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -16,7 +16,7 @@ EM_JS(int, nodeColumns, (), { return process.stdout.isTTY ? process.stdout.colum
 #include <io.h>
 #endif
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 /// Returns the width of the terminal; 0 if stdout is none.
@@ -52,4 +52,4 @@ int terminalWidth() {
   return columns <= 0 ? 80 : std::clamp(columns, 40, 100);
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

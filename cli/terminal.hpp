@@ -1,7 +1,7 @@
 // Queries the terminal: its presence and its width.
 #pragma once
 
-namespace cli {
+namespace sillon::cli {
 
 /// Tells whether stderr is a terminal.
 bool stderrIsTerminal();
@@ -9,4 +9,4 @@ bool stderrIsTerminal();
 /// Returns the width of help [characters]: from COLUMNS or the terminal, limited to 40..100; 80 if neither tells.
 int terminalWidth();
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <thread>
 
-namespace cli {
+namespace sillon::cli {
 
 constexpr int kMostThreads = 256;
 
@@ -22,4 +22,4 @@ inline int threadsOfMachine() {
   return threadsHere(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostThreads));
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -8,10 +8,10 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
 struct WebpFrame {
-  sillon::RgbImage picture;  ///< all pictures of a loop have one size
+  RgbImage picture;  ///< all pictures of a loop have one size
   int milliseconds = 0;
 };
 
@@ -20,7 +20,6 @@ bool writesWebp();
 /// Encodes an endless loop of whole frames, lossy. The bytes depend only on the frames and on libwebp's version.
 /// \param quality  0..100.
 /// \return TooLarge if memory runs out, or Cancelled.
-sillon::Result<std::string> encodeWebp(const std::vector<WebpFrame>& frames, int quality,
-                                       const sillon::RunContext& run);
+Result<std::string> encodeWebp(const std::vector<WebpFrame>& frames, int quality, const RunContext& run);
 
-}  // namespace cli
+}  // namespace sillon::cli

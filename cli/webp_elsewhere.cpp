@@ -1,12 +1,11 @@
 #include "webp.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
 bool writesWebp() { return false; }
 
-sillon::Result<std::string> encodeWebp(const std::vector<WebpFrame>& /*frames*/, int /*quality*/,
-                                       const sillon::RunContext& /*run*/) {
-  return sillon::Error{sillon::ErrorCode::Internal, "this build has no libwebp"};
+Result<std::string> encodeWebp(const std::vector<WebpFrame>& /*frames*/, int /*quality*/, const RunContext& /*run*/) {
+  return Error{ErrorCode::Internal, "this build has no libwebp"};
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -5,11 +5,8 @@
 
 #include "webp.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
-
-using sillon::Error;
-using sillon::ErrorCode;
 
 struct Writer : WebPMemoryWriter {
   Writer() : WebPMemoryWriter{} { WebPMemoryWriterInit(this); }
@@ -39,7 +36,7 @@ struct MuxDelete {
 Error outOfMemory() { return {ErrorCode::TooLarge, "a moving picture needs more memory than there is"}; }
 
 /// Encodes a frame as a file of its own. \return false if memory ran out.
-bool encode(const sillon::RgbImage& image, const WebPConfig& config, Writer& writer) {
+bool encode(const RgbImage& image, const WebPConfig& config, Writer& writer) {
   Picture picture;
   picture.width = image.width;
   picture.height = image.height;
@@ -52,8 +49,7 @@ bool encode(const sillon::RgbImage& image, const WebPConfig& config, Writer& wri
 
 bool writesWebp() { return true; }
 
-sillon::Result<std::string> encodeWebp(const std::vector<WebpFrame>& frames, int quality,
-                                       const sillon::RunContext& run) {
+Result<std::string> encodeWebp(const std::vector<WebpFrame>& frames, int quality, const RunContext& run) {
   WebPConfig config;
   if (WebPConfigPreset(&config, WEBP_PRESET_DEFAULT, static_cast<float>(quality)) == 0) {
     return Error{ErrorCode::Internal, "libwebp is of another version than its headers"};
@@ -81,4 +77,4 @@ sillon::Result<std::string> encodeWebp(const std::vector<WebpFrame>& frames, int
   return std::string(reinterpret_cast<const char*>(file.bytes), file.size);
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

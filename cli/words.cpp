@@ -3,9 +3,7 @@
 #include <CLI/Error.hpp>
 #include <cmath>
 
-namespace cli {
-
-using sillon::Vec2;
+namespace sillon::cli {
 
 void refuse(const std::string& option, const std::string& text, const std::string& wanted) {
   refuse(option + " is \"" + text + "\"; it must be " + wanted);
@@ -41,4 +39,4 @@ std::optional<Vec2> parsePair(const std::string& text, char separator) {
   return Vec2{*x, *y};
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

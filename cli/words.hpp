@@ -7,12 +7,11 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <type_traits>
 
 #include "sillon/base/types.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
 /// Throws an error that CLI11 reports as a parse error: OPTION is "TEXT"; it must be WANTED.
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& wanted);
@@ -30,7 +29,7 @@ requires std::is_integral_v<Integer> std::string plural(Integer count, const std
 std::optional<double> parseNumber(const std::string& text);
 
 /// Parses two numbers with a separator between them: "120x80", "10,20".
-std::optional<sillon::Vec2> parsePair(const std::string& text, char separator);
+std::optional<Vec2> parsePair(const std::string& text, char separator);
 
 /// Parses a number; throws by refuse().
 void parseInto(const std::string& option, const std::string& text, double& out);
@@ -56,4 +55,4 @@ void parseInto(const std::string& option, const std::string& text, Integer& out)
   out = static_cast<Integer>(negative ? Integer{0} - static_cast<Integer>(magnitude) : static_cast<Integer>(magnitude));
 }
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -160,15 +160,15 @@ sillon::ToolpathParams parametersOf(const sillon::Project& project, const char* 
 
 int main(int count, char** arguments) {
   if (count != 4) fail("usage: stages PROJECT.json SPACING FOLDER");
-  const sillon::Project project = need(cli::loadProject(arguments[1]));
+  const sillon::Project project = need(sillon::cli::loadProject(arguments[1]));
   const sillon::ToolpathParams params = parametersOf(project, arguments[2]);
-  const sillon::PlateInput input = need(cli::assemblePlate(project));
+  const sillon::PlateInput input = need(sillon::cli::assemblePlate(project));
   const std::string folder = arguments[3];
   const sillon::RunContext run;
   const Vec2 page = input.shape.page;
   const double spacing = params.spacing;
 
-  std::vector<cli::OutputFile> files;
+  std::vector<sillon::cli::OutputFile> files;
   const auto keep = [&](const char* name, const Picture& picture) {
     files.push_back({folder + "/" + name + ".png", picture.png()});
   };
@@ -307,7 +307,7 @@ int main(int count, char** arguments) {
   const std::vector<std::uint8_t> png = sillon::encodePng(look.width, look.height, look.rgb);
   files.push_back({folder + "/12-look.png", std::string(png.begin(), png.end())});
 
-  if (const auto error = cli::writeTogether(files)) fail(error->message);
+  if (const auto error = sillon::cli::writeTogether(files)) fail(error->message);
   std::printf("%zu pictures, %d cycles joined to %zu toolpath, %zu points\n", files.size(), contour.count(),
               toolpath.cycles.size(), toolpath.cycles.front().points.size());
 }

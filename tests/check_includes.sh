@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Keeps the walls between the rooms of core: a file includes its own room and those that its room's row names, and nothing
 # of files, consoles or browsers; a row names no room that nothing of it is included from; sillon.hpp includes all public
-# headers. Prints each breach as file:line; silent and 0 if there is none.
+# headers. An error names a reason. Prints each breach as file:line; silent and 0 if there is none.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -23,7 +23,7 @@ text: settings geometry input
 project: settings geometry input text
 pictures: geometry input look pipeline quality project
 gcode: settings geometry toolpath quality printer gcode_reader report
-calibrate: settings geometry look pipeline gcode
+calibrate: settings geometry input look pipeline gcode
 export: settings geometry input toolpath look gcode_reader gcode
 compose: settings geometry input look pipeline quality report text project pictures
 rebrush: settings geometry input look pipeline quality gcode_reader project compose
@@ -40,6 +40,19 @@ while read -r header; do
     broken=1
   fi
 done < <(cd core/include && find sillon/*/ -name '*.hpp' | sort)
+
+# An error without a reason is said in English whatever the language; base/refused.hpp makes those with one.
+find core/src wasm -path '*/node_modules' -prune -o -name '*.[ch]pp' -not -path 'core/src/base/*' -print | sort |
+  xargs awk '
+    { statement = statement $0 }
+    /[;{}]$/ {
+      if (statement ~ /(Error|return) ?\{[^=]*ErrorCode::/ && statement !~ /[rR]eason|warningName/) {
+        print FILENAME ":" FNR ": an error without a reason, see core/src/base/refused.hpp"
+        broken = 1
+      }
+      statement = ""
+    }
+    END { exit broken }' || broken=1
 
 # A public header that includes one of the source tree compiles here and nowhere else.
 if grep -rn '^#include "' core/include | grep -v '"sillon/'; then broken=1; fi

@@ -140,7 +140,7 @@ export const breaks = [
   },
   {
     promise: 'The library opens no files and no connections',
-    test: 'build/library_test.sh',
+    test: 'builds/library_test.sh',
     file: 'core/src/base/run_context.cpp',
     text: 'Error cancelledRun() { return {ErrorCode::Cancelled, "the run was cancelled"}; }',
     broken:

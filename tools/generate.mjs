@@ -132,6 +132,12 @@ function types(text) {
     const end = Math.min(...['\n}', '\n\n'].map((stop) => text.indexOf(stop, begin)).filter((at) => at > 0));
     text = text.slice(0, begin) + rows.map(typeRow).join('\n') + text.slice(end);
   }
+  const reasons = 'export type PlainReason =\n';
+  const begin = text.indexOf(reasons) + reasons.length;
+  const rows = Object.entries(words.reasons).map(
+    ([code, said]) => `  /** ${sentence(typeset(said))} */\n  | '${code}'`,
+  );
+  text = `${text.slice(0, begin)}${rows.join('\n')};${text.slice(text.indexOf('\n\n', begin))}`;
   return text.replace(/^(export type CalibrationKind = ).*;$/m, `$1${facts.calibrationKinds.map(quoted).join(' | ')};`);
 }
 

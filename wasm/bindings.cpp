@@ -2,41 +2,45 @@
 
 #include <emscripten/bind.h>
 
+namespace sillon::bindings {
+
 EMSCRIPTEN_BINDINGS(sillon) {
   using emscripten::function;
-  function("start", &bindings::start);
-  function("room", &bindings::room);
-  function("keptNumbers", &bindings::keptNumbers);
+  function("start", &start);
+  function("room", &room);
+  function("keptNumbers", &keptNumbers);
 
-  function("generateToolpath", &bindings::generateToolpath);
-  function("readShape", &bindings::readShape);
-  function("placeLayers", &bindings::placeLayers);
-  function("drawLayers", &bindings::drawLayers);
-  function("makeZones", &bindings::makeZones);
-  function("linesOfDrawing", &bindings::linesOfDrawing);
-  function("paintDrawing", &bindings::paintDrawing);
-  function("decodePicture", &bindings::decodePicture);
-  function("readProject", &bindings::readProject);
-  function("writeProject", &bindings::writeProject);
-  function("profiles", &bindings::profiles);
+  function("generateToolpath", &generateToolpath);
+  function("readShape", &readShape);
+  function("placeLayers", &placeLayers);
+  function("drawLayers", &drawLayers);
+  function("makeZones", &makeZones);
+  function("linesOfDrawing", &linesOfDrawing);
+  function("paintDrawing", &paintDrawing);
+  function("decodePicture", &decodePicture);
+  function("readProject", &readProject);
+  function("writeProject", &writeProject);
+  function("profiles", &profiles);
 
-  function("writeGcode", &bindings::writeGcode);
-  function("writeBaseBody", &bindings::writeBaseBody);
-  function("writeSvg", &bindings::writeSvg);
-  function("renderPreview", &bindings::renderPreview);
-  function("writeView", &bindings::writeView);
-  function("importPrinter", &bindings::importPrinter);
-  function("checkGcode", &bindings::checkGcode);
-  function("packGcode", &bindings::packGcode);
-  function("examineBlock", &bindings::examineBlock);
+  function("writeGcode", &writeGcode);
+  function("writeBaseBody", &writeBaseBody);
+  function("writeSvg", &writeSvg);
+  function("renderPreview", &renderPreview);
+  function("writeView", &writeView);
+  function("importPrinter", &importPrinter);
+  function("checkGcode", &checkGcode);
+  function("packGcode", &packGcode);
+  function("examineBlock", &examineBlock);
 
-  function("forgetPrint", &bindings::forgetPrint);
-  function("readPrint", &bindings::readPrint);
-  function("listSurfaces", &bindings::listSurfaces);
-  function("printRelief", &bindings::printRelief);
-  function("rebrush", &bindings::rebrush);
+  function("forgetPrint", &forgetPrint);
+  function("readPrint", &readPrint);
+  function("listSurfaces", &listSurfaces);
+  function("printRelief", &printRelief);
+  function("rebrush", &rebrush);
 
-  function("calibrate", &bindings::calibrate);
-  function("readCoupon", &bindings::readCoupon);
-  function("joinReadings", &bindings::joinReadings);
+  function("calibrate", &calibrate);
+  function("readCoupon", &readCoupon);
+  function("joinReadings", &joinReadings);
 }
+
+}  // namespace sillon::bindings

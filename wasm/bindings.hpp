@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace bindings {
+namespace sillon::bindings {
 
 using emscripten::val;
 
@@ -84,11 +84,11 @@ val rebrush(const std::string& projectJson, const val& files, const std::string&
 val calibrate(const std::string& kind, const val& from, const val& to, const std::string& projectJson,
               const val& filament, const std::string& date, int pictureSide);
 /// Reads a photograph of a coupon.
-/// \param picture  pixels, see convert::imageFrom().
+/// \param picture  pixels, see imageFrom().
 /// \param projectJson  project with which the coupon was made.
 val readCoupon(const val& picture, const std::string& projectJson, const val& from, const val& to, const val& lampSize,
                const val& lampElevation);
 /// Joins readings of one coupon. \param readings  list of at least one result of readCoupon().
 val joinReadings(const val& readings, const val& lampSize);
 
-}  // namespace bindings
+}  // namespace sillon::bindings

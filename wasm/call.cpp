@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <exception>
 #include <memory>
 #include <new>
@@ -16,17 +15,13 @@
 #include "bindings.hpp"
 #include "convert.hpp"
 #include "kept.hpp"
-#include "sillon/base/version.hpp"
-#include "sillon/project/project.hpp"
+#include "sillon/base/words.hpp"
 
-namespace call {
+namespace sillon::bindings {
 namespace {
 
-using convert::failure;
-using convert::success;
-
 // Lives as long as the module, because threads are started once, with the module.
-std::unique_ptr<sillon::RunContext> context;
+std::unique_ptr<RunContext> context;
 double granted = 0;  // limit to which the host lets this module's memory grow [bytes]
 
 std::string incoming;  // file from the host, filled between two calls
@@ -39,24 +34,23 @@ double freeMemory() {
   return 0.75 * (most - static_cast<double>(static_cast<std::uint32_t>(mallinfo().uordblks)));
 }
 
-sillon::Result<sillon::Project> projectOf(const std::string& json) {
+Result<Project> projectOf(const std::string& json) {
   auto project = sillon::readProject(json);
-  if (project || project.error().code != sillon::ErrorCode::InvalidFile) return project;
-  sillon::Error error = project.error();
-  error.code = sillon::ErrorCode::InvalidArgument;
+  if (project || project.error().code != ErrorCode::InvalidFile) return project;
+  Error error = project.error();
+  error.code = ErrorCode::InvalidArgument;
   return error;
 }
 
-val guarded(const std::function<val(sillon::RunContext&)>& body) {
+val guarded(const std::function<val(RunContext&)>& body) {
   try {
-    if (context == nullptr) context = std::make_unique<sillon::RunContext>(1);
+    if (context == nullptr) context = std::make_unique<RunContext>(1);
     context->cancelFlag().store(false);
     context->onProgress({});
     context->limitMemory(freeMemory());
     return body(*context);
   } catch (const std::bad_alloc&) {
-    return failure("OutOfMemory",
-                   "the engine ran out of memory at " + std::to_string(emscripten_get_heap_size() >> 20) + " MiB");
+    return failure(sillon::refused(sillon::ErrorCode::OutOfMemory, "NeedsMoreMemory"));
   } catch (const std::exception& problem) {
     return failure("Internal", problem.what());
   } catch (...) {
@@ -64,61 +58,47 @@ val guarded(const std::function<val(sillon::RunContext&)>& body) {
   }
 }
 
-void tell(sillon::RunContext& run, const val& onProgress, double begin, double end) {
-  run.onProgress([=](std::string_view stage, double fraction) {
-    onProgress(convert::toJs(stage), begin + (end - begin) * fraction);
+val withProject(const std::string& json, const std::function<val(Project&, RunContext&)>& body) {
+  return guarded([&](RunContext& run) {
+    auto project = projectOf(json);
+    return project ? body(project.value(), run) : failure(project.error());
   });
+}
+
+void tell(RunContext& run, const val& onProgress, double begin, double end) {
+  run.onProgress(
+      [=](std::string_view stage, double fraction) { onProgress(toJs(stage), begin + (end - begin) * fraction); });
 }
 
 std::string takenFile() { return std::exchange(incoming, std::string()); }
 
-val file(const std::string& bytes) {
-  return success(convert::copied(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
-}
-
-}  // namespace call
-
-namespace bindings {
-
-using call::guarded;
-
 val start(int threads, double most, const val& poll) {
-  return guarded([&](sillon::RunContext&) {
-    call::granted = most;
-    call::context = std::make_unique<sillon::RunContext>(threads);
-    if (!poll.isNull()) call::context->onPoll([poll] { return poll().as<bool>(); });
-    val out = val::object();
-    out.set("version", convert::toJs(sillon::kVersion));
-    out.set("cancelFlag", reinterpret_cast<std::uintptr_t>(&call::context->cancelFlag()));
-    return convert::success(out);
+  return guarded([&](RunContext&) {
+    granted = most;
+    context = std::make_unique<RunContext>(threads);
+    if (!poll.isNull()) context->onPoll([poll] { return poll().as<bool>(); });
+    return success(
+        object({{"version", kVersion}, {"cancelFlag", val(reinterpret_cast<std::uintptr_t>(&context->cancelFlag()))}}));
   });
 }
 
 val room(double size) {
-  return guarded([&](sillon::RunContext&) {
-    call::incoming = std::string();
+  return guarded([&](RunContext&) {
+    incoming = std::string();
     constexpr double kMiB = 1 << 20;
-    const double most = std::floor(call::freeMemory() / 2 / kMiB);  // half, because results are as large as the file
+    const double most = std::floor(freeMemory() / 2 / kMiB);  // half, because results are as large as the file
     if (!(size <= most * kMiB)) {
-      char text[160];
-      std::snprintf(text, sizeof text,
-                    "the file is %.0f MiB; it must be at most %.0f: put fewer objects into it, or slice with a coarser "
-                    "resolution",
-                    std::ceil(size / kMiB), most);
-      return convert::failure("TooLarge", text);
+      return failure(
+          refused(ErrorCode::TooLarge, "PrintTooLarge", {{"megabytes", std::ceil(size / kMiB)}, {"most", most}}));
     }
-    call::incoming.resize(sillon::toSize(size));
-    return convert::success(val(
-        emscripten::typed_memory_view(call::incoming.size(), reinterpret_cast<std::uint8_t*>(call::incoming.data()))));
+    incoming.resize(toSize(size));
+    return success(
+        val(emscripten::typed_memory_view(incoming.size(), reinterpret_cast<std::uint8_t*>(incoming.data()))));
   });
 }
 
 val keptNumbers() {
-  return guarded([](sillon::RunContext&) {
-    val list = val::array();
-    for (const int number : kept::numbers()) list.call<void>("push", number);
-    return convert::success(list);
-  });
+  return guarded([](RunContext&) { return success(listOf(kept::numbers())); });
 }
 
-}  // namespace bindings
+}  // namespace sillon::bindings

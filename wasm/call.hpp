@@ -10,21 +10,24 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/project/project.hpp"
 
-namespace call {
+namespace sillon::bindings {
 
 using emscripten::val;
 
 /// Runs one call with a fresh state and returns {value}, or {error: {code, message}} if it throws.
-val guarded(const std::function<val(sillon::RunContext&)>& body);
+val guarded(const std::function<val(RunContext&)>& body);
+
+/// Runs a call with a project made from arguments; its errors are InvalidArgument instead of InvalidFile.
+val withProject(const std::string& json, const std::function<val(Project&, RunContext&)>& body);
 
 /// Reports progress to JavaScript. \param begin, end  part of the whole call that the job takes, in [0, 1].
-void tell(sillon::RunContext& run, const val& onProgress, double begin, double end);
+void tell(RunContext& run, const val& onProgress, double begin, double end);
 
 /// Returns the memory that is free, or that the engine may still get [bytes].
 double freeMemory();
 
 /// Reads a project made from arguments; its errors are InvalidArgument instead of InvalidFile.
-sillon::Result<sillon::Project> projectOf(const std::string& json);
+Result<Project> projectOf(const std::string& json);
 
 /// Converts a number or undefined.
 inline std::optional<double> optionalOf(const val& js) {
@@ -34,7 +37,4 @@ inline std::optional<double> optionalOf(const val& js) {
 /// Takes the file that the host has put into room().
 std::string takenFile();
 
-/// Returns {value} with the bytes of a file.
-val file(const std::string& bytes);
-
-}  // namespace call
+}  // namespace sillon::bindings

@@ -4,28 +4,32 @@
 
 #include <emscripten/val.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "base/refused.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/image_io.hpp"
-#include "sillon/look/conflict.hpp"
+#include "sillon/look/inversion.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/printer_import/printer_import.hpp"
 #include "sillon/project/project.hpp"
-#include "sillon/report/input_note.hpp"
 #include "sillon/report/warning.hpp"
 
-namespace convert {
+namespace sillon::bindings {
 
 using emscripten::val;
 
@@ -34,6 +38,11 @@ using emscripten::val;
 template <class T>
 val copied(const T* data, std::size_t count) {
   return val(emscripten::typed_memory_view(count, data)).template call<val>("slice");
+}
+
+/// Copies a text's bytes to a Uint8Array.
+inline val copied(std::string_view bytes) {
+  return copied(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 
 /// Copies the elements of a typed array into the engine's memory.
@@ -56,72 +65,91 @@ inline std::string bytes(const val& array) {
 }
 
 inline val toJs(std::string_view text) { return val(std::string(text)); }
-inline val toJs(sillon::Vec2 v) {
-  val pair = val::array();
-  pair.set(0, v.x);
-  pair.set(1, v.y);
-  return pair;
-}
 
-inline val toJs(const sillon::ImportNote& note) {
-  val values = val::object();
-  for (const auto& [name, value] : note.values) values.set(name, val(value));
+/// Makes a list of what a function makes of each item.
+template <class Items, class Convert>
+val listOf(const Items& items, const Convert& convert) {
+  val out = val::array();
+  for (const auto& item : items) out.call<void>("push", convert(item));
+  return out;
+}
+/// Makes a list of numbers or texts.
+template <class Items>
+val listOf(const Items& items) {
+  return listOf(items, [](const auto& item) { return item; });
+}
+inline val toJs(Vec2 v) { return listOf(std::array{v.x, v.y}); }
+
+/// A member of an object.
+struct Member {
+  Member(const char* named, val what) : name(named), value(std::move(what)) {}
+  Member(const char* named, std::string_view text) : Member(named, toJs(text)) {}
+  Member(const char* named, const char* text) : Member(named, std::string_view(text)) {}
+  Member(const char* named, const std::string& text) : Member(named, std::string_view(text)) {}
+  Member(const char* named, bool yes) : Member(named, val(yes)) {}
+  Member(const char* named, int number) : Member(named, val(number)) {}
+  Member(const char* named, double number) : Member(named, val(number)) {}
+
+  const char* name;
+  val value;
+};
+
+inline val object(std::initializer_list<Member> members) {
   val out = val::object();
-  out.set("code", val(note.code));
-  out.set("values", values);
-  out.set("message", val(note.message));
+  for (const Member& member : members) out.set(member.name, member.value);
   return out;
 }
 
-/// Converts a shape; rings become Float64Arrays of x and y in turn.
-inline val toJs(const sillon::Shape& shape) {
-  val paths = val::array();
-  for (const sillon::FilledPath& path : shape.paths) {
-    val rings = val::array();
-    for (const sillon::Ring& ring : path.rings) {
-      rings.call<void>("push", copied(reinterpret_cast<const double*>(ring.data()), 2 * ring.size()));
-    }
-    val out = val::object();
-    out.set("fillRule", toJs(path.fillRule == sillon::FillRule::EvenOdd ? "evenodd" : "nonzero"));
-    out.set("rings", rings);
-    paths.call<void>("push", out);
-  }
+/// Makes an object of pairs of a name and a text.
+template <class Values>
+val textsOf(const Values& values) {
   val out = val::object();
-  out.set("page", toJs(shape.page));
-  out.set("paths", paths);
-  out.set("texts", shape.drawing.texts);
-  out.set("otherFont", shape.drawing.otherFont);
-  out.set("images", shape.drawing.images);
-  out.set("offPage", shape.drawing.offPage);
-  out.set("unpainted", shape.drawing.unpainted);
+  for (const auto& [name, text] : values) out.set(name, val(text));
+  return out;
+}
+
+inline val toJs(const ImportNote& note) {
+  return object({{"code", note.code}, {"values", textsOf(note.values)}, {"message", note.message}});
+}
+
+/// Converts a shape; rings become Float64Arrays of x and y in turn.
+inline val toJs(const Shape& shape) {
+  const auto ringOf = [](const Ring& ring) {
+    return copied(reinterpret_cast<const double*>(ring.data()), 2 * ring.size());
+  };
+  const auto pathOf = [&](const FilledPath& path) {
+    return object({{"fillRule", path.fillRule == FillRule::EvenOdd ? "evenodd" : "nonzero"},
+                   {"rings", listOf(path.rings, ringOf)}});
+  };
+  val out = object({{"page", toJs(shape.page)},
+                    {"paths", listOf(shape.paths, pathOf)},
+                    {"texts", shape.drawing.texts},
+                    {"otherFont", shape.drawing.otherFont},
+                    {"images", shape.drawing.images},
+                    {"offPage", shape.drawing.offPage},
+                    {"unpainted", shape.drawing.unpainted}});
   if (!shape.kept.empty()) {
-    val kept = val::array();
-    for (const sillon::ThinPlace& place : shape.kept) {
-      val numbers = val::array();
-      for (const double number : {place.at.x, place.at.y, place.areaMm2, place.width})
-        numbers.call<void>("push", number);
-      kept.call<void>("push", numbers);
-    }
-    out.set("kept", kept);
+    out.set("kept", listOf(shape.kept, [](const ThinPlace& place) {
+              return listOf(std::array{place.at.x, place.at.y, place.areaMm2, place.width});
+            }));
   }
   return out;
 }
 
 /// Converts back a shape, without the facts of its drawing.
-inline sillon::Shape shapeFrom(const val& js) {
-  sillon::Shape shape;
+inline Shape shapeFrom(const val& js) {
+  Shape shape;
   shape.page = {js["page"][0].as<double>(), js["page"][1].as<double>()};
   const val paths = js["paths"];
   const auto count = paths["length"].as<int>();
   for (int k = 0; k < count; ++k) {
-    sillon::FilledPath path;
-    path.fillRule =
-        paths[k]["fillRule"].as<std::string>() == "evenodd" ? sillon::FillRule::EvenOdd : sillon::FillRule::NonZero;
+    FilledPath path;
+    path.fillRule = paths[k]["fillRule"].as<std::string>() == "evenodd" ? FillRule::EvenOdd : FillRule::NonZero;
     const val rings = paths[k]["rings"];
     const auto ringCount = rings["length"].as<int>();
     for (int r = 0; r < ringCount; ++r) {
       const std::vector<double> flat = numbers<double>(rings[r]);
-      sillon::Ring ring(flat.size() / 2);
+      Ring ring(flat.size() / 2);
       for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = {flat[2 * i], flat[2 * i + 1]};
       path.rings.push_back(std::move(ring));
     }
@@ -131,26 +159,20 @@ inline sillon::Shape shapeFrom(const val& js) {
 }
 
 /// Converts a toolpath, without shape and notes, which are not part of core's toolpath.
-inline val toJs(const sillon::Toolpath& toolpath) {
-  val cycles = val::array();
-  for (const sillon::Cycle& cycle : toolpath.cycles) {
-    val out = val::object();
-    out.set("points", copied(reinterpret_cast<const float*>(cycle.points.data()), 2 * cycle.points.size()));
-    out.set("widths", copied(cycle.widths.data(), cycle.widths.size()));
-    cycles.call<void>("push", out);
-  }
-  val out = val::object();
-  out.set("spacing", toolpath.spacing);
-  out.set("cycles", cycles);
-  return out;
+inline val toJs(const Toolpath& toolpath) {
+  const auto cycleOf = [](const Cycle& cycle) {
+    return object({{"points", copied(reinterpret_cast<const float*>(cycle.points.data()), 2 * cycle.points.size())},
+                   {"widths", copied(cycle.widths.data(), cycle.widths.size())}});
+  };
+  return object({{"spacing", toolpath.spacing}, {"cycles", listOf(toolpath.cycles, cycleOf)}});
 }
 
 /// Converts back the beads of a toolpath.
-inline std::vector<sillon::Cycle> cyclesFrom(const val& js) {
-  std::vector<sillon::Cycle> cycles;
+inline std::vector<Cycle> cyclesFrom(const val& js) {
+  std::vector<Cycle> cycles;
   const auto count = js["length"].as<int>();
   for (int k = 0; k < count; ++k) {
-    sillon::Cycle cycle;
+    Cycle cycle;
     const std::vector<float> flat = numbers<float>(js[k]["points"]);
     cycle.points.resize(flat.size() / 2);
     for (std::size_t i = 0; i < cycle.points.size(); ++i) cycle.points[i] = {flat[2 * i], flat[2 * i + 1]};
@@ -161,43 +183,32 @@ inline std::vector<sillon::Cycle> cyclesFrom(const val& js) {
 }
 
 /// Returns Toolpath.look, the look of a plate with pictures.
-inline val toJs(const sillon::Project& project, const sillon::PlatePictures& pictures) {
-  const sillon::LookParams look = sillon::lookOf(project, pictures, 0);
-  val colour = val::array();
-  for (const int channel : look.colour) colour.call<void>("push", channel);
-  val lamps = val::array();
-  for (const sillon::ShownPicture& shown : pictures.shown) {
-    lamps.call<void>("push", toJs(sillon::Vec2{shown.lamp.azimuth, shown.lamp.elevation}));
-  }
-  val out = val::object();
-  out.set("colour", colour);
-  out.set("slopes", toJs(sillon::Vec2{look.roughness.along, look.roughness.across}));
-  out.set("lampSize", look.lamp.slope);
-  out.set("lamps", lamps);
-  return out;
+inline val toJs(const Project& project, const PlatePictures& pictures) {
+  const LookParams look = lookOf(project, pictures, 0);
+  const auto lampOf = [](const ShownPicture& shown) { return toJs(Vec2{shown.lamp.azimuth, shown.lamp.elevation}); };
+  return object({{"colour", listOf(look.colour, [](int channel) { return channel; })},
+                 {"slopes", toJs(Vec2{look.roughness.along, look.roughness.across})},
+                 {"lampSize", look.lamp.slope},
+                 {"lamps", listOf(pictures.shown, lampOf)}});
 }
 
 /// Returns Plate.conflict, the tones that several pictures take from each other.
-inline val conflictOf(const sillon::PlateInput& input, const sillon::PlatePictures& pictures) {
-  const sillon::PictureConflict conflict =
+inline val conflictOf(const PlateInput& input, const PlatePictures& pictures) {
+  const PictureConflict conflict =
       sillon::conflictOf(input.directions, pictures.shown, pictures.roughness, pictures.level);
-  val missing = val::array();
-  for (const std::vector<float>& of : conflict.missing) {
+  const auto percents = [](const std::vector<float>& of) {
     std::vector<std::int8_t> percent;
     percent.reserve(of.size());
     for (const float off : of) percent.push_back(static_cast<std::int8_t>(std::lround(100 * off)));
-    missing.call<void>("push", copied(percent.data(), percent.size()));
-  }
-  val out = val::object();
-  out.set("width", conflict.width);
-  out.set("height", conflict.height);
-  out.set("missing", missing);
-  return out;
+    return copied(percent.data(), percent.size());
+  };
+  return object(
+      {{"width", conflict.width}, {"height", conflict.height}, {"missing", listOf(conflict.missing, percents)}});
 }
 
 /// Reads a look under its first lamp; undefined gives the default look of plates.
-inline sillon::LookParams lookFrom(const val& js) {
-  sillon::LookParams look;
+inline LookParams lookFrom(const val& js) {
+  LookParams look;
   if (js.isUndefined()) return look;
   for (std::size_t k = 0; k < 3; ++k) look.colour[k] = js["colour"][k].as<std::uint8_t>();
   look.roughness = {js["slopes"][0].as<double>(), js["slopes"][1].as<double>()};
@@ -206,17 +217,15 @@ inline sillon::LookParams lookFrom(const val& js) {
   return look;
 }
 
-inline val toJs(const sillon::Image& image) {
-  val out = val::object();
-  out.set("width", image.width);
-  out.set("height", image.height);
-  out.set("channels", image.channels);
-  out.set("samples", copied(image.samples.data(), image.samples.size()));
-  return out;
+inline val toJs(const Image& image) {
+  return object({{"width", image.width},
+                 {"height", image.height},
+                 {"channels", image.channels},
+                 {"samples", copied(image.samples.data(), image.samples.size())}});
 }
 
 /// Converts a picture of 8 or 16 bits after checking its sizes. \param name  name for messages.
-inline sillon::Result<sillon::Image> imageFrom(const val& js, const std::string& name) {
+inline Result<Image> imageFrom(const val& js, const std::string& name) {
   const auto width = js["width"].as<double>();
   const auto height = js["height"].as<double>();
   const auto channels = js["channels"].as<double>();
@@ -224,16 +233,12 @@ inline sillon::Result<sillon::Image> imageFrom(const val& js, const std::string&
   const auto whole = [](double v, double low, double high) {
     return v >= low && v <= high && v == static_cast<double>(static_cast<int>(v));
   };
-  const bool sized = whole(width, 1, sillon::kMaxImageSide) && whole(height, 1, sillon::kMaxImageSide) &&
-                     whole(channels, 1, 4) && width * height <= static_cast<double>(sillon::kMaxImagePixels);
+  const bool sized = whole(width, 1, kMaxImageSide) && whole(height, 1, kMaxImageSide) && whole(channels, 1, 4) &&
+                     width * height <= static_cast<double>(kMaxImagePixels);
   if (!sized || length != width * height * channels) {
-    return sillon::Error{sillon::ErrorCode::InvalidArgument,
-                         name +
-                             " is a picture whose sides, channels (1 to 4) and number of samples do not fit; it "
-                             "needs width * height * channels samples, sides of 1 to 32768 pixels and at most 100 "
-                             "million pixels"};
+    return refusedArgument("SamplesUnlikeSides", {{"name", name}, {"side", kMaxImageSide}, {"millions", 100}});
   }
-  sillon::Image image{static_cast<int>(width), static_cast<int>(height), static_cast<int>(channels), {}};
+  Image image{static_cast<int>(width), static_cast<int>(height), static_cast<int>(channels), {}};
   if (js["samples"]["BYTES_PER_ELEMENT"].as<int>() == 2) {
     image.samples = numbers<std::uint16_t>(js["samples"]);
   } else {
@@ -247,180 +252,122 @@ inline sillon::Result<sillon::Image> imageFrom(const val& js, const std::string&
 }
 
 /// Makes a reader of files by their names; a file is bytes or a picture.
-inline sillon::ReadInput reader(const val& files) {
-  return [files](const std::string& name, const std::string& what) -> sillon::Result<sillon::InputFile> {
+inline ReadInput reader(const val& files) {
+  return [files](const std::string& name, const std::string& /*what*/) -> Result<InputFile> {
     const val file = files[name];
     if (file.isUndefined() || file.isNull()) {
-      return sillon::Error{sillon::ErrorCode::InvalidArgument,
-                           "the " + what + " \"" + name + "\" is named but not given; hand its bytes over"};
+      return refusedArgument("FileNotGiven", {{"file", inQuotes(name)}});
     }
     if (file["samples"].isUndefined()) {
       std::string content = bytes(file);
       if (content.empty()) {
-        return sillon::Error{sillon::ErrorCode::InvalidFile,
-                             "the " + what + " \"" + name + "\" is empty; it must hold at least one byte"};
+        return refusedFile("FileEmpty", {{"file", inQuotes(name)}});
       }
-      return sillon::InputFile(std::move(content));
+      return InputFile(std::move(content));
     }
-    sillon::Result<sillon::Image> image = imageFrom(file, "the " + what);
+    Result<Image> image = imageFrom(file, inQuotes(name));
     if (!image) return image.error();
-    return sillon::InputFile(std::move(image).value());
+    return InputFile(std::move(image).value());
   };
 }
 
-inline val toJs(const std::vector<sillon::NamedValue>& list) {
+inline val toJs(const std::vector<NamedValue>& list) {
   val values = val::object();
-  for (const sillon::NamedValue& value : list) {
+  for (const NamedValue& value : list) {
     values.set(value.name, value.text.empty() ? val(value.number) : val(value.text));
   }
   return values;
 }
 
-inline val toJs(const sillon::InputNote& note) {
-  val out = val::object();
-  out.set("code", val(note.code));
-  out.set("values", toJs(note.values));
-  out.set("message", val(note.message));
-  return out;
+inline val toJs(const InputNote& note) {
+  return object({{"code", note.code}, {"values", toJs(note.values)}, {"message", note.message}});
 }
 
-inline val toJs(const sillon::Warning& warning) {
-  val out = val::object();
-  out.set("code", val(sillon::warningName(warning.code)));
-  out.set("values", toJs(warning.values));
-  out.set("message", val(warning.message));
-  return out;
+inline val toJs(const Warning& warning) {
+  return object({{"code", warningName(warning.code)}, {"values", toJs(warning.values)}, {"message", warning.message}});
 }
 
-/// Converts a list of notes or warnings.
+inline val toJs(const GcodeFinding& finding) {
+  return object({{"code", finding.code},
+                 {"rule", finding.rule},
+                 {"error", finding.error},
+                 {"line", static_cast<double>(finding.line)},
+                 {"count", static_cast<double>(finding.count)},
+                 {"values", textsOf(finding.values)},
+                 {"message", finding.message}});
+}
+
+/// Converts a list of notes, warnings or findings.
 template <class Told>
 val toJs(const std::vector<Told>& list) {
-  val out = val::array();
-  for (const Told& one : list) out.call<void>("push", toJs(one));
-  return out;
+  return listOf(list, [](const Told& one) { return toJs(one); });
 }
 
-inline val toJs(const sillon::GcodeSummary& summary) {
-  val out = val::object();
-  out.set("filamentMm", summary.filamentMm);
-  out.set("filamentCm3", summary.filamentCm3);
-  out.set("filamentGrams", summary.filamentGrams);
-  out.set("seconds", summary.seconds);
-  out.set("moves", static_cast<double>(summary.moves));
-  out.set("bytes", static_cast<double>(summary.bytes));
-  out.set("clampedLengthMm", summary.clampedLengthMm);
-  out.set("curveSlowedMm", summary.curveSlowedMm);
-  out.set("warnings", toJs(summary.warnings));
-  return out;
-}
-
-/// Converts findings.
-inline val toJs(const std::vector<sillon::GcodeFinding>& list) {
-  val findings = val::array();
-  for (const sillon::GcodeFinding& finding : list) {
-    val out = val::object();
-    val values = val::object();
-    for (const auto& [name, value] : finding.values) values.set(name, val(value));
-    out.set("code", val(finding.code));
-    out.set("rule", val(finding.rule));
-    out.set("error", finding.error);
-    out.set("line", static_cast<double>(finding.line));
-    out.set("count", static_cast<double>(finding.count));
-    out.set("values", values);
-    out.set("message", val(finding.message));
-    findings.call<void>("push", out);
-  }
-  return findings;
+inline val toJs(const GcodeSummary& summary) {
+  return object({{"filamentMm", summary.filamentMm},
+                 {"filamentCm3", summary.filamentCm3},
+                 {"filamentGrams", summary.filamentGrams},
+                 {"seconds", summary.seconds},
+                 {"moves", static_cast<double>(summary.moves)},
+                 {"bytes", static_cast<double>(summary.bytes)},
+                 {"clampedLengthMm", summary.clampedLengthMm},
+                 {"curveSlowedMm", summary.curveSlowedMm},
+                 {"warnings", toJs(summary.warnings)}});
 }
 
 /// Converts a check. \param unchecked  result of uncheckedIn()
-inline val toJs(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked = {}) {
-  val out = val::object();
-  out.set("findings", toJs(check.findings));
-  val names = val::array();
-  for (const std::string& name : unchecked) names.call<void>("push", val(name));
-  out.set("unchecked", names);
-  out.set("errors", static_cast<double>(check.errors()));
-  out.set("lines", static_cast<double>(check.lines));
-  out.set("moves", static_cast<double>(check.moves));
-  out.set("layers", check.layers);
-  out.set("filamentMm", check.filamentMm);
-  out.set("pathMm", check.pathMm);
-  out.set("travelMm", check.travelMm);
-  out.set("closed", static_cast<double>(check.closed));
-  out.set("open", static_cast<double>(check.open));
-  out.set("retractions", static_cast<double>(check.retractions));
-  out.set("fastest", check.fastest);
-  out.set("slowedMm", check.slowedMm);
-  out.set("mostFlow", check.mostFlow);
-  out.set("mostMoves", check.mostMoves);
-  out.set("printer", val(check.printer));
-  out.set("box", val::null());
-  if (!check.box.empty()) {
-    val box = val::object();
-    box.set("min", toJs(check.box.min));
-    box.set("max", toJs(check.box.max));
-    out.set("box", box);
-  }
-  out.set("top", check.top);
-  val coverage = val::array();
-  for (const double share : check.coverage) coverage.call<void>("push", share < 0 ? val::null() : val(share));
-  out.set("coverage", coverage);
+inline val toJs(const GcodeCheck& check, const std::vector<std::string>& unchecked = {}) {
+  const auto numberOf = [](std::int64_t count) { return static_cast<double>(count); };
+  val box = val::null();
+  if (!check.box.empty()) box = object({{"min", toJs(check.box.min)}, {"max", toJs(check.box.max)}});
   val delay = val::null();
   if (check.delay) {
-    delay = val::object();
-    delay.set("over30", check.delay->over30);
-    delay.set("over120", check.delay->over120);
-    delay.set("most", check.delay->most);
-    delay.set("squeezed", check.delay->squeezed);
+    delay = object({{"over30", check.delay->over30},
+                    {"over120", check.delay->over120},
+                    {"most", check.delay->most},
+                    {"squeezed", check.delay->squeezed}});
   }
-  out.set("neighbourDelay", delay);
-  return out;
+  return object(
+      {{"findings", toJs(check.findings)},
+       {"unchecked", listOf(unchecked)},
+       {"errors", numberOf(check.errors())},
+       {"lines", numberOf(check.lines)},
+       {"moves", numberOf(check.moves)},
+       {"layers", check.layers},
+       {"filamentMm", check.filamentMm},
+       {"pathMm", check.pathMm},
+       {"travelMm", check.travelMm},
+       {"closed", numberOf(check.closed)},
+       {"open", numberOf(check.open)},
+       {"retractions", numberOf(check.retractions)},
+       {"fastest", check.fastest},
+       {"slowedMm", check.slowedMm},
+       {"mostFlow", check.mostFlow},
+       {"mostMoves", check.mostMoves},
+       {"printer", check.printer},
+       {"box", box},
+       {"top", check.top},
+       {"coverage", listOf(check.coverage, [](double share) { return share < 0 ? val::null() : val(share); })},
+       {"neighbourDelay", delay}});
 }
 
-inline const char* codeName(sillon::ErrorCode code) {
-  switch (code) {
-    case sillon::ErrorCode::InvalidArgument:
-      return "InvalidArgument";
-    case sillon::ErrorCode::InvalidFile:
-      return "InvalidFile";
-    case sillon::ErrorCode::TooLarge:
-      return "TooLarge";
-    case sillon::ErrorCode::OutOfMemory:
-      return "OutOfMemory";
-    case sillon::ErrorCode::EmptyShape:
-      return "EmptyShape";
-    case sillon::ErrorCode::DoesNotFit:
-      return "DoesNotFit";
-    case sillon::ErrorCode::Cancelled:
-      return "Cancelled";
-    case sillon::ErrorCode::Internal:
-      break;
-  }
-  return "Internal";
+inline const char* codeName(ErrorCode code) {
+  constexpr const char* kNames[] = {"InvalidArgument", "InvalidFile", "TooLarge",  "OutOfMemory",
+                                    "EmptyShape",      "DoesNotFit",  "Cancelled", "Internal"};
+  return kNames[toSize(code)];
 }
 
 /// Makes {error: {code, message, reason, values}}.
 inline val failure(const char* code, const std::string& message, const char* reason = "",
-                   const std::vector<sillon::NamedValue>& values = {}) {
-  val error = val::object();
-  error.set("code", toJs(code));
-  error.set("message", val(message));
-  error.set("reason", toJs(reason));
-  error.set("values", toJs(values));
-  val out = val::object();
-  out.set("error", error);
-  return out;
+                   const std::vector<NamedValue>& values = {}) {
+  val error = object({{"code", code}, {"message", message}, {"reason", reason}, {"values", toJs(values)}});
+  return object({{"error", error}});
 }
-inline val failure(const sillon::Error& error) {
+inline val failure(const Error& error) {
   return failure(codeName(error.code), error.message, error.reason, error.values);
 }
 
 /// Makes {value}.
-inline val success(const val& value) {
-  val out = val::object();
-  out.set("value", value);
-  return out;
-}
+inline val success(const val& value) { return object({{"value", value}}); }
 
-}  // namespace convert
+}  // namespace sillon::bindings

@@ -9,7 +9,7 @@
 #include "call.hpp"
 #include "convert.hpp"
 
-namespace kept {
+namespace sillon::bindings::kept {
 namespace {
 
 constexpr std::size_t kMostPlates = 2;
@@ -17,7 +17,7 @@ constexpr std::size_t kMostNumbers = 8;  // limit on numbers of the same beads
 
 struct Plate {
   std::list<int> numbers;
-  sillon::Toolpath toolpath;
+  Toolpath toolpath;
 };
 
 std::list<Plate> plates;  // least recently used first; a list, so that references to the others stay valid
@@ -29,21 +29,21 @@ bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-bool sameCycles(const sillon::Toolpath& a, const sillon::Toolpath& b) {
+bool sameCycles(const Toolpath& a, const Toolpath& b) {
   return std::equal(a.cycles.begin(), a.cycles.end(), b.cycles.begin(), b.cycles.end(),
-                    [](const sillon::Cycle& one, const sillon::Cycle& other) {
+                    [](const Cycle& one, const Cycle& other) {
                       return sameBytes(one.points, other.points) && sameBytes(one.widths, other.widths);
                     });
 }
 
-sillon::Toolpath& usedLast(std::list<Plate>::iterator plate) {
+Toolpath& usedLast(std::list<Plate>::iterator plate) {
   plates.splice(plates.end(), plates, plate);
   return plate->toolpath;
 }
 
 }  // namespace
 
-void keep(int number, sillon::Toolpath toolpath) {
+void keep(int number, Toolpath toolpath) {
   const auto same = std::find_if(plates.begin(), plates.end(),
                                  [&](const Plate& plate) { return sameCycles(plate.toolpath, toolpath); });
   if (same == plates.end()) {
@@ -56,17 +56,17 @@ void keep(int number, sillon::Toolpath toolpath) {
   usedLast(same);
 }
 
-const sillon::Toolpath& toolpathOf(const emscripten::val& js) {
-  const emscripten::val cycles = js["cycles"];
+const Toolpath& toolpathOf(const val& js) {
+  const val cycles = js["cycles"];
   const auto number = cycles["number"].as<int>();
   if (!cycles["value"].isUndefined()) {
-    keep(number, {convert::cyclesFrom(cycles["value"]), 0});
+    keep(number, {cyclesFrom(cycles["value"]), 0});
   }
   const auto found = std::find_if(plates.begin(), plates.end(), [number](const Plate& plate) {
     return std::find(plate.numbers.begin(), plate.numbers.end(), number) != plate.numbers.end();
   });
   if (found == plates.end()) throw std::logic_error("the beads " + std::to_string(number) + " are not kept");
-  sillon::Toolpath& toolpath = usedLast(found);
+  Toolpath& toolpath = usedLast(found);
   toolpath.spacing = js["spacing"].as<double>();
   return toolpath;
 }
@@ -88,4 +88,4 @@ std::vector<int> numbers() {
   return all;
 }
 
-}  // namespace kept
+}  // namespace sillon::bindings::kept

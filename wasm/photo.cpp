@@ -9,49 +9,37 @@
 #include "bindings.hpp"
 #include "call.hpp"
 #include "convert.hpp"
-#include "sillon/calibrate/read_photo.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 #include "sillon/project/project.hpp"
 
+namespace sillon::bindings {
 namespace {
 
-using call::guarded;
-using call::optionalOf;
-using convert::failure;
-using convert::success;
-using emscripten::val;
+val measuredOf(const Measured& measured) { return object({{"value", measured.value}, {"error", measured.error}}); }
 
-val measuredOf(const sillon::Measured& measured) {
-  val out = val::object();
-  out.set("value", measured.value);
-  out.set("error", measured.error);
-  return out;
-}
-
-sillon::Measured measuredFrom(const val& js) { return {js["value"].as<double>(), js["error"].as<double>()}; }
+Measured measuredFrom(const val& js) { return {js["value"].as<double>(), js["error"].as<double>()}; }
 
 /// Converts a reading. \param widthAsked  width of the coupon's beads by its project [mm].
-val readingOf(const sillon::CouponReading& read, double widthAsked) {
-  val out = val::object();
-  out.set("along", measuredOf(read.along));
-  out.set("across", measuredOf(read.across));
-  out.set("flow", read.flow ? measuredOf(*read.flow) : val::null());
-  out.set("allDiscsClosed", read.flowIsLower);
-  out.set("noDiscClosed", read.flowIsHigher);
-  out.set("width", measuredOf(read.width));
-  out.set("widthAsked", widthAsked);
-  out.set("azimuth", measuredOf(read.azimuth));
-  out.set("elevation", measuredOf(read.elevation));
-  out.set("tilt", read.tilt);
-  out.set("pixelsPerMm", read.pixelsPerMm);
-  out.set("blur", read.blur);
-  out.set("spools",
-          val(sillon::spoolFile(read, "measured", "photograph of a coupon; only the nozzle's side was measured")));
-  return out;
+val readingOf(const CouponReading& read, double widthAsked) {
+  return object(
+      {{"along", measuredOf(read.along)},
+       {"across", measuredOf(read.across)},
+       {"flow", read.flow ? measuredOf(*read.flow) : val::null()},
+       {"allDiscsClosed", read.flowIsLower},
+       {"noDiscClosed", read.flowIsHigher},
+       {"width", measuredOf(read.width)},
+       {"widthAsked", widthAsked},
+       {"azimuth", measuredOf(read.azimuth)},
+       {"elevation", measuredOf(read.elevation)},
+       {"tilt", read.tilt},
+       {"pixelsPerMm", read.pixelsPerMm},
+       {"blur", read.blur},
+       {"spools", spoolFile(read, "measured", "photograph of a coupon; only the nozzle's side was measured")}});
 }
 
 /// Reads back a reading. \param js  result of readingOf(), with the spool's colour added.
-sillon::CouponReading readingFrom(const val& js) {
-  sillon::CouponReading read;
+CouponReading readingFrom(const val& js) {
+  CouponReading read;
   read.along = measuredFrom(js["along"]);
   read.across = measuredFrom(js["across"]);
   if (!js["flow"].isNull()) read.flow = measuredFrom(js["flow"]);
@@ -69,29 +57,25 @@ sillon::CouponReading readingFrom(const val& js) {
 
 }  // namespace
 
-namespace bindings {
-
 val readCoupon(const val& picture, const std::string& projectJson, const val& from, const val& to, const val& lampSize,
                const val& lampElevation) {
-  return guarded([&](sillon::RunContext& run) {
-    const auto project = call::projectOf(projectJson);
-    if (!project) return failure(project.error());
-    const auto image = convert::imageFrom(picture, "photograph");
+  return withProject(projectJson, [&](const Project& project, RunContext& run) {
+    const auto image = imageFrom(picture, "photograph");
     if (!image) return failure(image.error());
-    const sillon::PhotoRequest request{project.value(), optionalOf(from), optionalOf(to), optionalOf(lampSize),
-                                       optionalOf(lampElevation)};
-    const auto reading = sillon::readCouponPhoto(image.value(), request, run);
+    const PhotoRequest request{project, optionalOf(from), optionalOf(to), optionalOf(lampSize),
+                               optionalOf(lampElevation)};
+    const auto reading = readCouponPhoto(image.value(), request, run);
     if (!reading) return failure(reading.error());
-    return success(readingOf(reading.value(), project.value().printer.nozzle * project.value().print.flow));
+    return success(readingOf(reading.value(), project.printer.nozzle * project.print.flow));
   });
 }
 
 val joinReadings(const val& readings, const val& lampSize) {
-  return guarded([&](sillon::RunContext&) {
-    std::vector<sillon::CouponReading> each;
+  return guarded([&](RunContext&) {
+    std::vector<CouponReading> each;
     const auto count = readings["length"].as<std::size_t>();
     for (std::size_t k = 0; k < count; ++k) each.push_back(readingFrom(readings[k]));
-    sillon::PhotoRequest request;
+    PhotoRequest request;
     request.lampSlope = optionalOf(lampSize);
     const auto joined = sillon::joinReadings(each, request);
     if (!joined) return failure(joined.error());
@@ -99,4 +83,4 @@ val joinReadings(const val& readings, const val& lampSize) {
   });
 }
 
-}  // namespace bindings
+}  // namespace sillon::bindings

@@ -16,7 +16,6 @@
 #include "kept.hpp"
 #include "sillon/compose/compose.hpp"
 #include "sillon/job/plate.hpp"
-#include "sillon/job/zones.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/project/project.hpp"
@@ -24,17 +23,12 @@
 #include "sillon/settings/presets.hpp"
 #include "sillon/text/text.hpp"
 
+namespace sillon::bindings {
 namespace {
 
-using call::guarded;
-using call::tell;
-using convert::failure;
-using convert::success;
-using emscripten::val;
-
 // These live as long as the module, so that a plate can reuse results of the one before.
-sillon::Session session;
-std::optional<sillon::KeptPictures> keptPictures;
+Session session;
+std::optional<KeptPictures> keptPictures;
 
 struct Sides {
   int width = 0;
@@ -63,106 +57,83 @@ std::vector<T> stretched(const std::vector<T>& values, Sides from, Sides to) {
 
 }  // namespace
 
-namespace bindings {
-
 val generateToolpath(const std::string& projectJson, const val& files, bool measure, bool across, int number,
                      const val& onProgress) {
-  return guarded([&](sillon::RunContext& run) {
+  return withProject(projectJson, [&](Project& project, RunContext& run) {
     tell(run, onProgress, 0, 1);
-    auto project = call::projectOf(projectJson);
-    if (!project) return failure(project.error());
-    sillon::PlateOptions options;
-    options.path = across ? sillon::PlatePath::Below : sillon::PlatePath::Seen;
+    PlateOptions options;
+    options.path = across ? PlatePath::Below : PlatePath::Seen;
     options.measure = measure;
     options.countDislocations = measure;
     options.session = &session;
     options.keptPictures = &keptPictures;
-    auto made = sillon::makePlate(std::move(project).value(), convert::reader(files), options, run);
+    auto made = makePlate(std::move(project), reader(files), options, run);
     if (!made) return failure(made.error());
-    sillon::Plate& plate = made.value();
+    Plate& plate = made.value();
 
-    val notes = val::array();
-    for (const std::string& note : sillon::plateNotes(plate.project.toolpath, plate.measures))
-      notes.call<void>("push", val(note));
-    val path = convert::toJs(plate.toolpath());
-    path.set("shape", convert::toJs(plate.input.shape));
-    path.set("notes", notes);
-    if (!plate.pictures().shown.empty()) path.set("look", convert::toJs(plate.project, plate.pictures()));
-    val out = val::object();
-    out.set("toolpath", path);
-    if (plate.pictures().shown.size() > 1) out.set("conflict", convert::conflictOf(plate.input, plate.pictures()));
-    sillon::Report report = plate.report();
+    val path = toJs(plate.toolpath());
+    path.set("shape", toJs(plate.input.shape));
+    path.set("notes", listOf(plateNotes(plate.project.toolpath, plate.measures)));
+    if (!plate.pictures().shown.empty()) path.set("look", toJs(plate.project, plate.pictures()));
+    val out = object({{"toolpath", path}});
+    if (plate.pictures().shown.size() > 1) out.set("conflict", conflictOf(plate.input, plate.pictures()));
+    Report report = plate.report();
     report.peakBytes = static_cast<std::int64_t>(emscripten_get_heap_size());
-    out.set("report", val(sillon::reportJson(report)));
+    out.set("report", val(reportJson(report)));
     kept::keep(number, std::move(plate.result.toolpath));
     return success(out);
   });
 }
 
 val readShape(const std::string& projectJson, const val& files) {
-  return guarded([&](sillon::RunContext& run) {
-    const auto project = call::projectOf(projectJson);
-    if (!project) return failure(project.error());
-    const auto input = sillon::readPlateInput(project.value(), convert::reader(files), run);
+  return withProject(projectJson, [&](const Project& project, RunContext& run) {
+    const auto input = readPlateInput(project, reader(files), run);
     if (!input) return failure(input.error());
-    return success(convert::toJs(input.value().shape));
+    return success(toJs(input.value().shape));
   });
 }
 
 val placeLayers(const std::string& projectJson, const val& files) {
-  return guarded([&](sillon::RunContext& run) {
-    const auto project = call::projectOf(projectJson);
-    if (!project) return failure(project.error());
-    const sillon::ReadInput read = convert::reader(files);
-    const auto input = sillon::readPlateInput(project.value(), read, run);
+  return withProject(projectJson, [&](const Project& project, RunContext& run) {
+    const ReadInput read = reader(files);
+    const auto input = readPlateInput(project, read, run);
     if (!input) return failure(input.error());
-    const auto placed = sillon::placeLayers(project.value(), input.value().shape, read);
-    val out = val::array();
-    for (const sillon::PlacedLayer& layer : placed) {
-      val one = val::object();
-      one.set("at", convert::toJs(layer.at));
-      one.set("size", convert::toJs(layer.size));
-      one.set("thin", layer.thin);
+    const auto layerOf = [](const PlacedLayer& layer) {
+      val one = object({{"at", toJs(layer.at)}, {"size", toJs(layer.size)}, {"thin", layer.thin}});
       if (layer.problem) one.set("problem", layer.problem->message);
-      out.call<void>("push", one);
-    }
-    return success(out);
+      return one;
+    };
+    return success(listOf(sillon::placeLayers(project, input.value().shape, read), layerOf));
   });
 }
 
 val drawLayers(const std::string& projectJson, const val& files, const val& onProgress) {
-  return guarded([&](sillon::RunContext& run) {
+  return withProject(projectJson, [&](const Project& project, RunContext& run) {
     tell(run, onProgress, 0, 1);
-    const auto project = call::projectOf(projectJson);
-    if (!project) return failure(project.error());
-    const sillon::ReadInput read = convert::reader(files);
-    auto ground = sillon::readPlateInput(project.value(), read, run);
+    const ReadInput read = reader(files);
+    auto ground = readPlateInput(project, read, run);
     if (!ground) return failure(ground.error());
-    const auto composed = sillon::compose(project.value(), std::move(ground).value(), {read, &keptPictures}, run);
+    const auto composed = compose(project, std::move(ground).value(), {read, &keptPictures}, run);
     if (!composed) return failure(composed.error());
-    const sillon::PlateInput laid = composed.value().laid();
-    const sillon::DirectionMap& directions = laid.directions;
-    const sillon::ModeMap& modes = laid.modes;
+    const PlateInput laid = composed.value().laid();
+    const DirectionMap& directions = laid.directions;
+    const ModeMap& modes = laid.modes;
     const int width = std::max(directions.width, modes.width);
     const int height = std::max(directions.height, modes.height);
     const auto angle = stretched(directions.angle, {directions.width, directions.height}, {width, height});
     const auto mode = stretched(modes.mode, {modes.width, modes.height}, {width, height});
-    val out = val::object();
-    out.set("width", width);
-    out.set("height", height);
-    out.set("angle", convert::copied(angle.data(), angle.size()));
-    out.set("mode", convert::copied(reinterpret_cast<const std::uint8_t*>(mode.data()), mode.size()));
-    return success(out);
+    return success(object({{"width", width},
+                           {"height", height},
+                           {"angle", copied(angle.data(), angle.size())},
+                           {"mode", copied(reinterpret_cast<const std::uint8_t*>(mode.data()), mode.size())}}));
   });
 }
 
 val makeZones(const std::string& projectJson, const val& files, bool body, const val& params, const val& onProgress) {
-  return guarded([&](sillon::RunContext& run) {
+  return withProject(projectJson, [&](const Project& project, RunContext& run) {
     tell(run, onProgress, 0, 1);
-    const auto project = call::projectOf(projectJson);
-    if (!project) return failure(project.error());
-    sillon::ZonesRequest request;
-    if (body) request.body = call::takenFile();
+    ZonesRequest request;
+    if (body) request.body = takenFile();
     request.height = params[0].as<double>();
     request.params.most = params[1].as<int>();
     request.params.least = params[2].as<double>();
@@ -170,55 +141,47 @@ val makeZones(const std::string& projectJson, const val& files, bool body, const
     if (!params[4].isUndefined()) {
       request.face = {{params[4].as<double>(), params[5].as<double>()}, params[6].as<double>()};
     }
-    const auto made = sillon::makeZones(project.value(), request, convert::reader(files), run);
+    const auto made = sillon::makeZones(project, request, reader(files), run);
     if (!made) return failure(made.error());
-    val zones = val::array();
-    for (const sillon::DirectionZone& zone : made.value().zones.zones) {
-      val one = val::object();
-      one.set("degrees", zone.degrees);
-      one.set("areaMm2", zone.areaMm2);
-      zones.call<void>("push", one);
-    }
-    val out = val::object();
-    const std::string& package = made.value().package;
-    out.set("file", convert::copied(reinterpret_cast<const std::uint8_t*>(package.data()), package.size()));
-    out.set("zones", zones);
-    out.set("error", made.value().zones.error);
-    out.set("openEdges", static_cast<double>(made.value().openEdges));
-    out.set("notes", convert::toJs(made.value().notes));
-    out.set("warnings", convert::toJs(made.value().warnings));
-    return success(out);
+    const auto zoneOf = [](const DirectionZone& zone) {
+      return object({{"degrees", zone.degrees}, {"areaMm2", zone.areaMm2}});
+    };
+    const ZonesMade& all = made.value();
+    return success(object({{"file", copied(all.package)},
+                           {"zones", listOf(all.zones.zones, zoneOf)},
+                           {"error", all.zones.error},
+                           {"openEdges", static_cast<double>(all.openEdges)},
+                           {"notes", toJs(all.notes)},
+                           {"warnings", toJs(all.warnings)}}));
   });
 }
 
 val linesOfDrawing(const val& file) {
-  return guarded([&](sillon::RunContext&) {
-    const std::vector<std::uint8_t> bytes = convert::numbers<std::uint8_t>(file);
+  return guarded([&](RunContext&) {
+    const std::vector<std::uint8_t> bytes = numbers<std::uint8_t>(file);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    val out = val::array();
-    for (const std::string& name : sillon::linesOfDrawing(text)) out.call<void>("push", val(name));
-    return success(out);
+    return success(listOf(sillon::linesOfDrawing(text)));
   });
 }
 
 val paintDrawing(const val& files, const std::string& name) {
-  return guarded([&](sillon::RunContext&) {
-    const auto painted = sillon::readPainted(convert::reader(files), name, "drawing");
+  return guarded([&](RunContext&) {
+    const auto painted = readPainted(reader(files), name, "drawing");
     if (!painted) return failure(painted.error());
-    return success(convert::toJs(painted.value().picture));
+    return success(toJs(painted.value().picture));
   });
 }
 
 val decodePicture(const val& file, const std::string& name) {
-  return guarded([&](sillon::RunContext&) {
-    const auto image = sillon::decodeImage(convert::numbers<std::uint8_t>(file), name);
+  return guarded([&](RunContext&) {
+    const auto image = decodeImage(numbers<std::uint8_t>(file), name);
     if (!image) return failure(image.error());
-    return success(convert::toJs(image.value()));
+    return success(toJs(image.value()));
   });
 }
 
 val readProject(const std::string& json) {
-  return guarded([&](sillon::RunContext&) {
+  return guarded([&](RunContext&) {
     const auto project = sillon::readProject(json);
     if (!project) return failure(project.error());
     return success(val(sillon::writeProject(project.value())));
@@ -226,30 +189,19 @@ val readProject(const std::string& json) {
 }
 
 val writeProject(const std::string& projectJson) {
-  return guarded([&](sillon::RunContext&) {
-    const auto project = call::projectOf(projectJson);
-    if (!project) return failure(project.error());
-    return success(val(sillon::writeProject(project.value())));
-  });
+  return withProject(projectJson,
+                     [&](const Project& project, RunContext&) { return success(val(sillon::writeProject(project))); });
 }
 
 val profiles() {
-  return guarded([&](sillon::RunContext&) {
-    const auto all = [](sillon::ProfileKind kind) {
-      val list = val::array();
-      for (const sillon::PrinterProfile& preset : sillon::profiles(kind)) {
-        val entry = val::object();
-        entry.set("id", val(preset.id));
-        entry.set("project", val(sillon::writePrinter(preset.printer)));
-        list.call<void>("push", entry);
-      }
-      return list;
+  return guarded([&](RunContext&) {
+    const auto all = [](ProfileKind kind) {
+      return listOf(sillon::profiles(kind), [](const PrinterProfile& preset) {
+        return object({{"id", preset.id}, {"project", writePrinter(preset.printer)}});
+      });
     };
-    val out = val::object();
-    out.set("printers", all(sillon::ProfileKind::Printer));
-    out.set("filaments", all(sillon::ProfileKind::Filament));
-    return success(out);
+    return success(object({{"printers", all(ProfileKind::Printer)}, {"filaments", all(ProfileKind::Filament)}}));
   });
 }
 
-}  // namespace bindings
+}  // namespace sillon::bindings

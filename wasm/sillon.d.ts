@@ -9,7 +9,7 @@ export interface EngineOptions {
   /** 'auto': as many as the machine has, at most 8, where memory can be shared between threads, else 1; 'off': 1;
    * a number: 1..64. Results never depend on it. Default 'auto'. */
   threads?: 'auto' | 'off' | number;
-  /** Where the files of `sillon/dist/engine` are served from, with or without a final slash; may be another origin.
+  /** Folder from which the files of `sillon/dist/engine` are served, with or without a final slash; may be another origin.
    * Default: beside this module. */
   assetBase?: string | URL;
   /** Milliseconds without work after which the worker is ended and its memory given back; it comes back by itself.
@@ -21,7 +21,7 @@ export interface EngineOptions {
   memory?: number;
 }
 
-/** What a page that sells or shows plates needs of an upload, in one call with limits. The engine that it starts is ended in
+/** Makes all that a page that sells or shows plates needs of an upload, with limits. The engine that it starts is ended in
  * any case. docs/guide/shops.md
  * @throws SillonError as the calls of Engine do; `TooLarge` also after `limits.seconds`, `OutOfMemory` also beyond
  * `limits.memory`. */
@@ -29,7 +29,7 @@ export function preparePlate(upload: PlateInput, options?: PrepareOptions): Prom
 
 export interface PrepareOptions {
   toolpath?: ToolpathOptions;
-  /** Of the shop, in place of one in the upload: start and end blocks are run by a machine. */
+  /** Printer of the shop; it replaces one in the upload, because a machine runs its start and end blocks. */
   printer?: Partial<Printer>;
   print?: Partial<PrintParams>;
   /** The filament that poster and view show. */
@@ -41,12 +41,12 @@ export interface PrepareOptions {
   limits?: {
     /** For all of it. More than 0; default 60. */
     seconds?: number;
-    /** As EngineOptions.memory. Default 512. */
+    /** The same as EngineOptions.memory. Default 512. */
     memory?: number;
-    /** As EngineOptions.threads. Default 'off', as servers have other uploads to look after. */
+    /** The same as EngineOptions.threads. Default 'off', because servers have other uploads to look after. */
     threads?: EngineOptions['threads'];
   };
-  /** As EngineOptions.assetBase. */
+  /** The same as EngineOptions.assetBase. */
   assetBase?: string | URL;
 }
 
@@ -57,18 +57,18 @@ export interface PreparedPlate {
   view: Blob;
   /** text/x-gcode */
   gcode: Blob;
-  /** What a printer would trip over, as `sillon check` finds it. */
+  /** Faults that would make a print fail, the same as `sillon check` finds. */
   findings: GcodeFinding[];
   grams: number;
   /** Estimate. */
   minutes: number;
-  /** Of the plate's page, in mm. */
+  /** Width and height of the plate's page [mm]. */
   page: [number, number];
   summary: GcodeSummary;
   report: Report;
 }
 
-/** What was started, and why not more. */
+/** The engine as it was started, and the reason if it has fewer threads than asked for. */
 export interface EngineInfo {
   version: string;
   variant: 'mt' | 'st';
@@ -159,7 +159,7 @@ export interface Engine {
    * G-code, .gcode.3mf, .bgcode or .gz. The engine keeps the print for the next call with the same Blob, as do printRelief and
    * rebrush: hand it over again, and it is read once. @throws `InvalidFile`, `TooLarge`. */
   listSurfaces(file: Bytes, options?: RunOptions): Promise<SlicedFile>;
-  /** What such a print looks like from above: the highest bead at each place.
+  /** Computes the relief of such a print as seen from above: the highest bead at each place.
    * @param side  most cells of the longer side, 16..4096, default 1024. @throws `InvalidFile`, `InvalidArgument`. */
   printRelief(file: Bytes, side?: number, options?: RunOptions): Promise<PrintRelief>;
   /** Lays other beads on the surfaces of such a file, and changes nothing else (docs/guide/rebrush.md).
@@ -173,7 +173,7 @@ export interface Engine {
    * @param photograph  as decodePicture gives it, or a canvas; at most 64 million pixels.
    * @throws `InvalidFile` (one sentence: why nothing can be measured), `InvalidArgument`, `TooLarge`. */
   readCoupon(photograph: Picture, request?: CouponRequest, options?: RunOptions): Promise<CouponReading>;
-  /** What several photographs of one coupon say together, as `sillon calibrate read` joins them. Lamp and camera are the first's.
+  /** Joins the readings of one coupon's photographs, as `sillon calibrate read` does. Lamp and camera are the first's.
    * @param readings  of readCoupon, at least one. @param request  that they were read with.
    * @throws `InvalidFile` (one sentence) where one differs so much that it shows another spool, `InvalidArgument`. */
   joinReadings(
@@ -226,7 +226,7 @@ export interface CalibrationRequest {
   /** First and last value to try, in the kind's unit; left out: the kind's own. */
   from?: number;
   to?: number;
-  /** What the file's pictures and `picture` show. Default: blue PLA. */
+  /** Filament that the file's pictures and `picture` show. Default: blue PLA. */
   filament?: Partial<ViewParams>;
   /** Longer side of `picture` [pixels], 64..1024; 0 makes none. Default 0. */
   pictureSide?: number;
@@ -236,15 +236,15 @@ export interface Calibration {
   /** text/x-gcode */
   blob: Blob;
   summary: GcodeSummary;
-  /** Of the same file, read back. */
+  /** Check of the same file, read back. */
   check: GcodeCheck;
   /** Value to enter: names of settings, or words where it is none of ours. */
   setting: string[];
-  /** Of the values: 'mm', 's', 'mm/s', 'degrees Celsius', '%', 'degrees' or ''. */
+  /** Unit of the values: 'mm', 's', 'mm/s', 'degrees Celsius', '%', 'degrees' or ''. */
   unit: string;
   /** One English sentence: which of the values is right. */
   advice: string;
-  /** What was tried, and where: from the page's lower left. `label` is printed beside it. */
+  /** Values that were tried, each with its place from the page's lower left. `label` is printed beside it. */
   values: { label: string; value: number; at: [number, number] }[];
   /** Width and height. */
   page: [number, number];
@@ -253,14 +253,14 @@ export interface Calibration {
 }
 
 export interface CouponRequest {
-  /** As the coupon was made: nozzle and flow count. */
+  /** The printer for which the coupon was made; nozzle and flow count. */
   printer?: Partial<Printer>;
   print?: Partial<PrintParams>;
   from?: number;
   to?: number;
   /** A slope as `pictures.lampSize`, 0..2; left out: unknown, and small. */
   lampSize?: number;
-  /** As measured within 2° [degrees], 10..80; left out: 47 within 9. */
+  /** Elevation measured to within 2° [degrees], 10..80; if left out, 47 to within 9° is assumed. */
   lampElevation?: number;
 }
 
@@ -279,13 +279,13 @@ export interface CouponReading {
   /** Without `flow`: all discs are closed, or none is; neither: the photograph does not tell. */
   allDiscsClosed: boolean;
   noDiscClosed: boolean;
-  /** Of a bead, and what was asked for. */
+  /** Width of a bead, and the width that was asked for. */
   width: Measured;
   widthAsked: number;
-  /** Of the lamp, in the coupon's own directions [degrees]. */
+  /** Direction of the lamp, in the coupon's own directions [degrees]. */
   azimuth: Measured;
   elevation: Measured;
-  /** Of the camera off the coupon's normal [degrees]. */
+  /** Tilt of the camera off the coupon's normal [degrees]. */
   tilt: number;
   pixelsPerMm: number;
   /** Standard deviation. */
@@ -308,7 +308,7 @@ export interface SpoolSlopes {
   bedSide: [number, number];
 }
 
-/** What to lay on a print. */
+/** The beads to lay on a print. */
 export interface RebrushOptions {
   /** The same as of a plate. Where the lowest shows pictures, beads follow borders only as far as these allow it, unless
    * `toolpath.perimeterMode` says otherwise. */
@@ -364,14 +364,14 @@ export interface SlicedSurface {
   layer: number;
   z: number;
   height: number;
-  /** As the slicer names it; may be empty. */
+  /** The slicer's name for it; may be empty. */
   object: string;
   tool: number;
   /** On a page of its own, whose lower left lies at `corner` on the bed. */
   region: Shape;
   corner: [number, number];
   areaMm2: number;
-  /** Of its beads, and between them. */
+  /** Width of its beads, and spacing between them. */
   width: number;
   spacing: number;
   volumeMm3: number;
@@ -397,7 +397,7 @@ export interface Rebrushed {
   blob: Blob;
   /** By which the print takes longer, as estimated; the file's own times say so too. */
   seconds: number;
-  /** Those that were asked for. */
+  /** The surfaces that were asked for. */
   surfaces: (SlicedSurface & {
     /** Its place in the list of listSurfaces. */
     index: number;
@@ -407,7 +407,7 @@ export interface Rebrushed {
     alignment: number;
     /** [%] */
     coverage: number;
-    /** How far a bead reaches over the region at most. */
+    /** Greatest distance by which a bead reaches over the region. */
     beyond: number;
     seconds: number;
     /** Lamps as azimuth and elevation, how well each picture is seen (docs/reference/metrics.md), and the share of it that is
@@ -530,7 +530,7 @@ export type ShapeInput = ShapeChanges &
         /** Letters of the shape `text`, as wide as its size, and their font: a built-in one, or a file's bytes. */
         text?: string;
         font?: string | Bytes;
-        /** Of these letters, where their font is a variable one: 1..1000; 0 is the font's own. */
+        /** Weight of these letters, 1..1000, if their font is a variable one; 0 is the font's own. */
         weight?: number;
       }
     /** SVG, or a mask picture whose bright, opaque pixels are inside. `pageWidth` 0: as drawn, 80 mm for a mask.
@@ -906,29 +906,29 @@ export interface PrintParams {
   /** Where the lower left corner of the (rotated) page goes on the bed; null centres it. -10000..10000 mm, default null. */
   place: [number, number] | null;
 
-  /** Of the file's first line; default: now. The same date gives the same bytes. */
+  /** Date in the file's first line; default: now. The same date gives the same bytes. */
   date: Date;
 }
 
 /** The filament that a plate is shown in. */
 export interface ViewParams {
-  /** Of the body: red, green, blue in sRGB, 0..255. Default gold. */
+  /** Colour of the body: red, green, blue in sRGB, 0..255. Default gold. */
   colour: [number, number, number];
   /** RMS slopes of the surface along and across the bead [degrees], 0.1..45. Default 8.93, 15.6. */
   slopes: [number, number];
 }
 
 export interface PreviewParams {
-  /** Of one panel [pixels], 16..16384; of the look alone 16..1024, and so its height, which follows the page. Default 1600;
+  /** Width of one panel [pixels], 16..16384; of the look alone 16..1024, like its height, which follows the page. Default 1600;
    * 1024 for the look alone. */
   width: number;
   /** Directions with their legend beside the look, or the look alone, as a poster. Default 'both'. */
   panels: 'both' | 'look';
-  /** Of the body: red, green, blue in sRGB, 0..255. Default blue. */
+  /** Colour of the body: red, green, blue in sRGB, 0..255. Default blue. */
   colour: [number, number, number];
   /** RMS slopes of the surface along and across the bead [degrees], 0.1..45. Default 2.36, 17.32. */
   slopes: [number, number];
-  /** Of the light, degrees counter-clockwise from +x. Default 60. */
+  /** Direction of the light, degrees counter-clockwise from +x. Default 60. */
   lightAzimuth: number;
   /** Degrees above the plate, 1..90. Default 35. */
   lightElevation: number;
@@ -962,7 +962,7 @@ export interface Project {
   toolpath: ToolpathParams;
   print: Omit<PrintParams, 'date'>;
   printer: Printer;
-  /** What the studio keeps of its own in a project; other programs leave it as it is. */
+  /** The studio's own values in a project; other programs leave them as they are. */
   studio?: Record<string, unknown>;
 }
 
@@ -977,11 +977,11 @@ export type DeepPartial<T> = T extends readonly unknown[]
 export interface ToolpathResult {
   toolpath: Toolpath;
   report: Report;
-  /** Of two pictures and more. */
+  /** Present for two pictures and more. */
   conflict?: Conflict;
 }
 
-/** What pictures on one plate take from each other, in cells over the page, row 0 on top. */
+/** Tones that pictures on one plate take from each other, in cells over the page, row 0 on top. */
 export interface Conflict {
   width: number;
   height: number;
@@ -996,17 +996,17 @@ export interface Toolpath {
   spacing: number;
   /** One per connected part, in printing order. */
   cycles: Cycle[];
-  /** What was filled: base layers and skirt are made from it. */
+  /** Shape that was filled: base layers and skirt are made from it. */
   shape: Shape;
-  /** What made the toolpath and how good it is; goes into the G-code's header. */
+  /** Notes on the making and the quality of the toolpath, for the G-code's header. */
   notes: string[];
-  /** Of plates that show pictures: what the pictures in the G-code look like, too. */
+  /** Given for plates that show pictures: the look of the pictures in the G-code, too. */
   look?: Look;
 }
 
-/** How a plate of pictures is to be seen. */
+/** The filament and the light under which a plate of pictures is to be seen. */
 export interface Look {
-  /** Of the spool, sRGB. */
+  /** Colour of the spool, sRGB. */
   colour: [number, number, number];
   /** Along and across the bead, degrees. */
   slopes: [number, number];
@@ -1054,11 +1054,11 @@ export interface Report {
   gapJoints: number;
   /** Toolpaths more than connected parts: no joint to the rest of their part was possible. */
   unjoined: number;
-  /** Where these lie: x, y [mm] of the middle of each. */
+  /** Middles of these toolpaths, x, y [mm]. */
   apart: [number, number][];
   /** Seconds by stage, and their `total`. */
   time: Record<string, number>;
-  /** Of the engine's memory. */
+  /** Greatest size of the engine's memory. */
   peakBytes: number;
   threads: number;
   /** Equal digests mean equal plates, on every platform. */
@@ -1089,9 +1089,9 @@ export interface Report {
   lostPlaces?: [number, number, number, number][];
   /** Widened to one bead by `keepThin`. */
   keptAreaMm2?: number;
-  /** As lostPlaces. */
+  /** The same as lostPlaces, for the parts that were kept. */
   keptPlaces?: [number, number, number, number][];
-  /** How well the toolpath shows each picture under its lamp: docs/reference/metrics.md. */
+  /** Figures on how well the toolpath shows each picture under its lamp: docs/reference/metrics.md. */
   pictures?: PictureReport[];
   /** Visible layers: the shares of their letters, drawing, modules or box that are not seen, each for one reason. */
   layers?: LayerReport[];
@@ -1143,7 +1143,7 @@ export interface GcodeSummary {
   moves: number;
   bytes: number;
   clampedLengthMm: number;
-  /** Of oriented beads that `curveAcceleration` slows. */
+  /** Length of oriented beads that `curveAcceleration` slows. */
   curveSlowedMm: number;
   warnings: GcodeWarning[];
 }
@@ -1157,7 +1157,7 @@ export interface DrawingNote {
   message: string;
 }
 
-/** What the user should know of a plate, or of a file that was written. */
+/** A fact that the user should know of a plate, or of a file that was written. */
 export interface GcodeWarning {
   code: WarningCode;
   /** Numbers, names of settings, and what a reader of a block says; the words in braces of `message`'s pattern. */
@@ -1224,9 +1224,9 @@ export interface PrinterProfile {
 }
 
 export interface ImportNote {
-  /** As `core/src/printer_import/notes.cpp` lists them: `BedUnknown`, `OutOfRange` … */
+  /** A code of `core/src/printer_import/notes.cpp`: `BedUnknown`, `OutOfRange` …, or the `reason` of an error. */
   code: string;
-  /** What the message names: texts as the file has them, numbers in plain notation. */
+  /** Values that the message names: texts as in the file, numbers in plain notation. */
   values: Record<string, string>;
   /** One sentence in English. */
   message: string;
@@ -1240,13 +1240,13 @@ export interface ImportedPrinter {
   source: 'donor G-code' | 'PrusaSlicer settings' | 'Orca settings' | 'project';
   /** Names of the settings taken. */
   read: string[];
-  /** What could not be taken over or needs a look. */
+  /** Settings that could not be taken over or need a look. */
   notRead: ImportNote[];
 }
 
 export interface GcodeCheck {
   findings: GcodeFinding[];
-  /** What could not be judged, as neither a printer was given nor the file tells the machine's limits. */
+  /** Rules that could not be judged, since no printer was given and the file does not tell the machine's limits. */
   unchecked: ('bed' | 'height' | 'nozzle' | 'flow' | 'speed')[];
   /** Lines that put the print at risk. */
   errors: number;
@@ -1260,22 +1260,22 @@ export interface GcodeCheck {
   closed: number;
   open: number;
   retractions: number;
-  /** Of beads. */
+  /** Greatest speed of beads. */
   fastest: number;
-  /** Of oriented beads slower than the fastest of their layer. */
+  /** Length of oriented beads slower than the fastest of their layer. */
   slowedMm: number;
   /** mm³/s. */
   mostFlow: number;
   /** Moves per second over any 8. */
   mostMoves: number;
   printer: string;
-  /** Of the middles of beads, without start and end blocks, mm; null: there are none. */
+  /** Box of the middles of beads, without start and end blocks, mm; null: there are none. */
   box: { min: [number, number]; max: [number, number] } | null;
-  /** Of the highest bead, mm. */
+  /** Top of the highest bead, mm. */
   top: number;
   /** Share of the base that each oriented layer of a file of ours covers; null where there is no base. */
   coverage: (number | null)[];
-  /** How long the beads of the visible layers wait for their neighbours; null: no oriented bead has one, or the file is
+  /** Times that the beads of the visible layers wait for their neighbours; null: no oriented bead has one, or the file is
    * not ours. */
   neighbourDelay: NeighbourDelay | null;
 }
@@ -1296,14 +1296,14 @@ export interface NeighbourDelay {
 export interface GcodeFinding {
   /** One per sentence, such as 'too-hot'. */
   code: string;
-  /** What the code belongs to, such as 'heating'. */
+  /** Group of the code, such as 'heating'. */
   rule: string;
   /** The print is at risk; else worth knowing. */
   error: boolean;
   /** The first, from 1; 0: the file as a whole. */
   line: number;
   count: number;
-  /** What the sentence shows, by name, such as { limit: '300', degrees: '480' }. */
+  /** Values that the sentence shows, by name, such as { limit: '300', degrees: '480' }. */
   values: Record<string, string>;
   /** In English. */
   message: string;
@@ -1331,42 +1331,501 @@ export type ErrorCode =
   /** Our fault. */
   | 'Internal';
 
-/** Which sentence an error's message is, for those who say it in another language than English. */
+/** The reasons that are one sentence. Words in braces are its `values`. */
+export type PlainReason =
+  /** The run was cancelled. */
+  | 'Cancelled'
+  /** No bead fits into this shape at a toolpath.spacing of {spacing} mm; use a smaller one or a larger shape. */
+  | 'NoBeadFits'
+  /** Nothing in the drawing is filled, and no bead fits into its lines at a toolpath.spacing of {spacing} mm; shape.paint ignore (--paint ignore) fills what they enclose. */
+  | 'LinesTooThin'
+  /** Hole {n} at {x}, {y} mm, {diameter} mm wide, lies outside the shape, which reaches from {left}, {bottom} to {right}, {top} mm; move it onto the shape, or leave it out. */
+  | 'HoleOutside'
+  /** An offset of {offset} mm leaves nothing of the shape, whose deepest place is {depth} mm from the outline; use an offset that is nearer to 0. */
+  | 'OffsetTooDeep'
+  /** No font has a letter for {letter}; take a font that has it, or leave it out. */
+  | 'MissingLetter'
+  /** The font {font} has {letter} only as a picture; take a font that has its outline, or leave it out. */
+  | 'PictureLetter'
+  /** {name} is {value} mm; it must be more than 0 and at most {most} mm. */
+  | 'SizeOutOfRange'
+  /** At a width of {width} mm the height is {height} mm; it must be more than 0 and at most {most} mm. */
+  | 'HeightOutOfRange'
+  /** Shape.radius is {radius} mm; it must be 0 or more. */
+  | 'RadiusNegative'
+  /** Shape.inner is {inner} mm; it must be more than 0 and less than the shorter side of {side} mm. */
+  | 'InnerOutOfRange'
+  /** The holes leave nothing of the shape; make them smaller or fewer. */
+  | 'HolesLeaveNothing'
+  /** The outline has too many edges or meets itself too often; at most 4 million pieces can be read; merge its paths in a drawing program, or draw it as a PNG. */
+  | 'OutlineTooManyPieces'
+  /** The outline is too detailed for this spacing or this memory; simplify the drawing. */
+  | 'OutlineTooDetailed'
+  /** The shape has a point at {x}, {y} mm; both coordinates must be -{most} to {most} mm. */
+  | 'ShapePointTooFar'
+  /** The shape has no outline; it needs at least one closed path. */
+  | 'NoOutline'
+  /** The shape encloses no area; it needs at least one closed path with an inside. */
+  | 'NoInside'
+  /** The mask has no pixels; it needs a picture of 1 to 4 channels. */
+  | 'MaskWithoutPixels'
+  /** The outline of the mask has more than 4 million points; use a smaller or less noisy picture. */
+  | 'MaskTooDetailed'
+  /** The mask is empty; some of its pixels must be at least 50 % bright or opaque. */
+  | 'MaskEmpty'
+  /** Nothing of the shape is left at a width of {width} mm; make it wider. */
+  | 'NothingAtWidth'
+  /** The page is {width} × {height} mm; both sides must be 0.001 to 100000 mm. */
+  | 'PageOutOfRange'
+  /** The toolpath has a point outside −100000 to 100000 mm. */
+  | 'PathPointTooFar'
+  /** The toolpath has a bead width outside 0 to 1000 mm. */
+  | 'BeadTooWide'
+  /** The plate needs more than a thousand million path points; use a larger toolpath.spacing. */
+  | 'PathTooLong'
+  /** {name} is a picture of {width} × {height} pixels with {channels} channels and {samples} samples; it must have pixels, 1 to 4 channels and a sample for each. */
+  | 'SamplesUnlikePicture'
+  /** {name} is a picture whose sides, channels and number of samples do not fit; it must have 1 to 4 channels, sides of 1 to {side} pixels, at most {millions} million pixels, and a sample for each channel of each pixel. */
+  | 'SamplesUnlikeSides'
+  /** The map of {name} is {width} × {height} pixels with {values} values; it must have a pixel at least, and one value for each. */
+  | 'ValuesUnlikeMap'
+  /** The direction map is a picture with {channels} channels; tangents need red and green, 3 or 4. */
+  | 'TangentsNeedColours'
+  /** The angle is not a finite number of degrees; it must be one. */
+  | 'AngleNotFinite'
+  /** {file} cannot be read as {format}: it is cut off; copy or download it again. */
+  | 'PictureCutOff'
+  /** {file} cannot be read as {format}: it is damaged; save it again in a picture editor. */
+  | 'PictureDamaged'
+  /** {file} cannot be read as {format}: its header is damaged or of an unknown kind; save it again in a picture editor. */
+  | 'PictureHeader'
+  /** {file} cannot be read as {format}: it holds no picture. */
+  | 'PictureEmpty'
+  /** {file} cannot be read as {format}: it has more than 100 scans; save it again in a picture editor. */
+  | 'PictureScans'
+  /** {file} cannot be read as {format}: it is packed (run lengths); save it without compression. */
+  | 'PicturePacked'
+  /** {file} has {width} × {height} pixels; at most {side} per side and {millions} million in all are allowed, {transparent} million with transparency. */
+  | 'PictureTooLarge'
+  /** {file} is empty; it must hold at least one byte. */
+  | 'FileEmpty'
+  /** {file} is named but not given; hand its bytes over. */
+  | 'FileNotGiven'
+  /** {file} is a {kind} file; pictures must be PNG, JPEG, BMP or TGA, and drawings plain SVG in UTF−8. */
+  | 'FormatUnread'
+  /** {file} is not a picture that can be read (it begins with bytes {bytes}); PNG, JPEG, BMP and TGA can. */
+  | 'UnknownPicture'
+  /** The font is {font}; it must be a file that is handed over, or one of {known}. */
+  | 'UnknownFont'
+  /** {font} is no font; it must be a TrueType or OpenType file, plain or packed (.ttf, .otf, .woff, .woff2). */
+  | 'NoFont'
+  /** The letters of {font} have more than {megabytes} MiB of curves; take another font. */
+  | 'FontTooDetailed'
+  /** The line is {line} mm long and its circle {circle} mm; take a larger circle, smaller letters or fewer of them. */
+  | 'LineLongerThanCircle'
+  /** The text has no ink; it must have letters that can be seen. */
+  | 'TextWithoutInk'
+  /** The text has {bytes} bytes; no QR code of this correction holds it: shorten it, or lower the correction. */
+  | 'QrTooLong'
+  /** The drawing is not UTF−8 text; save it as plain SVG. */
+  | 'SvgNotText'
+  /** The file holds no <svg> element; save the drawing as plain SVG. */
+  | 'SvgEmpty'
+  /** The file is not well-formed XML in line {line}, at {text}; save it again in a drawing program. */
+  | 'SvgNotXml'
+  /** The first element is {text}; it must be <svg>. */
+  | 'SvgFirstElement'
+  /** Elements nest deeper than {most} levels; ungroup them in a drawing program. */
+  | 'SvgNested'
+  /** The file declares more than {most} namespaces at one place; save it as plain SVG. */
+  | 'SvgNamespaces'
+  /** The entities of the DOCTYPE are too many or too long; at most 1000 are read, of 1 MiB in all, for a text of 64 MiB. */
+  | 'SvgEntities'
+  /** <use> repeats so many elements that the drawing becomes too large; repeat fewer. */
+  | 'SvgUseRepeats'
+  /** Clipping repeats so many outlines that the drawing becomes too large; combine the paths under each clip path or mask into one. */
+  | 'SvgClipRepeats'
+  /** <style> has so many rules that the drawing becomes too large; save it with fewer. */
+  | 'SvgStyleRules'
+  /** There are too many outlines without paint; combine some of them. */
+  | 'SvgLoosePieces'
+  /** The outlines have more than {most} points; simplify the drawing. */
+  | 'SvgPoints'
+  /** A point lies more than 1 km away; coordinates in mm must be within 1000000. */
+  | 'SvgPointTooFar'
+  /** The drawing has more than {most} letters; convert text to paths, or leave some out. */
+  | 'SvgLetters'
+  /** The radii of an arc are too small for its length; draw the arc as a curve. */
+  | 'SvgArcRadii'
+  /** The size of the drawing is unknown; <svg> needs width and height, or a viewBox. */
+  | 'SvgWithoutSize'
+  /** {attribute} is {text}, which makes a side of {value} mm; it must be more than 0 and at most {most} mm. */
+  | 'SvgPageSide'
+  /** Width and height must not be negative. */
+  | 'SvgNegativeSize'
+  /** {attribute} is {text}; it must not be negative. */
+  | 'SvgNegative'
+  /** {attribute} is {text}; known units are mm, cm, in, pt, pc, px, Q, em, ex and %. */
+  | 'SvgUnit'
+  /** {attribute} is {text}; it must be lengths. */
+  | 'SvgLengths'
+  /** Href is {text}; it must name an element of this file by #id. */
+  | 'SvgHrefElsewhere'
+  /** Href is {text}, but no element has this id. */
+  | 'SvgHrefUnknown'
+  /** {attribute} is {text}, which shows itself again. */
+  | 'SvgShowsItself'
+  /** {attribute} has {text} where a number must stand. */
+  | 'SvgNumber'
+  /** {attribute} has the number {text}, which is too large. */
+  | 'SvgNumberTooLarge'
+  /** {attribute} has {text} where a flag 0 or 1 must stand. */
+  | 'SvgFlag'
+  /** {attribute} has {text} where a {sign} must stand. */
+  | 'SvgSign'
+  /** {attribute} has {text} where a command M L H V C S Q T A or Z must stand. */
+  | 'SvgCommand'
+  /** {attribute} has {text} where M, the first command, must stand. */
+  | 'SvgFirstCommand'
+  /** {attribute} has {text} where a known unit must stand. */
+  | 'SvgUnitHere'
+  /** {attribute} has {text} where a transform such as translate(1 2) must stand. */
+  | 'SvgTransform'
+  /** {attribute} has {text} where it must end. */
+  | 'SvgEnd'
+  /** Transform has {text} with {count} numbers; it must be matrix, translate, scale, rotate, skewX or skewY with the numbers it takes. */
+  | 'SvgTransformNumbers'
+  /** Transform-origin is {text}; it must be two lengths, or words such as center. */
+  | 'SvgTransformOrigin'
+  /** ViewBox is {text}; its width and height must be more than 0. */
+  | 'SvgViewBox'
+  /** PreserveAspectRatio is {text}; it must be none or an alignment such as xMidYMid, then meet or slice. */
+  | 'SvgAspectRatio'
+  /** All that is painted lies off the page or is clipped away; shape.paint ignore (--paint ignore) takes outlines whatever their paint and place. */
+  | 'PaintOffPage'
+  /** The drawing has no area to fill; it needs paths, basic shapes, lines with a stroke or text that can be set in a built-in font (images do not count). */
+  | 'NothingDrawn'
+  /** The text is not JSON at line {line}, column {column}; a project or scene is one JSON object. */
+  | 'NotJson'
+  /** The JSON is nested deeper than {most} levels; a project needs 5. */
+  | 'JsonTooDeep'
+  /** Unknown key {setting}; similar names: {near}. */
+  | 'KeyLike'
+  /** Unknown key {setting}; known are {known}. */
+  | 'KeyUnknown'
+  /** {setting} has no {key}; it must have one. */
+  | 'KeyMissing'
+  /** {name} is unknown for {setting}; similar names: {near}. */
+  | 'NameLike'
+  /** {name} is unknown for {setting}; known are {known}. */
+  | 'NameUnknown'
+  /** {setting} is of the JSON type {type}; it must be text. */
+  | 'NotText'
+  /** {setting} is of the JSON type {type}; it must be true or false. */
+  | 'NotFlag'
+  /** {setting} is of the JSON type {type}; it must be a number. */
+  | 'NotNumber'
+  /** {setting} is of the JSON type {type}; it must be a number or null. */
+  | 'NotNumberOrNull'
+  /** {setting} is of the JSON type {type}; it must be a whole number. */
+  | 'NotWhole'
+  /** {setting} is {value}; it must be a whole number from {low} to {high}. */
+  | 'NotWholeNumber'
+  /** {setting} is of the JSON type {type}; it must be two numbers [x, y]. */
+  | 'NotPair'
+  /** {setting} is {value}; it must be two whole numbers. */
+  | 'NotWholePair'
+  /** {setting} is of the JSON type {type}; it must be a list. */
+  | 'NotList'
+  /** {setting} is of the JSON type {type}; it must be an object. */
+  | 'NotObject'
+  /** {setting} must be a list of numbers x, y, x, y, ... in mm. */
+  | 'NotPoints'
+  /** {setting} is {value}; it must be {choices}. */
+  | 'NotChoice'
+  /** {setting} is not for the kind {kind}; it has {known}. */
+  | 'OtherKind'
+  /** Sillon is {version}; this program reads version {known}. */
+  | 'OtherVersion'
+  /** The project has no version; it must have "sillon": {known}. */
+  | 'NoVersion'
+  /** The file is neither a project nor a scene; a project has "sillon": 1, a scene has "nozzle_width" and "svg_path". */
+  | 'NoProject'
+  /** There is no shape; give a shape file, a built-in shape ({names}) or a direction picture. */
+  | 'NoShape'
+  /** {setting} has {bytes} bytes; it must be text of at most {most}. */
+  | 'TextTooLong'
+  /** {setting} is {value}; it must be one line of at most {most} bytes. */
+  | 'NotOneLine'
+  /** {setting} has {count} entries; it may have up to {most}. */
+  | 'TooMany'
+  /** {setting} have {count} points; they may have up to {most}. */
+  | 'TooManyPoints'
+  /** {setting} is {value}; it must be "#rrggbb". */
+  | 'NotColour'
+  /** {setting} is empty; it must name a file. */
+  | 'FileNotNamed'
+  /** {setting} is empty; it must have letters. */
+  | 'TextMissing'
+  /** Layers.pictures is empty; it must have at least one picture. */
+  | 'PicturesMissing'
+  /** Layers.file is empty; an echo must name a drawing, or have letters in layers.text. */
+  | 'EchoOfNothing'
+  /** Shape has both file {file} and a builtin; it must have one of them. */
+  | 'TwoShapes'
+  /** Printer.bedMax is {max} mm; it must be {low} to {high} mm right of and above printer.bedMin {min}. */
+  | 'BedSides'
+  /** Printer.roundBed is true on a bed of {width} × {depth} mm; it must be a square. */
+  | 'RoundBedSides'
+  /** Printer.screenSizes must be at most 8 sizes of 16 to 1024 pixels, such as "16x16/QOI, 300x300/PNG". */
+  | 'ScreenSizes'
+  /** Layers.cropMax is {max}; it must be right of and above layers.cropMin {min}. */
+  | 'CropReversed'
+  /** The file holds {count} plates; export them one by one, so that none is forgotten. */
+  | 'SeveralPlates'
+  /** The plate lies {by} mm over the edge of the round bed. */
+  | 'OverRoundBed'
+  /** The plate touches the excluded part of the bed; place it elsewhere. */
+  | 'OnExcludedZone'
+  /** With the lift of the nozzle the print is {height} mm high; this printer reaches {most} mm. */
+  | 'TooHigh'
+  /** These plates are {height} mm high; several on one bed, printed one after the other, may be at most {most} mm, or the print head would touch them. */
+  | 'CopiesTooHigh'
+  /** The file has {count} printers, and none is chosen; name one of {names}. */
+  | 'WhichPrinter'
+  /** Print.rim is {rim}, but what shows lies on the bed; print.showSide must be up for a rim, or print.rim 0. */
+  | 'RimBelow'
+  /** Its lines are numbered, as hosts send them; take the file that the slicer wrote. */
+  | 'LinesNumbered'
+  /** It does not mark its surfaces; files of PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio and Cura do. */
+  | 'NoMarks'
+  /** The file gives no filament diameter, and its beads may be {thinWidth} mm wide from filament of {thin} mm or {wideWidth} mm wide from filament of {wide} mm; add a line "; filament_diameter = {thin}" or "; filament_diameter = {wide}" at its end. */
+  | 'FilamentOpen'
+  /** No bead in it pushes filament by E; export it for a firmware that counts filament so. */
+  | 'NoFilament'
+  /** {setting} is {value}, but the shape is too thin for lines of {width} mm; it must be 0 here. */
+  | 'TooThinFor'
+  /** Cycle {cycle} (from 0) has {points} different points at 0.001 mm; it must have at least 3. */
+  | 'FewPoints'
+  /** The toolpath has a line with {points} points and {widths} widths; there must be one width per point, and at least 2. */
+  | 'WidthsUnlikePoints'
+  /** A point lies at ({x}, {y}) mm; coordinates must be −100000 to 100000. */
+  | 'PointTooFar'
+  /** A bead would be {width} × {height} mm = {area} mm2; it must be at most 4 nozzle2 = {most} mm2, so toolpath.spacing is too wide for the nozzle. */
+  | 'BeadTooThick'
+  /** Date is {date}; it must look like "1970−01−01 at 00:00:00 UTC". */
+  | 'BadDate'
+  /** {setting} must not contain "generated by"; hosts would take the file for another slicer’s. */
+  | 'NamesSlicer'
+  /** Print.scarf is {scarf} mm beside a print.coast of {coast}; one of them must be 0: both shape the end of a cycle. */
+  | 'ScarfAndCoast'
+  /** Print.startHeight is {height} mm; it must be 0 where print.showSide is not up, as that side lies on the bed. */
+  | 'SideOnBed'
+  /** A thumbnail is {width} × {height} pixels in {bytes} bytes; it must be 1 to 1024 pixels per side and all of them 1 to 700000 bytes. */
+  | 'ThumbnailSize'
+  /** Patches are printed as they are; print.showSide must be up, print.rotate 0, print.mirror off, print.copies 1x1, print.startHeight 0, print.rim 0 and print.basePattern hatched or concentric. */
+  | 'PatchesPlain'
+  /** A patch has a line of no length; it must have two different points. */
+  | 'NoLength'
+  /** A patch has a point at ({x}, {y}) mm, outside the shape that carries it. */
+  | 'PatchOutside'
+  /** Patch {patch} (from 0): speed is {speed} mm/s, for which a bead of {section} mm2 needs {needs} mm3/s; printer.maxFlow is {most}. */
+  | 'PatchFlow'
+  /** Print.basePattern is across, which needs a second toolpath, made across the first; none was given. */
+  | 'NoAcross'
+  /** The shape has no area; there is nothing to print. */
+  | 'NoArea'
+  /** The toolpath has no lines; there is nothing to print. */
+  | 'NoLines'
+  /** Printer.maxFlow is {flow} mm3/s; beads of {section} mm2 need at least {least} to print at 5 mm/s. */
+  | 'FlowTooLow'
+  /** Print.showSide is both, but the shape is not its own mirror image: {points} points of the path would lie outside; it must be up or bed here. */
+  | 'NotMirrored'
+  /** The path’s crossings with itself are {times}; print.strict allows none. */
+  | 'CrossesItself'
+  /** Printer.startGcode does not home; it must have G28 or a start macro. */
+  | 'NotHomed'
+  /** Printer.startGcode draws filament back by G10; it must give it back by G11. */
+  | 'DrawnBack'
+  /** Printer.startGcode is empty; Bambu printers need the start block of a file that their own slicer made: sillon import cube.gcode.3mf > mine.json reads it. */
+  | 'BambuStart'
+  /** {block} has line breaks written as \n; each command must be on a line of its own. */
+  | 'BreaksWritten'
+  /** {block} has "{text}" in line {line}, which has no endif. */
+  | 'NoEndif'
+  /** {block} has "{text}" in line {line}, which has no if before it. */
+  | 'NoIf'
+  /** {block} has "{text}" in line {line}, which stands for no value here; put the value itself there. */
+  | 'NoValue'
+  /** {block} has "{text}" in line {line}, which cannot be evaluated here; keep only the branch that applies. */
+  | 'NotEvaluated'
+  /** Writing was stopped before the file was complete. */
+  | 'WritingStopped'
+  /** No sink was given to write to. */
+  | 'NoSink'
+  /** The G-code has no oriented layer on this page; it must be one that was written with these settings. */
+  | 'NotOriented'
+  /** The {file} is cut off; fetch or export it again. */
+  | 'PackedCutOff'
+  /** The {file} is damaged; fetch or export it again. */
+  | 'PackedDamaged'
+  /** The {file} is packed in a way that is not known here; export plain G-code instead. */
+  | 'PackedUnknown'
+  /** The {file} is encrypted; export it without encryption. */
+  | 'PackedEncrypted'
+  /** The {file} holds no G-code; slice the plate before it is exported. */
+  | 'PackedEmpty'
+  /** The file, or what is packed in it, has {megabytes} MiB; it may have at most {most}. */
+  | 'FileTooLarge'
+  /** The file is {megabytes} MiB; it must be at most {most}: put fewer objects into it, or slice with a coarser resolution. */
+  | 'PrintTooLarge'
+  /** The body has no triangle with an area. */
+  | 'NoTriangles'
+  /** The mesh has a point that is not finite, or a triangle without three points of it. */
+  | 'BrokenMesh'
+  /** A zone is too entangled to cut into triangles; fewer or wider zones are not. */
+  | 'ZoneEntangled'
+  /** The outline of {points} points crosses or touches itself in a way that cannot be cut into triangles; it must be simpler. */
+  | 'Entangled'
+  /** The STL is cut off, or another kind of file. */
+  | 'StlCutOff'
+  /** The STL has a corner that is not three numbers. */
+  | 'StlCorner'
+  /** The STL reaches further than 10000 mm. */
+  | 'StlTooFar'
+  /** The STL has more than 10 million triangles; it must have at most that. */
+  | 'StlTooLarge'
+  /** Print.base is 0; it must be at least 1 for a body of the base layers. */
+  | 'NoBase'
+  /** The .gcode.3mf is for filament {package}, but the G-code for filament {gcode}; both must come from one file of your slicer, sliced with one filament: import the printer from it anew. */
+  | 'FilamentsDisagree'
+  /** The shape is too small for zones; a cell of them is {cell} mm wide. */
+  | 'ZonesTooSmall'
+  /** The body is flat; there is nothing to see from above. */
+  | 'BodyFlat'
+  /** The file is an archive (ZIP) without G-code in it; export the G-code from your slicer. */
+  | 'ArchiveEmpty'
+  /** The G-code is not for a Bambu Lab printer, and others read no .gcode.3mf; take the printer from a file of your own slicer (sillon import your.gcode.3mf), or write plain G-code. */
+  | 'NotForBambu'
+  /** The G-code loads {count} filaments, and a new .gcode.3mf lists one; take the printer from a file that was sliced with one filament. */
+  | 'ManyFilaments'
+  /** The file is neither G-code nor settings of a slicer; G-code, .ini, .json, .orca_printer and .3mf are read. */
+  | 'UnknownContent'
+  /** The file does not tell the bed, and its beads lie left of or before the origin, from ({left}, {front}) to ({right}, {back}); take a file of a slicer that tells it, such as PrusaSlicer or Orca. */
+  | 'BedUntold'
+  /** {block} of the file is longer than {most} bytes. */
+  | 'BlockTooLong'
+  /** The G-code marks no layer (;LAYER_CHANGE, ; CHANGE_LAYER or ;LAYER:0); export it from a slicer that does. */
+  | 'NoLayers'
+  /** The G-code extrudes nothing after its first layer mark. */
+  | 'NoBeads'
+  /** Its start block loads filament {loaded}, but its first bead is of filament {used}; slice the file with one filament. */
+  | 'TwoFilaments'
+  /** The file has no setting of a printer that is known here. */
+  | 'NoPrinterSettings'
+  /** The file has no printer {printer}; name one of {names}. */
+  | 'NoSuchPrinter'
+  /** The printer {printer} hardens resin; G-code is made for printers with a nozzle. */
+  | 'ResinPrinter'
+  /** The preset is of a {kind} and not of a printer; export the printer, or a project. */
+  | 'OtherPreset'
+  /** The preset inherits its bed or its start block from {name}, which lies in another file; open G-code that was sliced for this printer. */
+  | 'BedElsewhere'
+  /** A bead is {pixels} pixels wide in the photograph; it must be at least 4.5: go nearer, or take a camera with more pixels. */
+  | 'BeadsTooSmall'
+  /** A square lies there, but no beads of a coupon are seen on it; the photograph is blurred, or it shows something else. */
+  | 'NoBeadsSeen'
+  /** The photograph has no plain ground along its border; lay the whole coupon on plain paper with some of it on all sides. */
+  | 'NoPlainGround'
+  /** The photograph shows no coupon; lay it on plain paper of another colour, so that it fills about half of the picture. */
+  | 'NoCoupon'
+  /** The coupon is cut off by the photograph’s border; all of it and some ground around it must show. */
+  | 'CouponCutOff'
+  /** The photograph shows no coupon; what lies there is not square, or is cut off or covered. */
+  | 'NotSquare'
+  /** The photograph has {width} × {height} pixels; each side must have at least {least}. */
+  | 'PhotoTooSmall'
+  /** The photograph has {width} × {height} pixels; it may have 64 million: take it with fewer. */
+  | 'PhotoTooLarge'
+  /** What shines on the coupon is not what one lamp would make shine; switch all other lamps off, and close the curtains. */
+  | 'ManyLamps'
+  /** The photograph is blurred by {blur} mm; it may be by {most}: hold the camera still and let it focus on the coupon. */
+  | 'Blurred'
+  /** The brightest beads are {contrast} times as bright as the darkest, and must be 1.5 times; use one small lamp, low over the coupon, in a dark room. */
+  | 'LowContrast'
+  /** Beads would be {percent} % as wide as they were asked for, and must be 90 to 110 %; the coupon is of other settings, or the light shows the beads too poorly: move the lamp around the coupon. */
+  | 'OtherWidths'
+  /** Lamp elevation is {elevation} degrees, and the photograph shows the lamp at {seen} +- {error}; measure it again at the coupon, over the table, or leave it out. */
+  | 'OtherElevation'
+  /** The photograph is burnt: {percent} % of the spirals’ pixels are at full scale, and 2 % may be; expose it less. */
+  | 'BurntPhoto'
+  /** No camera sees a square like that; the photograph is stretched, or cut out of one side of a larger one: give the whole picture as it was taken. */
+  | 'StretchedPhoto'
+  /** Slopes cannot be told in this light: {value} degrees within {error}; use a smaller lamp, or one that is farther away. */
+  | 'SlopesUnclear'
+  /** There is no reading to join; give at least one. */
+  | 'NoReadings'
+  /** Photograph {photograph} has slopes of {value} degrees, and their middle is {middle}; they are not of one coupon, or one is lit too poorly. */
+  | 'ReadingsApart'
+  /** {kind} tries all directions; from and to must be left out. */
+  | 'AllDirections'
+  /** {kind} from {from} to {to} has {count} values; to must be at least {least} above from. */
+  | 'StepsTooFine'
+  /** Fit is bed, but the file does not give its bed; it must be face, object or all. */
+  | 'FitWithoutBed'
+  /** A move goes further than {most} mm from the origin; no bed is as large. */
+  | 'MoveTooFar'
+  /** The surface covers nothing. */
+  | 'SurfaceEmpty'
+  /** It is binary G-code (.bgcode); in PrusaSlicer switch off Preferences, Other, "Use binary G-code when the printer supports it", and export again. */
+  | 'BinaryGcode'
+  /** The file was not read by readSlicedFile. */
+  | 'FileNotRead'
+  /** Surface {surface} is chosen; the file has {count}. */
+  | 'NoSuchSurface'
+  /** The file has no surface of the kind that was asked for. */
+  | 'NoSurface'
+  /** Two surfaces share a line of the file. */
+  | 'SurfacesOverlap'
+  /** This needs more memory than there is; make it smaller, or use smaller pictures. */
+  | 'NeedsMoreMemory'
+  /** The pictures would be judged at more than 100 million points; use a larger toolpath.spacing or a smaller size. */
+  | 'JudgedTooFine'
+  /** Preview of panels {width} pixels wide would be beyond {most} pixels per side or 100 million in all; choose fewer. */
+  | 'PreviewTooLarge'
+  /** The lamp makes no direction of this spool more than 1.5 times as bright as another; choose a lower or a smaller lamp, or a glossier spool. */
+  | 'WeakLamp'
+  /** A file of spools must be JSON of the form {form}. */
+  | 'SpoolFile'
+  /** {where} must have the form {form}. */
+  | 'SpoolForm'
+  /** {where} has the key {key}; it must have the form {form}. */
+  | 'SpoolKey'
+  /** {where} must be called by 1 to 40 letters, digits, - and _. */
+  | 'SpoolName'
+  /** {where} is one that comes with the program; call yours otherwise. */
+  | 'SpoolTaken'
+  /** Key {key} is given twice; each key may be given once. */
+  | 'KeyTwice'
+  /** A file has {count} spools; it may have at most {most}. */
+  | 'ManySpools'
+  /** The G-code would be refused by `check`: {what} (line {line} of the file); change the start or end code, or the settings of it. */
+  | 'CheckRefuses'
+  /** Zones show directions as they are given, so the mode must be constrained; --mode constrained sets it. */
+  | 'ZonesConstrained';
+
+/** Code of an error's sentence, for those who say it in another language than English. Besides the values of
+ * the sentence there may be `place`, a file; `layer`, from 1; or `element` and `elementLine` of a drawing. */
 export type ErrorReason =
-  /** A number of a project: `setting` ("print.layerHeight"), `value`, `low`, `high`, in the setting's own unit. */
+  /** A number is out of its range: `setting` ("print.layerHeight"), `value`, `low`, `high`, in the setting's own unit.
+   * Other numbers than those of a project have a `unit`. */
   | 'SettingOutOfRange'
   /** `left`, `right`, `front`, `back`: by how much the plate lies over that edge of the bed [mm]; those that it does. */
   | 'OverBedEdge'
-  /** `by` [mm]: over the edge of a round bed. */
-  | 'OverRoundBed'
-  /** The plate touches the part of the bed that the printer's profile excludes. */
-  | 'OnExcludedZone'
-  /** The job with its lift: `height`, and `most`, which the printer reaches [mm]. */
-  | 'TooHigh'
-  /** Several plates on one bed: `height`, and `most`, at which the print head passes over the others [mm]. */
-  | 'CopiesTooHigh'
-  /** No bead fits anywhere: `spacing` [mm]. */
-  | 'NoBeadFits'
-  /** A hole that cuts nothing: `n`, counted from 1; `x`, `y` and `diameter`; `left`, `bottom`, `right` and `top` of the shape [mm]. */
-  | 'HoleOutside'
-  /** An offset inwards that leaves nothing: `offset`, and `depth` of the shape's deepest place [mm]. */
-  | 'OffsetTooDeep'
-  /** A text, or a drawing of text alone: `letter`, with its code, that no font has. */
-  | 'MissingLetter'
-  /** A text: `letter` of which its `font` has a picture alone. */
-  | 'PictureLetter'
-  /** A printer's file: `count` printers of which none is chosen, and their `names` in quotes. */
-  | 'WhichPrinter'
-  /** Oriented layers lie on the bed, where no rim can stand: `rim` [layers]. */
-  | 'RimBelow'
   /** More cells than there may be: `spacing` [mm]; `leastSpacing` [mm] and `percent` of the size, at which it would do,
    * each where there is one. */
   | 'PlateTooLarge'
-  /** A sliced file: its lines are numbered, it marks no surfaces, it does not tell the thickness of its filament, or pushes none. */
-  | 'LinesNumbered'
-  | 'NoMarks'
-  | 'FilamentOpen'
-  | 'NoFilament'
+  | PlainReason
   /** No surface of a sliced file can be replaced: the reason of the largest. */
   | LeftReason
   /** The warning of that name, where it is no mere warning: a line of a block that must not run. */
@@ -1382,10 +1841,10 @@ export class SillonError extends Error {
   );
   readonly name: 'SillonError';
   readonly code: ErrorCode;
-  /** What to do about it, one sentence; may be empty. */
+  /** One sentence on the way out; may be empty. */
   readonly hint: string;
-  /** Empty where the message alone says it. */
+  /** Empty for errors of the package itself and of its worker. */
   readonly reason: ErrorReason | '';
-  /** Of the reason. */
+  /** Values of the reason. */
   readonly values: Readonly<Record<string, number | string>>;
 }

@@ -18,27 +18,19 @@
 #include "project_arguments.hpp"
 #include "run.hpp"
 #include "sillon/calibrate/calibrate.hpp"
-#include "sillon/calibrate/read_photo.hpp"
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/input/image_io.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 #include "words.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
-
-using sillon::CalibrationKind;
-using sillon::CalibrationPlate;
-using sillon::CalibrationValue;
-using sillon::Error;
-using sillon::ErrorCode;
-using sillon::Result;
 
 constexpr const char* kReadPhotograph = "read";
 
 struct Arguments {
-  std::string kind;                ///< a name of sillon::calibrationKinds, or kReadPhotograph
+  std::string kind;                ///< a name of calibrationKinds, or kReadPhotograph
   std::vector<std::string> files;  ///< a project; for kReadPhotograph, photographs of one coupon
   ProjectArguments project;
   std::optional<double> from;
@@ -63,7 +55,7 @@ std::string whatToSet(const CalibrationPlate& plate) {
 }
 
 /// Formats the values of a print with their places, its cost, and what to look for.
-std::string table(const CalibrationPlate& plate, const sillon::GcodeSummary& summary) {
+std::string table(const CalibrationPlate& plate, const GcodeSummary& summary) {
   char line[200];
   const std::string unit = plate.unit.empty() ? "value" : plate.unit;
   std::snprintf(line, sizeof line, "%-8s %-16s %s\n", "written", unit.c_str(), "from the lower left");
@@ -78,8 +70,8 @@ std::string table(const CalibrationPlate& plate, const sillon::GcodeSummary& sum
 }
 
 /// Formats the same as JSON, with warnings and findings.
-std::string tableJson(const std::string& kind, const CalibrationPlate& plate, const sillon::GcodeSummary& summary,
-                      const std::vector<sillon::GcodeFinding>& findings) {
+std::string tableJson(const std::string& kind, const CalibrationPlate& plate, const GcodeSummary& summary,
+                      const std::vector<GcodeFinding>& findings) {
   nlohmann::ordered_json root{
       {"version", 1}, {"kind", kind}, {"setting", plate.setting}, {"unit", plate.unit}, {"advice", plate.advice}};
   root["values"] = nlohmann::ordered_json::array();
@@ -87,23 +79,23 @@ std::string tableJson(const std::string& kind, const CalibrationPlate& plate, co
     root["values"].push_back(
         {{"label", value.label}, {"value", rounded(value.value)}, {"at", {rounded(value.at.x), rounded(value.at.y)}}});
   }
-  const sillon::Vec2 page = plate.patches.shape.page;
+  const Vec2 page = plate.patches.shape.page;
   root["size"] = {rounded(page.x), rounded(page.y)};
   root["seconds"] = std::round(summary.seconds);
   root["grams"] = rounded(summary.filamentGrams);
-  root["warnings"] = nlohmann::ordered_json::parse(sillon::warningsJson(summary.warnings));
+  root["warnings"] = nlohmann::ordered_json::parse(warningsJson(summary.warnings));
   root["findings"] = findingsJson(findings);
   return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 /// Returns the look of the side that the nozzle has passed over.
-sillon::LookParams lookOf(const PictureOptions& options, const sillon::Project& project) {
-  sillon::LookParams look;
-  const sillon::Spool* own = ownSpool(options);
-  const sillon::Spool& spool = own != nullptr ? *own : sillon::spoolOf(project.pictures.spool);
+LookParams lookOf(const PictureOptions& options, const Project& project) {
+  LookParams look;
+  const Spool* own = ownSpool(options);
+  const Spool& spool = own != nullptr ? *own : spoolOf(project.pictures.spool);
   look.colour = spool.colour;
-  sillon::Project shown = project;
-  shown.print.showSide = sillon::ShowSide::Up;
+  Project shown = project;
+  shown.print.showSide = ShowSide::Up;
   look.roughness = own != nullptr ? sillon::roughnessOf(*own, project.printer.nozzle, false) : roughnessOf(shown);
   return look;
 }
@@ -112,7 +104,7 @@ double hundredths(double value) { return std::round(value * 100) / 100; }
 double thousandths(double value) { return std::round(value * 1000) / 1000; }
 
 /// Formats the reading of a coupon for the terminal, with notes on its photographs.
-std::string readingText(const sillon::CouponReading& r, const std::vector<sillon::CouponReading>& each,
+std::string readingText(const CouponReading& r, const std::vector<CouponReading>& each,
                         const std::vector<std::string>& refused, bool lampKnown, double closest,
                         const std::string& name, const std::string& file) {
   constexpr double kUnsure = 0.1;
@@ -134,23 +126,23 @@ std::string readingText(const sillon::CouponReading& r, const std::vector<sillon
     out += "flow     cannot be told: the light shows the gaps too poorly; move the lamp, and take another photograph\n";
   }
   add("width    %.3f +- %.3f mm for a bead of %.3f mm\n", r.width.value, r.width.error, closest);
-  for (const sillon::CouponReading& one : each) {
+  for (const CouponReading& one : each) {
     add("lamp     at %.0f +- %.0f degrees, %.0f +- %.0f degrees high\n", one.azimuth.value, one.azimuth.error,
         one.elevation.value, one.elevation.error);
     add("picture  %.1f pixels per mm, blurred by %.2f mm, camera tilted by %.0f degrees\n", one.pixelsPerMm, one.blur,
         one.tilt);
   }
   constexpr double kSharpened = 0.2, kVeiled = 0.03;  // above these, results change by more than their errors
-  const auto any = [&](double sillon::CouponReading::*field, double most) {
-    return std::any_of(each.begin(), each.end(), [&](const sillon::CouponReading& one) { return one.*field > most; });
+  const auto any = [&](double CouponReading::*field, double most) {
+    return std::any_of(each.begin(), each.end(), [&](const CouponReading& one) { return one.*field > most; });
   };
-  if (any(&sillon::CouponReading::sharpening, kSharpened)) {
+  if (any(&CouponReading::sharpening, kSharpened)) {
     out +=
         "note     the photograph is sharpened, which hides how sharp the highlights are; switch sharpening and HDR "
         "off, "
         "or develop a raw file without them\n";
   }
-  if (any(&sillon::CouponReading::veil, kVeiled)) {
+  if (any(&CouponReading::veil, kVeiled)) {
     out += "note     stray light lies over the photograph; shade the lens from the lamp, and darken the room\n";
   }
   if (each.size() > 1 && r.lamps < static_cast<int>(each.size())) {
@@ -168,9 +160,9 @@ std::string readingText(const sillon::CouponReading& r, const std::vector<sillon
 }
 
 /// Formats the reading of a coupon as JSON.
-std::string readingJson(const sillon::CouponReading& r, const std::vector<sillon::CouponReading>& each,
+std::string readingJson(const CouponReading& r, const std::vector<CouponReading>& each,
                         const std::vector<std::string>& refused, double asked, const std::string& name) {
-  const auto measured = [](const sillon::Measured& m, double (*round)(double)) {
+  const auto measured = [](const Measured& m, double (*round)(double)) {
     return nlohmann::ordered_json{{"value", round(m.value)}, {"error", round(m.error)}};
   };
   nlohmann::ordered_json root{{"version", 1}, {"spool", name}};
@@ -195,8 +187,8 @@ std::string readingJson(const sillon::CouponReading& r, const std::vector<sillon
 }
 
 /// Makes a calibration print, and its preview if one is asked for.
-Result<Outcome> makePrint(const Arguments& arguments, const sillon::Project& project, const std::string& date,
-                          const sillon::RunContext& run) {
+Result<Outcome> makePrint(const Arguments& arguments, const Project& project, const std::string& date,
+                          const RunContext& run) {
   if (arguments.out.empty()) return Error{ErrorCode::InvalidArgument, "--output is required; it names the G-code"};
   if (!arguments.lampSize.empty() || arguments.lampElevation) {
     return Error{ErrorCode::InvalidArgument,
@@ -214,26 +206,25 @@ Result<Outcome> makePrint(const Arguments& arguments, const sillon::Project& pro
   if (auto problem = packageProblem(arguments.out, project.printer.flavor, "calibrate " + arguments.kind)) {
     return *std::move(problem);
   }
-  const std::vector<std::string>& kinds = sillon::calibrationKinds();
-  const auto kind =
-      static_cast<sillon::CalibrationKind>(std::find(kinds.begin(), kinds.end(), arguments.kind) - kinds.begin());
-  Result<CalibrationPlate> made = sillon::makeCalibration({kind, arguments.from, arguments.to, project}, run);
+  const std::vector<std::string>& kinds = calibrationKinds();
+  const auto kind = static_cast<CalibrationKind>(std::find(kinds.begin(), kinds.end(), arguments.kind) - kinds.begin());
+  Result<CalibrationPlate> made = makeCalibration({kind, arguments.from, arguments.to, project}, run);
   if (!made) return made.error();
   CalibrationPlate& plate = made.value();
-  const sillon::Toolpath shown = sillon::shownCalibration(plate);
-  const sillon::Vec2 page = plate.patches.shape.page;
-  const sillon::LookParams look = lookOf(options, project);
-  auto thumbnails = sillon::lookThumbnails(shown, page, plate.printer.screenSizes, look, run);
+  const Toolpath shown = shownCalibration(plate);
+  const Vec2 page = plate.patches.shape.page;
+  const LookParams look = lookOf(options, project);
+  auto thumbnails = lookThumbnails(shown, page, plate.printer.screenSizes, look, run);
   if (!thumbnails) return thumbnails.error();
   plate.print.thumbnails = std::move(thumbnails).value();
   plate.print.date = date;
   std::string gcode;
-  const Result<sillon::GcodeSummary> summary = sillon::writeCalibration(plate, [&](std::string_view piece) {
+  const Result<GcodeSummary> summary = writeCalibration(plate, [&](std::string_view piece) {
     gcode += piece;
     return !run.cancelled();
   });
   if (!summary) return summary.error();
-  const std::vector<sillon::GcodeFinding> findings = sillon::checkGcode(gcode, plate.printer).findings;
+  const std::vector<GcodeFinding> findings = checkGcode(gcode, plate.printer).findings;
 
   std::vector<OutputFile> files;
   Result<std::string> packed = packedAs(arguments.out, std::move(gcode));
@@ -248,16 +239,15 @@ Result<Outcome> makePrint(const Arguments& arguments, const sillon::Project& pro
     return Outcome{std::move(files), tableJson(arguments.kind, plate, summary.value(), findings), true};
   }
   std::string out = table(plate, summary.value());
-  for (const sillon::Warning& warning : summary.value().warnings) {
+  for (const Warning& warning : summary.value().warnings) {
     out += "note     " + warning.message + "\n";
   }
-  for (const sillon::GcodeFinding& finding : findings) out += "check    " + finding.message + "\n";
+  for (const GcodeFinding& finding : findings) out += "check    " + finding.message + "\n";
   return Outcome{std::move(files), std::move(out)};
 }
 
 /// Reads the photographs of a coupon and joins the readings; fails only if none of them can be read.
-Result<Outcome> readPhotographs(const Arguments& arguments, const sillon::Project& project,
-                                const sillon::RunContext& run) {
+Result<Outcome> readPhotographs(const Arguments& arguments, const Project& project, const RunContext& run) {
   const std::vector<std::string>& photographs = arguments.files;
   if (photographs.empty()) {
     return Error{ErrorCode::InvalidArgument, "no photograph is given; sillon calibrate read PHOTO reads one"};
@@ -268,7 +258,7 @@ Result<Outcome> readPhotographs(const Arguments& arguments, const sillon::Projec
   std::vector<std::string> outputs;
   if (!arguments.out.empty()) outputs.push_back(arguments.out);
   if (const auto problem = checkOutputs(outputs, photographs)) return *problem;
-  sillon::PhotoRequest request{project, arguments.from, arguments.to, {}, arguments.lampElevation};
+  PhotoRequest request{project, arguments.from, arguments.to, {}, arguments.lampElevation};
   if (!arguments.lampSize.empty()) {
     request.lampSlope = lampSlopeOf(arguments.lampSize);
     if (!request.lampSlope) {
@@ -276,16 +266,16 @@ Result<Outcome> readPhotographs(const Arguments& arguments, const sillon::Projec
                    "--lamp-size is \"" + arguments.lampSize + "\"; it must be " + lampSizeRange()};
     }
   }
-  std::vector<sillon::CouponReading> readings;
+  std::vector<CouponReading> readings;
   std::vector<std::string> refused;
   std::optional<Error> first;
   for (const std::string& photograph : photographs) {
     const Result<std::string> bytes = readFile(photograph, "photograph", kMaxInputBytes);
     if (!bytes) return bytes.error();
     const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.value().data());
-    const Result<sillon::Image> image = sillon::decodeImage({data, bytes.value().size()}, photograph);
+    const Result<Image> image = decodeImage({data, bytes.value().size()}, photograph);
     if (!image) return image.error();
-    const Result<sillon::CouponReading> reading = sillon::readCouponPhoto(image.value(), request, run);
+    const Result<CouponReading> reading = readCouponPhoto(image.value(), request, run);
     if (reading) {
       readings.push_back(reading.value());
       continue;
@@ -296,11 +286,11 @@ Result<Outcome> readPhotographs(const Arguments& arguments, const sillon::Projec
     refused.push_back(error.message);
   }
   if (readings.empty()) return *first;
-  const Result<sillon::CouponReading> reading = sillon::joinReadings(readings, request);
+  const Result<CouponReading> reading = joinReadings(readings, request);
   if (!reading) return reading.error();
   std::string file =
-      sillon::spoolFile(reading.value(), arguments.name, "photograph of a coupon; only the nozzle's side was measured");
-  const auto spools = sillon::readSpools(file);
+      spoolFile(reading.value(), arguments.name, "photograph of a coupon; only the nozzle's side was measured");
+  const auto spools = readSpools(file);
   if (!spools) return spools.error();  // the name is invalid
   Outcome outcome;
   if (!arguments.out.empty()) outcome.files.push_back({arguments.out, std::move(file)});
@@ -333,7 +323,7 @@ int run(Arguments& arguments) {
   if (const auto problem = takeProject(arguments)) return fail(*problem);
   const Result<std::string> date = runDate();
   if (!date) return fail(date.error());
-  const Result<sillon::Project> project = readProject(arguments.project);
+  const Result<Project> project = readProject(arguments.project);
   if (!project) return fail(project.error());
   return commit(arguments.kind == kReadPhotograph ? readPhotographs(arguments, project.value(), run.context())
                                                   : makePrint(arguments, project.value(), date.value(), run.context()),
@@ -341,20 +331,19 @@ int run(Arguments& arguments) {
 }
 
 /// Tells whether a setting is one of the printer's that calibration plates do not choose themselves.
-bool isOfCalibrations(const sillon::Setting& row) {
-  if (row.section == sillon::Section::Printer) return true;
-  const std::vector<std::string> own = sillon::splitWords(
+bool isOfCalibrations(const Setting& row) {
+  if (row.section == Section::Printer) return true;
+  const std::vector<std::string> own = splitWords(
       "layers base basePattern showSide constantFlow coast scarf copies copyGap startHeight rotate mirror strict "
       "place");
-  return row.section == sillon::Section::Print && std::find(own.begin(), own.end(), row.key) == own.end();
+  return row.section == Section::Print && std::find(own.begin(), own.end(), row.key) == own.end();
 }
 
 Action add(Options& options) {
   const auto arguments = std::make_shared<Arguments>();
-  std::vector<std::string> kinds = sillon::calibrationKinds();
+  std::vector<std::string> kinds = calibrationKinds();
   kinds.emplace_back(kReadPhotograph);
-  options.word("KIND",
-               "print to make: " + listed(sillon::calibrationKinds()) + "; or read, for a photograph of the coupon",
+  options.word("KIND", "print to make: " + listed(calibrationKinds()) + "; or read, for a photograph of the coupon",
                kinds, arguments->kind);
   options.files("FILES", "project to begin with; after read, photographs of one coupon", arguments->files, false);
   options.group("Calibration");
@@ -398,4 +387,4 @@ const Command calibrateCommand{
     "on each print, and where to enter the value.",
     add};
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -13,17 +13,17 @@
 #include "files.hpp"
 #include "findings.hpp"
 #include "run.hpp"
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/settings/presets.hpp"
 #include "words.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 struct Arguments {
   std::string file;
-  std::optional<sillon::Printer> printer;
+  std::optional<Printer> printer;
   bool json = false;
 };
 
@@ -32,7 +32,7 @@ nlohmann::ordered_json known(double value) {
 }
 
 /// Formats a check for the terminal.
-std::string checkText(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked) {
+std::string checkText(const GcodeCheck& check, const std::vector<std::string>& unchecked) {
   char line[512];
   std::string out = plural(check.lines, "line") + ", " + plural(check.moves, "move") + ", " +
                     plural(check.layers, "layer") + (check.printer.empty() ? "" : ", for " + check.printer) + "\n";
@@ -61,7 +61,7 @@ std::string checkText(const sillon::GcodeCheck& check, const std::vector<std::st
     out += line;
   }
   if (check.delay) out += delayLine(*check.delay);
-  for (const sillon::GcodeFinding& finding : check.findings) {
+  for (const GcodeFinding& finding : check.findings) {
     out += (finding.error ? "error      " : "warning    ") + finding.rule + ": " + finding.message;
     if (finding.line > 0) out += " (line " + std::to_string(finding.line);
     if (finding.line > 0 && finding.count > 1) out += " and " + std::to_string(finding.count - 1) + " more";
@@ -77,7 +77,7 @@ std::string checkText(const sillon::GcodeCheck& check, const std::vector<std::st
 }
 
 /// Formats a check as JSON.
-std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::string>& unchecked) {
+std::string checkJson(const GcodeCheck& check, const std::vector<std::string>& unchecked) {
   nlohmann::ordered_json out = {{"errors", check.errors()},
                                 {"findings", findingsJson(check.findings)},
                                 {"unchecked", unchecked},
@@ -113,13 +113,13 @@ std::string checkJson(const sillon::GcodeCheck& check, const std::vector<std::st
 }
 
 int run(const Arguments& arguments) {
-  sillon::Result<std::string> file = readFile(arguments.file, "G-code", kMaxGcodeBytes);
+  Result<std::string> file = readFile(arguments.file, "G-code", kMaxGcodeBytes);
   if (!file) return fail(file.error());
-  const sillon::Result<sillon::GcodeContainer> container = sillon::readGcodeContainer(std::move(file).value());
+  const Result<GcodeContainer> container = readGcodeContainer(std::move(file).value());
   if (!container) return fail(container.error());
   if (container.value().plates > 1) return fail(severalPlates(arguments.file, container.value().plates));
   const std::string& text = container.value().gcode;
-  const auto [result, unchecked] = sillon::checkPrint(text, arguments.printer);
+  const auto [result, unchecked] = checkPrint(text, arguments.printer);
   return answer(arguments.json ? checkJson(result, unchecked) : checkText(result, unchecked),
                 result.errors() == 0 ? 0 : 2);
 }
@@ -130,8 +130,8 @@ Action add(Options& options) {
   options.group("Options");
   options.take("--printer", "ID", "printer whose bed and limits apply [those in the file]",
                [arguments](const std::string& id) {
-                 const std::string wrong = applyProfile(sillon::ProfileKind::Printer, id, arguments->printer.emplace());
-                 if (!wrong.empty()) refuse("--printer: " + wrong);
+                 const auto wrong = applyProfile(ProfileKind::Printer, id, arguments->printer.emplace());
+                 if (wrong) refuse("--printer: " + wrong->message);
                });
   options.flag("--json", "print JSON instead of text", arguments->json);
   return [arguments] { return run(*arguments); };
@@ -148,4 +148,4 @@ const Command checkCommand{"check",
                            "Exit codes: 0 no errors, 2 errors or a file that cannot be read.",
                            add};
 
-}  // namespace cli
+}  // namespace sillon::cli

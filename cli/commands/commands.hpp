@@ -3,7 +3,7 @@
 
 #include "command.hpp"
 
-namespace cli {
+namespace sillon::cli {
 
 extern const Command generateCommand;
 extern const Command rebrushCommand;
@@ -18,4 +18,4 @@ extern const Command spoolsCommand;
 extern const Command settingsCommand;
 extern const Command wordsCommand;
 
-}  // namespace cli
+}  // namespace sillon::cli

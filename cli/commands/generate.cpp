@@ -17,13 +17,8 @@
 #include "sillon/job/plate.hpp"
 #include "words.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
-
-using sillon::Error;
-using sillon::ErrorCode;
-using sillon::Placing;
-using sillon::Result;
 
 struct Arguments {
   std::vector<std::string> files;  ///< a scene or pictures
@@ -61,13 +56,13 @@ std::optional<Error> sortFiles(Arguments& arguments) {
 }
 
 /// Makes the plate and all outputs in memory, before anything is written.
-Result<Outcome> prepare(const Arguments& arguments, sillon::Project project, Job& job, sillon::RunContext& run) {
+Result<Outcome> prepare(const Arguments& arguments, Project project, Job& job, RunContext& run) {
   ProgressBar bar(!arguments.quiet);
   run.onProgress([&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); });
   const OutputPaths& outputs = arguments.outputs;
-  sillon::PlateOptions options;
+  PlateOptions options;
   options.placing = arguments.placing;
-  if (!outputs.gcode.empty() && sillon::needsAcross(project.print)) options.path = sillon::PlatePath::Both;
+  if (!outputs.gcode.empty() && needsAcross(project.print)) options.path = PlatePath::Both;
   // Measuring takes time, so it is done only if the report, the header of the G-code or the summary shows the result.
   options.measure = !outputs.report.empty() || !outputs.gcode.empty() || !arguments.quiet;
   options.countDislocations = !outputs.report.empty();  // only the report shows it
@@ -75,12 +70,12 @@ Result<Outcome> prepare(const Arguments& arguments, sillon::Project project, Job
   // Shares of the progress, relative to the time for one path. A preview takes the same time for plates of any size.
   constexpr double kGcode = 0.35;
   constexpr double kPreview = 1.2;
-  const double paths = sillon::pathsFor(project);
+  const double paths = pathsFor(project);
   const double writing = (outputs.gcode.empty() ? 0 : kGcode) + (outputs.preview.empty() ? 0 : kPreview);
   const double made = paths / (paths + writing);
-  const sillon::ProgressShare whole(run, 0, 1);
-  std::optional<sillon::ProgressShare> part(std::in_place, run, 0, made);
-  Result<sillon::Plate> plate = sillon::makePlate(std::move(project), readInputFile, options, run);
+  const ProgressShare whole(run, 0, 1);
+  std::optional<ProgressShare> part(std::in_place, run, 0, made);
+  Result<Plate> plate = makePlate(std::move(project), readInputFile, options, run);
   if (!plate) return plate.error();
   job.plate = std::move(plate).value();
   part.emplace(run, made, 1);
@@ -93,7 +88,7 @@ Result<Outcome> prepare(const Arguments& arguments, sillon::Project project, Job
 }
 
 /// Returns all files that are read for a plate, except the scene.
-std::vector<std::string> filesBesideScene(const Arguments& arguments, const sillon::Project& project) {
+std::vector<std::string> filesBesideScene(const Arguments& arguments, const Project& project) {
   std::vector<std::string> files = inputFiles(project);
   for (const std::string* name : {&arguments.project.pictures.spoolsFile, &arguments.outputs.container}) {
     if (!name->empty()) files.push_back(*name);
@@ -102,9 +97,9 @@ std::vector<std::string> filesBesideScene(const Arguments& arguments, const sill
 }
 
 /// Refuses, before the work begins, requests that cannot succeed.
-std::optional<Error> checkPaths(const Arguments& arguments, const sillon::Project& project) {
+std::optional<Error> checkPaths(const Arguments& arguments, const Project& project) {
   const OutputPaths& outputs = arguments.outputs;
-  const std::size_t pictures = sillon::groundPictures(project.layers).size();
+  const std::size_t pictures = groundPictures(project.layers).size();
   const std::vector<std::string> names = outputNames(outputs, pictures);
   std::vector<std::string> inputs = filesBesideScene(arguments, project);
   if (!arguments.project.scene.empty()) inputs.push_back(arguments.project.scene);
@@ -135,7 +130,7 @@ int run(Arguments& arguments) {
   Result<std::string> date = runDate();
   if (!date) return fail(date.error());
   job.date = std::move(date).value();
-  Result<sillon::Project> project = readProject(arguments.project);
+  Result<Project> project = readProject(arguments.project);
   if (!project) return fail(project.error());
   job.pictureOptions = arguments.project.pictures;
   if (const auto problem = checkPaths(arguments, project.value())) return fail(*problem);
@@ -154,9 +149,9 @@ void addPrint(Options& options, Arguments& arguments) {
   std::vector<Change>& changes = arguments.project.changes;
   options.group("Print");
   options.change("--copies", "NxM", "plates in a row and in a column [1x1]", changes, [](const std::string& text) {
-    const std::optional<sillon::Vec2> copies = parsePair(text, 'x');
+    const std::optional<Vec2> copies = parsePair(text, 'x');
     if (!copies) refuse("--copies", text, "NxM, two whole numbers");
-    return [count = *copies](sillon::Project& project) {
+    return [count = *copies](Project& project) {
       project.print.copies = count;
       return std::string();
     };
@@ -165,12 +160,12 @@ void addPrint(Options& options, Arguments& arguments) {
   options.change(
       "--place", "PLACE", "where the page lies on the bed [centre]", changes,
       [&arguments](const std::string& text) {
-        const std::optional<sillon::Vec2> place = parsePair(text, ',');
+        const std::optional<Vec2> place = parsePair(text, ',');
         if (!place && text != "centre" && text != "rotate" && text != "fit") {
           refuse("--place", text, "X,Y in mm, centre, rotate or fit");
         }
         arguments.placing = text == "fit" ? Placing::Fit : text == "rotate" ? Placing::Rotate : Placing::AsGiven;
-        return [place](sillon::Project& project) {
+        return [place](Project& project) {
           project.print.place = place;
           return std::string();
         };
@@ -213,7 +208,7 @@ Action add(Options& options) {
   addToolpath(options, changes);
   addPrint(options, *arguments);
   addOutputs(options, *arguments);
-  options.settings(changes, [](const sillon::Setting&) { return true; });
+  options.settings(changes, [](const Setting&) { return true; });
   options.group("Run");
   options.threads(arguments->threads);
   options.flag("--quiet", "show neither summary nor progress", arguments->quiet);
@@ -240,4 +235,4 @@ const Command generateCommand{
     "Exit codes: 0 done, 2 bad input, 3 cancelled, 1 internal error. No files are written unless everything succeeds.",
     add};
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -9,7 +9,7 @@
 #include "sillon/printer_import/printer_import.hpp"
 #include "sillon/settings/presets.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 struct Arguments {
@@ -19,17 +19,16 @@ struct Arguments {
 
 /// Prints the printer as a project to stdout, and notes to stderr.
 int run(const Arguments& arguments) {
-  const sillon::Result<std::string> text = readFile(arguments.file, "file", kMaxInputBytes);
+  const Result<std::string> text = readFile(arguments.file, "file", kMaxInputBytes);
   if (!text) return fail(text.error());
-  const sillon::Result<sillon::ImportedPrinter> imported = sillon::importPrinter(text.value(), arguments.name);
+  const Result<ImportedPrinter> imported = importPrinter(text.value(), arguments.name);
   if (!imported) return fail(imported.error());
-  const sillon::ImportedPrinter& printer = imported.value();
+  const ImportedPrinter& printer = imported.value();
   const std::string under = printer.profile.empty() ? "" : ", the rest from the profile " + printer.profile;
-  if (const int code = answer(sillon::writePrinter(printer.printer)); code != 0) return code;
+  if (const int code = answer(writePrinter(printer.printer)); code != 0) return code;
   std::fprintf(stderr, "sillon: read %zu settings as %s%s\n", printer.read.size(), printer.source.c_str(),
                under.c_str());
-  for (const sillon::ImportNote& note : printer.notRead)
-    std::fprintf(stderr, "sillon: note: %s\n", note.message.c_str());
+  for (const ImportNote& note : printer.notRead) std::fprintf(stderr, "sillon: note: %s\n", note.message.c_str());
   return 0;
 }
 
@@ -53,4 +52,4 @@ const Command importCommand{"import",
                             "  sillon generate mine.json --shape disc --gcode disc.gcode",
                             add};
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -9,31 +9,25 @@
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
-
-using sillon::Error;
-using sillon::ErrorCode;
-using sillon::GcodeFlavor;
-using sillon::Printer;
-using sillon::PrinterProfile;
-using sillon::ProfileKind;
 
 struct Arguments {
   std::string id;  ///< id of a profile; empty for all
   bool json = false;
 };
 
+/// Returns the dialect of a printer as the settings name it.
 std::string flavor(const Printer& printer) {
-  sillon::Project project;
+  Project project;
   project.printer = printer;
-  return sillon::settingText(*sillon::findSetting(sillon::Section::Printer, "flavor"), project);
+  return settingText(*findSetting(Section::Printer, "flavor"), project);
 }
 
 /// Formats the row of a printer in the table.
-std::string printerLine(const PrinterProfile& preset) {
-  const Printer& p = preset.printer;
-  const sillon::Vec2 size = p.bedMax - p.bedMin;
+std::string printerLine(const PrinterProfile& profile) {
+  const Printer& p = profile.printer;
+  const Vec2 size = p.bedMax - p.bedMin;
   const bool centred = p.bedMin.x < 0;
   char bed[64];
   std::snprintf(bed, sizeof bed, "%gx%gx%g%s%s", size.x, size.y, p.maxZ, p.roundBed ? " round" : "",
@@ -41,48 +35,48 @@ std::string printerLine(const PrinterProfile& preset) {
   char heat[32];
   std::snprintf(heat, sizeof heat, "%g/%g", p.maxNozzleTemperature, p.maxBedTemperature);
   char line[256];
+  // Bambu printers need the user's own start block; others get a plain one.
   const char* start = !p.startGcode.empty() ? "own" : p.flavor == GcodeFlavor::Bambu ? "yours is needed" : "plain";
-  std::snprintf(line, sizeof line, "%-28s %-8s %-26s %g    %-9s %s\n", preset.id.c_str(), flavor(p).c_str(), bed,
+  std::snprintf(line, sizeof line, "%-28s %-8s %-26s %g    %-9s %s\n", profile.id.c_str(), flavor(p).c_str(), bed,
                 p.nozzle, heat, start);
   return line;
 }
 
-std::string filamentLine(const PrinterProfile& preset) {
-  const Printer& p = preset.printer;
+std::string filamentLine(const PrinterProfile& profile) {
+  const Printer& p = profile.printer;
   char line[256];
-  std::snprintf(line, sizeof line, "%-12s %-6s %4g then %4g  %4g   %g\n", preset.id.c_str(), p.filamentType.c_str(),
+  std::snprintf(line, sizeof line, "%-12s %-6s %4g then %4g  %4g   %g\n", profile.id.c_str(), p.filamentType.c_str(),
                 p.firstLayerNozzleTemperature, p.nozzleTemperature, p.bedTemperature, p.filamentDensity);
   return line;
 }
 
 /// Returns a table with a heading and one line per profile.
-std::string presetTable(ProfileKind kind) {
+std::string profileTable(ProfileKind kind) {
   const bool printers = kind == ProfileKind::Printer;
   std::string out =
       printers ? "id                           dialect  bed [mm]                   nozzle most [C]  start block\n"
                : "id           type   nozzle [C]      bed [C]  g/cm3\n";
-  for (const PrinterProfile& preset : sillon::profiles(kind))
-    out += printers ? printerLine(preset) : filamentLine(preset);
+  for (const PrinterProfile& profile : profiles(kind)) out += printers ? printerLine(profile) : filamentLine(profile);
   return out;
 }
 
 /// Returns all profiles as JSON: an object with a list `printers` or `filaments`, whose items have `id`, `maker` if
 /// there is one, and `printer`, that section of a project.
-std::string presetsJson(ProfileKind kind) {
+std::string profilesJson(ProfileKind kind) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
-  for (const PrinterProfile& preset : sillon::profiles(kind)) {
-    Json& one = list.emplace_back(Json{{"id", preset.id}});
-    if (!preset.maker.empty()) one["maker"] = preset.maker;
-    one["printer"] = Json::parse(sillon::writePrinter(preset.printer))["printer"];
+  for (const PrinterProfile& profile : profiles(kind)) {
+    Json& one = list.emplace_back(Json{{"id", profile.id}});
+    if (!profile.maker.empty()) one["maker"] = profile.maker;
+    one["printer"] = Json::parse(writePrinter(profile.printer))["printer"];
   }
   return Json{{kind == ProfileKind::Printer ? "printers" : "filaments", list}}.dump(2) + "\n";
 }
 
 /// Returns a project file with the printer of a profile; empty if no profile has this id.
-std::string presetFile(ProfileKind kind, const std::string& id) {
-  for (const PrinterProfile& preset : sillon::profiles(kind)) {
-    if (preset.id == id) return sillon::writePrinter(preset.printer);
+std::string profileFile(ProfileKind kind, const std::string& id) {
+  for (const PrinterProfile& profile : profiles(kind)) {
+    if (profile.id == id) return writePrinter(profile.printer);
   }
   return "";
 }
@@ -93,12 +87,16 @@ int run(ProfileKind kind, const char* command, const Arguments& arguments) {
     return fail(
         {ErrorCode::InvalidArgument, "--json applies to the list; a single profile, here " + id + ", is always JSON"});
   }
-  const std::string text = arguments.json ? presetsJson(kind) : id.empty() ? presetTable(kind) : presetFile(kind, id);
+  const std::string text = arguments.json ? profilesJson(kind)
+                           : id.empty()   ? profileTable(kind)
+                                          : profileFile(kind, id);
   if (!text.empty()) return answer(text);
+  // No profile has this id; applyProfile() is called only for its error message.
   Printer printer;
-  return fail({ErrorCode::InvalidArgument, std::string(command) + ": " + applyProfile(kind, id, printer)});
+  return fail({ErrorCode::InvalidArgument, std::string(command) + ": " + applyProfile(kind, id, printer)->message});
 }
 
+/// Adds the options of both commands.
 template <ProfileKind kind>
 Action add(Options& options) {
   const auto arguments = std::make_shared<Arguments>();
@@ -122,4 +120,4 @@ const Command printersCommand{"printers",
 const Command filamentsCommand{
     "filaments", "list the filaments that come with the program", "[ID]", "--json", "", add<ProfileKind::Filament>};
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -1,14 +1,10 @@
 // sillon rebrush: replaces the beads of top surfaces in a sliced file.
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,24 +16,15 @@
 #include "previews.hpp"
 #include "project_arguments.hpp"
 #include "run.hpp"
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/input/image_io.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 #include "sillon/rebrush/rebrush.hpp"
 #include "sillon/settings/table.hpp"
 #include "words.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
-
-using sillon::Error;
-using sillon::ErrorCode;
-using sillon::PictureFit;
-using sillon::RebrushedSurface;
-using sillon::Result;
-using sillon::SlicedFile;
-using sillon::SlicedSurface;
-using sillon::SurfaceSide;
 
 struct Arguments {
   std::string file;
@@ -48,7 +35,7 @@ struct Arguments {
   bool list = false;
   bool json = false;
   ProjectArguments project;  ///< project whose layers are laid on the surfaces
-  sillon::RebrushOptions options;
+  RebrushOptions options;
   int threads = 1;
 };
 
@@ -68,7 +55,7 @@ std::string listText(const SlicedFile& file) {
                   surface.speed, static_cast<long long>(surface.firstLine), static_cast<long long>(surface.lastLine));
     out += line;
     if (!surface.object.empty()) out += ", of " + surface.object;
-    if (surface.left != sillon::LeftBecause::None) out += ", left: " + std::string(surfaceReason(surface.left));
+    if (surface.left != LeftBecause::None) out += ", left: " + std::string(surfaceReason(surface.left));
     out += "\n";
   }
   return out;
@@ -76,7 +63,7 @@ std::string listText(const SlicedFile& file) {
 
 /// Formats a surface as JSON.
 nlohmann::ordered_json surfaceJson(const SlicedSurface& surface) {
-  const auto place = [](sillon::Vec2 p) { return nlohmann::ordered_json{p.x, p.y}; };
+  const auto place = [](Vec2 p) { return nlohmann::ordered_json{p.x, p.y}; };
   return {{"side", sideName(surface)},
           {"layer", surface.layer},
           {"z", surface.z},
@@ -92,8 +79,8 @@ nlohmann::ordered_json surfaceJson(const SlicedSurface& surface) {
           {"exit", place(surface.exit)},
           {"firstLine", surface.firstLine},
           {"lastLine", surface.lastLine},
-          {"left", surface.left == sillon::LeftBecause::None ? nlohmann::ordered_json()
-                                                             : nlohmann::ordered_json(surfaceReason(surface.left))},
+          {"left", surface.left == LeftBecause::None ? nlohmann::ordered_json()
+                                                     : nlohmann::ordered_json(surfaceReason(surface.left))},
           {"reason", surfaceReasonName(surface.left)}};
 }
 
@@ -131,7 +118,7 @@ nlohmann::ordered_json picturesJson(const RebrushedSurface& made) {
   return list;
 }
 
-std::string reportJson(const sillon::Rebrushed& done) {
+std::string reportJson(const Rebrushed& done) {
   nlohmann::ordered_json json = fileJson(done.file);
   json["seconds"] = done.seconds;
   json["totals"] = done.totals;
@@ -157,7 +144,7 @@ std::string reportJson(const sillon::Rebrushed& done) {
 }
 
 /// Formats the results for the terminal, one line for each surface.
-std::string summaryText(const sillon::Rebrushed& done) {
+std::string summaryText(const Rebrushed& done) {
   std::string out;
   for (const RebrushedSurface& made : done.surfaces) {
     const SlicedSurface& surface = done.file.surfaces[made.surface];
@@ -187,31 +174,31 @@ std::string summaryText(const sillon::Rebrushed& done) {
 }
 
 /// Reads and unpacks a file. It passes the bytes on, so that files of 200 MB are not in memory twice.
-Result<sillon::GcodeContainer> readContainer(const std::string& path) {
+Result<GcodeContainer> readContainer(const std::string& path) {
   Result<std::string> bytes = readFile(path, "G-code", kMaxGcodeBytes);
   if (!bytes) return bytes.error();
-  return sillon::readGcodeContainer(std::move(bytes).value());
+  return readGcodeContainer(std::move(bytes).value());
 }
 
 /// Packs the new text into the kind of file that the old one is, or returns it as plain text. Apart from gzip, nothing
 /// is packed anew: only its slicer knows what else a printer wants in a package.
-Result<std::string> packed(const sillon::GcodeContainer& container, std::string gcode, const std::string& out) {
-  using Kind = sillon::GcodeContainerKind;
+Result<std::string> packed(const GcodeContainer& container, std::string gcode, const std::string& out) {
+  using Kind = GcodeContainerKind;
   const Kind wanted = endsWith(out, ".3mf")                               ? Kind::Package3mf
                       : endsWith(out, ".bgcode") || endsWith(out, ".bgc") ? Kind::Binary
                       : endsWith(out, ".gz")                              ? Kind::Gzip
                                                                           : Kind::Text;
-  if (wanted == container.kind) return sillon::writeGcodeContainer(container, std::move(gcode));
+  if (wanted == container.kind) return writeGcodeContainer(container, std::move(gcode));
   if (wanted == Kind::Text) return gcode;
-  if (wanted == Kind::Gzip && container.kind == Kind::Text) return sillon::gzipGcode(gcode);
+  if (wanted == Kind::Gzip && container.kind == Kind::Text) return gzipGcode(gcode);
   return Error{
       ErrorCode::InvalidArgument,
       "\"" + out +
           "\" would be another kind of file than the slicer wrote; give it the same ending, or .gcode for its text"};
 }
 
-sillon::LookParams lookOf(const sillon::Spool& spool, const sillon::Rebrushed& done, const RebrushedSurface& made) {
-  sillon::LookParams look;
+LookParams lookOf(const Spool& spool, const Rebrushed& done, const RebrushedSurface& made) {
+  LookParams look;
   const SlicedSurface& surface = done.file.surfaces[made.surface];
   look.colour = spool.colour;
   look.roughness = sillon::roughnessOf(spool, done.file.nozzle, surface.side == SurfaceSide::Bottom);
@@ -225,11 +212,11 @@ sillon::LookParams lookOf(const sillon::Spool& spool, const sillon::Rebrushed& d
 }
 
 /// Lists the surfaces of a file, or replaces them and makes all outputs.
-Result<Outcome> brush(Arguments& arguments, const sillon::RunContext& run) {
+Result<Outcome> brush(Arguments& arguments, const RunContext& run) {
   const auto named = [&](const Error& error) {
     return Error{error.code, "\"" + arguments.file + "\": " + error.message};
   };
-  const Result<sillon::GcodeContainer> container = readContainer(arguments.file);
+  const Result<GcodeContainer> container = readContainer(arguments.file);
   if (!container) {
     // Errors of readFile() name the file already.
     const Error& error = container.error();
@@ -237,14 +224,14 @@ Result<Outcome> brush(Arguments& arguments, const sillon::RunContext& run) {
   }
   const std::string& gcode = container.value().gcode;
   if (arguments.list) {
-    const Result<SlicedFile> file = sillon::readSlicedFile(gcode, run);
+    const Result<SlicedFile> file = readSlicedFile(gcode, run);
     if (!file) return named(file.error());
     return Outcome{{}, arguments.json ? listJson(file.value()) : listText(file.value()), true};
   }
   if (container.value().plates > 1) return severalPlates(arguments.file, container.value().plates);
-  Result<sillon::Project> project = readProject(arguments.project);
+  Result<Project> project = readProject(arguments.project);
   if (!project) return project.error();
-  sillon::RebrushOptions options = arguments.options;
+  RebrushOptions options = arguments.options;
   options.project = project.value();
   options.read = readInputFile;
   options.ownSpool = ownSpool(arguments.project.pictures);
@@ -261,21 +248,20 @@ Result<Outcome> brush(Arguments& arguments, const sillon::RunContext& run) {
   std::vector<std::string> previews{arguments.preview};
   if (const auto problem = checkOutputs(outputs, inputs, previews)) return *problem;
   if (const auto problem = previewProblem(arguments.preview, arguments.previewWidth)) return *problem;
-  Result<sillon::Rebrushed> done = sillon::rebrush(gcode, options, run);
+  Result<Rebrushed> done = rebrush(gcode, options, run);
   if (!done) return named(done.error());
   std::vector<OutputFile> files;
-  std::string brushed = sillon::withEdits(gcode, done.value().edits);
+  std::string brushed = withEdits(gcode, done.value().edits);
   // A file that is changed in place stays of its kind, whatever its name.
-  Result<std::string> file = arguments.out.empty() ? sillon::writeGcodeContainer(container.value(), std::move(brushed))
+  Result<std::string> file = arguments.out.empty() ? writeGcodeContainer(container.value(), std::move(brushed))
                                                    : packed(container.value(), std::move(brushed), out);
   if (!file) return file.error();
   files.push_back({out, std::move(file).value()});
   std::size_t drawn = 0;
-  const sillon::Spool& shown =
-      options.ownSpool != nullptr ? *options.ownSpool : sillon::spoolOf(options.project.pictures.spool);
+  const Spool& shown = options.ownSpool != nullptr ? *options.ownSpool : spoolOf(options.project.pictures.spool);
   for (const RebrushedSurface& made : done.value().surfaces) {
     if (arguments.preview.empty() || !made.replaced) continue;
-    const sillon::Vec2 page = done.value().file.surfaces[made.surface].region.page;
+    const Vec2 page = done.value().file.surfaces[made.surface].region.page;
     auto preview = previewFiles(previewName(arguments.preview, drawn++), made.toolpath, page,
                                 {lookOf(shown, done.value(), made)}, arguments.previewWidth, run);
     if (!preview) return preview.error();
@@ -318,7 +304,7 @@ void addSurfaces(Options& options, Arguments& arguments) {
 /// Adds the options about the layers that are laid on the surfaces.
 void addLaid(Options& options, Arguments& arguments) {
   ProjectArguments& project = arguments.project;
-  project.besidePictures = sillon::PerimeterMode::Soft;
+  project.besidePictures = PerimeterMode::Soft;
   options.group("Layers");
   options.text("--project", "F.json", "project whose layers are laid on the surfaces", project.scene);
   addLayers(options, project.changes);
@@ -366,4 +352,4 @@ const Command rebrushCommand{
     "Exit codes: 0 done, 2 refused, 3 cancelled, 1 internal error. No files are written unless everything succeeds.",
     add};
 
-}  // namespace cli
+}  // namespace sillon::cli

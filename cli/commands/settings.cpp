@@ -13,14 +13,13 @@
 #include "sillon/settings/table.hpp"
 #include "sillon/text/text.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// Describes the range of a setting: "0.05 to 20 mm", "none|soft|count".
-std::string rangeText(const sillon::Setting& row) {
-  using sillon::SettingType;
+std::string rangeText(const Setting& row) {
   if (row.type == SettingType::Choice) {
     std::string words = row.choices;
     std::replace(words.begin(), words.end(), ' ', '|');
@@ -38,15 +37,14 @@ std::string rangeText(const sillon::Setting& row) {
 
 /// Returns a table of the settings: name, default, range with unit, option.
 std::string settingsTable() {
-  const sillon::Project defaults;
+  const Project defaults;
   std::string out = "setting                              default              range, unit; * for experts\n";
-  for (const sillon::Setting& row : sillon::settings()) {
-    const sillon::SettingWords words = sillon::wordsOf(row);
+  for (const Setting& row : sillon::settings()) {
+    const SettingWords words = wordsOf(row);
     char line[512];
-    std::snprintf(line, sizeof line, "%-36s %-20s %s%s\n%36s %s%s%s%s\n", sillon::fullName(row).c_str(),
-                  sillon::settingText(row, defaults).c_str(), rangeText(row).c_str(),
-                  row.level == sillon::Level::Expert ? " *" : "", "", words.help, *words.option == '\0' ? "" : " (",
-                  words.option, *words.option == '\0' ? "" : ")");
+    std::snprintf(line, sizeof line, "%-36s %-20s %s%s\n%36s %s%s%s%s\n", fullName(row).c_str(),
+                  settingText(row, defaults).c_str(), rangeText(row).c_str(), row.level == Level::Expert ? " *" : "",
+                  "", words.help, *words.option == '\0' ? "" : " (", words.option, *words.option == '\0' ? "" : ")");
     out += line;
   }
   return out;
@@ -54,17 +52,13 @@ std::string settingsTable() {
 
 /// Returns the settings as JSON, with numbers and names that the package and the studio share with core.
 std::string settingsJson() {
-  const Json facts{{"evenSpeed", sillon::kEvenSpeed},
-                   {"mostLayers", sillon::kMostLayers},
-                   {"neighbours",
-                    {{"nearest", sillon::kNearestNeighbour},
-                     {"farthest", sillon::kFarthestNeighbour},
-                     {"along", sillon::kNeighbourAlong}}},
-                   {"letters",
-                    {{"usualCapHeight", sillon::kUsualCapHeight},
-                     {"mostPathBytes", sillon::kMostPathBytes},
-                     {"mostLackedTold", sillon::kMostLackedTold}}},
-                   {"calibrationKinds", sillon::calibrationKinds()}};
+  const Json facts{
+      {"evenSpeed", kEvenSpeed},
+      {"mostLayers", kMostLayers},
+      {"neighbours", {{"nearest", kNearestNeighbour}, {"farthest", kFarthestNeighbour}, {"along", kNeighbourAlong}}},
+      {"letters",
+       {{"usualCapHeight", kUsualCapHeight}, {"mostPathBytes", kMostPathBytes}, {"mostLackedTold", kMostLackedTold}}},
+      {"calibrationKinds", calibrationKinds()}};
   std::string out = sillon::settingsJson();
   return out.insert(out.rfind("\n}"), ",\n  \"facts\": " + facts.dump());
 }
@@ -81,4 +75,4 @@ Action add(Options& options) {
 const Command settingsCommand{
     "settings", "list the settings of project files, with ranges and defaults", "", "--json", "", add};
 
-}  // namespace cli
+}  // namespace sillon::cli

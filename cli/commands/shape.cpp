@@ -9,13 +9,12 @@
 #include "assemble.hpp"
 #include "commands/commands.hpp"
 #include "run.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/project/project.hpp"
-#include "sillon/report/input_note.hpp"
 #include "sillon/report/warning.hpp"
 #include "words.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 struct Arguments {
@@ -29,18 +28,18 @@ struct Arguments {
 using Json = nlohmann::ordered_json;
 
 struct Description {
-  sillon::Vec2 page;
+  Vec2 page;
   double area = 0;
   Json notes = Json::array();  ///< code and message of each note
   std::string outline;         ///< path data, if asked for
 };
 
 /// Returns the path data of SVG, in mm from the page's upper left corner, to be filled by nonzero winding.
-std::string pathOf(const sillon::Shape& shape) {
+std::string pathOf(const Shape& shape) {
   std::string path;
-  for (const sillon::FilledPath& part : shape.paths) {
-    for (const sillon::Ring& ring : part.rings) {
-      for (const sillon::Vec2& p : ring) {
+  for (const FilledPath& part : shape.paths) {
+    for (const Ring& ring : part.rings) {
+      for (const Vec2& p : ring) {
         char text[64];
         std::snprintf(text, sizeof text, "%c%.3f %.3f", &p == ring.data() ? 'M' : 'L', p.x, shape.page.y - p.y);
         path += text;
@@ -52,34 +51,34 @@ std::string pathOf(const sillon::Shape& shape) {
 }
 
 /// Reads a file as the shape of a plate and collects its facts.
-sillon::Result<Description> describe(const std::string& file, const Arguments& arguments) {
-  sillon::Project project;
+Result<Description> describe(const std::string& file, const Arguments& arguments) {
+  Project project;
   project.shapeFile = file;
   project.pageWidth = arguments.width.value_or(0);
   project.ignorePaint = arguments.ignorePaint;
   const auto input = assemblePlate(project);
   if (!input) return input.error();
-  const auto outline = sillon::resolveOutline(input.value().shape);
+  const auto outline = resolveOutline(input.value().shape);
   if (!outline) return outline.error();
-  const sillon::DrawingFacts& drawing = input.value().shape.drawing;
+  const DrawingFacts& drawing = input.value().shape.drawing;
   Description out;
   out.page = input.value().shape.page;
   out.area = outline.value().area;
   if (arguments.outline) {
-    const auto body = sillon::unitedOnGrid(input.value().shape);
+    const auto body = unitedOnGrid(input.value().shape);
     if (!body) return body.error();
     out.outline = pathOf(body.value());
   }
-  for (const sillon::InputNote& note : sillon::inputNotes(project, drawing)) {
+  for (const InputNote& note : inputNotes(project, drawing)) {
     out.notes.push_back({{"code", note.code}, {"message", note.message}});
   }
-  for (const sillon::Warning& warning : sillon::drawingWarnings(drawing)) {
-    out.notes.push_back({{"code", sillon::warningName(warning.code)}, {"message", warning.message}});
+  for (const Warning& warning : drawingWarnings(drawing)) {
+    out.notes.push_back({{"code", warningName(warning.code)}, {"message", warning.message}});
   }
   return out;
 }
 
-std::string line(const std::string& file, const sillon::Result<Description>& read) {
+std::string line(const std::string& file, const Result<Description>& read) {
   if (!read) return file + "\n  error: " + read.error().message + "\n";
   char text[128];
   std::snprintf(text, sizeof text, "\n  page %.2f x %.2f mm, area %.2f mm2\n", read.value().page.x, read.value().page.y,
@@ -89,7 +88,7 @@ std::string line(const std::string& file, const sillon::Result<Description>& rea
   return out;
 }
 
-Json jsonOf(const std::string& file, const sillon::Result<Description>& read) {
+Json jsonOf(const std::string& file, const Result<Description>& read) {
   if (!read) return {{"file", file}, {"error", read.error().message}};
   const Description& shape = read.value();
   Json json{{"file", file}, {"page", {shape.page.x, shape.page.y}}, {"areaMm2", shape.area}, {"notes", shape.notes}};
@@ -138,4 +137,4 @@ const Command shapeCommand{"shape",
                            "  sillon shape badge.svg --size 60",
                            add};
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,14 +10,12 @@
 #include "commands/commands.hpp"
 #include "pictures.hpp"
 #include "run.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using sillon::Roughness;
-using sillon::Spool;
 
 struct Arguments {
   PictureOptions own;  ///< only its file of spools is used
@@ -29,7 +26,7 @@ constexpr int kSteps = 36;  // number of directions in the JSON
 
 Json rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
-Json sidesJson(const sillon::SideRoughness& sides) {
+Json sidesJson(const SideRoughness& sides) {
   const auto pair = [](const Roughness& r) { return Json::array({r.along, r.across}); };
   return {{"nozzleSide", pair(sides.nozzleSide)}, {"bedSide", pair(sides.bedSide)}};
 }
@@ -43,9 +40,8 @@ std::string spoolTable(const std::vector<Spool>& spools) {
                   spool.colour[2]);
     out += line;
     for (const auto& [name, slope] : lampSizes()) {
-      std::snprintf(
-          line, sizeof line, " %5.1f",
-          sillon::contrastOf(sillon::lobeOf({60, 45, slope}, sillon::roughnessOf(spool, sillon::kFineNozzle, false))));
+      std::snprintf(line, sizeof line, " %5.1f",
+                    contrastOf(lobeOf({60, 45, slope}, sillon::roughnessOf(spool, kFineNozzle, false))));
       out += line;
     }
     out += "\n";
@@ -56,20 +52,20 @@ std::string spoolTable(const std::vector<Spool>& spools) {
 /// Returns the constants of the appearance model and all spools, each with the light by direction under each lamp.
 /// Views on web pages are made from it and tested against it.
 std::string spoolJson(const std::vector<Spool>& spools) {
-  const sillon::Lobe any = sillon::lobeOf({}, {});
+  const Lobe any = lobeOf({}, {});
   Json root{{"version", 1},
             {"profileSlope", rounded(static_cast<double>(any.profile))},
             {"diffuse", rounded(static_cast<double>(any.diffuse))},
-            {"weakContrast", sillon::kWeakContrast},
-            {"fineNozzle", sillon::kFineNozzle},
-            {"wideNozzle", sillon::kWideNozzle}};
+            {"weakContrast", kWeakContrast},
+            {"fineNozzle", kFineNozzle},
+            {"wideNozzle", kWideNozzle}};
   for (const auto& [name, slope] : lampSizes()) root[name] = slope;
   root["spools"] = Json::array();
   for (const Spool& spool : spools) {
     Json light = Json::object();
     for (const auto& [name, slope] : lampSizes()) {
       Json table = Json::array();
-      for (const float value : sillon::lightTable(sillon::lobeOf({60, 45, slope}, spool.fine.nozzleSide), kSteps)) {
+      for (const float value : lightTable(lobeOf({60, 45, slope}, spool.fine.nozzleSide), kSteps)) {
         table.push_back(rounded(static_cast<double>(value)));
       }
       light[name] = std::move(table);
@@ -103,4 +99,4 @@ Action add(Options& options) {
 const Command spoolsCommand{
     "spools", "list the measured spools, and what they show under lamps", "", "--json --spools", "", add};
 
-}  // namespace cli
+}  // namespace sillon::cli

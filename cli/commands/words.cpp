@@ -2,7 +2,6 @@
 // programs.
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -12,10 +11,9 @@
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/printer_import/printer_import.hpp"
 #include "sillon/rebrush/rebrush.hpp"
-#include "sillon/report/input_note.hpp"
 #include "sillon/report/warning.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -24,11 +22,11 @@ using Json = nlohmann::ordered_json;
 Json words() {
   Json all;
   for (const auto& [kind, sentences] :
-       {std::pair("warnings", sillon::warningSentences()), std::pair("inputNotes", sillon::inputNoteSentences()),
-        std::pair("importNotes", sillon::importNoteSentences()), std::pair("findings", sillon::findingSentences()),
-        std::pair("printFindings", sillon::printFindingSentences()), std::pair("surfaces", sillon::surfaceSentences()),
-        std::pair("reasons", sillon::reasonSentences()), std::pair("hints", sillon::errorHints())}) {
-    for (const sillon::Sentence& sentence : sentences) all[kind][sentence.code] = sentence.text;
+       {std::pair("warnings", warningSentences()), std::pair("inputNotes", inputNoteSentences()),
+        std::pair("importNotes", importNoteSentences()), std::pair("findings", findingSentences()),
+        std::pair("printFindings", printFindingSentences()), std::pair("surfaces", surfaceSentences()),
+        std::pair("reasons", reasonSentences()), std::pair("hints", errorHints())}) {
+    for (const Sentence& sentence : sentences) all[kind][sentence.code] = sentence.text;
   }
   return all;
 }
@@ -55,4 +53,4 @@ Action add(Options& options) {
 const Command wordsCommand{
     "words", "list the sentences of warnings, notes, findings and refusals, by their codes", "", "--json", "", add};
 
-}  // namespace cli
+}  // namespace sillon::cli

@@ -11,25 +11,21 @@
 #include "files.hpp"
 #include "project_arguments.hpp"
 #include "run.hpp"
-#include "sillon/job/zones.hpp"
+#include "sillon/job/plate.hpp"
 #include "words.hpp"
 
-namespace cli {
+namespace sillon::cli {
 namespace {
-
-using sillon::Error;
-using sillon::ErrorCode;
-using sillon::Result;
 
 struct Arguments {
   ProjectArguments project;
   std::string out;   ///< name of a .3mf
   std::string body;  ///< name of an STL; empty for a prism of the shape
-  sillon::ZonesRequest request;
+  ZonesRequest request;
   int threads = 1;
 };
 
-Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, const sillon::RunContext& run) {
+Result<Outcome> makeZones(const Arguments& arguments, Project project, const RunContext& run) {
   if (!endsWith(arguments.out, ".3mf")) {
     return Error{ErrorCode::InvalidArgument, "--output is \"" + arguments.out + "\"; it must end in .3mf"};
   }
@@ -37,19 +33,19 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
   if (!arguments.body.empty()) inputs.push_back(arguments.body);
   if (const auto problem = checkOutputs({arguments.out}, inputs)) return *problem;
 
-  sillon::ZonesRequest request = arguments.request;
+  ZonesRequest request = arguments.request;
   if (!arguments.body.empty()) {
     Result<std::string> bytes = readFile(arguments.body, "body", kMaxInputBytes);
     if (!bytes) return bytes.error();
     request.body = std::move(bytes).value();
   }
-  Result<sillon::ZonesMade> made = sillon::makeZones(project, request, readInputFile, run);
+  Result<ZonesMade> made = sillon::makeZones(project, request, readInputFile, run);
   if (!made) return made.error();
-  const sillon::DirectionZones& zones = made.value().zones;
+  const DirectionZones& zones = made.value().zones;
 
   std::string out;
-  for (const sillon::InputNote& note : made.value().notes) out += "note   " + note.message + "\n";
-  for (const sillon::Warning& warning : made.value().warnings) out += "warning " + warning.message + "\n";
+  for (const InputNote& note : made.value().notes) out += "note   " + note.message + "\n";
+  for (const Warning& warning : made.value().warnings) out += "warning " + warning.message + "\n";
   if (const std::size_t open = made.value().openEdges; open > 0) {
     out += "warning the body has " + plural(open, "open edge") +
            "; slicers may find no layers in it, so repair it first\n";
@@ -62,7 +58,7 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
     out += "note   " + plural(count, "zone") + " instead of " + std::to_string(arguments.request.params.most) + ": " +
            line + "\n";
   }
-  for (const sillon::DirectionZone& zone : zones.zones) {
+  for (const DirectionZone& zone : zones.zones) {
     std::snprintf(line, sizeof line, "zone   %6.1f degrees %9.1f mm2\n", zone.degrees, zone.areaMm2);
     out += line;
   }
@@ -73,16 +69,13 @@ Result<Outcome> makeZones(const Arguments& arguments, sillon::Project project, c
 
 int run(Arguments& arguments) {
   Run run(arguments.threads);
-  Result<sillon::Project> project = readProject(arguments.project);
+  Result<Project> project = readProject(arguments.project);
   if (!project) return fail(project.error());
   return commit(makeZones(arguments, std::move(project).value(), run.context()), run);
 }
 
 /// Tells whether a setting belongs to the shape, since zones need no toolpath.
-bool isOfInput(const sillon::Setting& row) {
-  using sillon::Section;
-  return row.section == Section::Shape;
-}
+bool isOfInput(const Setting& row) { return row.section == Section::Shape; }
 
 Action add(Options& options) {
   const auto arguments = std::make_shared<Arguments>();
@@ -96,7 +89,7 @@ Action add(Options& options) {
   options.take("--face", "X,Y,Z", "corner and height of the top face whose outline the project's shape is [all tops]",
                [arguments](const std::string& text) {
                  const std::size_t last = text.rfind(',');
-                 const std::optional<sillon::Vec2> corner = parsePair(text.substr(0, last), ',');
+                 const std::optional<Vec2> corner = parsePair(text.substr(0, last), ',');
                  const std::optional<double> z = parseNumber(last == std::string::npos ? "" : text.substr(last + 1));
                  if (!corner || !z) refuse("--face", text, "three numbers in mm, as in 10,20,5");
                  arguments->request.face = {*corner, *z};
@@ -126,4 +119,4 @@ const Command zonesCommand{
     "Open the file in PrusaSlicer, OrcaSlicer or Bambu Studio, choose the printer and slice.",
     add};
 
-}  // namespace cli
+}  // namespace sillon::cli

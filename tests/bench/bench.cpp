@@ -43,7 +43,7 @@
 #include "photo.hpp"
 #include "random.hpp"
 #include "sillon/gcode_reader/check.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/look/preview.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
@@ -76,13 +76,13 @@ struct Loaded {
 
 bool load(const std::string& path, Loaded& out) {
   out.name = fs::path(path).stem().string();
-  const auto project = cli::loadProject(path);
+  const auto project = sillon::cli::loadProject(path);
   if (!project) {
     std::printf("%s: %s\n", path.c_str(), project.error().message.c_str());
     return false;
   }
   out.project = project.value();
-  auto input = cli::assemblePlate(out.project);
+  auto input = sillon::cli::assemblePlate(out.project);
   if (!input) {
     std::printf("%s: %s\n", path.c_str(), input.error().message.c_str());
     return false;
@@ -133,7 +133,7 @@ void quality(const std::vector<std::string>& scenes, const std::string& perimete
     if (perimeters == "none") params.perimeterMode = sillon::PerimeterMode::None;
     if (perimeters == "soft") params.perimeterMode = sillon::PerimeterMode::Soft;
     if (const auto known = sillon::presets(); std::find(known.begin(), known.end(), perimeters) != known.end()) {
-      if (!sillon::applyPreset(perimeters, params).empty()) continue;
+      if (sillon::applyPreset(perimeters, params)) continue;
     }
     if (!perimeters.empty() && std::isdigit(perimeters[0])) {
       params.perimeterMode = sillon::PerimeterMode::Count;
@@ -488,7 +488,7 @@ void growth(double most) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::keepFreedMemory();
+  sillon::cli::keepFreedMemory();
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   const std::string what = arguments.empty() ? "" : arguments[0];
   std::vector<std::string> rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
@@ -519,7 +519,7 @@ int main(int argc, char** argv) {
       Loaded scene;
       const fs::path file = fs::path(SILLON_SOURCE_DIR) / "examples" / "paper" / (std::string(result.scene) + ".json");
       if (!load(file.string(), scene)) return 1;
-      if (!rest.empty() && !sillon::applyPreset(rest[0], scene.project.toolpath).empty()) return 1;
+      if (!rest.empty() && sillon::applyPreset(rest[0], scene.project.toolpath)) return 1;
       if (!bench::paperRows(result, scene.input, scene.project.toolpath)) return 1;
     }
     return 0;

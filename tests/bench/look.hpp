@@ -14,10 +14,13 @@
 
 #include "assemble.hpp"
 #include "gcode/read_back.hpp"
+#include "look/rasters.hpp"
+#include "quality/seen_cells.hpp"
 #include "sillon/compose/compose.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
+#include "support/measure_pictures.hpp"
 
 namespace bench {
 
@@ -92,12 +95,12 @@ inline void printLook(const std::string& name, const LookRow& row) {
 /// One plate, solved for and, if it has one picture, straight.
 inline void lookPlate(const std::vector<std::string>& files, const sillon::RunContext& run) {
   const sillon::Project project = lookProject(files);
-  auto input = cli::assemblePlate(project);
+  auto input = sillon::cli::assemblePlate(project);
   if (!input) {
     std::printf("%s\n", input.error().message.c_str());
     return;
   }
-  auto composed = sillon::compose(project, std::move(input).value(), {cli::readInputFile}, run);
+  auto composed = sillon::compose(project, std::move(input).value(), {sillon::cli::readInputFile}, run);
   if (!composed) {
     std::printf("%s\n", composed.error().message.c_str());
     return;
@@ -111,7 +114,7 @@ inline void lookPlate(const std::vector<std::string>& files, const sillon::RunCo
   const auto make = [&](const sillon::PlateInput& tried) {
     return sillon::generateToolpath(tried, project.toolpath, run, true);
   };
-  const auto made = sillon::makeShown(project, composition, cli::readInputFile, make, run);
+  const auto made = sillon::makeShown(project, composition, sillon::cli::readInputFile, make, run);
   const LookRow solved = judged(project, composition.laid(), made, shown, run);
   printLook(name, solved);
   if (files.size() == 1) {

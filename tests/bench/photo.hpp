@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "sillon/calibrate/read_photo.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 #include "support/coupon_photo.hpp"
 
 namespace bench {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "assemble.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "support/joinable.hpp"
@@ -39,7 +39,7 @@ inline scenes::RandomPlate foreignDrawing(std::uint64_t seed, const std::vector<
   project.shapeFile = files[static_cast<std::size_t>(random.index(static_cast<int>(files.size())))];
   project.pageWidth = plate.params.spacing * random.in(15, 90);
   plate.name = project.shapeFile;
-  if (auto input = cli::assemblePlate(project)) plate.input.shape = std::move(input).value().shape;
+  if (auto input = sillon::cli::assemblePlate(project)) plate.input.shape = std::move(input).value().shape;
   scenes::randomField(random, plate);
   return plate;
 }

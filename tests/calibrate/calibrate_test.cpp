@@ -88,7 +88,7 @@ std::vector<Project> dialects() {
   std::vector<Project> all;
   for (const char* id : {"creality-ender-3-v2", "voron-2-4-300", "generic", "prusa-mk4", "bambu-p1s"}) {
     Project project;
-    REQUIRE(applyProfile(ProfileKind::Printer, id, project.printer).empty());
+    REQUIRE_FALSE(applyProfile(ProfileKind::Printer, id, project.printer));
     if (project.printer.flavor == GcodeFlavor::Bambu) {
       project.printer.startGcode = "G28\nM190 S{first_layer_bed_temperature}\nM109 S{first_layer_temperature}";
     }
@@ -341,12 +341,12 @@ TEST_CASE("values that are out of range, too near each other or too fast are ref
             .find("flow from 1 to 0.9 has 7 values; to must be at least 0.06") == 0);
   CHECK(refused({CalibrationKind::Flow, 0.88, 0.9, {}}).find("to must be at least 0.06 above from") !=
         std::string::npos);
-  CHECK(refused({CalibrationKind::Flow, 0.1, 1.0, {}}).find("flow would try 0.1; values must be 0.5 to 1.5") == 0);
-  CHECK(refused({CalibrationKind::Fan, 50, 150, {}}).find("would try 125 %") != std::string::npos);
-  CHECK(refused({CalibrationKind::Width, 0.1, 0.6, {}}).find("values must be 0.24 to 0.64") != std::string::npos);
+  CHECK(refused({CalibrationKind::Flow, 0.1, 1.0, {}}).find("flow is 0.1; it must be 0.5 to 1.5") == 0);
+  CHECK(refused({CalibrationKind::Fan, 50, 150, {}}).find("fan is 125 %") != std::string::npos);
+  CHECK(refused({CalibrationKind::Width, 0.1, 0.6, {}}).find("it must be 0.24 to 0.64 mm") != std::string::npos);
   CHECK(refused({CalibrationKind::Swatch, 0.0, {}, {}}).find("from and to must be left out") != std::string::npos);
-  CHECK(refused({CalibrationKind::Fan, std::nan(""), {}, {}}).find("must be numbers") != std::string::npos);
-  CHECK(refused({CalibrationKind::Fan, {}, 1e300, {}}).find("must be numbers") != std::string::npos);
+  CHECK(refused({CalibrationKind::Fan, std::nan(""), {}, {}}).find("it must be -10000 to 10000") != std::string::npos);
+  CHECK(refused({CalibrationKind::Fan, {}, 1e300, {}}).find("it must be -10000 to 10000") != std::string::npos);
 
   const RunContext run(1);
   const auto plate = makeCalibration({CalibrationKind::Speed, 50, 300, {}}, run);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sillon/calibrate/read_photo.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 #include "support/coupon_photo.hpp"
 
 using namespace sillon;

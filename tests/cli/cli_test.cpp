@@ -25,9 +25,9 @@
 #include <vector>
 
 #include "export/zip.hpp"
-#include "sillon/base/version.hpp"
+#include "sillon/base/words.hpp"
 #include "sillon/calibrate/calibrate.hpp"
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/report/warning.hpp"
 #include "support/about.hpp"
@@ -360,7 +360,7 @@ TEST_CASE("a spool of one's own is listed, solved for and shown like the measure
 
   folder.write("bad.json", R"({"version": 1, "spools": {"bluePla": {}}})");
   checkRefused(folder, "spools --spools bad.json",
-               "\"bad.json\": spool \"bluePla\" is one that comes with the program");
+               "\"bad.json\": spools[\"bluePla\"] is one that comes with the program");
   checkRefused(folder, "spools --spools nothing.json", "nothing.json");
   checkRefused(folder, plate + "a.svg --spools mine.json", "no --spool is given; it must name one");
   checkRefused(folder, plate + "a.svg --spools mine.json --spool hers", "goldPla, greyPla, redPetg, mySilk");
@@ -404,7 +404,7 @@ TEST_CASE("printers and filaments are listed, and one of them begins a project")
                    "SOURCE_DATE_EPOCH=0")
               .code == 0);
   CHECK(readAll(folder.at("a.gcode")) == readAll(folder.at("b.gcode")));
-  checkRefused(folder, "printers k2", "printers: \"k2\" is not a printer profile");
+  checkRefused(folder, "printers k2", "printers: \"k2\" is unknown for printer.profile");
   folder.write("hot.json", R"({"sillon": 1, "printer": {"profile": "creality-ender-3", "nozzleTemperature": 300}})");
   for (const char* command :
        {"generate hot.json --shape disc --size 12 --gcode a.gcode", "calibrate speed hot.json -o b.gcode"}) {
@@ -758,7 +758,7 @@ TEST_CASE("zones of straight lines are written on a prism or on a body of one's 
       {"--shape disc --angle 3 --zones 1 -o a.3mf", "zones is 1; it must be 2 to 12"},
       {"--shape disc --angle 3 -o a.stl", "it must end in .3mf"},
       {"--body two.png --angle 3 -o a.3mf", "the STL is cut off, or another kind of file"},
-      {"--shape disc --angle 3 --layer-height 9 -o a.3mf", "layer height is 9 mm"},
+      {"--shape disc --angle 3 --layer-height 9 -o a.3mf", "layerHeight is 9 mm"},
       {"--shape disc --angle 3 --height 0 -o a.3mf", "height is 0 mm"},
       {"--shape disc --angle 3", "--output"},
       {"--shape disc --angle 3 --mode orthogonal -o a.3mf", "the mode must be constrained"},
@@ -825,7 +825,7 @@ TEST_CASE("a calibration print is written with its table, for people and for pro
   checkRefused(folder, "calibrate flow", "--output");
   checkRefused(folder, "calibrate", "kind");
   checkRefused(folder, "calibrate flow --from x -o a.gcode", "--from");
-  checkRefused(folder, "calibrate flow --from 2 --to 3 -o a.gcode", "flow would try 2; values must be 0.5 to 1.5");
+  checkRefused(folder, "calibrate flow --from 2 --to 3 -o a.gcode", "flow is 2; it must be 0.5 to 1.5");
   checkRefused(folder, "calibrate flow --spool tin -o a.gcode",
                "--spool is \"tin\"; it must be one of bluePla, clearPetg,");
   checkRefused(folder, "calibrate flow --bed 30x30 -o a.gcode", "over the edge of the bed");
@@ -887,7 +887,7 @@ TEST_CASE("a photograph of a coupon is read, for people, for programs and as a s
   checkRefused(folder, "calibrate read", "no photograph is given");
   checkRefused(folder, "calibrate read nothing.jpg", "nothing.jpg");
   checkRefused(folder, "calibrate read photo.jpg --lamp-size moon", "--lamp-size is \"moon\"; it must be bulb,");
-  checkRefused(folder, "calibrate read photo.jpg --lamp-elevation 5", "lamp elevation is 5");
+  checkRefused(folder, "calibrate read photo.jpg --lamp-elevation 5", "lampElevation is 5");
   checkRefused(folder, "calibrate read photo.jpg --name 'a b'", "\"a b\"");
   checkRefused(folder, "calibrate read photo.jpg -o photo.jpg", "also an input");
   checkRefused(folder, "calibrate read photo.jpg --preview p.png", "--preview shows a print");
@@ -963,7 +963,7 @@ TEST_CASE("the base is written as a solid, STL or 3MF by its name") {
   CHECK(stl.starts_with("base body by Sillon"));
   CHECK(stl.size() % 50 == 84 % 50);
   CHECK(readAll(folder.at("a.3mf")).starts_with("PK"));
-  checkRefused(folder, std::string(kDisc) + "--base 0 --body b.stl", "base is 0; it must be at least 1");
+  checkRefused(folder, std::string(kDisc) + "--base 0 --body b.stl", "print.base is 0; it must be at least 1");
 }
 
 namespace {
@@ -985,7 +985,7 @@ TEST_CASE("a body that cannot be made does not take the G-code with it") {
   const Run run = folder.run(std::string(kDisc) + "--base 0 --gcode a.gcode --report a.json --body old.stl");
   CHECK(run.code == 2);
   CHECK(run.err ==
-        "sillon: \"old.stl\" is not written: base is 0; it must be at least 1 for a body of the base layers\n");
+        "sillon: \"old.stl\" is not written: print.base is 0; it must be at least 1 for a body of the base layers\n");
   CHECK(has(run.out, "wrote      a.gcode"));
   CHECK(!has(run.out, "wrote      old.stl"));
   CHECK(readAll(folder.at("old.stl")) == "what was there");
@@ -1410,10 +1410,10 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, "generate logo.svg" + kOutputs,
                "scene \"logo.svg\" is a drawing and not a project; give it as --shape");
   checkRefused(folder, "generate moving.gif" + kOutputs,
-               "moving.gif is a GIF picture; pictures must be PNG, JPEG, BMP or TGA");
+               "moving.gif is a GIF file; pictures must be PNG, JPEG, BMP or TGA");
   // A picture by how it begins, also a large one, and behind another.
   folder.write("large", std::string(4, '\0') + "ftypheic" + std::string(2 << 20, 'x'));
-  checkRefused(folder, "generate tiny.png large" + kOutputs, "large is a HEIC or AVIF picture, or a video");
+  checkRefused(folder, "generate tiny.png large" + kOutputs, "large is a HEIC/AVIF file");
   folder.write("tiny.jfif", readAll(folder.at("tiny.png")));
   CHECK(folder.run("generate tiny.jfif --size 10 --spacing 1 --svg named.svg").code == 0);
   folder.write("noise.bin", std::string(64, '\x01'));
@@ -1425,10 +1425,11 @@ TEST_CASE("pictures and lamps that cannot be are refused, with the way out") {
   checkRefused(folder, "generate --picture text.png" + kOutputs, "text.png");
   checkRefused(folder, "generate --picture none.png" + kOutputs, "\"none.png\" cannot be read");
   checkRefused(folder, one + one.substr(9) + one.substr(9) + one.substr(9) + one.substr(9) + kOutputs,
-               "layers[0].pictures has 5 pictures; it may have up to 4");
+               "layers[0].pictures has 5 entries; it may have up to 4");
   checkRefused(folder, "generate both.json" + kOutputs, "layers[0].file is not for the kind \"picture\"");
   checkRefused(folder, "generate key.json" + kOutputs, "unknown key \"layers[0].pictures[0].light\"");
-  checkRefused(folder, "generate bare.json" + kOutputs, "layers[0].pictures[0] is text; it must be an object");
+  checkRefused(folder, "generate bare.json" + kOutputs,
+               "layers[0].pictures[0] is of the JSON type string; it must be an object");
   checkRefused(folder, "generate low.json" + kOutputs, "layers[0].pictures[0].lamp.y is 0 degrees; it must be 1 to 90");
 }
 
@@ -1659,7 +1660,7 @@ TEST_CASE("files that are not what they claim are refused") {
   checkRefused(folder, "generate missing.json" + kOutputs, "\"missing.json\" cannot be read");
   checkRefused(folder, "generate empty" + kOutputs, "\"empty\" is empty");
   checkRefused(folder, "generate folder" + kOutputs, "is a folder");
-  checkRefused(folder, "generate typo.json" + kOutputs, "did you mean \"spacing\"?");
+  checkRefused(folder, "generate typo.json" + kOutputs, "similar names: \"spacing\"");
   checkRefused(folder, "generate nojson.json" + kOutputs, "line 1");
   checkRefused(folder, "generate deep.json" + kOutputs, "deeper than 64");
   checkRefused(folder, "generate nofile.json" + kOutputs, "nowhere.svg");
@@ -1671,7 +1672,7 @@ TEST_CASE("files that are not what they claim are refused") {
   checkRefused(folder, "generate --directions wide.png" + kOutputs, "40000");
   checkRefused(folder, "generate --modes cut.png --shape disc --size 9" + kOutputs, "cut.png");
   checkRefused(folder, "generate --shape wide.png --size 20" + kOutputs, "40000");
-  checkRefused(folder, "generate --shape black.png --size 20" + kOutputs, "shape \"black.png\": The mask is empty");
+  checkRefused(folder, "generate --shape black.png --size 20" + kOutputs, "shape \"black.png\": the mask is empty");
   checkRefused(folder, "generate --shape text.png --size 20" + kOutputs, "text.png");
   checkRefused(folder, "generate --shape flat.svg" + kOutputs, "flat.svg");
   checkRefused(folder, "generate --shape broken.svg" + kOutputs, "broken.svg");
@@ -1711,9 +1712,9 @@ TEST_CASE("values out of range are refused with their range") {
   refused("--copies 2", "NxM, two whole numbers");
   refused("--copies 2x2.5", "print.copies is [2, 2.5]; it must be two whole numbers");
   refused("--brim 51", "print.brim is 51");
-  refused("--printer mk4", "--printer: \"mk4\" is not a printer profile");
-  refused("--preset paper", "--preset: \"paper\" is not a preset");
-  refused("--filament abs", "--filament: \"abs\" is not a filament profile; known are petg, pla, pla-silk");
+  refused("--printer mk4", "--printer: \"mk4\" is unknown for printer.profile");
+  refused("--preset paper", "--preset: \"paper\" is unknown for toolpath.preset");
+  refused("--filament abs", "--filament: \"abs\" is unknown for printer.filament; known are petg, pla, pla-silk");
   refused("--bed 200", "--bed is \"200\"");
   refused("--bed 10x10", "bed");  // smaller than the plate
   refused("--place 300,300", "bed");
@@ -2058,7 +2059,7 @@ TEST_CASE("shapes for things: built-in ones, corners, offsets, holes and a rim")
   refused("--hole 10,10,0.1", "shape.holes[0].diameter is 0.1 mm; it must be 0.5 to 10000");
   refused("--offset 60", "shape.offset is 60 mm; it must be -20 to 50");
   refused("--offset -15", "an offset of -15 mm leaves nothing of the shape");
-  refused("--shape ring --size 20 --inner 25", "inner diameter of the ring is 25 mm");
+  refused("--shape ring --size 20 --inner 25", "shape.inner is 25 mm");
   refused("--shape ring --size 20x10", "for a ring; it must be one number there");
   refused("--rim 2 --show bed --gcode b.gcode", "print.rim is 2, but what shows lies on the bed");
 }

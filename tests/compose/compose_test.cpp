@@ -11,8 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "compose/visible.hpp"
 #include "input/stored_angle.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "report/told.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/settings/table.hpp"
 #include "sillon/text/text.hpp"
@@ -533,7 +535,7 @@ TEST_CASE("errors tell the layer") {
   REQUIRE(!made.ok());
   CHECK(made.error().message.find("layers[1]: ") == 0);
   plate.top<LayerFile>().file = "";
-  CHECK(invalidSettings(plate.project)->message == "layers[1].file is empty; it must name a picture or a drawing");
+  CHECK(invalidSettings(plate.project)->message == "layers[1].file is empty; it must name a file");
   plate.project.layers[1] = {};
   plate.project.layers[1].rotation = 400;
   CHECK(invalidSettings(plate.project)->message == "layers[1].rotation is 400 degrees; it must be -360 to 360");

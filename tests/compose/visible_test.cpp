@@ -10,10 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "compose/visible.hpp"
+#include "report/told.hpp"
 #include "sillon/compose/compose.hpp"
 #include "sillon/project/project.hpp"
-#include "sillon/report/layers.hpp"
-#include "sillon/text/qr_code.hpp"
+#include "sillon/report/warning.hpp"
+#include "text/qr_code.hpp"
 
 using namespace sillon;
 

@@ -1,4 +1,4 @@
-#include "sillon/export/base_solid.hpp"
+#include "sillon/export/export.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +12,7 @@
 #include <vector>
 
 #include "geometry/triangulate.hpp"
-#include "sillon/export/gcode_archive.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "support/random_plates.hpp"
 #include "support/scenes.hpp"
 
@@ -338,7 +337,7 @@ TEST_CASE("what has no body says why") {
   PrintParams params;
   params.base = 0;
   const Shape shape = shapeOf({box(0, 0, 60, 40)});
-  CHECK(baseBody(shape, Printer{}, params).error().message.find("base is 0; it must be at least 1") == 0);
+  CHECK(baseBody(shape, Printer{}, params).error().message.find("print.base is 0; it must be at least 1") == 0);
   params.base = 2000;
   CHECK(baseBody(shape, Printer{}, params).error().message.find("print.base is 2000; it must be 0 to 1000") == 0);
   CHECK(baseBody({}, Printer{}, {}).error().code == ErrorCode::EmptyShape);

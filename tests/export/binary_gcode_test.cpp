@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/gcode_reader/check.hpp"
 #include "sillon/printer_import/printer_import.hpp"
 

@@ -1,6 +1,6 @@
 // Zones of straight lines: what they cover, that they neither overlap nor become slivers, and how PrusaSlicer lays
 // them.
-#include "sillon/export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 #include <doctest/doctest.h>
 
@@ -24,7 +24,8 @@
 #include "export/packing.hpp"
 #include "export/zip.hpp"
 #include "export/zone_parts.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "export/zones.hpp"
+#include "geometry/outline.hpp"
 
 using namespace sillon;
 using doctest::Approx;
@@ -245,8 +246,9 @@ TEST_CASE("what makes no zones is refused") {
   CHECK_FALSE(directionZones(shape, map, {13, 3}, run));
   CHECK_FALSE(directionZones(shape, map, {6, 0}, run));
   CHECK_FALSE(directionZones(shape, {}, {}, run));
-  CHECK(directionZones(shape, {300, 300, {}}, {}, run).error().message ==
-        "direction map is 300 x 300 pixels with 0 values; it must have a pixel at least, and one value for each");
+  CHECK(
+      directionZones(shape, {300, 300, {}}, {}, run).error().message ==
+      "the map of directions is 300 x 300 pixels with 0 values; it must have a pixel at least, and one value for each");
   CHECK(directionZones(Shape{{}, {10, 10}}, map, {}, run).error().code == ErrorCode::EmptyShape);
   for (const double height : {0.0, 0.04, 5001.0, HUGE_VAL, std::nan("")}) CHECK_FALSE(prismOf(shape, height));
   const DirectionZones zones = zonesOf(shape, map);
@@ -254,14 +256,16 @@ TEST_CASE("what makes no zones is refused") {
   CHECK_FALSE(zones3mf(prismOf(shape, 1).value(), zones, {HUGE_VAL, 0}, 0.2));
   Mesh torn = prismOf(shape, 1).value();
   torn.triangles[3][1] = 99;
-  CHECK(zones3mf(torn, zones, {}, 0.2).error().message == "a triangle has corner 99; the mesh has 8 points");
+  CHECK(zones3mf(torn, zones, {}, 0.2).error().message ==
+        "the mesh has a point that is not finite, or a triangle without three points of it");
   CHECK_FALSE(writeStl(torn));
   CHECK_FALSE(write3mf(torn));
   torn.triangles[3][1] = 0;
   torn.points[0][2] = std::nan("");
-  CHECK(writeStl(torn).error().message == "a point of the mesh is not finite");
+  CHECK(writeStl(torn).error().message ==
+        "the mesh has a point that is not finite, or a triangle without three points of it");
   CHECK(zones3mf(prismOf(shape, 1).value(), zones, {}, 0).error().message ==
-        "layer height is 0 mm; it must be 0.01 to 2 mm");
+        "layerHeight is 0 mm; it must be 0.01 to 2 mm");
 }
 
 TEST_CASE("zones can be cancelled at any time, and tell their progress") {

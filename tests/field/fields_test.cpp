@@ -51,6 +51,15 @@ double alignmentEnergy(Vec2f offset, Vec2f di, Vec2f dj, double phaseI, double p
   return sum / 400;
 }
 
+// Phase of i [rad, not wrapped] with which its wave agrees best with that of j: Eq. 8 at the midpoint, which is second
+// order. `offset` is p_i - p_j [mm].
+float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequency) {
+  // Eq. 8, the phase at which the difference of the two waves, Eq. 7, is least.
+  const float s = dot(di, dj) > 0 ? 1.0f : -1.0f;
+  const float along = phaseJ + 0.5f * frequency * dot(offset, dj + di * s);
+  return s > 0 ? along : kPi - along;  // opposed lines run backwards
+}
+
 // How well waves continue each other: the mean cosine of what is between the phases of neighbours; 1 is perfect.
 double alignment(const SineField& field) {
   const Grid& grid = field.grid;

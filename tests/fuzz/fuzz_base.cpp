@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sillon/export/base_solid.hpp"
+#include "sillon/export/export.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sillon;

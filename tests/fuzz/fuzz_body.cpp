@@ -5,7 +5,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sillon/export/zones.hpp"
+#include "export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto body = sillon::readStl({reinterpret_cast<const char*>(data), size});

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "input/shaped_line.hpp"
 #include "input/svg.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

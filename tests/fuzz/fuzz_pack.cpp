@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sillon;

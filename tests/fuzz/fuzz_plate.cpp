@@ -13,7 +13,7 @@
 #include "geometry/parts.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/settings/presets.hpp"

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto spools = sillon::readSpools({reinterpret_cast<const char*>(data), size});

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "gcode/job.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "geometry/outline.hpp"
+#include "geometry/shape_points.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"

@@ -71,7 +71,7 @@ TEST_CASE(
   }
   Job job = plate();
   job.printer.flavor = GcodeFlavor::Bambu;
-  CHECK(job.write().result.error().message.find("startGcode is empty; Bambu printers need") == 0);
+  CHECK(job.write().result.error().message.find("printer.startGcode is empty; Bambu printers need") == 0);
   CHECK(job.write().text.empty());
 }
 
@@ -105,9 +105,9 @@ TEST_CASE("every printer and filament makes a file without faults") {
       CAPTURE(preset.id + " " + filament.id);
       Job job = plate(30, 20, 0.5);
       job.printer = preset.printer;
-      REQUIRE(applyProfile(ProfileKind::Filament, filament.id, job.printer).empty());
+      REQUIRE_FALSE(applyProfile(ProfileKind::Filament, filament.id, job.printer));
       if (job.printer.flavor == GcodeFlavor::Bambu) {
-        CHECK(job.write().result.error().message.find("startGcode is empty") == 0);
+        CHECK(job.write().result.error().message.find("printer.startGcode is empty") == 0);
         job.printer.startGcode = "G28\nM190 S{first_layer_bed_temperature}\nM109 S{first_layer_temperature}";
       }
       const Written written = job.write();

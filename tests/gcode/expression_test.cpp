@@ -209,8 +209,8 @@ TEST_CASE("blocks keep what is chosen, line by line") {
   CHECK(expand("G28\n{if other}M1{endif}") ==
         "error: startGcode has \"{if other}\" in line 2, which cannot be evaluated here; keep only the branch "
         "that applies");
-  CHECK(expand("{if true}M1") == "error: startGcode has \"{if true}\" in line 1, which has no {endif}");
-  CHECK(expand("M1\n{endif}") == "error: startGcode has \"{endif}\" in line 2, which has no {if} before it");
+  CHECK(expand("{if true}M1") == "error: startGcode has \"{if true}\" in line 1, which has no endif");
+  CHECK(expand("M1\n{endif}") == "error: startGcode has \"{endif}\" in line 2, which has no if before it");
   CHECK(expand("{if true}{if false}M1{else}M2{endif}{else}M3{endif}") == "M2\n");
   // Statements, and values of the block's own.
   const std::pair<const char*, const char*> statements[] = {

@@ -86,7 +86,7 @@ TEST_CASE("both sides show the plate where its shape is its own mirror image") {
   job.toolpath.cycles = {{{{1, 1}, {29, 1}, {29, 19}}, {0.4f, 0.4f, 0.4f}}};  // in a triangle
   job.shape.paths[0].rings[0] = {{0, 0}, {30, 0}, {30, 20}};
   const Error error = job.write().result.error();
-  CHECK(error.message.find("showSide is both, but the shape is not its own mirror image") == 0);
+  CHECK(error.message.find("print.showSide is both, but the shape is not its own mirror image") == 0);
 }
 
 TEST_CASE("copies are printed one after the other, and travels pass above those that are done") {

@@ -66,15 +66,16 @@ TEST_CASE("patches that cannot be printed as they say are refused before a byte 
   CHECK(refused([&](PatchJob& job) { first(job).flow = kNan; }).find("flow is not a number") != std::string::npos);
   CHECK(refused([&](PatchJob& job) { first(job).fan = 101; }).find("fan is 101 %") != std::string::npos);
   CHECK(refused([&](PatchJob& job) { first(job).fan = kNan; }).find("fan is not a number") != std::string::npos);
-  CHECK(refused([&](PatchJob& job) { first(job).speed = 200; }).find("needs 16 mm3/s; maxFlow is 10") !=
+  CHECK(refused([&](PatchJob& job) { first(job).speed = 200; }).find("needs 16 mm3/s; printer.maxFlow is 10") !=
         std::string::npos);
   CHECK(refused([&](PatchJob& job) {
           first(job).speed = 100;
           job.printer.machineSpeed = 80;
-        }).find("machineSpeed is 80") != std::string::npos);
-  CHECK(refused([&](PatchJob& job) { first(job).constantFlow = true; }).find("it must be above 0 for constantFlow") !=
-        std::string::npos);
-  CHECK(refused([&](PatchJob& job) { first(job).lines[0].widths[0] = 0.2; }).find("beads must be 0.24 to 0.64") !=
+        }).find("speed is 100 mm/s; it must be 0 to 80 mm/s") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) {
+          first(job).constantFlow = true;
+        }).find("patches[0].spacing is 0 mm; it must be ") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { first(job).lines[0].widths[0] = 0.2; }).find("it must be 0.24 to 0.64 mm") !=
         std::string::npos);
   CHECK(refused([&](PatchJob& job) { first(job).lines[0].widths.pop_back(); }).find("2 points and 1 widths") !=
         std::string::npos);
@@ -89,7 +90,7 @@ TEST_CASE("patches that cannot be printed as they say are refused before a byte 
   CHECK(refused([&](PatchJob& job) { job.params.rotate = 90; }).find("rotate 0") != std::string::npos);
   CHECK(refused([&](PatchJob& job) { job.params.showSide = ShowSide::Bed; }).find("showSide must be up") !=
         std::string::npos);
-  CHECK(refused([&](PatchJob& job) { job.plate.shape = {}; }).find("no points") != std::string::npos);
+  CHECK(refused([&](PatchJob& job) { job.plate.shape = {}; }).find("no area") != std::string::npos);
   CHECK(refused([&](PatchJob& job) {
           job.printer.bedMax = {25, 25};
         }).find("over the edge of the bed") != std::string::npos);

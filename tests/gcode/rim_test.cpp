@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "geometry/signed_distance.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "support/about.hpp"
 #include "support/gcode_job.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"
 

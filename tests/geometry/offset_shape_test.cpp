@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "support/about.hpp"
 #include "support/random_plates.hpp"
 #include "support/scenes.hpp"

@@ -1,4 +1,4 @@
-#include "sillon/geometry/outline.hpp"
+#include "geometry/outline.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/outline_steps.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"
 
@@ -52,6 +53,36 @@ TEST_CASE("pieces of one line do not cross where its crossings lie 12 nm apart")
   const auto outline = resolveOutline(drawing);
   REQUIRE(outline);
   CHECK(outline.value().area == doctest::Approx(20 * (rows[1] - rows[0] + rows[4] - rows[2]) + outside).epsilon(1e-6));
+}
+
+TEST_CASE("crossings 0.15 nm apart are two points, at each of which pieces share their ends") {
+  // Two lines cross a level one at the same place, but for rounding errors, and a third crosses it close by. The second
+  // place was forgotten beside the first one, so pieces ended there at places that differed in their last digits.
+  for (int k = 0; k < 100; ++k) {
+    const double x = 1e-6 * (4711 * k % 1000);
+    const auto through = [&](double px, double slope) {
+      return PathEdge{{px - 0.7 * slope, -0.2}, {px + 1.1 * slope, 1.6}, 0};
+    };
+    const std::vector<PathEdge> edges{{{-2, 0.5}, {3, 0.5}, 0},
+                                      through(x, 0.3 + 0.01 * k),
+                                      through(x + 1.5e-7, -0.2 - 0.003 * k),
+                                      through(x + 1.5e-7, -1.1 - 0.007 * k)};
+    Bounds box;
+    for (const PathEdge& edge : edges) {
+      box.add(edge.a);
+      box.add(edge.b);
+    }
+    const auto pieces = splitEdges(edges, box, Points::AsGiven);
+    REQUIRE(pieces);
+    int near = 0;
+    for (const PathEdge& one : *pieces) {
+      for (const PathEdge& other : *pieces) {
+        const double apart = length(one.b - other.a);
+        if (apart > 0 && apart <= kTouch) ++near;
+      }
+    }
+    CHECK(near == 0);
+  }
 }
 
 TEST_CASE("level edges 2 nm above the lowest point are read like others") {

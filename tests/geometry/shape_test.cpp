@@ -111,12 +111,11 @@ TEST_CASE("a rounded rectangle loses its corners, never more than half its short
 TEST_CASE("sizes out of range are refused with their value") {
   for (const double size : {0.0, -3.0, 10000.5, 1e300, kNan, kInfinity}) {
     CAPTURE(size);
-    checkRefused(makeRectangle({size, 5}), ErrorCode::InvalidArgument, "width");
-    checkRefused(makeRectangle({5, size}), ErrorCode::InvalidArgument, "height");
-    checkRefused(makeRoundedRectangle({size, 5}, 1), ErrorCode::InvalidArgument, "width");
-    checkRefused(makeDisc(size), ErrorCode::InvalidArgument, "diameter");
-    checkRefused(shapeFromMask(picture({"#"}), size), ErrorCode::InvalidArgument, "width");
-    checkRefused(scaledToWidth(get(makeRectangle({5, 5})), size), ErrorCode::InvalidArgument, "width");
+    checkRefused(makeRectangle({size, 5}), ErrorCode::InvalidArgument, "shape.size.x");
+    checkRefused(makeRectangle({5, size}), ErrorCode::InvalidArgument, "shape.size.y");
+    checkRefused(makeRoundedRectangle({size, 5}, 1), ErrorCode::InvalidArgument, "shape.size.x");
+    checkRefused(makeDisc(size), ErrorCode::InvalidArgument, "shape.size.x");
+    checkRefused(shapeFromMask(picture({"#"}), size), ErrorCode::InvalidArgument, "shape.size.x");
   }
   checkRefused(makeRectangle({-0.4, 5}), ErrorCode::InvalidArgument,
                "is -0.4 mm; it must be more than 0 and at most 10000 mm");
@@ -125,12 +124,6 @@ TEST_CASE("sizes out of range are refused with their value") {
     checkRefused(makeRoundedRectangle({5, 5}, radius), ErrorCode::InvalidArgument, "radius");
   }
   checkRefused(shapeFromMask(picture({"#", "#", "#"}), 9000), ErrorCode::InvalidArgument, "height");
-  Shape tall = get(makeRectangle({1, 100}));
-  checkRefused(scaledToWidth(tall, 101), ErrorCode::InvalidArgument, "height");
-  checkRefused(scaledToWidth(Shape{}, 5), ErrorCode::InvalidArgument, "page");
-  checkRefused(scaledToWidth(get(makeRectangle({1000, 1000})), 1e-7), ErrorCode::InvalidArgument, "width");
-  tall.paths.clear();
-  checkRefused(scaledToWidth(tall, 5), ErrorCode::EmptyShape, "Nothing");
 }
 
 TEST_CASE("a white mask is its page, corners and all") {
@@ -259,18 +252,6 @@ TEST_CASE("masks without bright pixels are empty, masks without pixels invalid, 
   for (std::size_t i = 0; i < noise.samples.size(); ++i)
     noise.samples[i] = static_cast<std::uint16_t>(hash(i) & 0xffff);
   checkRefused(shapeFromMask(noise, 100), ErrorCode::TooLarge, "4 million");
-}
-
-TEST_CASE("scaling keeps proportions, rules and the grid of 1 nm") {
-  Shape shape = get(makeDisc(30));
-  shape.page = {60, 30};
-  shape.paths[0].fillRule = FillRule::EvenOdd;
-  const Shape scaled = get(scaledToWidth(shape, 20));
-  CHECK(scaled.page == Vec2{20, 10});
-  CHECK(scaled.paths.at(0).fillRule == FillRule::EvenOdd);
-  CHECK(bounds(scaled).max == Vec2{10, 10});
-  CHECK(signedArea(scaled) == doctest::Approx(signedArea(shape) / 9));
-  for (const Vec2 p : scaled.paths[0].rings[0]) CHECK(p.x == std::round(p.x * 1e6) / 1e6);
 }
 
 TEST_CASE("bounds hold all rings, and nothing has empty bounds") {

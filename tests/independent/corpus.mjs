@@ -123,7 +123,7 @@ try {
   line(far.filter((one) => told(one).length === 0).length, 'of these without a note');
   line(drawings.length - compared.length - refused.length, 'that Chromium does not show');
   line(refused.length, 'refused');
-  counted(refused.map(({ error }) => error.replace(/.*?SVG: (<[^>]*> in line \d+: )?/, ''))).forEach(([why, n]) => line(n, `  ${why}`));
+  counted(refused.map(({ error }) => error.replace(/^.*?": (<[^>]*> in line \d+: )?/, ''))).forEach(([why, n]) => line(n, `  ${why}`));
   console.log('Notes');
   counted(drawings.flatMap(({ notes = [] }) => notes.map(({ message }) => message))).forEach(([what, n]) => line(n, what));
   console.log(`The worst ${shown}`);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "input/svg.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 
 using namespace sillon;
 

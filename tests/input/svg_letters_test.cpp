@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "input/shaped_line.hpp"
 #include "input/svg.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 
 using namespace sillon;
 

@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "gcode/read_back.hpp"
+#include "look/rasters.hpp"
 #include "sillon/gcode_reader/check.hpp"
+#include "support/measure_pictures.hpp"
 
 using namespace sillon;
 

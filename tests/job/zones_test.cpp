@@ -1,5 +1,5 @@
 // Zones of a project's layers, on a prism of its shape and on a body of one's own.
-#include "sillon/job/zones.hpp"
+#include "sillon/job/plate.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "sillon/export/base_solid.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "export/zones.hpp"
+#include "sillon/export/export.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/text/text.hpp"
 
 using namespace sillon;
@@ -122,7 +123,7 @@ TEST_CASE("a face of a body carries the project's own shape, at its place and fo
   alone.face = request.face;
   CHECK(made(small, alone).value().package == prism);
   request.face->z = HUGE_VAL;
-  CHECK(made(small, request).error().message == "the face is not within 10000 mm of the bed");
+  CHECK(made(small, request).error().message == "face is infinite mm; it must be -10000 to 10000 mm");
 }
 
 TEST_CASE("a lowest map is stretched over the top of a body") {
@@ -188,7 +189,7 @@ TEST_CASE("what is told of layers and of the shape is told of zones, too, and er
 
   ZonesRequest request = requested();
   request.body = "no STL";
-  CHECK(made(lettered(), request).error().message.find("the body: ") == 0);
+  CHECK(made(lettered(), request).error().message.find("the STL ") == 0);
   request = requested();
   request.params.most = 1;
   CHECK(made(lettered(), request).error().message.find("zones is 1") != std::string::npos);

@@ -1,4 +1,4 @@
-#include "sillon/look/conflict.hpp"
+#include "sillon/look/inversion.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "sillon/look/loop.hpp"
+#include "sillon/look/preview.hpp"
 
 #include <doctest/doctest.h>
 
@@ -22,7 +22,7 @@ TEST_CASE("one lamp goes round once, in even steps") {
     CHECK(frames[k].lamp.elevation == 40);
     CHECK(frames[k].lamp.slope == 0.1);
     CHECK(frames[k].milliseconds == 100);
-    CHECK(invalidLamp(frames[k].lamp).empty());
+    CHECK_FALSE(invalidLamp(frames[k].lamp));
   }
 }
 

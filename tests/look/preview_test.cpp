@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "look/preview_parts.hpp"
-#include "sillon/export/svg_drawing.hpp"
+#include "sillon/export/export.hpp"
 #include "support/about.hpp"
 
 using namespace sillon;
@@ -344,7 +344,9 @@ TEST_CASE("the look alone has its size, the plate in its middle, and the same pi
   CHECK((plate(60, 45) && plate(8, 45) && plate(112, 45) && plate(60, 29) && plate(60, 60)));
   CHECK_FALSE((plate(2, 45) || plate(117, 45) || plate(60, 15) || plate(60, 75)));
   CHECK(image.rgb == renderLook(toolpath, {60, 20}, 120, 90, {}, RunContext(3)).value().rgb);
-  CHECK(renderLook(toolpath, {60, 20}, 15, 90, {}, RunContext(1)).error().message.find("15 x 90") != std::string::npos);
+  CHECK(
+      renderLook(toolpath, {60, 20}, 15, 90, {}, RunContext(1)).error().message.find(" is 15; it must be 16 to 1024") !=
+      std::string::npos);
   CHECK(!renderLook(toolpath, {60, 0}, 60, 60, {}, RunContext(1)).ok());
 }
 

@@ -1,4 +1,4 @@
-#include "sillon/look/view_file.hpp"
+#include "sillon/look/preview.hpp"
 
 #include <doctest/doctest.h>
 

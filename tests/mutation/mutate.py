@@ -33,7 +33,7 @@ ROOMS = {
     ),
     'relaxation': (
         ['toolpath/relaxation.cpp', 'toolpath/damping.cpp'],
-        ['toolpath_damping_test', 'toolpath_relaxation_test', 'toolpath_line_keeping_test', 'pipeline_pipeline_test', 'pipeline_random_plates_test'],
+        ['toolpath_damping_test', 'toolpath_relaxation_test', 'toolpath_turn_to_lines_test', 'pipeline_pipeline_test', 'pipeline_random_plates_test'],
     ),
     'width': (
         ['toolpath/bead_width.cpp'],

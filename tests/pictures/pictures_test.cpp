@@ -11,9 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "look/rasters.hpp"
+#include "pictures/parts.hpp"
+#include "report/told.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/report/warning.hpp"
+#include "support/measure_pictures.hpp"
 
 using namespace sillon;
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "geometry/signed_distance.hpp"
+#include "input/shaped_line.hpp"
 #include "input/svg.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "support/scenes.hpp"

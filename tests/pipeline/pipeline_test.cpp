@@ -271,12 +271,12 @@ TEST_CASE("maps whose sides and values do not fit each other are refused") {
   CHECK(refusal(plate).empty());
   PlateInput wrong = plate;
   wrong.directions.height += 1;
-  CHECK(refusal(wrong).find("direction map is ") == 0);
+  CHECK(refusal(wrong).find("the map of directions is ") == 0);
   wrong = plate;
   wrong.modes.width = -1;
   wrong.modes.height = -1;
   CHECK(refusal(wrong) ==
-        "mode map is -1 x -1 pixels with 1 values; it must have a pixel at least, and one value for each");
+        "the map of modes is -1 x -1 pixels with 1 values; it must have a pixel at least, and one value for each");
 }
 
 TEST_CASE("odd shapes end in an error that says why") {

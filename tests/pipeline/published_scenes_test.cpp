@@ -37,7 +37,7 @@ Made makeScene(const fs::path& path, const std::string& preset = "standard") {
   const auto input = cli::assemblePlate(project.value());
   REQUIRE_MESSAGE(input.ok(), (input.ok() ? "" : input.error().message));
   ToolpathParams& params = project.value().toolpath;
-  REQUIRE(applyPreset(preset, params).empty());
+  REQUIRE_FALSE(applyPreset(preset, params));
   const RunContext run(2);
   auto plate = generateToolpath(input.value(), params, run);
   REQUIRE(plate.ok());

@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "sillon/geometry/outline.hpp"
+#include "report/told.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "sillon/report/warning.hpp"

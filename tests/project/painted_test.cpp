@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/outline.hpp"
 #include "project/files.hpp"
-#include "sillon/geometry/outline.hpp"
 #include "sillon/input/image_io.hpp"
 
 using namespace sillon;

@@ -8,9 +8,9 @@
 #include <map>
 
 #include "geometry/parts.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/input/image_io.hpp"
-#include "sillon/report/input_note.hpp"
+#include "sillon/report/warning.hpp"
 
 using namespace sillon;
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "support/about.hpp"
 #include "support/scenes.hpp"
 

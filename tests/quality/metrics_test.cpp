@@ -8,6 +8,7 @@
 #include <random>
 #include <utility>
 
+#include "report/told.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/report/report.hpp"
 #include "sillon/report/warning.hpp"
@@ -241,13 +242,15 @@ TEST_CASE("a toolpath that cannot be is refused, and an empty one covers nothing
     return m ? std::string() : m.error().message;
   };
   CHECK(refusal(toolpathOf({{1, 1}, {4, 1}, {4, 4}}, 0.4f, 0)) == "toolpath.spacing is 0 mm; it must be 0.05 to 20");
-  CHECK(refusal(toolpathOf({{1, 1}, {NAN, 1}, {4, 4}}, 0.4f)) == "toolpath has a point outside -100000 to 100000 mm");
-  CHECK(refusal({{{}}, 0.4}) == "toolpath has a cycle without points; each must have some");
+  CHECK(refusal(toolpathOf({{1, 1}, {NAN, 1}, {4, 4}}, 0.4f)) ==
+        "the toolpath has a point outside -100000 to 100000 mm");
+  CHECK(refusal({{{}}, 0.4}) == "cycle 0 (from 0) has 0 different points at 0.001 mm; it must have at least 3");
   CHECK(refusal(toolpathOf({{1, 1}}, 0.4f)).empty());
   CHECK(refusal(toolpathOf({{1, 1}, {4, 1}}, 0.4f)).empty());
   Toolpath lacking = toolpathOf({{1, 1}, {4, 1}, {4, 4}}, 0.4f);
   lacking.cycles[0].widths.pop_back();
-  CHECK(refusal(lacking) == "toolpath has a cycle with 3 points and 2 widths; there must be as many");
+  CHECK(refusal(lacking) ==
+        "the toolpath has a line with 3 points and 2 widths; there must be one width per point, and at least 2");
   CHECK(measured({{}, 0.4}, shape).coverage == 0);
 }
 
@@ -261,8 +264,8 @@ TEST_CASE("maps, parameters and memory that no plate could be made with are refu
     return m ? std::string() : m.error().message;
   };
   CHECK(refusal(map, mode, {}).empty());
-  CHECK(refusal({}, mode, {}).find("direction map is 0 x 0 pixels with 0 values") == 0);
-  CHECK(refusal(map, {3, 2, mode.mode}, {}).find("mode map is 3 x 2 pixels with 1 values") == 0);
+  CHECK(refusal({}, mode, {}).find("the map of directions is 0 x 0 pixels with 0 values") == 0);
+  CHECK(refusal(map, {3, 2, mode.mode}, {}).find("the map of modes is 3 x 2 pixels with 1 values") == 0);
   ToolpathParams params;
   params.kernelRadius = NAN;
   CHECK(refusal(map, mode, params).find("toolpath.kernelRadius is") == 0);

@@ -8,8 +8,11 @@
 #include <limits>
 #include <vector>
 
+#include "look/rasters.hpp"
+#include "quality/seen_cells.hpp"
 #include "sillon/look/inversion.hpp"
 #include "sillon/pipeline/pipeline.hpp"
+#include "support/measure_pictures.hpp"
 
 using namespace sillon;
 

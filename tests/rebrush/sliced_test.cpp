@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
+#include "geometry/outline.hpp"
 #include "rebrush/blocks.hpp"
 #include "rebrush/replace.hpp"
-#include "sillon/geometry/outline.hpp"
 #include "sillon/rebrush/rebrush.hpp"
 #include "support/installed.hpp"
 #include "support/rebrushed.hpp"

@@ -10,7 +10,7 @@ namespace {
 Project mk4(const char* filament, double nozzle) {
   Project project;
   project.printerProfile = "prusa-mk4";
-  REQUIRE(applyProfile(ProfileKind::Printer, project.printerProfile, project.printer).empty());
+  REQUIRE_FALSE(applyProfile(ProfileKind::Printer, project.printerProfile, project.printer));
   project.printer.filamentType = filament;
   project.printer.nozzle = nozzle;
   applyAdvance(project.printerProfile, project.printer);

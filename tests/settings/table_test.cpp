@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/settings/presets.hpp"
 #include "sillon/settings/table.hpp"
@@ -271,11 +271,11 @@ TEST_CASE("pictures with their lamps are written as they were read") {
     return problem({{"sillon", 1}, {"layers", Json::array({layer})}});
   };
   CHECK(wrong(Json::array()) == "layers[0].pictures is empty; it must have at least one picture");
-  CHECK(wrong(Json(5, {{"file", "a"}})) == "layers[0].pictures has 5 pictures; it may have up to 4");
+  CHECK(wrong(Json(5, {{"file", "a"}})) == "layers[0].pictures has 5 entries; it may have up to 4");
   CHECK(has(wrong(Json::array({{{"file", "a"}, {"lamp", {0, 91}}}})), "layers[0].pictures[0].lamp.y is 91 degrees"));
   CHECK(has(wrong(Json::array({{{"file", "a"}, {"lamp", {361, 1}}}})), "layers[0].pictures[0].lamp.x is 361 degrees"));
-  CHECK(wrong(Json::array({{{"lamp", {0, 45}}}})) == "layers[0].pictures[0] has no file; it must name a picture");
-  CHECK(wrong(Json::array({{{"file", ""}}})) == "layers[0].pictures[0].file is empty; it must name a picture");
+  CHECK(wrong(Json::array({{{"lamp", {0, 45}}}})) == "layers[0].pictures[0] has no file; it must have one");
+  CHECK(wrong(Json::array({{{"file", ""}}})) == "layers[0].pictures[0].file is empty; it must name a file");
 }
 
 TEST_CASE("holes are written as they were read, and told what is wrong with them") {
@@ -292,12 +292,12 @@ TEST_CASE("holes are written as they were read, and told what is wrong with them
   };
   CHECK(wrong("diameter", 0.25) == "shape.holes[1].diameter is 0.25 mm; it must be 0.5 to 10000");
   CHECK(wrong("x", 20000) == "shape.holes[1].x is 20000 mm; it must be -10000 to 10000");
-  CHECK(wrong("y", "top") == "shape.holes[1].y is text; it must be a number");
+  CHECK(wrong("y", "top") == "shape.holes[1].y is of the JSON type string; it must be a number");
   CHECK(has(wrong("radius", 2), "unknown key \"shape.holes[1].radius\""));
   CHECK(has(problem(with(Json::array({{{"x", 1}, {"y", 2}}}))), "shape.holes[0] has no diameter"));
-  CHECK(has(problem(with(3)), "shape.holes is a number; it must be a list of holes"));
-  CHECK(has(problem(with(Json::array({3}))), "shape.holes[0] is a number; it must be an object"));
-  CHECK(problem(with(Json(17, one))) == "shape.holes has 17 holes; it may have up to 16");
+  CHECK(has(problem(with(3)), "shape.holes is of the JSON type number; it must be a list"));
+  CHECK(has(problem(with(Json::array({3}))), "shape.holes[0] is of the JSON type number; it must be an object"));
+  CHECK(problem(with(Json(17, one))) == "shape.holes has 17 entries; it may have up to 16");
   CHECK(problem(with(Json(16, one))) == "");
 }
 

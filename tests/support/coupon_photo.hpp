@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "look/rasters.hpp"
 #include "sillon/calibrate/calibrate.hpp"
-#include "sillon/calibrate/read_photo.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/appearance.hpp"
 #include "sillon/look/inversion.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/signed_distance.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 
 namespace scenes {

@@ -2,7 +2,7 @@
 // of many solids: halftones, tiles that nearly touch, icons.
 #pragma once
 
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "support/scenes.hpp"
 

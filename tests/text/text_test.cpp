@@ -12,9 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "input/shaped_line.hpp"
 #include "input/svg.hpp"
-#include "sillon/geometry/outline.hpp"
-#include "sillon/text/qr_code.hpp"
+#include "sillon/geometry/shape.hpp"
+#include "text/letters.hpp"
+#include "text/qr_code.hpp"
 
 #define STB_TRUETYPE_IMPLEMENTATION
 #if defined(__GNUC__)

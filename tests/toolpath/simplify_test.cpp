@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "quality/measured_parts.hpp"
 #include "sillon/quality/metrics.hpp"
 #include "support/scenes.hpp"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "support/scenes.hpp"
 
 using namespace sillon;

@@ -5,7 +5,7 @@ import * as input from './input.js';
 import type { Platform } from './platform.js';
 import { beads, gcodes, memoryOf, newNumber } from './known.js';
 import type { Call, Files } from './protocol.js';
-import { Queue, type Threads } from './queue.js';
+import { Queue, type Threads, type ValueOf } from './queue.js';
 import { Texts, needsTexts } from './texts.js';
 
 const mostAutoThreads = 8;
@@ -23,15 +23,6 @@ const mostThreadsAside = 2;
 type PlateCall = Omit<Extract<Call, { name: 'generateToolpath' }>, 'name' | 'number'>;
 type GcodeCall = Extract<Call, { name: 'checkGcode' | 'packGcode' }>;
 
-/** The value of a call: mostly that of the engine's function of the same name. */
-type ValueOf<Name extends Call['name']> = Name extends 'linesOfDrawing'
-  ? string[]
-  : Name extends 'readProject'
-    ? string
-    : Name extends keyof api.Engine
-      ? Awaited<ReturnType<api.Engine[Name]>>
-      : never;
-
 /** Starts an engine with a worker for plates and, once needed, a second one for all other calls. */
 export async function startEngine(platform: Platform, options: unknown): Promise<api.Engine> {
   const { threads: asked, assetBase, idleTimeout, memory } = input.engineOptions(options);
@@ -45,20 +36,13 @@ export async function startEngine(platform: Platform, options: unknown): Promise
 
   // Asynchronous functions turn errors thrown by `input` into rejections. They run up to their first await when they
   // are called, so that calls enter the queue in order.
-  const runIn = async <C extends Call>(
-    queue: Queue,
-    call: C,
-    options: input.CallOptions,
-  ): Promise<ValueOf<C['name']>> => (await queue.run(call, options)) as ValueOf<C['name']>;
-  const run = <C extends Call>(call: C, options: input.CallOptions): Promise<ValueOf<C['name']>> =>
-    runIn(plates, call, options);
-  const runAside = <C extends Call>(call: C, options: input.CallOptions): Promise<ValueOf<C['name']>> =>
-    runIn(aside, call, options);
+  const runAside: Queue['run'] = (call, options) => aside.run(call, options);
+  const run: Queue['run'] = (call, options) => plates.run(call, options);
   /** Runs a call in the worker that has its file already, if that worker is idle. */
   const runOnGcode = <C extends GcodeCall>(call: C, options: input.CallOptions): Promise<ValueOf<C['name']>> =>
-    runIn(plates.has(call.file.number) ? plates : aside, call, options);
+    (plates.has(call.file.number) ? plates : aside).run(call, options);
   const texts = new Texts(platform, assets, (file) =>
-    runAside({ name: 'linesOfDrawing', file: { number: 0, value: file } }, input.callOptions(undefined)),
+    runAside({ name: 'linesOfDrawing', file: { number: 0, value: file } }, {}),
   );
 
   /** Calls `use` with a plate's project and files: at once, or as soon as its letters are there.
@@ -70,8 +54,9 @@ export async function startEngine(platform: Platform, options: unknown): Promise
   ): Promise<Value> => {
     const { sections, files } = input.plate(given);
     const project = input.projectText({ ...sections, ...more });
-    if (!needsTexts(sections, files)) return use(project, files);
-    return texts.addTo(files, sections).then(() => use(project, files));
+    return needsTexts(sections, files)
+      ? texts.addTo(files, sections).then(() => use(project, files))
+      : use(project, files);
   };
   const make = async (call: PlateCall, options: input.CallOptions): Promise<api.ToolpathResult> => {
     const number = newNumber();

@@ -1,4 +1,4 @@
-// Messages between the calling thread and the engine's worker. Types only, because the worker is a file by itself.
+// Messages between the calling thread and the engine's worker. Types only, because the worker is a separate file.
 import type * as api from '../sillon.js';
 
 export type Variant = api.EngineInfo['variant'];

@@ -32,6 +32,15 @@ interface Job {
 /** Number of threads that compute, and the reason if there are not more. */
 export type Threads = Pick<api.EngineInfo, 'threads' | 'reason' | 'reasonCode'>;
 
+/** The value of a call: mostly that of the engine's function of the same name. */
+export type ValueOf<Name extends Call['name']> = Name extends 'linesOfDrawing'
+  ? string[]
+  : Name extends 'readProject'
+    ? string
+    : Name extends keyof api.Engine
+      ? Awaited<ReturnType<api.Engine[Name]>>
+      : never;
+
 export class Queue {
   readonly #compiled: Partial<Record<Variant, WebAssembly.Module | undefined>>;
   #waiting: Job[] = [];
@@ -70,7 +79,7 @@ export class Queue {
   }
 
   /** Adds a call to the queue. Its promise rejects with the signal's reason if it is aborted. */
-  run(call: Call, options: CallOptions): Promise<unknown> {
+  run<C extends Call>(call: C, options: CallOptions): Promise<ValueOf<C['name']>> {
     const { signal } = options;
     return new Promise((resolve, reject) => {
       if (this.#disposed) throw disposed();
@@ -87,7 +96,7 @@ export class Queue {
         options,
         resolve(value) {
           settle();
-          resolve(value);
+          resolve(value as ValueOf<C['name']>);
         },
         reject(reason) {
           settle();

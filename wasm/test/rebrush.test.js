@@ -200,7 +200,7 @@ test('what cannot be re-brushed is refused in a sentence', async () => {
     [() => engine.rebrush(file, { only: [] }), 'InvalidArgument', /how\.only is empty/],
     [() => engine.rebrush(file, { only: [0.5] }), 'InvalidArgument', /how\.only\[0\] is 0\.5/],
     [() => engine.rebrush(file, { only: [99] }), 'InvalidArgument', /surface 100 is chosen; the file has 2/],
-    [() => engine.printRelief(Buffer.from('G28\n')), 'InvalidFile', /does not mark layers/],
+    [() => engine.printRelief(Buffer.from('G28\n')), 'InvalidFile', /marks no layer/],
     [() => engine.printRelief(file, 3), 'InvalidArgument', /side is 3; it must be 16 to 4096/],
   ];
   for (const [call, code, message] of refused) {

@@ -5,9 +5,7 @@
 // Values that all rooms share.
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
-#include "sillon/base/sentence.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/base/version.hpp"
 #include "sillon/base/words.hpp"
 
 // Everything a person may choose, and project files.
@@ -19,25 +17,16 @@
 
 // Shapes and maps, from bytes (Sec. 4).
 #include "sillon/compose/compose.hpp"
-#include "sillon/geometry/outline.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/input/plate_input.hpp"
-#include "sillon/input/read_input.hpp"
-#include "sillon/input/shaped_line.hpp"
-#include "sillon/text/qr_code.hpp"
 #include "sillon/text/text.hpp"
 
 // The way from a project to a plate, or only to its toolpath (Alg. 1), and measures of the result.
-#include "sillon/field/dislocations.hpp"
-#include "sillon/job/path_gcode.hpp"
 #include "sillon/job/plate.hpp"
-#include "sillon/job/zones.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
-#include "sillon/report/input_note.hpp"
-#include "sillon/report/layers.hpp"
 #include "sillon/report/report.hpp"
 #include "sillon/report/warning.hpp"
 
@@ -47,19 +36,11 @@
 #include "sillon/rebrush/rebrush.hpp"
 
 // Pictures, drawings and other files.
-#include "sillon/export/base_solid.hpp"
-#include "sillon/export/gcode_archive.hpp"
-#include "sillon/export/svg_drawing.hpp"
-#include "sillon/export/zones.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/look/appearance.hpp"
-#include "sillon/look/conflict.hpp"
 #include "sillon/look/inversion.hpp"
-#include "sillon/look/loop.hpp"
 #include "sillon/look/preview.hpp"
-#include "sillon/look/spools.hpp"
-#include "sillon/look/view_file.hpp"
 
 // Test prints, and import of printers from the files of other slicers.
 #include "sillon/calibrate/calibrate.hpp"
-#include "sillon/calibrate/read_photo.hpp"
 #include "sillon/printer_import/printer_import.hpp"

@@ -1,4 +1,4 @@
-// Converts numbers to text.
+// Converts numbers to text, and rounds to whole numbers.
 #pragma once
 
 #include <charconv>
@@ -30,10 +30,11 @@ inline char* printScaled(char* out, std::int64_t scaled, int digits) {
   return out + digits;
 }
 
-/// Rounds to `digits` decimals, e.g. fixed(0.4, 2) is "0.40". Any double is safe, so that it also serves for messages.
-/// \param digits  0..6.
+/// Rounds to `digits` decimals, e.g. fixed(0.4, 2) is "0.40". It accepts any double, including NaN and infinity,
+/// because error messages print such values. \param digits  0..6.
 inline std::string fixed(double value, int digits) {
   if (std::isnan(value)) return "not a number";
+  // 1e12 with 6 decimals still fits in 64 bits.
   if (value > 1e12) return std::isinf(value) ? "infinite" : "above 1e12";
   if (value < -1e12) return std::isinf(value) ? "-infinite" : "below -1e12";
   double unit = 1;
@@ -54,15 +55,8 @@ inline std::string decimal(double value, int digits) {
 /// Formats a value for a message like decimal(value, 6), except that tiny values are not shown as 0.
 inline std::string shownNumber(double value) {
   std::string text = decimal(value, 6);
-  if (value == 0 || (text != "0" && text != "-0")) return text;
+  if (value == 0 || text != "0") return text;
   return value > 0 ? "above 0, below 0.000001" : "below 0, above -0.000001";
-}
-
-/// Makes the sentence for a number that is not allowed.
-/// \param unit, range  texts for the reader, such as " mm" and "0 to 1 mm".
-inline std::string outOfRange(const char* field, double value, const char* unit, const char* range) {
-  const std::string text = std::isfinite(value) ? shownNumber(value) : "not a number";
-  return std::string(field) + " is " + text + unit + "; it must be " + range;
 }
 
 // Rounding to whole numbers without a library call.

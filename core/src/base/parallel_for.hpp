@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <functional>
 #include <memory>
 
@@ -49,6 +48,14 @@ template <class Body>
 void parallelFor(const RunContext& run, int count, int grain, const Body& body) {
   forRanges(run, count, grain,
             {&body, [](const void* own, int begin, int end) { (*static_cast<const Body*>(own))(begin, end); }});
+}
+
+/// Calls body(k) for each k in [0, count), in ranges of parallelFor.
+template <class Body>
+void parallelForEach(const RunContext& run, int count, int grain, const Body& body) {
+  parallelFor(run, count, grain, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) body(k);
+  });
 }
 
 /// Returns the number of rows per chunk for loops over `rows` rows of `rowCost` nanoseconds: about 50 µs of work, but

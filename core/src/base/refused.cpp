@@ -1,45 +1,13 @@
 #include "base/refused.hpp"
 
 #include <utility>
+#include <vector>
 
+#include "base/numbers.hpp"
 #include "base/sentence.hpp"
 
 namespace sillon {
 namespace {
-
-constexpr Sentence kReasons[] = {
-    {reason::kOverRoundBed, "the plate lies {by} mm over the edge of the round bed"},
-    {reason::kOnExcludedZone, "the plate touches the excluded part of the bed; place it elsewhere"},
-    {reason::kTooHigh, "with the lift of the nozzle the print is {height} mm high; this printer reaches {most} mm"},
-    {reason::kCopiesTooHigh,
-     "these plates are {height} mm high; several on one bed, printed one after the other, may be at most {most} mm, or "
-     "the print head would touch them"},
-    {reason::kNoBeadFits,
-     "no bead fits into this shape at a toolpath.spacing of {spacing} mm; use a smaller one or a larger shape"},
-    {reason::kLinesTooThin,
-     "nothing in the drawing is filled, and no bead fits into its lines at a toolpath.spacing of {spacing} mm; "
-     "shape.paint ignore (--paint ignore) fills what they enclose"},
-    {reason::kHoleOutside,
-     "hole {n} at {x}, {y} mm, {diameter} mm wide, lies outside the shape, which reaches from {left}, {bottom} to "
-     "{right}, {top} mm; move it onto the shape, or leave it out"},
-    {reason::kOffsetTooDeep,
-     "an offset of {offset} mm leaves nothing of the shape, whose deepest place is {depth} mm from the outline; use an "
-     "offset that is nearer to 0"},
-    {reason::kMissingLetter, "no font has a letter for {letter}; take a font that has it, or leave it out"},
-    {reason::kPictureLetter,
-     "the font {font} has {letter} only as a picture; take a font that has its outline, or leave it out"},
-    {reason::kWhichPrinter, "the file has {count} printers, and none is chosen; name one of {names}"},
-    {reason::kRimBelow,
-     "print.rim is {rim}, but what shows lies on the bed; print.showSide must be up for a rim, or print.rim 0"},
-    {reason::kLinesNumbered, "its lines are numbered, as hosts send them; take the file that the slicer wrote"},
-    {reason::kNoMarks,
-     "it does not mark its surfaces; files of PrusaSlicer, SuperSlicer, OrcaSlicer, Bambu Studio and Cura do"},
-    {reason::kFilamentOpen,
-     "the file gives no filament diameter, and its beads may be {thinWidth} mm wide from filament of {thin} mm or "
-     "{wideWidth} mm wide from filament of {wide} mm; add a line \"; filament_diameter = {thin}\" or "
-     "\"; filament_diameter = {wide}\" at its end"},
-    {reason::kNoFilament, "no bead in it pushes filament by E; export it for a firmware that counts filament so"},
-};
 
 constexpr Sentence kHints[] = {
     {"TooLarge", "use a larger toolpath.spacing, a smaller size or smaller pictures"},
@@ -56,9 +24,47 @@ std::span<const Sentence> reasonSentences() { return kReasons; }
 
 std::span<const Sentence> errorHints() { return kHints; }
 
-Error refused(ErrorCode code, const char* reason, std::vector<NamedValue> values) {
-  std::string message = filled(sentenceOf(kReasons, reason), values);
-  return {code, std::move(message), reason, std::move(values)};
+Error refused(ErrorCode code, Reason reason, std::initializer_list<ToldValue> values) {
+  const Sentence& sentence = kReasons[reason.row];
+  Error error{code, {}, sentence.code, {}};
+  error.values.reserve(values.size());
+  for (const ToldValue& value : values) {
+    NamedValue& named = error.values.emplace_back(value.name, value.number);
+    named.text = value.text;
+  }
+  error.message = filled(sentence, error.values);
+  return error;
+}
+
+Error refusedArgument(Reason reason, std::initializer_list<ToldValue> values) {
+  return refused(ErrorCode::InvalidArgument, reason, values);
+}
+
+Error refusedFile(Reason reason, std::initializer_list<ToldValue> values) {
+  return refused(ErrorCode::InvalidFile, reason, values);
+}
+
+Error fileTooLarge(std::size_t size, std::size_t most) {
+  constexpr std::size_t kMebibyte = std::size_t{1} << 20;
+  const std::size_t megabytes = size / kMebibyte + (size % kMebibyte == 0 ? 0 : 1);
+  return refused(ErrorCode::TooLarge, "FileTooLarge", {{"megabytes", megabytes}, {"most", most / kMebibyte}});
+}
+
+Error needsMoreMemory() { return refused(ErrorCode::TooLarge, "NeedsMoreMemory"); }
+
+Error outOfRange(std::string_view name, double value, double low, double high, const char* unit) {
+  const std::string space = *unit == '\0' ? "" : " ";
+  const std::string message = std::string(name) + " is " + shownNumber(value) + space + unit + "; it must be " +
+                              shownNumber(low) + " to " + shownNumber(high) + space + unit;
+  std::vector<NamedValue> values{{"setting", std::string(name)}, {"value", value}, {"low", low}, {"high", high}};
+  if (*unit != '\0') values.emplace_back("unit", std::string(unit));
+  return {ErrorCode::InvalidArgument, message, reason::kSettingOutOfRange, std::move(values)};
+}
+
+Error inPlace(Error error, std::string_view place) {
+  error.message.insert(0, std::string(place) + ": ");
+  error.values.emplace_back("place", std::string(place));
+  return error;
 }
 
 }  // namespace sillon

@@ -1,30 +1,50 @@
-// Errors whose sentence stands in a list.
+// Makes errors whose sentence stands in a list.
 #pragma once
 
-#include <vector>
+#include <concepts>
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
 
+#include "base/reasons.hpp"
 #include "sillon/base/result.hpp"
-
-// Reasons for which readers of print files refuse a file; those of plates are in sillon/base/result.hpp.
-namespace sillon::reason {
-
-/// The lines of a sliced file are numbered, as hosts send them.
-inline constexpr char kLinesNumbered[] = "LinesNumbered";
-/// A sliced file marks no layers or surfaces.
-inline constexpr char kNoMarks[] = "NoMarks";
-/// The beads of a file leave the diameter of its filament open: they are `thinWidth` wide from filament of `thin`,
-/// `wideWidth` from filament of `wide` [mm].
-inline constexpr char kFilamentOpen[] = "FilamentOpen";
-/// A sliced file pushes no filament by E.
-inline constexpr char kNoFilament[] = "NoFilament";
-
-}  // namespace sillon::reason
 
 namespace sillon {
 
-/// Makes an error with its sentence.
-/// \param reason  one of reasonSentences()
-/// \param values  values of its sentence
-Error refused(ErrorCode code, const char* reason, std::vector<NamedValue> values = {});
+/// A value of a sentence, as NamedValue, whose text is not copied: it lasts for a call.
+struct ToldValue {
+  ToldValue(const char* named, double value) : name(named), number(value) {}
+  ToldValue(const char* named, std::integral auto value) : name(named), number(static_cast<double>(value)) {}
+  ToldValue(const char* named, std::string_view value) : name(named), text(value) {}
+  ToldValue(const char* named, const std::string& value) : name(named), text(value) {}
+  ToldValue(const char* named, const char* value) : name(named), text(value) {}
+
+  const char* name;
+  double number = 0;
+  std::string_view text;
+};
+
+/// Makes an error with its sentence. \param values  values of its sentence
+Error refused(ErrorCode code, Reason reason, std::initializer_list<ToldValue> values = {});
+
+/// Refuses an argument or a setting.
+Error refusedArgument(Reason reason, std::initializer_list<ToldValue> values = {});
+
+/// Refuses a file for what it contains.
+Error refusedFile(Reason reason, std::initializer_list<ToldValue> values = {});
+
+/// Refuses a file, or what is packed in it, for its size. \param size, most  [bytes]
+Error fileTooLarge(std::size_t size, std::size_t most);
+
+/// Refuses a job for which the system has no more memory.
+Error needsMoreMemory();
+
+/// Makes the error for a number outside its range, as "shape.offset is 60 mm; it must be -20 to 50 mm".
+/// \param name  setting in full, or another name  \param unit  as "mm"; may be empty
+Error outOfRange(std::string_view name, double value, double low, double high, const char* unit);
+
+/// Puts the place of a fault, such as a file in quotes, before its sentence.
+Error inPlace(Error error, std::string_view place);
 
 }  // namespace sillon

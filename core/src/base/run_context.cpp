@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -156,7 +157,7 @@ void forRanges(const RunContext& run, int count, int grain, const RangeBody& bod
   }
 }
 
-Error cancelledRun() { return {ErrorCode::Cancelled, "the run was cancelled"}; }
+Error cancelledRun() { return refused(ErrorCode::Cancelled, "Cancelled"); }
 
 RunContext::RunContext(int threads) : pool_(std::make_unique<ThreadPool>(threads)) {}
 RunContext::~RunContext() = default;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -11,13 +12,13 @@
 
 #include "base/numbers.hpp"
 #include "sillon/base/result.hpp"
-#include "sillon/base/sentence.hpp"
 
 namespace sillon {
 
 inline std::string_view nameOf(const NamedValue& value) { return value.name; }
 inline std::string textOf(const NamedValue& value) {
-  return value.text.empty() ? decimal(value.number, 3) : value.text;
+  if (!value.text.empty()) return value.text;
+  return std::abs(value.number) < 1e-3 ? shownNumber(value.number) : decimal(value.number, 3);
 }
 
 template <class Name>

@@ -1,8 +1,6 @@
 #include "sillon/calibrate/calibrate.hpp"
 
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "base/numbers.hpp"

@@ -1,7 +1,6 @@
 #include "calibrate/prints.hpp"
 
 #include <algorithm>
-#include <string>
 
 namespace sillon {
 

@@ -1,12 +1,11 @@
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <string>
 
 #include "base/numbers.hpp"
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 
 namespace sillon {
 namespace {
@@ -16,8 +15,6 @@ constexpr double kClear = 0.11;         // least mean clarity of a coupon's spir
 constexpr double kClearer = 1.4;        // least ratio of the best orientation's clarity to the next best one's
 constexpr double kMostResidual = 0.25;  // [mm] largest weighted RMS residual of the spirals' places
 constexpr double kOutlineWeight = 0.02;  // weight of a corner of the outline; a spiral's weight is its clarity
-
-Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
 
 }  // namespace
 
@@ -57,9 +54,7 @@ Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, cons
   const double scale = best.scaleAt({kCouponSide / 2, kCouponSide / 2});
   const double pixels = scale * spirals.front().pitch;
   if (pixels < 4.5) {
-    return unreadable("a bead is " + fixed(pixels, 1) +
-                      " pixels wide in the photograph; it must be at least 4.5: go nearer, or take a camera with more "
-                      "pixels");
+    return refusedFile("BeadsTooSmall", {{"pixels", fixed(pixels, 1)}});
   }
   double residual = 0;
   for (const double reach : {kReach, 0.3, 0.3}) {
@@ -77,9 +72,7 @@ Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, cons
     residual = fitMap(best.map, pairs, kCouponSide, scale);
   }
   if (!clearer || best.clarity < kClear || !(residual <= kMostResidual)) {
-    return unreadable(
-        "a square lies there, but no beads of a coupon are seen on it; the photograph is blurred, or it shows "
-        "something else");
+    return refusedFile("NoBeadsSeen");
   }
   return best;
 }

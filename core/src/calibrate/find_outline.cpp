@@ -1,20 +1,16 @@
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <utility>
+
+#include "base/refused.hpp"
 
 namespace sillon {
 namespace {
 
 constexpr int kSmall = 480;  // [pixels] longest side of the shrunken picture in which the outline is found
-
-Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
 
 /// A photograph shrunk by a whole factor; each pixel is the mean of a square of samples.
 struct SmallPicture {
@@ -218,11 +214,7 @@ Result<std::vector<Vec2>> findOutline(const Image& photograph) {
   const int w = picture.width, h = picture.height;
   double spread = 0;
   const std::vector<float> off = offGround(picture, spread);
-  if (spread > 0.15) {
-    return unreadable(
-        "the photograph has no plain ground along its border; lay the whole coupon on plain paper with some of it on "
-        "all sides");
-  }
+  if (spread > 0.15) return refusedFile("NoPlainGround");
   const auto threshold = static_cast<float>(std::max(0.05, 4.5 * spread));
   std::vector<std::uint8_t> mask;
   mask.reserve(off.size());
@@ -230,25 +222,16 @@ Result<std::vector<Vec2>> findOutline(const Image& photograph) {
   mask = filtered(filtered(mask, w, h, 3, 0), w, h, 3, 1);  // closing fills narrow gaps
   mask = filtered(filtered(mask, w, h, 2, 1), w, h, 2, 0);  // opening removes thin specks
   const std::vector<Vec2> part = largestPart(mask, w, h);
-  if (static_cast<double>(part.size()) < 0.03 * w * h) {
-    return unreadable(
-        "the photograph shows no coupon; lay it on plain paper of another colour, so that it fills about half of the "
-        "picture");
-  }
+  if (static_cast<double>(part.size()) < 0.03 * w * h) return refusedFile("NoCoupon");
   const auto border =
       std::count_if(part.begin(), part.end(), [&](Vec2 p) { return p.x < 1 || p.y < 1 || p.x > w - 2 || p.y > h - 2; });
-  if (border > 2) {
-    return unreadable(
-        "the coupon is cut off by the photograph's border; all of it and some ground around it must show");
-  }
+  if (border > 2) return refusedFile("CouponCutOff");
   std::vector<Vec2> hull = convexHull(part);
-  if (hull.size() < 4) return unreadable("the photograph shows no coupon; what lies there is not square");
-  Vec2 middle;
-  for (const Vec2 p : hull) middle = middle + (1.0 / static_cast<double>(hull.size())) * p;
+  if (hull.size() < 4) return refusedFile("NotSquare");
   const double hullArea = areaOf(hull);
   const std::vector<Vec2> quad = quadAround(hull);
   if (quad.size() != 4 || static_cast<double>(part.size()) < 0.8 * hullArea || hullArea < 0.9 * areaOf(quad)) {
-    return unreadable("the photograph shows no coupon; what lies there is not square, or is cut off or covered");
+    return refusedFile("NotSquare");
   }
   // Points of the hull are indices of pixels; half a pixel more is the pixel's middle.
   std::vector<Vec2> corners;

@@ -2,9 +2,6 @@
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
 
 namespace sillon {
 namespace {

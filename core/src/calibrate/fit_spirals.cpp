@@ -2,10 +2,6 @@
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
 
 namespace sillon {
 namespace {

@@ -1,11 +1,8 @@
 #include "base/exact_math.hpp"
 #include "calibrate/photo.hpp"
+#include "look/rasters.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numbers>
 
 namespace sillon {
 namespace {

@@ -6,8 +6,9 @@
 
 #include "base/exact_math.hpp"
 #include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "calibrate/photo.hpp"
-#include "sillon/calibrate/read_photo.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 
 namespace sillon {
 namespace {
@@ -93,7 +94,7 @@ Figure joined(const std::vector<Figure>& figures, const std::vector<std::size_t>
 }  // namespace
 
 Result<CouponReading> joinReadings(const std::vector<CouponReading>& readings, const PhotoRequest& request) {
-  if (readings.empty()) return Error{ErrorCode::InvalidArgument, "there is no reading to join"};
+  if (readings.empty()) return refusedArgument("NoReadings");
   if (readings.size() == 1) return readings.front();
   CouponReading out = readings.front();
   const std::vector<std::size_t> lamps = lampsOf(readings);
@@ -115,11 +116,9 @@ Result<CouponReading> joinReadings(const std::vector<CouponReading>& readings, c
     for (std::size_t k = 0; k < logs.size(); ++k) {
       const double off = std::abs(logs[k].value - middle);
       if (off < kMostApart || off < kMostBars * exact::hypot(logs[k].error, common / value)) continue;
-      return Error{ErrorCode::InvalidFile, "photograph " + std::to_string(k + 1) + " has slopes of " +
-                                               fixed((readings[k].*slope).value, 1) + " degrees " +
-                                               (slope == &CouponReading::along ? "along" : "across") +
-                                               " the beads, and their middle is " + fixed(exact::exp(middle), 1) +
-                                               "; they are not of one coupon, or one is lit too poorly"};
+      return refusedFile("ReadingsApart", {{"photograph", k + 1},
+                                           {"value", fixed((readings[k].*slope).value, 1)},
+                                           {"middle", fixed(exact::exp(middle), 1)}});
     }
     out.*slope = {value, exact::hypot(value * mean.error, common)};
   }

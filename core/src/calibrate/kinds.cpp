@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string>
 #include <utility>
 
-#include "base/numbers.hpp"
+#include "base/refused.hpp"
 
 namespace sillon {
 namespace {
@@ -24,8 +22,6 @@ const CalibrationRow kKinds[] = {
     {"swatch", 0, 165, 12, 0, "none", "degrees", "what this spool shows under your own lamps"},
     {"coupon", 0.91, 1.0, 4, 2, "print.flow", "", "the lowest disc without dark gaps between its rounds"},
 };
-
-std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
 
 /// First and last value that a kind tries on this printer unless the request gives others.
 std::pair<double, double> usualRange(const CalibrationRequest& request) {
@@ -49,20 +45,19 @@ std::optional<Error> checkRange(const CalibrationRequest& request) {
   const CalibrationRow& kind = rowOf(request.kind);
   const bool fixedValues = request.kind == CalibrationKind::Directions || request.kind == CalibrationKind::Swatch;
   if (fixedValues && (request.from || request.to)) {
-    return invalid(std::string(kind.name) + " tries all directions; from and to must be left out");
+    return refusedArgument("AllDirections", {{"kind", kind.name}});
   }
   const auto [low, high] = usualRange(request);
   const double from = request.from.value_or(low);
   const double to = request.to.value_or(high);
-  if (!std::isfinite(from) || !std::isfinite(to) || std::abs(from) > 1e4 || std::abs(to) > 1e4) {
-    return invalid("from and to must be numbers from -10000 to 10000");
-  }
+  if (!(std::abs(from) <= 1e4)) return outOfRange("from", from, -1e4, 1e4, "");
+  if (!(std::abs(to) <= 1e4)) return outOfRange("to", to, -1e4, 1e4, "");
   // Neighbouring values must differ in the digits that are written, or their labels would be equal.
   const double step = std::pow(10.0, -kind.digits);
   if (!fixedValues && to - from < (kind.count - 1) * step * (1 - 1e-9)) {
-    return invalid(std::string(kind.name) + " from " + decimal(from, 4) + " to " + decimal(to, 4) + " has " +
-                   std::to_string(kind.count) + " values; to must be at least " + decimal((kind.count - 1) * step, 4) +
-                   " above from");
+    return refusedArgument(
+        "StepsTooFine",
+        {{"kind", kind.name}, {"from", from}, {"to", to}, {"count", kind.count}, {"least", (kind.count - 1) * step}});
   }
   return std::nullopt;
 }
@@ -89,9 +84,7 @@ std::optional<Error> checkValues(const CalibrationRequest& request, const std::v
   const auto within = [&](double low, double high) -> std::optional<Error> {
     for (const double value : values) {
       if (value >= low - 1e-9 && value <= high + 1e-9) continue;
-      const std::string unit = *kind.unit == '\0' ? "" : std::string(" ") + kind.unit;
-      return invalid(std::string(kind.name) + " would try " + decimal(value, 4) + unit + "; values must be " +
-                     decimal(low, 4) + " to " + decimal(high, 4));
+      return outOfRange(kind.name, value, low, high, kind.unit);
     }
     return std::nullopt;
   };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace sillon {
 namespace {
@@ -127,28 +126,8 @@ void directions(PlateBuilder& plate) {
 }  // namespace
 
 void layOut(CalibrationKind kind, PlateBuilder& plate) {
-  switch (kind) {
-    case CalibrationKind::Flow:
-      discs(plate);
-      break;
-    case CalibrationKind::Speed:
-      speeds(plate);
-      break;
-    case CalibrationKind::Fan:
-      fans(plate);
-      break;
-    case CalibrationKind::Width:
-      widths(plate);
-      break;
-    case CalibrationKind::Directions:
-      directions(plate);
-      break;
-    case CalibrationKind::Coupon:
-      layCoupon(plate);
-      break;
-    case CalibrationKind::Swatch:
-      break;
-  }
+  constexpr void (*kLays[])(PlateBuilder&) = {discs, speeds, fans, widths, directions, nullptr, layCoupon};
+  if (kind != CalibrationKind::Swatch) kLays[static_cast<std::size_t>(kind)](plate);
 }
 
 }  // namespace sillon

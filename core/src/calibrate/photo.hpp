@@ -13,7 +13,7 @@
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/calibrate/read_photo.hpp"
+#include "sillon/calibrate/calibrate.hpp"
 #include "sillon/look/inversion.hpp"
 
 namespace sillon {

@@ -1,9 +1,6 @@
 #include "base/exact_math.hpp"
 #include "calibrate/photo.hpp"
 
-#include <cmath>
-#include <cstddef>
-
 namespace sillon {
 namespace {
 

@@ -1,7 +1,6 @@
 // Calibration prints: their kinds, the pieces that they consist of, and the plate that is built from these.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -1,18 +1,17 @@
-#include "sillon/calibrate/read_photo.hpp"
-#include "base/exact_math.hpp"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
-#include <vector>
 
+#include "base/exact_math.hpp"
 #include "base/json.hpp"
 #include "base/numbers.hpp"
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 #include "calibrate/photo.hpp"
+#include "input/map_defect.hpp"
+#include "look/rasters.hpp"
 #include "sillon/calibrate/calibrate.hpp"
 #include "sillon/look/appearance.hpp"
 #include "sillon/look/inversion.hpp"
@@ -45,8 +44,6 @@ constexpr double kMostLampOff = 10;  // [degrees]
 constexpr double kMostBars = 3;      // in error bars
 constexpr double kSureBars = 2;      // error bars beyond the tried flows from which a flow surely lies outside
 constexpr Vec2 kMiddle{kCouponSide / 2, kCouponSide / 2};
-
-Error unreadable(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
 
 /// All spirals of a coupon, as they were asked for.
 std::vector<LitSpiral> spiralsOf(const CalibrationPlate& plate) {
@@ -134,51 +131,33 @@ Measured slopeOf(double variance, double relativeError, const LampPart& lamp) {
 /// Refuses a request or photograph that cannot be read, before anything is looked for in it.
 std::optional<Error> unfit(const Image& photograph, const PhotoRequest& request) {
   if (request.lampSlope && !(*request.lampSlope >= 0 && *request.lampSlope <= 2)) {
-    return Error{ErrorCode::InvalidArgument, outOfRange("lamp size", *request.lampSlope, "", "0 to 2")};
+    return outOfRange("lampSize", *request.lampSlope, 0, 2, "");
   }
   if (request.lampElevation && !(*request.lampElevation >= 10 && *request.lampElevation <= 80)) {
-    return Error{ErrorCode::InvalidArgument,
-                 outOfRange("lamp elevation", *request.lampElevation, " degrees", "10 to 80")};
+    return outOfRange("lampElevation", *request.lampElevation, 10, 80, "degrees");
   }
-  const std::int64_t pixels = std::int64_t{photograph.width} * photograph.height;
-  if (photograph.channels < 1 || photograph.channels > 4 ||
-      photograph.samples.size() != toSize(pixels) * photograph.channels) {
-    return Error{ErrorCode::InvalidArgument, "the photograph's size and its samples differ"};
-  }
+  if (auto defect = imageDefect(photograph, "photograph")) return defect;
   if (std::min(photograph.width, photograph.height) < kLeastSide) {
-    return unreadable("the photograph has " + std::to_string(photograph.width) + " x " +
-                      std::to_string(photograph.height) + " pixels; each side must have at least " +
-                      std::to_string(kLeastSide));
+    return refusedFile("PhotoTooSmall",
+                       {{"width", photograph.width}, {"height", photograph.height}, {"least", kLeastSide}});
   }
-  if (pixels > kMostPixels) {
-    return Error{ErrorCode::TooLarge, "the photograph has " + std::to_string(photograph.width) + " x " +
-                                          std::to_string(photograph.height) +
-                                          " pixels; it may have 64 million: take it with fewer"};
+  if (std::int64_t{photograph.width} * photograph.height > kMostPixels) {
+    return refused(ErrorCode::TooLarge, "PhotoTooLarge", {{"width", photograph.width}, {"height", photograph.height}});
   }
   return std::nullopt;
 }
 
 /// Refuses a fit if the coupon was not in focus, under a single lamp that shows its beads.
 std::optional<Error> doubtful(const SpiralFit& fit, double blur, double nozzle) {
-  if (fit.misfit > kMostMisfit) {
-    return unreadable(
-        "what shines on the coupon is not what one lamp would make shine; switch all other lamps off, and close the "
-        "curtains");
-  }
+  if (fit.misfit > kMostMisfit) return refusedFile("ManyLamps");
   if (blur > kMostBlur * nozzle) {
-    return unreadable("the photograph is blurred by " + fixed(blur, 2) + " mm; it may be by " +
-                      fixed(kMostBlur * nozzle, 2) + ": hold the camera still and let it focus on the coupon");
+    return refusedFile("Blurred", {{"blur", fixed(blur, 2)}, {"most", fixed(kMostBlur * nozzle, 2)}});
   }
   if (fit.contrast < kLeastContrast) {
-    return unreadable("the brightest beads are " + fixed(fit.contrast, 2) +
-                      " times as bright as the darkest, and must be 1.5 times; use one small lamp, low over the "
-                      "coupon, in a dark room");
+    return refusedFile("LowContrast", {{"contrast", fixed(fit.contrast, 2)}});
   }
   if (std::abs(fit.lone - 1) > kMostOff || std::abs(fit.closing - 1) > kMostOff) {
-    return unreadable(
-        "beads would be " + fixed(100 * fit.lone, 0) +
-        " % as wide as they were asked for, and must be 90 to 110 %; the coupon is of other settings, or the "
-        "light shows the beads too poorly: move the lamp around the coupon");
+    return refusedFile("OtherWidths", {{"percent", fixed(100 * fit.lone, 0)}});
   }
   return std::nullopt;
 }
@@ -200,10 +179,9 @@ void tellLamp(const SpiralFit& fit, const SeenFrom& camera, CouponReading& out) 
 std::optional<Error> otherLamp(double measured, const Measured& shown) {
   const double off = std::abs(measured - shown.value);
   if (off <= std::max(kMostLampOff, kMostBars * exact::hypot(shown.error, kElevationError))) return std::nullopt;
-  return Error{ErrorCode::InvalidArgument, "lamp elevation is " + decimal(measured, 1) +
-                                               " degrees, and the photograph shows the lamp at " +
-                                               fixed(shown.value, 0) + " +- " + fixed(shown.error, 0) +
-                                               "; measure it again at the coupon, over the table, or leave it out"};
+  return refusedArgument(
+      "OtherElevation",
+      {{"elevation", decimal(measured, 1)}, {"seen", fixed(shown.value, 0)}, {"error", fixed(shown.error, 0)}});
 }
 
 /// Reports the flow at which beads close if the coupon has tried it, else the side on which it lies.
@@ -290,8 +268,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
     burnt += s.seen.burnt;
   }
   if (burnt > kMostBurnt * all) {
-    return unreadable("the photograph is burnt: " + fixed(100.0 * burnt / all, 0) +
-                      " % of the spirals' pixels are at full scale, and 2 % may be; expose it less");
+    return refusedFile("BurntPhoto", {{"percent", fixed(100.0 * burnt / all, 0)}});
   }
   const Elevation elevation = request.lampElevation ? Elevation{*request.lampElevation, kElevationError} : Elevation{};
   SpiralFit fit = fitSpirals(spirals, camera, elevation, nullptr, run);
@@ -308,11 +285,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   out.pixelsPerMm = coupon.scaleAt(kMiddle);
   out.blur = fit.blur / out.pixelsPerMm;
   out.tilt = exact::acos(std::clamp(unit(camera.place).z, -1.0, 1.0)) * kDegrees;
-  if (camera.strange > kMostStrange) {
-    return unreadable(
-        "no camera sees a square like that; the photograph is stretched, or cut out of one side of a larger one: give "
-        "the whole picture as it was taken");
-  }
+  if (camera.strange > kMostStrange) return refusedFile("StretchedPhoto");
   if (auto problem = doubtful(fit, out.blur, nozzle)) return *problem;
   const LampPart lamp = lampPartOf(request.lampSlope);
   out.along = slopeOf(fit.alongVariance, errorOf(fit.variances[2]), lamp);
@@ -320,9 +293,7 @@ Result<CouponReading> readCouponPhoto(const Image& photograph, const PhotoReques
   for (const Measured* slope : {&out.along, &out.across}) {
     const bool lost = slope->error > kMostError * slope->value;
     if (!lost) continue;
-    return unreadable("slopes " + std::string(slope == &out.along ? "along" : "across") +
-                      " the beads cannot be told in this light: " + fixed(slope->value, 1) + " degrees within " +
-                      fixed(slope->error, 1) + "; use a smaller lamp, or one that is farther away");
+    return refusedFile("SlopesUnclear", {{"value", fixed(slope->value, 1)}, {"error", fixed(slope->error, 1)}});
   }
   if (request.lampElevation) {
     CouponReading free;

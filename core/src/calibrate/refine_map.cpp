@@ -2,8 +2,6 @@
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <utility>
 
 namespace sillon {

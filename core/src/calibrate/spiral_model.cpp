@@ -2,12 +2,9 @@
 #include "calibrate/photo.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
 
 #include "calibrate/prints.hpp"
+#include "look/rasters.hpp"
 #include "sillon/look/appearance.hpp"
 #include "sillon/look/inversion.hpp"
 

@@ -1,7 +1,6 @@
 #include "calibrate/prints.hpp"
 
 #include <cmath>
-#include <string>
 
 namespace sillon {
 

@@ -3,94 +3,61 @@
 namespace sillon {
 namespace {
 
-// Strokes of a letter. A point is two digits, x 0..4 and y 0..6; blanks separate points, semicolons strokes.
+struct Letter {
+  char letter;
+  const char* strokes;
+};
+
+// A point of a stroke is two digits, x 0..4 and y 0..6; blanks separate points, semicolons strokes.
+constexpr Letter kLetters[] = {
+    {' ', ""},
+    {'0', "00 40 46 06 00"},
+    {'1', "15 26 20"},
+    {'2', "06 46 43 03 00 40"},
+    {'3', "06 46 40 00;43 13"},
+    {'4', "06 03 43;46 40"},
+    {'5', "46 06 03 43 40 00"},
+    {'6', "46 06 00 40 43 03"},
+    {'7', "06 46 20"},
+    {'8', "03 00 40 46 06 03 43"},
+    {'9', "00 40 46 06 03 43"},
+    {'A', "00 04 26 44 40;03 43"},
+    {'B', "03 00 30 41 42 33 03 06 36 45 44 33"},
+    {'C', "46 06 00 40"},
+    {'D', "00 06 26 44 42 20 00"},
+    {'E', "46 06 00 40;03 33"},
+    {'F', "46 06 00;03 33"},
+    {'G', "46 06 00 40 43 23"},
+    {'H', "00 06;40 46;03 43"},
+    {'I', "20 26"},
+    {'J', "46 40 00 02"},
+    {'K', "00 06;46 03 40"},
+    {'L', "06 00 40"},
+    {'M', "00 06 23 46 40"},
+    {'N', "00 06 40 46"},
+    {'O', "10 30 42 44 36 16 04 02 10"},
+    {'P', "00 06 46 43 03"},
+    {'Q', "10 30 42 44 36 16 04 02 10;22 40"},
+    {'R', "00 06 46 43 03 40"},
+    {'S', "45 36 16 05 04 13 33 42 41 30 10 01"},
+    {'T', "06 46;26 20"},
+    {'U', "06 00 40 46"},
+    {'V', "06 20 46"},
+    {'W', "06 10 23 30 46"},
+    {'X', "00 46;06 40"},
+    {'Y', "06 23 46;23 20"},
+    {'Z', "06 46 00 40"},
+    {'.', "20 21"},
+    {'+', "03 43;21 25"},
+    {'/', "00 46"},
+    {'%', "00 46;05 16;30 41"},
+};
+
 const char* strokesOf(char letter) {
-  switch (letter) {
-    case ' ':
-      return "";
-    case '0':
-      return "00 40 46 06 00";
-    case '1':
-      return "15 26 20";
-    case '2':
-      return "06 46 43 03 00 40";
-    case '3':
-      return "06 46 40 00;43 13";
-    case '4':
-      return "06 03 43;46 40";
-    case '5':
-      return "46 06 03 43 40 00";
-    case '6':
-      return "46 06 00 40 43 03";
-    case '7':
-      return "06 46 20";
-    case '8':
-      return "03 00 40 46 06 03 43";
-    case '9':
-      return "00 40 46 06 03 43";
-    case 'A':
-      return "00 04 26 44 40;03 43";
-    case 'B':
-      return "03 00 30 41 42 33 03 06 36 45 44 33";
-    case 'C':
-      return "46 06 00 40";
-    case 'D':
-      return "00 06 26 44 42 20 00";
-    case 'E':
-      return "46 06 00 40;03 33";
-    case 'F':
-      return "46 06 00;03 33";
-    case 'G':
-      return "46 06 00 40 43 23";
-    case 'H':
-      return "00 06;40 46;03 43";
-    case 'I':
-      return "20 26";
-    case 'J':
-      return "46 40 00 02";
-    case 'K':
-      return "00 06;46 03 40";
-    case 'L':
-      return "06 00 40";
-    case 'M':
-      return "00 06 23 46 40";
-    case 'N':
-      return "00 06 40 46";
-    case 'O':
-      return "10 30 42 44 36 16 04 02 10";
-    case 'P':
-      return "00 06 46 43 03";
-    case 'Q':
-      return "10 30 42 44 36 16 04 02 10;22 40";
-    case 'R':
-      return "00 06 46 43 03 40";
-    case 'S':
-      return "45 36 16 05 04 13 33 42 41 30 10 01";
-    case 'T':
-      return "06 46;26 20";
-    case 'U':
-      return "06 00 40 46";
-    case 'V':
-      return "06 20 46";
-    case 'W':
-      return "06 10 23 30 46";
-    case 'X':
-      return "00 46;06 40";
-    case 'Y':
-      return "06 23 46;23 20";
-    case 'Z':
-      return "06 46 00 40";
-    case '.':
-      return "20 21";
-    case '+':
-      return "03 43;21 25";
-    case '/':
-      return "00 46";
-    case '%':
-      return "00 46;05 16;30 41";
-    default:
-      return "03 43";
+  for (const Letter& known : kLetters) {
+    if (known.letter == letter) return known.strokes;
   }
+  return "03 43";
 }
 
 }  // namespace

@@ -4,13 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/numbers.hpp"
-#include "sillon/geometry/shape.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 
 namespace sillon {

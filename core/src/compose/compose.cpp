@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <numbers>
-#include <string>
 #include <string_view>
 #include <utility>
 
@@ -17,7 +15,10 @@
 #include "compose/redraw.hpp"
 #include "compose/region.hpp"
 #include "compose/visible.hpp"
+#include "geometry/shape_points.hpp"
 #include "input/stored_angle.hpp"
+#include "pictures/parts.hpp"
+#include "report/told.hpp"
 
 namespace sillon {
 namespace {
@@ -26,6 +27,7 @@ Error ofLayer(std::size_t number, const Error& error) {
   if (error.code == ErrorCode::Cancelled) return error;
   Error told = error;
   told.message = "layers[" + std::to_string(number) + "]: " + error.message;
+  told.values.insert(told.values.begin(), {"layer", static_cast<double>(number + 1)});
   return told;
 }
 
@@ -77,7 +79,7 @@ PlacedLayer boxOf(const Layer& layer, const Shape& shape, std::optional<Error> p
 
 bool lacksLetter(const Error& error) {
   const std::string_view why = error.reason;
-  return why == reason::kMissingLetter || why == reason::kPictureLetter;
+  return why == "MissingLetter" || why == "PictureLetter";
 }
 
 int texelsOn(double side, double spacing) {
@@ -136,7 +138,7 @@ std::vector<Warning> letterWarnings(const std::vector<PlacedLayer>& placed) {
   for (std::size_t k = 0; k < placed.size(); ++k) {
     const auto number = static_cast<double>(k + 1);
     if (const auto& problem = placed[k].problem) {
-      const bool picture = std::string_view(problem->reason) == reason::kPictureLetter;
+      const bool picture = std::string_view(problem->reason) == "PictureLetter";
       warnings.push_back({picture ? WarningCode::LayerOnlyPicture : WarningCode::LayerLeftOut,
                           {{"layer", number}, {"letter", problem->values.back().text}}});
     }

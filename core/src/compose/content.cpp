@@ -1,13 +1,13 @@
 #include "compose/content.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 #include <utility>
 
+#include "geometry/shape_points.hpp"
+#include "look/rasters.hpp"
 #include "project/files.hpp"
-#include "sillon/text/qr_code.hpp"
 #include "sillon/text/text.hpp"
+#include "text/qr_code.hpp"
 
 namespace sillon {
 namespace {

@@ -8,7 +8,6 @@
 #include "sillon/base/types.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/plate_input.hpp"
-#include "sillon/input/read_input.hpp"
 #include "sillon/look/inversion.hpp"
 #include "sillon/settings/project.hpp"
 

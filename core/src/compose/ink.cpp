@@ -1,11 +1,10 @@
 #include "compose/ink.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/parallel_for.hpp"
 #include "compose/lines.hpp"
 #include "compose/region.hpp"
 #include "compose/strokes.hpp"
@@ -73,7 +72,7 @@ std::optional<Error> drawLayer(std::size_t number, const LayerContent& content, 
   if (outlined(layer) && layer.as<LayerGround>()->ground) ground = lineOf(*layer.as<LayerGround>()->ground * kDegree);
   stack.inks.push_back(inkOf(number, content, place, plate, region, stack));
   for (int y = 0; y < plate.height; ++y) {
-    if (run.poll()) return Error{ErrorCode::Cancelled, "cancelled"};
+    if (run.poll()) return cancelledRun();
     for (int x = 0; x < plate.width; ++x) {
       const std::size_t k = indexOf(x, y, plate.width);
       if (cover[k] == 0) continue;

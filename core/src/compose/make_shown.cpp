@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "compose/redraw.hpp"
+#include "look/rasters.hpp"
 #include "pictures/parts.hpp"
+#include "quality/seen_cells.hpp"
 #include "sillon/compose/compose.hpp"
 #include "sillon/quality/metrics.hpp"
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "compose/lines.hpp"
+#include "geometry/outline.hpp"
 #include "geometry/signed_distance.hpp"
-#include "sillon/geometry/outline.hpp"
 #include "sillon/geometry/shape.hpp"
 
 namespace sillon {

@@ -5,8 +5,9 @@
 
 #include "compose/ink.hpp"
 #include "compose/region.hpp"
+#include "geometry/outline.hpp"
+#include "geometry/shape_points.hpp"
 #include "geometry/signed_distance.hpp"
-#include "sillon/geometry/outline.hpp"
 
 namespace sillon {
 

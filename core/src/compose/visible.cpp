@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include "base/exact_math.hpp"
 #include "compose/background.hpp"
 #include "compose/lines.hpp"
-#include "sillon/text/qr_code.hpp"
+#include "geometry/outline.hpp"
+#include "text/qr_code.hpp"
 
 namespace sillon {
 namespace {

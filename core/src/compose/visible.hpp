@@ -24,4 +24,21 @@ LayerInk inkOf(std::size_t number, const LayerContent& content, const Placement&
 /// \param line  line of the ink; none: across the direction that is there.
 LayerStack::Ink inkOver(const LayerStack::Texel& texel, std::optional<Vec2f> line, std::optional<Vec2f> ground);
 
+/// Tells how much of each visible layer above the ground is seen.
+/// \param placed  boxes, one per layer of the project.
+std::vector<SeenLayer> seeLayers(const Project& project, const std::vector<PlacedLayer>& placed,
+                                 const Composition& composition);
+
+/// Notes and warnings about the layers of a composition.
+struct LayersTold {
+  std::vector<InputNote> notes;
+  std::vector<Warning> warnings;
+};
+
+/// Collects the notes and warnings about layers.
+/// \param page  size of the plate [mm].
+/// \param spacing  tau [mm].
+LayersTold toldOf(const std::vector<PlacedLayer>& placed, const std::vector<SeenLayer>& seen, Vec2 page,
+                  double spacing);
+
 }  // namespace sillon

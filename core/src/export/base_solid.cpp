@@ -1,12 +1,12 @@
-#include "sillon/export/base_solid.hpp"
+#include "sillon/export/export.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <utility>
 
+#include "base/refused.hpp"
 #include "export/mesh.hpp"
 #include "export/zip.hpp"
 #include "gcode/job.hpp"
@@ -34,15 +34,13 @@ std::array<double, 3> normal(const Mesh& mesh, const std::array<std::uint32_t, 3
 
 Result<Mesh> baseBody(const Shape& given, const Printer& printer, const PrintParams& params) {
   if (auto error = checkPlateInput(given, printer, params)) return *error;
-  if (params.base == 0) {
-    return Error{ErrorCode::InvalidArgument, "base is 0; it must be at least 1 for a body of the base layers"};
-  }
+  if (params.base == 0) return refusedArgument("NoBase");
   PrintParams turning = params;
   if (params.showSide == ShowSide::Bed) turning.mirror = !params.mirror;
   const PlateTransform turn(turning, given.page);
   const Shape& shape = turn.none() ? given : turn.apply(given);
   const Bounds box = sillon::bounds(shape);
-  if (box.empty()) return Error{ErrorCode::EmptyShape, "the shape has no points; there is nothing to print"};
+  if (box.empty()) return refused(ErrorCode::EmptyShape, "NoArea");
   const Result<FlatBody> flat = flatBody(shape, placement(box, printer, params));
   if (!flat) return flat.error();
   const int below = params.showSide == ShowSide::Up ? 0 : params.layers;  // number of oriented layers on the bed
@@ -55,25 +53,19 @@ Result<Mesh> baseBody(const Shape& given, const Printer& printer, const PrintPar
   return mesh;
 }
 
-std::string meshDefect(const Mesh& mesh) {
+std::optional<Error> meshDefect(const Mesh& mesh) {
   const auto isFinite = [](double value) { return std::isfinite(value); };
-  for (const auto& point : mesh.points) {
-    if (!std::all_of(point.begin(), point.end(), isFinite)) return "a point of the mesh is not finite";
-  }
-  for (const auto& triangle : mesh.triangles) {
-    const std::uint32_t last = *std::max_element(triangle.begin(), triangle.end());
-    if (last >= mesh.points.size()) {
-      return "a triangle has corner " + std::to_string(last) + "; the mesh has " + std::to_string(mesh.points.size()) +
-             " points";
-    }
-  }
-  return {};
+  const bool finite = std::all_of(mesh.points.begin(), mesh.points.end(),
+                                  [&](const auto& point) { return std::all_of(point.begin(), point.end(), isFinite); });
+  const bool whole = std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& triangle) {
+    return *std::max_element(triangle.begin(), triangle.end()) < mesh.points.size();
+  });
+  if (finite && whole) return std::nullopt;
+  return refusedArgument("BrokenMesh");
 }
 
 Result<std::string> writeStl(const Mesh& mesh) {
-  if (std::string defect = meshDefect(mesh); !defect.empty()) {
-    return Error{ErrorCode::InvalidArgument, std::move(defect)};
-  }
+  if (auto defect = meshDefect(mesh)) return *std::move(defect);
   std::string out = "base body by Sillon, mm";  // must not begin with "solid", the first word of a text STL
   out.resize(80, ' ');
   append(out, mesh.triangles.size(), 4);
@@ -94,9 +86,7 @@ Result<std::string> writeStl(const Mesh& mesh) {
 }
 
 Result<std::string> write3mf(const Mesh& mesh) {
-  if (std::string defect = meshDefect(mesh); !defect.empty()) {
-    return Error{ErrorCode::InvalidArgument, std::move(defect)};
-  }
+  if (auto defect = meshDefect(mesh)) return *std::move(defect);
   Zip zip;
   addPackageParts(zip);
   zip.add("3D/3dmodel.model",

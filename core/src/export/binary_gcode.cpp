@@ -1,17 +1,14 @@
 #include "export/packing.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <initializer_list>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "base/checksums.hpp"
 #include "base/lines.hpp"
+#include "base/refused.hpp"
 #include "input/inflate.hpp"
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {
@@ -38,43 +35,39 @@ struct BinaryFile {
   std::vector<FileBlock> blocks;
 };
 
-Error damaged(const char* what) { return damagedFile(".bgcode", what); }
+Error damaged(Reason reason) { return refusedFile(reason, {{"file", ".bgcode"}}); }
 
 // Splits a file into its blocks and checks their checksums.
 Result<BinaryFile> readBlocks(std::string_view file) {
-  if (file.size() < kFileHeader) return damaged("is cut off");
-  if (number(file, 4, 4) != 1) return damaged("is of an unknown version; 1 is known");
-  if (number(file, 8, 2) > 1) return damaged("has checksums of an unknown kind");
+  if (file.size() < kFileHeader) return damaged("PackedCutOff");
+  if (number(file, 4, 4) != 1) return damaged("PackedUnknown");
+  if (number(file, 8, 2) > 1) return damaged("PackedUnknown");
   BinaryFile out;
   out.checksums = number(file, 8, 2) == 1;
   std::size_t at = kFileHeader;
   std::size_t total = 0;
   while (at < file.size()) {
     FileBlock block;
-    if (at + 8 > file.size()) return damaged("is cut off");
+    if (at + 8 > file.size()) return damaged("PackedCutOff");
     block.type = number(file, at, 2);
     block.compression = number(file, at + 2, 2);
     block.size = toSize(number(file, at + 4, 4));
-    if (block.type > ThumbnailBlock || block.compression > 3) return damaged("has a block of an unknown kind");
+    if (block.type > ThumbnailBlock || block.compression > 3) return damaged("PackedUnknown");
     const std::size_t header = block.compression == 0 ? 8 : 12;
-    if (at + header > file.size()) return damaged("is cut off");
+    if (at + header > file.size()) return damaged("PackedCutOff");
     const std::size_t length = block.compression == 0 ? block.size : toSize(number(file, at + 8, 4));
     const std::size_t parameters = block.type == ThumbnailBlock ? 6 : 2;
     const std::size_t end = at + header + parameters + length + (out.checksums ? 4 : 0);
-    if (length > file.size() || end > file.size()) return damaged("is cut off");
+    if (length > file.size() || end > file.size()) return damaged("PackedCutOff");
     block.parameters = file.substr(at + header, parameters);
     block.data = file.substr(at + header + parameters, length);
     block.whole = file.substr(at, end - at);
     if (out.checksums) {
       const std::string_view checked = block.whole.substr(0, block.whole.size() - 4);
-      if (crc32(checked) != number(block.whole, checked.size(), 4)) {
-        return damaged("is damaged: a checksum does not fit");
-      }
+      if (crc32(checked) != number(block.whole, checked.size(), 4)) return damaged("PackedDamaged");
     }
     total += block.size;
-    if (total > kMostGcodeBytes) {
-      return Error{ErrorCode::TooLarge, "the .bgcode holds more than 256 MiB of text; it must be at most 256"};
-    }
+    if (total > kMostGcodeBytes) return fileTooLarge(total, kMostGcodeBytes);
     out.blocks.push_back(block);
     at = end;
   }
@@ -294,10 +287,10 @@ Result<std::string> binaryToText(std::string_view file) {
   for (const FileBlock& block : read.value().blocks) {
     if (block.type == ThumbnailBlock) continue;
     const std::optional<std::string> data = unpacked(block);
-    if (!data) return damaged("has a damaged block");
+    if (!data) return damaged("PackedDamaged");
     if (block.type == Gcode) {
       const std::uint64_t encoding = number(block.parameters, 0, 2);
-      if (encoding > 2) return damaged("has G-code in an unknown encoding");
+      if (encoding > 2) return damaged("PackedUnknown");
       gcode += encoding == 0 ? *data : unmeatpacked(*data);  // each block is packed by itself
       any = true;
       continue;
@@ -310,13 +303,13 @@ Result<std::string> binaryToText(std::string_view file) {
       }
     }
   }
-  if (!any) return damaged("holds no G-code");
+  if (!any) return damaged("PackedEmpty");
   if (!gcode.ends_with('\n')) gcode += '\n';
   return head + gcode + (tail.empty() ? "" : std::string(kMetadataMark) + tail);
 }
 
 Result<std::string> binaryWithText(std::string_view file, std::string_view text) {
-  if (const auto problem = tooLargeToPack(text.size(), ".bgcode")) return *problem;
+  if (const auto problem = tooLargeToPack(text.size())) return *problem;
   const Result<BinaryFile> read = readBlocks(file);
   if (!read) return read.error();
   const bool checksums = read.value().checksums;
@@ -342,7 +335,7 @@ Result<std::string> binaryWithText(std::string_view file, std::string_view text)
     }
     if (block.type == PrinterMetadata || block.type == PrintMetadata) {
       const std::optional<std::string> data = unpacked(block);
-      if (!data) return damaged("has a damaged block");
+      if (!data) return damaged("PackedDamaged");
       Pairs pairs = readIni(*data);
       bool changed = false;
       for (auto& [key, value] : pairs) {
@@ -376,7 +369,7 @@ Result<std::string> binaryWithText(std::string_view file, std::string_view text)
 }
 
 Result<std::string> packBinaryGcode(std::string_view gcode) {
-  if (const auto problem = tooLargeToPack(gcode.size(), ".bgcode")) return *problem;
+  if (const auto problem = tooLargeToPack(gcode.size())) return *problem;
   const std::size_t end = endOfCommands(gcode);
   const Pairs settings = readComments(gcode.substr(end));
   const auto chosen = [&](std::initializer_list<const char*> keys) {

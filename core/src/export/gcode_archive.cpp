@@ -1,16 +1,13 @@
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "base/json.hpp"
 #include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "export/packing.hpp"
 #include "export/zip.hpp"
 #include "sillon/settings/presets.hpp"
@@ -27,8 +24,6 @@ constexpr std::size_t kMostMetadata = std::size_t{64} << 20;
 constexpr std::size_t kMostRecords = std::size_t{1} << 16;
 constexpr double kMoved = 0.5;      // [mm]; a box that changes by less has not moved
 constexpr int kSmallPicture = 128;  // [pixels], side of plate_1_small.png
-
-Error damaged(const char* what) { return damagedFile(".gcode.3mf", what); }
 
 // ---- A new package.
 
@@ -132,9 +127,8 @@ Error holdsNoPlate(const ZipDirectory& directory) {
   const auto& parts = directory.entries;
   const bool package =
       std::any_of(parts.begin(), parts.end(), [](const ZipEntry& part) { return part.name.ends_with(".model"); });
-  if (package) return damaged("holds no .gcode; slice the plate before it is exported");
-  return {ErrorCode::InvalidFile,
-          "the file is an archive (ZIP) without G-code in it; export the G-code from your slicer"};
+  if (package) return refusedFile("PackedEmpty", {{"file", ".gcode.3mf"}});
+  return refusedFile("ArchiveEmpty");
 }
 
 // Width of a PNG [pixels]; 0 if it is none.
@@ -233,19 +227,10 @@ std::string toldPart(const std::vector<std::string_view>& parts, std::size_t siz
 }  // namespace
 
 Result<std::string> packGcode(std::string_view gcode) {
-  if (const auto problem = tooLargeToPack(gcode.size(), ".gcode.3mf")) return *problem;
-  if (!isForBambu(gcode)) {
-    return Error{
-        ErrorCode::InvalidArgument,
-        "the G-code is not for a Bambu Lab printer, and others read no .gcode.3mf; take the printer from a file "
-        "of your own slicer (sillon import your.gcode.3mf), or write plain G-code"};
-  }
+  if (const auto problem = tooLargeToPack(gcode.size())) return *problem;
+  if (!isForBambu(gcode)) return refusedArgument("NotForBambu");
   const std::vector<int> loaded = loadedFilaments({gcode});
-  if (loaded.size() > 1) {
-    return Error{ErrorCode::InvalidArgument, "the G-code loads " + std::to_string(loaded.size()) +
-                                                 " filaments, and a new .gcode.3mf lists one; take the printer from a "
-                                                 "file that was sliced with one filament"};
-  }
+  if (loaded.size() > 1) return refusedArgument("ManyFilaments", {{"count", loaded.size()}});
   const int filament = loaded.empty() ? 0 : loaded.front();
   const std::vector<ToldPicture> pictures = toldPictures(gcode);
   const std::string png = nearestPng(pictures, 4096);
@@ -352,7 +337,7 @@ std::optional<Error> writeGcodeContainer(const GcodeContainer& container, const 
     take(whole.value());
     return std::nullopt;
   }
-  if (const auto problem = tooLargeToPack(size, ".gcode.3mf")) return *problem;
+  if (const auto problem = tooLargeToPack(size)) return *problem;
   const std::string_view file = container.file;
   const Result<ZipDirectory> directory = readZip(file);
   if (!directory) return directory.error();

@@ -1,8 +1,6 @@
 #include "export/packing.hpp"
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
 
 namespace sillon {
 

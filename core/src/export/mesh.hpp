@@ -1,12 +1,13 @@
 // Solids as meshes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/triangulate.hpp"
 #include "sillon/base/result.hpp"
-#include "sillon/export/base_solid.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/geometry/shape.hpp"
 
 namespace sillon {
@@ -34,5 +35,8 @@ Result<FlatBody> flatBody(const Shape& shape, PrismPoint offset);
 /// Appends the prism between two heights [mm]. \param flat  triangulation of `points`.
 void addPrism(const Triangulation& flat, const std::vector<PrismPoint>& points, PrismPoint offset, double bottom,
               double top, Mesh& mesh);
+
+/// Refuses a mesh that has a corner which is not a point of it, or a point that is not finite.
+std::optional<Error> meshDefect(const Mesh& mesh);
 
 }  // namespace sillon

@@ -3,11 +3,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/json.hpp"
 #include "base/lines.hpp"
+#include "base/refused.hpp"
 #include "export/packing.hpp"
 #include "gcode_reader/machine.hpp"
 
@@ -39,14 +39,11 @@ bool has(const std::vector<int>& numbers, int number) {
   return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
-/// Names filaments in a message, such as "filaments 1 and 3", counted from 1.
+/// Lists filaments for a message, such as "1, 3", counted from 1; "-" stands for none.
 std::string named(const std::vector<int>& numbers) {
-  if (numbers.empty()) return "no filament";
-  std::string out = numbers.size() == 1 ? "filament " : "filaments ";
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    out += (k == 0 ? "" : k + 1 < numbers.size() ? ", " : " and ") + std::to_string(numbers[k] + 1);
-  }
-  return out;
+  std::string out;
+  for (const int number : numbers) out += (out.empty() ? "" : ", ") + std::to_string(number + 1);
+  return out.empty() ? "-" : out;
 }
 
 /// Family of a filament type, such as PLA for "PLA-CF" and "pla"; it decides how hot the filament may be fed.
@@ -61,10 +58,7 @@ std::string family(std::string_view type) {
 }
 
 Error disagree(const std::string& package, const std::string& gcode) {
-  return {
-      ErrorCode::InvalidArgument,
-      "the .gcode.3mf is for " + package + ", but the G-code for " + gcode +
-          "; both must come from one file of your slicer, sliced with one filament: import the printer from it anew"};
+  return refusedArgument("FilamentsDisagree", {{"package", package}, {"gcode", gcode}});
 }
 
 }  // namespace

@@ -108,4 +108,7 @@ std::string unshrunk(std::string_view data, int windowBits, std::size_t most);
 /// Undoes MeatPack, and restores the blank before each word of a G command, which packing leaves out.
 std::string unmeatpacked(std::string_view data);
 
+/// Tells by its first bytes whether a file is packed: .gcode.3mf, .bgcode or .gz.
+bool isPackedGcode(std::string_view file);
+
 }  // namespace sillon

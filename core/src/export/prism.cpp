@@ -4,12 +4,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <utility>
 
 #include "base/numbers.hpp"
-#include "sillon/export/zones.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "base/refused.hpp"
+#include "export/zones.hpp"
+#include "geometry/outline.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {
@@ -97,19 +98,14 @@ Result<FlatBody> flatBody(const Shape& shape, PrismPoint offset) {
   FlatBody flat;
   const PrismRings rings = ringsOf(edgesOf(outline.value(), offset), flat.points);
   Triangulation cut = triangulate(flat.points, rings);
-  if (!cut.complete) {
-    return Error{ErrorCode::TooLarge, "the outline has " + std::to_string(flat.points.size()) +
-                                          " points, too entangled to cut into triangles; it must be simpler"};
-  }
   // The areas are summed without sign; otherwise reversed triangles would cancel the surplus of others.
   double area = 0;
   for (const Triangle& t : cut.triangles) {
     const PrismPoint a = flat.points[t[0]];
     area += std::abs(static_cast<double>(cross(flat.points[t[1]] - a, flat.points[t[2]] - a))) / 2e6;
   }
-  if (std::abs(area - outline.value().area) > 1e-9 * (1 + outline.value().area)) {
-    return Error{ErrorCode::TooLarge,
-                 "the outline touches itself in a way that cannot be cut into triangles, so no body can be made of it"};
+  if (!cut.complete || std::abs(area - outline.value().area) > 1e-9 * (1 + outline.value().area)) {
+    return refused(ErrorCode::TooLarge, "Entangled", {{"points", flat.points.size()}});
   }
   flat.triangulation = std::move(cut);
   return flat;
@@ -130,8 +126,7 @@ void addPrism(const Triangulation& flat, const std::vector<PrismPoint>& points, 
 Result<Mesh> prismOf(const Shape& shape, double height) {
   constexpr double kLeast = 0.05;  // [mm], least height
   constexpr double kMost = 5000;   // [mm], greatest height
-  if (!(height >= kLeast && height <= kMost))
-    return Error{ErrorCode::InvalidArgument, outOfRange("height", height, " mm", "0.05 to 5000 mm")};
+  if (!(height >= kLeast && height <= kMost)) return outOfRange("height", height, kLeast, kMost, "mm");
   const Result<FlatBody> flat = flatBody(shape, {});
   if (!flat) return flat.error();
   Mesh mesh;

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "sillon/export/zones.hpp"
+#include "base/refused.hpp"
+#include "export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 
@@ -14,7 +16,7 @@ Result<Shape> silhouetteOf(const Mesh& body, Vec2& corner) {
   Bounds box;
   for (const auto& p : body.points) box.add({p[0], p[1]});
   const Vec2 size = box.size();
-  if (!(size.x > 0 && size.y > 0)) return Error{ErrorCode::EmptyShape, "the body is flat; there is nothing to see"};
+  if (!(size.x > 0 && size.y > 0)) return refused(ErrorCode::EmptyShape, "BodyFlat");
   const double cell = std::max(0.05, std::sqrt(size.x * size.y / kCells));
   Image mask;
   mask.width = static_cast<int>(std::ceil(size.x / cell));

@@ -9,8 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/refused.hpp"
 #include "export/packing.hpp"
-#include "sillon/export/zones.hpp"
+#include "export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {
@@ -21,8 +23,6 @@ constexpr std::size_t kMostFacets = 10'000'000;
 constexpr double kLargest = 10000;  // [mm], largest coordinate
 
 using Corner = std::array<double, 3>;
-
-Error broken(const char* why) { return {ErrorCode::InvalidFile, std::string("the STL ") + why}; }
 
 // Reads the corners of a binary STL.
 Result<std::vector<Corner>> cornersOfBytes(std::string_view bytes, std::size_t facets) {
@@ -55,12 +55,12 @@ Result<std::vector<Corner>> cornersOfText(std::string_view text) {
     for (double& value : p) {
       while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || text[at] == '+')) ++at;
       const auto read = fast_float::from_chars(text.data() + at, text.data() + text.size(), value);
-      if (read.ec != std::errc{}) return broken("has a corner that is not three numbers");
-      at = read.ptr - text.data();
+      if (read.ec != std::errc{}) return refusedFile("StlCorner");
+      at = toSize(read.ptr - text.data());
     }
     if (corners.size() > 3 * kMostFacets) return corners;
   }
-  if (text.rfind("endsolid") == std::string_view::npos) return broken("is cut off: it has no endsolid");
+  if (text.rfind("endsolid") == std::string_view::npos) return refusedFile("StlCutOff");
   return corners;
 }
 
@@ -70,21 +70,19 @@ Result<Mesh> readStl(std::string_view bytes) {
   const std::size_t facets = bytes.size() >= kHeader ? toSize(number(bytes, 80, 4)) : 0;
   const bool binary = bytes.size() >= kHeader && facets <= kMostFacets && bytes.size() == kHeader + kFacet * facets;
   const std::string_view text = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
-  if (!binary && !text.starts_with("solid")) return broken("is cut off, or another kind of file");
+  if (!binary && !text.starts_with("solid")) return refusedFile("StlCutOff");
   const Result<std::vector<Corner>> read = binary ? cornersOfBytes(bytes, facets) : cornersOfText(text);
   if (!read) return read.error();
   const std::vector<Corner>& corners = read.value();
-  if (corners.size() > 3 * kMostFacets) {
-    return Error{ErrorCode::TooLarge, "the STL has more than 10 million triangles; it must have at most that"};
-  }
-  if (corners.empty() || corners.size() % 3 != 0) return broken("has no triangles, or an unfinished one");
+  if (corners.size() > 3 * kMostFacets) return refused(ErrorCode::TooLarge, "StlTooLarge");
+  if (corners.empty() || corners.size() % 3 != 0) return refusedFile("StlCutOff");
 
   // Corners at the same place, to 1 µm, become one point.
   std::vector<std::pair<std::array<std::int64_t, 3>, std::size_t>> keys;
   keys.reserve(corners.size());
   for (std::size_t k = 0; k < corners.size(); ++k) {
     for (const double value : corners[k]) {
-      if (!(std::abs(value) <= kLargest)) return broken("reaches further than 10000 mm");
+      if (!(std::abs(value) <= kLargest)) return refusedFile("StlTooFar");
     }
     const auto micrometres = [&](std::size_t axis) { return std::llround(1000 * corners[k][axis]); };
     keys.push_back({{micrometres(0), micrometres(1), micrometres(2)}, k});
@@ -105,7 +103,7 @@ Result<Mesh> readStl(std::string_view bytes) {
     if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
     mesh.triangles.push_back(triangle);
   }
-  if (mesh.triangles.empty()) return broken("has no triangle with an area");
+  if (mesh.triangles.empty()) return refusedFile("NoTriangles");
   return mesh;
 }
 

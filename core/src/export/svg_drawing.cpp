@@ -1,4 +1,4 @@
-#include "sillon/export/svg_drawing.hpp"
+#include "sillon/export/export.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -126,9 +126,7 @@ void appendCycle(std::string& out, const Cycle& cycle, double pageHeight, std::s
 }  // namespace
 
 Result<std::string> toolpathSvg(const Toolpath& toolpath, Vec2 page) {
-  if (std::string defect = toolpathDefect(toolpath, page); !defect.empty()) {
-    return Error{ErrorCode::InvalidArgument, std::move(defect)};
-  }
+  if (auto defect = toolpathDefect(toolpath, page)) return *std::move(defect);
   const std::int64_t width = microns(page.x);
   const std::int64_t height = microns(page.y);
   std::size_t points = 0;

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
-#include "base/checksums.hpp"
+#include "base/refused.hpp"
 #include "base/sort_key.hpp"
-#include "export/packing.hpp"
 #include "input/inflate.hpp"
 
 namespace sillon {
@@ -18,14 +16,14 @@ constexpr std::size_t kEndSize = 22;
 constexpr std::size_t kMostComment = 65535;
 constexpr std::uint64_t kUtf8Names = 0x0800;
 
-Error damaged(const char* what) { return damagedFile(".gcode.3mf", what); }
+Error damaged(Reason reason) { return refusedFile(reason, {{"file", ".gcode.3mf"}}); }
 
 }  // namespace
 
 Result<ZipDirectory> readZip(std::string_view zip) {
   const std::size_t from = zip.size() - std::min(zip.size(), kEndSize + kMostComment);
   const std::size_t last = zip.substr(from).rfind("PK\x05\x06");
-  if (last == std::string_view::npos || from + last + kEndSize > zip.size()) return damaged("is cut off");
+  if (last == std::string_view::npos || from + last + kEndSize > zip.size()) return damaged("PackedCutOff");
   ZipDirectory directory;
   directory.end = from + last;
   const std::uint64_t count = number(zip, directory.end + 10, 2);
@@ -34,12 +32,12 @@ Result<ZipDirectory> readZip(std::string_view zip) {
   std::vector<std::size_t> begins;
   for (std::uint64_t k = 0; k < count; ++k) {
     if (at + kListedSize > directory.end || number(zip, toSize(at), 4) != 0x02014b50) {
-      return damaged("has a broken directory");
+      return damaged("PackedDamaged");
     }
     ZipEntry entry;
     entry.listed = toSize(at);
     const std::uint64_t name = number(zip, entry.listed + 28, 2);
-    if (at + kListedSize + name > directory.end) return damaged("has a broken directory");
+    if (at + kListedSize + name > directory.end) return damaged("PackedDamaged");
     entry.name = zip.substr(entry.listed + kListedSize, toSize(name));
     entry.flags = number(zip, entry.listed + 8, 2);
     entry.method = number(zip, entry.listed + 10, 2);
@@ -47,7 +45,7 @@ Result<ZipDirectory> readZip(std::string_view zip) {
     entry.packed = number(zip, entry.listed + 20, 4);
     entry.size = number(zip, entry.listed + 24, 4);
     const std::uint64_t begin = number(zip, entry.listed + 42, 4);
-    if (begin + kLocalSize > directory.begin) return damaged("has a broken entry");
+    if (begin + kLocalSize > directory.begin) return damaged("PackedDamaged");
     entry.begin = toSize(begin);
     begins.push_back(entry.begin);
     directory.entries.push_back(entry);
@@ -57,31 +55,28 @@ Result<ZipDirectory> readZip(std::string_view zip) {
   for (ZipEntry& entry : directory.entries) {
     const auto next = std::upper_bound(begins.begin(), begins.end(), entry.begin);
     entry.end = std::min(next == begins.end() ? directory.begin : *next, directory.begin);
-    if (entry.begin + kLocalSize > entry.end) return damaged("has a broken entry");
+    if (entry.begin + kLocalSize > entry.end) return damaged("PackedDamaged");
   }
   return directory;
 }
 
 Result<std::string> unpackEntry(std::string_view zip, const ZipEntry& entry, std::size_t most) {
-  if ((entry.flags & 1) != 0) return damaged("is encrypted");
-  if (entry.method != 0 && entry.method != 8) return damaged("is packed in an unknown way");
-  if (entry.size > most) {
-    return Error{ErrorCode::TooLarge, "the G-code in the .gcode.3mf is " + std::to_string(entry.size >> 20) +
-                                          " MiB; it must be at most " + std::to_string(most >> 20)};
-  }
-  if (number(zip, entry.begin, 4) != 0x04034b50) return damaged("has a broken entry");
+  if ((entry.flags & 1) != 0) return damaged("PackedEncrypted");
+  if (entry.method != 0 && entry.method != 8) return damaged("PackedUnknown");
+  if (entry.size > most) return fileTooLarge(toSize(entry.size), most);
+  if (number(zip, entry.begin, 4) != 0x04034b50) return damaged("PackedDamaged");
   const std::uint64_t data =
       entry.begin + kLocalSize + number(zip, entry.begin + 26, 2) + number(zip, entry.begin + 28, 2);
   if (data + entry.packed > zip.size() || entry.size > entry.packed * kBestDeflate ||
       (entry.method == 0 && entry.size != entry.packed)) {
-    return damaged("has a broken entry");
+    return damaged("PackedDamaged");
   }
   // stb_image's inflate reads 4 bytes past the end, where at least the directory follows.
-  const std::size_t begin = toSize(data);
-  const std::size_t length = toSize(entry.packed);
+  const auto begin = toSize(data);
+  const auto length = toSize(entry.packed);
   std::optional<std::string> out = entry.method == 0 ? std::string(zip.substr(begin, length))
                                                      : inflated(zip.substr(begin, length + 4), toSize(entry.size));
-  if (!out || crc32(*out) != entry.crc) return damaged("is damaged: its checksum does not fit");
+  if (!out || crc32(*out) != entry.crc) return damaged("PackedDamaged");
   return std::move(*out);
 }
 

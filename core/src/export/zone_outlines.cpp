@@ -1,9 +1,6 @@
 #include "export/zone_parts.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <map>
 #include <utility>
 

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "export/mesh.hpp"
 #include "export/zip.hpp"
 #include "export/zone_parts.hpp"
-#include "sillon/export/zones.hpp"
+#include "export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {
@@ -50,18 +52,11 @@ FlatBody flatZone(const DirectionZone& zone) {
 
 Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, double layerHeight,
                              std::optional<double> face) {
-  if (!(layerHeight >= 0.01 && layerHeight <= 2)) {
-    return Error{ErrorCode::InvalidArgument, outOfRange("layer height", layerHeight, " mm", "0.01 to 2 mm")};
-  }
-  if (body.triangles.empty()) return Error{ErrorCode::InvalidArgument, "the body has no triangles"};
-  if (std::string defect = meshDefect(body); !defect.empty()) {
-    return Error{ErrorCode::InvalidArgument, std::move(defect)};
-  }
-  if (!(std::abs(corner.x) <= kFurthest && std::abs(corner.y) <= kFurthest)) {
-    return Error{ErrorCode::InvalidArgument, "the corner of the page is not within 10000 mm of the origin"};
-  }
-  if (face && !(std::abs(*face) <= kFurthest)) {
-    return Error{ErrorCode::InvalidArgument, "the face is not within 10000 mm of the bed"};
+  if (!(layerHeight >= 0.01 && layerHeight <= 2)) return outOfRange("layerHeight", layerHeight, 0.01, 2, "mm");
+  if (body.triangles.empty()) return refusedArgument("NoTriangles");
+  if (auto defect = meshDefect(body)) return *std::move(defect);
+  for (const double place : {corner.x, corner.y, face.value_or(0)}) {
+    if (!(std::abs(place) <= kFurthest)) return outOfRange("face", place, -kFurthest, kFurthest, "mm");
   }
   Mesh mesh = body;
   std::vector<Volume> volumes{{"body", 0, body.triangles.size() - 1, {}, false}};
@@ -71,7 +66,7 @@ Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2
   for (const DirectionZone& zone : zones.zones) {
     const FlatBody& flat = flats.emplace_back(flatZone(zone));
     if (!flat.triangulation.complete || flat.triangulation.triangles.empty()) {
-      return Error{ErrorCode::TooLarge, "a zone is too entangled to cut into triangles; fewer or wider zones are not"};
+      return refused(ErrorCode::TooLarge, "ZoneEntangled");
     }
     triangles += 2 * (flat.triangulation.triangles.size() + flat.points.size());
   }

@@ -9,7 +9,7 @@
 
 #include "geometry/signed_distance.hpp"
 #include "sillon/base/run_context.hpp"
-#include "sillon/export/zones.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/geometry/shape.hpp"
 
 namespace sillon {

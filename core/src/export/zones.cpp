@@ -1,4 +1,4 @@
-#include "sillon/export/zones.hpp"
+#include "sillon/export/export.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,13 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/numbers.hpp"
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 #include "export/zone_parts.hpp"
+#include "export/zones.hpp"
+#include "geometry/outline.hpp"
 #include "input/map_defect.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "toolpath/path.hpp"
 
 namespace sillon {
 namespace {
@@ -54,23 +56,15 @@ DirectionPicture rastered(const Shape& shape, const DirectionMap& map) {
 
 Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& directions, const ZoneParams& params,
                                       const RunContext& run) {
-  if (params.most < 2 || params.most > 12) {
-    return Error{ErrorCode::InvalidArgument, outOfRange("zones", params.most, "", "2 to 12")};
-  }
-  if (!(params.least >= 0.5 && params.least <= 100)) {
-    return Error{ErrorCode::InvalidArgument, outOfRange("least zone", params.least, " mm", "0.5 to 100 mm")};
-  }
-  if (std::string bad = mapDefect("direction", directions.width, directions.height, directions.angle.size());
-      !bad.empty()) {
-    return Error{ErrorCode::InvalidArgument, std::move(bad)};
-  }
-  if (!(shape.page.x > 0 && shape.page.y > 0)) return Error{ErrorCode::EmptyShape, "the shape has no page"};
+  if (params.most < 2 || params.most > 12) return outOfRange("zones", params.most, 2, 12, "");
+  if (!(params.least >= 0.5 && params.least <= 100)) return outOfRange("leastZone", params.least, 0.5, 100, "mm");
+  if (auto bad = mapDefect("directions", directions.width, directions.height, directions.angle.size())) return *bad;
+  if (auto bad = pageDefect(shape.page)) return *bad;
   run.beginJob();
   run.beginStage("zones", 0, 1);
   const DirectionPicture picture = rastered(shape, directions);
   if (std::none_of(picture.inside.begin(), picture.inside.end(), [](char in) { return in != 0; })) {
-    return Error{ErrorCode::EmptyShape,
-                 "the shape is too small for zones; a cell of them is " + decimal(picture.grid.cell, 2) + " mm wide"};
+    return refused(ErrorCode::EmptyShape, "ZonesTooSmall", {{"cell", picture.grid.cell}});
   }
   const std::vector<double> chosen = zoneDirections(picture, params.most);
   if (run.cancelled()) return cancelledRun();

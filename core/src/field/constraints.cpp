@@ -1,8 +1,5 @@
 #include "field/fields.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 
@@ -77,44 +74,42 @@ Result<CellConstraints> cellConstraints(const SignedDistanceField& sdf, const Di
     return &directions.angle[indexOf(x, y, directions.width)];
   };
 
-  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 40.0 * grid.nx), [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const Footprint& row = rows[y];
-      const DirectionMode* const modeRow =
-          &modes.mode[indexOf(0, texelRow(grid.centre(0, y).y, page.y, modes.height), modes.width)];
-      for (int x = 0; x < grid.nx; ++x) {
-        const std::size_t i = grid.index(x, y);
-        const float distance = sdf.distance[i];
-        // Zones are bands of the exact distance (Sec. 4).
-        cells.zone[i] = distance > -0.5f * spacing ? Zone::Masked
-                        : distance > -spacing      ? Zone::Ring
-                        : distance > -shellDepth   ? Zone::Shell
-                                                   : Zone::Infill;
-        if (cells.zone[i] == Zone::Masked) continue;
-        cells.mode[i] = modeRow[modeColumn[x]];
-        // Average z = e^{2i angle}, as d and -d are the same line: their z add up and do not cancel out.
-        Vec2f sum{};
-        float total = 0;
-        if (params.mapFilter == MapFilter::Average) {
-          const Footprint& column = columns[x];
-          for (std::size_t v = 0; v < row.weight.size(); ++v) {
-            const std::uint16_t* const angle = angles(column.first, row.first + static_cast<int>(v));
-            for (std::size_t u = 0; u < column.weight.size(); ++u) {
-              const float weight = row.weight[v] * column.weight[u];
-              sum = sum + lineOf[angle[u]] * weight;
-              total += weight;
-            }
+  parallelForEach(run, grid.ny, rowGrain(run, grid.ny, 40.0 * grid.nx), [&](int y) {
+    const Footprint& row = rows[y];
+    const DirectionMode* const modeRow =
+        &modes.mode[indexOf(0, texelRow(grid.centre(0, y).y, page.y, modes.height), modes.width)];
+    for (int x = 0; x < grid.nx; ++x) {
+      const std::size_t i = grid.index(x, y);
+      const float distance = sdf.distance[i];
+      // Zones are bands of the exact distance (Sec. 4).
+      cells.zone[i] = distance > -0.5f * spacing ? Zone::Masked
+                      : distance > -spacing      ? Zone::Ring
+                      : distance > -shellDepth   ? Zone::Shell
+                                                 : Zone::Infill;
+      if (cells.zone[i] == Zone::Masked) continue;
+      cells.mode[i] = modeRow[modeColumn[x]];
+      // Average z = e^{2i angle}, as d and -d are the same line: their z add up and do not cancel out.
+      Vec2f sum{};
+      float total = 0;
+      if (params.mapFilter == MapFilter::Average) {
+        const Footprint& column = columns[x];
+        for (std::size_t v = 0; v < row.weight.size(); ++v) {
+          const std::uint16_t* const angle = angles(column.first, row.first + static_cast<int>(v));
+          for (std::size_t u = 0; u < column.weight.size(); ++u) {
+            const float weight = row.weight[v] * column.weight[u];
+            sum = sum + lineOf[angle[u]] * weight;
+            total += weight;
           }
         }
-        const float size = length(sum);
-        // Take the average if it is long enough to mean anything.
-        if (size > kNoAverage * total) {
-          cells.mapLine[i] = sum * (1 / size);
-        } else {
-          // No direction prevails: take the texel at the cell's centre.
-          const TexelIndex t = texelAt(grid.centre(x, y), page, directions.width, directions.height);
-          cells.mapLine[i] = lineOf[*angles(t.x, t.y)];
-        }
+      }
+      const float size = length(sum);
+      // Take the average if it is long enough to mean anything.
+      if (size > kNoAverage * total) {
+        cells.mapLine[i] = sum * (1 / size);
+      } else {
+        // No direction prevails: take the texel at the cell's centre.
+        const TexelIndex t = texelAt(grid.centre(x, y), page, directions.width, directions.height);
+        cells.mapLine[i] = lineOf[*angles(t.x, t.y)];
       }
     }
   });

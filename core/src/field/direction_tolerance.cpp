@@ -1,7 +1,5 @@
 #include "field/fields.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/fast_math.hpp"
@@ -81,23 +79,21 @@ Result<RelaxedDirections> relaxDirections(const LineField& asked, const std::vec
   // 1. Compare each line with the gradient of the phases around it: the angle is its turn, the size its frequency.
   std::vector<Give> give(grid.size());
   const int grain = rowGrain(run, grid.ny, 30.0 * grid.nx);
-  parallelFor(run, grid.ny, grain, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < grid.nx; ++x) {
-        const std::size_t i = grid.index(x, y);
-        Vec2f gradient;
-        if (stays(i) || !gradientAt(waves, x, y, gradient)) continue;
-        const Vec2f d = asked.direction[i];
-        const float size = length(gradient);
-        // Gradients far from that of the unit wave tell nothing about a bead.
-        if (size < 0.25f || size > 4) continue;
-        Vec2f g = gradient * (1 / size);
-        if (dot(d, g) < 0) g = -g;
-        if (dot(d, g) < kAlike) continue;
-        const float turn = asinApprox(std::clamp(cross(d, g), -1.0f, 1.0f));
-        const float log = (size - 1) - (size - 1) * (size - 1) / 2;  // series of log near 1, where it is used
-        give[i] = {std::clamp(turn, -most, most), std::clamp(size < 2 ? log : bend, -bend, bend), true};
-      }
+  parallelForEach(run, grid.ny, grain, [&](int y) {
+    for (int x = 0; x < grid.nx; ++x) {
+      const std::size_t i = grid.index(x, y);
+      Vec2f gradient;
+      if (stays(i) || !gradientAt(waves, x, y, gradient)) continue;
+      const Vec2f d = asked.direction[i];
+      const float size = length(gradient);
+      // Gradients far from that of the unit wave tell nothing about a bead.
+      if (size < 0.25f || size > 4) continue;
+      Vec2f g = gradient * (1 / size);
+      if (dot(d, g) < 0) g = -g;
+      if (dot(d, g) < kAlike) continue;
+      const float turn = asinApprox(std::clamp(cross(d, g), -1.0f, 1.0f));
+      const float log = (size - 1) - (size - 1) * (size - 1) / 2;  // series of log near 1, where it is used
+      give[i] = {std::clamp(turn, -most, most), std::clamp(size < 2 ? log : bend, -bend, bend), true};
     }
   });
   // 2. Average over the 3 x 3 neighbours that run alike, which also fills cells without a gradient.

@@ -1,9 +1,7 @@
 #include "field/fields.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
@@ -78,20 +76,16 @@ std::vector<Vec2f> smoothed(const Grid& grid, const std::vector<Vec2f>& z, const
     for (std::size_t x = 0; x < count; ++x) to[at + x] = to[at + x] + from[fromAt + x] * w;
   };
   const int grain = rowGrain(run, grid.ny, 10.0 * grid.nx);
-  parallelFor(run, grid.ny, grain, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int tap = -kReach; tap <= kReach; ++tap) {
-        const int first = std::max(0, -tap);
-        const int count = grid.nx - std::abs(tap);
-        if (count > 0) add(rows, grid.index(first, y), z, grid.index(first + tap, y), count, tap);
-      }
+  parallelForEach(run, grid.ny, grain, [&](int y) {
+    for (int tap = -kReach; tap <= kReach; ++tap) {
+      const int first = std::max(0, -tap);
+      const int count = grid.nx - std::abs(tap);
+      if (count > 0) add(rows, grid.index(first, y), z, grid.index(first + tap, y), count, tap);
     }
   });
-  parallelFor(run, grid.ny, grain, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int from = std::max(0, y - kReach); from <= std::min(grid.ny - 1, y + kReach); ++from) {
-        add(out, grid.index(0, y), rows, grid.index(0, from), grid.nx, from - y);
-      }
+  parallelForEach(run, grid.ny, grain, [&](int y) {
+    for (int from = std::max(0, y - kReach); from <= std::min(grid.ny - 1, y + kReach); ++from) {
+      add(out, grid.index(0, y), rows, grid.index(0, from), grid.nx, from - y);
     }
   });
   return out;
@@ -118,28 +112,26 @@ double boundOf(const std::vector<Vec2f>& z, const CellConstraints& cells, const 
   const Grid& grid = cells.grid;
   const double most = 0.25 / grid.cell;  // 1/(2 tau), as the cell is tau/2
   std::vector<double> sums(grid.ny, 0.0);
-  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 10.0 * grid.nx), [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < grid.nx; ++x) {
-        if (cells.zone[grid.index(x, y)] != Zone::Infill) continue;
-        const Vec2f d = z[grid.index(x, y)];
-        // t = (d_y, -d_x), so that div t is the slope of d_y along x minus that of d_x along y.
-        const auto slope = [&](int dx, int dy) {
-          Vec2f sum{};
-          double span = 0;
-          for (const int side : {-1, 1}) {
-            const int cx = x + side * dx;
-            const int cy = y + side * dy;
-            if (cx < 0 || cy < 0 || cx >= grid.nx || cy >= grid.ny) continue;
-            const Vec2f n = z[grid.index(cx, cy)];
-            if (n == Vec2f{}) continue;
-            sum = sum + (n * (dot(n, d) < 0 ? -1.0f : 1.0f) - d) * static_cast<float>(side);
-            span += grid.cell;
-          }
-          return span > 0 ? Vec2{static_cast<double>(sum.x) / span, static_cast<double>(sum.y) / span} : Vec2{};
-        };
-        sums[y] += std::min(std::abs(slope(1, 0).y - slope(0, 1).x), most);
-      }
+  parallelForEach(run, grid.ny, rowGrain(run, grid.ny, 10.0 * grid.nx), [&](int y) {
+    for (int x = 0; x < grid.nx; ++x) {
+      if (cells.zone[grid.index(x, y)] != Zone::Infill) continue;
+      const Vec2f d = z[grid.index(x, y)];
+      // t = (d_y, -d_x), so that div t is the slope of d_y along x minus that of d_x along y.
+      const auto slope = [&](int dx, int dy) {
+        Vec2f sum{};
+        double span = 0;
+        for (const int side : {-1, 1}) {
+          const int cx = x + side * dx;
+          const int cy = y + side * dy;
+          if (cx < 0 || cy < 0 || cx >= grid.nx || cy >= grid.ny) continue;
+          const Vec2f n = z[grid.index(cx, cy)];
+          if (n == Vec2f{}) continue;
+          sum = sum + (n * (dot(n, d) < 0 ? -1.0f : 1.0f) - d) * static_cast<float>(side);
+          span += grid.cell;
+        }
+        return span > 0 ? Vec2{static_cast<double>(sum.x) / span, static_cast<double>(sum.y) / span} : Vec2{};
+      };
+      sums[y] += std::min(std::abs(slope(1, 0).y - slope(0, 1).x), most);
     }
   });
   double total = 0;

@@ -9,7 +9,7 @@
 #include "geometry/signed_distance.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
-#include "sillon/field/dislocations.hpp"
+#include "sillon/base/types.hpp"
 #include "sillon/input/plate_input.hpp"
 #include "sillon/settings/project.hpp"
 
@@ -92,11 +92,6 @@ struct SineField {
   std::vector<Vec2f> wave;   ///< k = frequency times the unit direction d
   std::vector<Vec2f> phase;  ///< q, unit
 };
-
-/// Phase of i [rad, not wrapped] with which its wave agrees best with that of j: Eq. 8 at the midpoint, which is second
-/// order; the published form takes only the line of j and is first order.
-/// \param offset  p_i - p_j [mm]. \param frequency  pi/tau [rad/mm].
-float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequency);
 
 /// Aligns all waves over the hierarchy. In mode Count the ring's phase is fixed so that the first bead lies half a bead
 /// inside the border; in mode Soft the border's wave joins the sum of ring cells as one more neighbour.

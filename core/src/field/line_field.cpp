@@ -1,8 +1,5 @@
 #include "field/fields.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
@@ -122,23 +119,21 @@ void sweepColour(LineLevel& level, std::size_t colour, const RunContext& run) {
   float* re = level.re[colour].data();
   float* im = level.im[colour].data();
   const float* free = level.free[colour].data();
-  parallelFor(run, shape.py, rowGrain(run, shape.py, 6.0 * shape.px), [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < shape.px; x += 4) {
-        const std::size_t i = shape.at(x, y);
-        F4 sumRe = splat(0);
-        F4 sumIm = splat(0);
-        for (const Source& s : sources) {
-          sumRe = sumRe + splat(s.weight) * load4(s.re + i);
-          sumIm = sumIm + splat(s.weight) * load4(s.im + i);
-        }
-        // Normalise where the sum has a direction and the cell is free; all other cells keep their line.
-        const F4 size2 = sumRe * sumRe + sumIm * sumIm;
-        const I4 change = (size2 > splat(kNoLine * kNoLine)) & (load4(free + i) > splat(0));
-        const F4 scale = splat(1) / sqrt4(max4(size2, splat(kNoLine * kNoLine)));
-        store4(re + i, select4(change, sumRe * scale, load4(re + i)));
-        store4(im + i, select4(change, sumIm * scale, load4(im + i)));
+  parallelForEach(run, shape.py, rowGrain(run, shape.py, 6.0 * shape.px), [&](int y) {
+    for (int x = 0; x < shape.px; x += 4) {
+      const std::size_t i = shape.at(x, y);
+      F4 sumRe = splat(0);
+      F4 sumIm = splat(0);
+      for (const Source& s : sources) {
+        sumRe = sumRe + splat(s.weight) * load4(s.re + i);
+        sumIm = sumIm + splat(s.weight) * load4(s.im + i);
       }
+      // Normalise where the sum has a direction and the cell is free; all other cells keep their line.
+      const F4 size2 = sumRe * sumRe + sumIm * sumIm;
+      const I4 change = (size2 > splat(kNoLine * kNoLine)) & (load4(free + i) > splat(0));
+      const F4 scale = splat(1) / sqrt4(max4(size2, splat(kNoLine * kNoLine)));
+      store4(re + i, select4(change, sumRe * scale, load4(re + i)));
+      store4(im + i, select4(change, sumIm * scale, load4(im + i)));
     }
   });
 }

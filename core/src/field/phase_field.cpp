@@ -1,6 +1,5 @@
 #include "field/fields.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/fast_math.hpp"
@@ -283,9 +282,8 @@ void sweepOnce(const std::array<ColourSweep, kColours>& colours, const LevelShap
       if (y > begin) oddRow(y - 1);
     }
   });
-  parallelFor(run, (shape.py + grain - 1) / grain, 1, [&](int begin, int end) {
-    for (int band = begin; band < end; ++band) oddRow(std::min((band + 1) * grain, shape.py) - 1);
-  });
+  parallelForEach(run, (shape.py + grain - 1) / grain, 1,
+                  [&](int band) { oddRow(std::min((band + 1) * grain, shape.py) - 1); });
 }
 
 // Offset from a child's point to its parent's, in child cell sides.
@@ -305,61 +303,59 @@ Vec2f parentOffset(const PhaseLevel& fine, std::size_t colour, int px, int py, c
 PhaseLevel restricted(const PhaseLevel& fine, const Jitter& jitter, const RunContext& run) {
   const bool anchors = !fine.ar[0].empty();
   PhaseLevel coarse = makeLevel(fine.shape.coarser(), 2 * fine.step, fine.depth + 1, fine.transport, anchors);
-  parallelFor(run, fine.shape.py, rowGrain(run, fine.shape.py, 40.0 * fine.shape.px), [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < fine.shape.px; ++x) {
-        const std::size_t child = fine.shape.at(x, y);
-        Vec2f z{};
-        Vec2f any{};
-        float frequencies = 0;
-        float count = 0;
-        for (std::size_t c = 0; c < kColours; ++c) {
-          const Vec2f d = lineAt(fine, c, child);
-          if (isMasked(fine, c, child)) continue;
-          any = d;
-          z = z + lineOf(d);
-          frequencies += fine.f[c][child];
-          ++count;
+  parallelForEach(run, fine.shape.py, rowGrain(run, fine.shape.py, 40.0 * fine.shape.px), [&](int y) {
+    for (int x = 0; x < fine.shape.px; ++x) {
+      const std::size_t child = fine.shape.at(x, y);
+      Vec2f z{};
+      Vec2f any{};
+      float frequencies = 0;
+      float count = 0;
+      for (std::size_t c = 0; c < kColours; ++c) {
+        const Vec2f d = lineAt(fine, c, child);
+        if (isMasked(fine, c, child)) continue;
+        any = d;
+        z = z + lineOf(d);
+        frequencies += fine.f[c][child];
+        ++count;
+      }
+      // The parent's line and frequency.
+      if (any == Vec2f{}) continue;
+      const std::size_t colour = colourOf(x, y);
+      const std::size_t at = coarse.shape.atCell(x, y);
+      const float size = length(z);
+      Vec2f d = any;
+      if (size > 1e-6f) d = directionOf(z * (1 / size));
+      coarse.dx[colour][at] = d.x;
+      coarse.dy[colour][at] = d.y;
+      coarse.f[colour][at] = frequencies / count;
+      const Vec2f k = waveAt(coarse, colour, at);
+      // Its phase: the children's waves transported to the parent's sample point, weighted by how well lines agree.
+      Vec2f fixedSum{};
+      Vec2f anchorSum{};
+      bool fixed = false;
+      for (std::size_t c = 0; c < kColours; ++c) {
+        if (isMasked(fine, c, child)) continue;
+        const Vec2f kj = waveAt(fine, c, child);
+        const Vec2f offset = parentOffset(fine, c, x, y, jitter) * fine.step;
+        const float along = std::abs(dot(d, lineAt(fine, c, child)));
+        if (fine.free[c][child] == 0) {
+          fixed = true;
+          fixedSum =
+              fixedSum + transported(fine.transport, offset, k, kj, {fine.qr[c][child], fine.qi[c][child]}) * along;
         }
-        // The parent's line and frequency.
-        if (any == Vec2f{}) continue;
-        const std::size_t colour = colourOf(x, y);
-        const std::size_t at = coarse.shape.atCell(x, y);
-        const float size = length(z);
-        Vec2f d = any;
-        if (size > 1e-6f) d = directionOf(z * (1 / size));
-        coarse.dx[colour][at] = d.x;
-        coarse.dy[colour][at] = d.y;
-        coarse.f[colour][at] = frequencies / count;
-        const Vec2f k = waveAt(coarse, colour, at);
-        // Its phase: the children's waves transported to the parent's sample point, weighted by how well lines agree.
-        Vec2f fixedSum{};
-        Vec2f anchorSum{};
-        bool fixed = false;
-        for (std::size_t c = 0; c < kColours; ++c) {
-          if (isMasked(fine, c, child)) continue;
-          const Vec2f kj = waveAt(fine, c, child);
-          const Vec2f offset = parentOffset(fine, c, x, y, jitter) * fine.step;
-          const float along = std::abs(dot(d, lineAt(fine, c, child)));
-          if (fine.free[c][child] == 0) {
-            fixed = true;
-            fixedSum =
-                fixedSum + transported(fine.transport, offset, k, kj, {fine.qr[c][child], fine.qi[c][child]}) * along;
-          }
-          if (anchors)
-            anchorSum =
-                anchorSum + transported(fine.transport, offset, k, kj, {fine.ar[c][child], fine.ai[c][child]}) * along;
-        }
-        // A free parent's phase does not matter, as prolongation overwrites it.
-        const float sum = length(fixedSum);
-        const Vec2f q = sum > kNoPhase ? fixedSum * (1 / sum) : Vec2f{1, 0};
-        coarse.qr[colour][at] = q.x;
-        coarse.qi[colour][at] = q.y;
-        coarse.free[colour][at] = fixed ? 0.0f : 1.0f;
-        if (anchors) {
-          coarse.ar[colour][at] = anchorSum.x;
-          coarse.ai[colour][at] = anchorSum.y;
-        }
+        if (anchors)
+          anchorSum =
+              anchorSum + transported(fine.transport, offset, k, kj, {fine.ar[c][child], fine.ai[c][child]}) * along;
+      }
+      // A free parent's phase does not matter, as prolongation overwrites it.
+      const float sum = length(fixedSum);
+      const Vec2f q = sum > kNoPhase ? fixedSum * (1 / sum) : Vec2f{1, 0};
+      coarse.qr[colour][at] = q.x;
+      coarse.qi[colour][at] = q.y;
+      coarse.free[colour][at] = fixed ? 0.0f : 1.0f;
+      if (anchors) {
+        coarse.ar[colour][at] = anchorSum.x;
+        coarse.ai[colour][at] = anchorSum.y;
       }
     }
   });
@@ -368,21 +364,19 @@ PhaseLevel restricted(const PhaseLevel& fine, const Jitter& jitter, const RunCon
 
 // Gives each free child its parent's phase, transported to the child's sample point: the start of its level's sweeps.
 void prolong(const PhaseLevel& coarse, PhaseLevel& fine, const Jitter& jitter, const RunContext& run) {
-  parallelFor(run, fine.shape.py, rowGrain(run, fine.shape.py, 40.0 * fine.shape.px), [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < fine.shape.px; ++x) {
-        const std::size_t colour = colourOf(x, y);
-        const std::size_t parent = coarse.shape.atCell(x, y);
-        const std::size_t child = fine.shape.at(x, y);
-        const Vec2f kp = waveAt(coarse, colour, parent);
-        const Vec2f qp{coarse.qr[colour][parent], coarse.qi[colour][parent]};
-        for (std::size_t c = 0; c < kColours; ++c) {
-          if (fine.free[c][child] == 0) continue;
-          const Vec2f offset = parentOffset(fine, c, x, y, jitter) * -fine.step;
-          const Vec2f q = transported(fine.transport, offset, waveAt(fine, c, child), kp, qp);
-          fine.qr[c][child] = q.x;
-          fine.qi[c][child] = q.y;
-        }
+  parallelForEach(run, fine.shape.py, rowGrain(run, fine.shape.py, 40.0 * fine.shape.px), [&](int y) {
+    for (int x = 0; x < fine.shape.px; ++x) {
+      const std::size_t colour = colourOf(x, y);
+      const std::size_t parent = coarse.shape.atCell(x, y);
+      const std::size_t child = fine.shape.at(x, y);
+      const Vec2f kp = waveAt(coarse, colour, parent);
+      const Vec2f qp{coarse.qr[colour][parent], coarse.qi[colour][parent]};
+      for (std::size_t c = 0; c < kColours; ++c) {
+        if (fine.free[c][child] == 0) continue;
+        const Vec2f offset = parentOffset(fine, c, x, y, jitter) * -fine.step;
+        const Vec2f q = transported(fine.transport, offset, waveAt(fine, c, child), kp, qp);
+        fine.qr[c][child] = q.x;
+        fine.qi[c][child] = q.y;
       }
     }
   });
@@ -403,39 +397,37 @@ PhaseLevel finestLevel(const LineField& lines, const std::vector<float>& frequen
   const bool soft = params.perimeterMode == PerimeterMode::Soft;
   const bool ring = countedPerimeters(params) >= 1;
   PhaseLevel level = makeLevel(LevelShape(grid.nx, grid.ny), 0.5f * kPi, 0, params.phaseTransport, soft);
-  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 10.0 * grid.nx), [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < grid.nx; ++x) {
-        const std::size_t i = grid.index(x, y);
-        if (cells.zone[i] == Zone::Masked) continue;
-        const std::size_t colour = colourOf(x, y);
-        const std::size_t at = level.shape.atCell(x, y);
-        const Vec2f d = lines.direction[i];
-        // All phases begin at 0: only the ring says anything yet.
-        level.dx[colour][at] = d.x;
-        level.dy[colour][at] = d.y;
-        level.f[colour][at] = frequency[i];
-        level.free[colour][at] = 1;
-        level.qr[colour][at] = 1;
-        if (cells.zone[i] != Zone::Ring || !(ring || soft)) continue;
-        // The ring's wave is the border's, seen along the cell's line and from its sample point.
-        const Vec2f n = sdf.normal[i];
-        const float along = dot(d, n);
-        Vec2f q = borderPhase(sdf.distance[i], spacing);
-        if (along < 0) q.x = -q.x;  // (d, phi) = (-d, pi - phi)
-        const SinCos move = sinCos(level.step * frequency[i] * dot(jitter.at(0, x, y), d));
-        q = multiply({move.cos, move.sin}, q);
-        // Mode Count fixes it; mode Soft makes it one more neighbour, the stronger the closer the line follows the
-        // normal.
-        if (ring) {
-          level.qr[colour][at] = q.x;
-          level.qi[colour][at] = q.y;
-          level.free[colour][at] = 0;
-        } else {
-          const float weight = static_cast<float>(params.borderWeight) * std::abs(along);
-          level.ar[colour][at] = weight * q.x;
-          level.ai[colour][at] = weight * q.y;
-        }
+  parallelForEach(run, grid.ny, rowGrain(run, grid.ny, 10.0 * grid.nx), [&](int y) {
+    for (int x = 0; x < grid.nx; ++x) {
+      const std::size_t i = grid.index(x, y);
+      if (cells.zone[i] == Zone::Masked) continue;
+      const std::size_t colour = colourOf(x, y);
+      const std::size_t at = level.shape.atCell(x, y);
+      const Vec2f d = lines.direction[i];
+      // All phases begin at 0: only the ring says anything yet.
+      level.dx[colour][at] = d.x;
+      level.dy[colour][at] = d.y;
+      level.f[colour][at] = frequency[i];
+      level.free[colour][at] = 1;
+      level.qr[colour][at] = 1;
+      if (cells.zone[i] != Zone::Ring || !(ring || soft)) continue;
+      // The ring's wave is the border's, seen along the cell's line and from its sample point.
+      const Vec2f n = sdf.normal[i];
+      const float along = dot(d, n);
+      Vec2f q = borderPhase(sdf.distance[i], spacing);
+      if (along < 0) q.x = -q.x;  // (d, phi) = (-d, pi - phi)
+      const SinCos move = sinCos(level.step * frequency[i] * dot(jitter.at(0, x, y), d));
+      q = multiply({move.cos, move.sin}, q);
+      // Mode Count fixes it; mode Soft makes it one more neighbour, the stronger the closer the line follows the
+      // normal.
+      if (ring) {
+        level.qr[colour][at] = q.x;
+        level.qi[colour][at] = q.y;
+        level.free[colour][at] = 0;
+      } else {
+        const float weight = static_cast<float>(params.borderWeight) * std::abs(along);
+        level.ar[colour][at] = weight * q.x;
+        level.ai[colour][at] = weight * q.y;
       }
     }
   });
@@ -443,13 +435,6 @@ PhaseLevel finestLevel(const LineField& lines, const std::vector<float>& frequen
 }
 
 }  // namespace
-
-float alignedPhase(Vec2f offset, Vec2f di, Vec2f dj, float phaseJ, float frequency) {
-  // Eq. 8, the phase at which the difference of the two waves, Eq. 7, is least.
-  const float s = dot(di, dj) > 0 ? 1.0f : -1.0f;
-  const float along = phaseJ + 0.5f * frequency * dot(offset, dj + di * s);
-  return s > 0 ? along : kPi - along;  // opposed lines run backwards
-}
 
 Result<SineField> alignPhases(const LineField& lines, std::vector<float> frequency, const SignedDistanceField& sdf,
                               const CellConstraints& cells, const ToolpathParams& params, const RunContext& run) {
@@ -482,21 +467,19 @@ Result<SineField> alignPhases(const LineField& lines, std::vector<float> frequen
   const Grid& grid = lines.grid;
   // Back from the planes to rows, as wave vectors and unit phases.
   SineField field{grid, params.spacing, std::vector<Vec2f>(grid.size()), std::vector<Vec2f>(grid.size())};
-  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 4.0 * grid.nx), [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < grid.nx; ++x) {
-        const std::size_t colour = colourOf(x, y);
-        const std::size_t at = shape.atCell(x, y);
-        if (isMasked(finest, colour, at)) continue;
-        const std::size_t i = grid.index(x, y);
-        field.wave[i] = waveAt(finest, colour, at);
-        Vec2f q{finest.qr[colour][at], finest.qi[colour][at]};
-        if (params.seed != 0) {  // back from the moved sample point to the cell's centre
-          const SinCos move = sinCos(-finest.step * dot(jitter.at(finest.depth, x, y), field.wave[i]));
-          q = multiply({move.cos, move.sin}, q);
-        }
-        field.phase[i] = q;
+  parallelForEach(run, grid.ny, rowGrain(run, grid.ny, 4.0 * grid.nx), [&](int y) {
+    for (int x = 0; x < grid.nx; ++x) {
+      const std::size_t colour = colourOf(x, y);
+      const std::size_t at = shape.atCell(x, y);
+      if (isMasked(finest, colour, at)) continue;
+      const std::size_t i = grid.index(x, y);
+      field.wave[i] = waveAt(finest, colour, at);
+      Vec2f q{finest.qr[colour][at], finest.qi[colour][at]};
+      if (params.seed != 0) {  // back from the moved sample point to the cell's centre
+        const SinCos move = sinCos(-finest.step * dot(jitter.at(finest.depth, x, y), field.wave[i]));
+        q = multiply({move.cos, move.sin}, q);
       }
+      field.phase[i] = q;
     }
   });
   return field;

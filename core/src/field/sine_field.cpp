@@ -1,6 +1,5 @@
 #include "field/fields.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -1,6 +1,5 @@
 #include "field/fields.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/parallel_for.hpp"
@@ -43,9 +42,7 @@ CoarseGrid coarseLines(const LineField& lines, const CellConstraints& cells, boo
   CoarseGrid coarse{(grid.nx - 1) / kCoarsening + 1, (grid.ny - 1) / kCoarsening + 1, {}};
   coarse.cells.resize(cellCount(coarse.nx, coarse.ny));
   const auto forRows = [&](const auto& row) {
-    parallelFor(run, coarse.ny, rowGrain(run, coarse.ny, 100.0 * coarse.nx), [&](int begin, int end) {
-      for (int y = begin; y < end; ++y) row(y);
-    });
+    parallelForEach(run, coarse.ny, rowGrain(run, coarse.ny, 100.0 * coarse.nx), [&](int y) { row(y); });
   };
   forRows([&](int cy) {
     for (int cx = 0; cx < coarse.nx; ++cx) {
@@ -124,30 +121,28 @@ constexpr int kNeighbourY[8] = {-1, -1, -1, 0, 0, 1, 1, 1};
 // them. The pull to 0 with weight 1 / kReach² keeps the solution local.
 std::vector<Links> linksOf(const CoarseGrid& grid, const SkewedRows& rows, const RunContext& run) {
   std::vector<Links> links(rows.size());
-  parallelFor(run, rows.bands, 1, [&](int begin, int end) {
-    for (int band = begin; band < end; ++band) {
-      for (int step = 0; step < rows.steps; ++step) {
-        Links& link = links[rows.at(band, step)];
-        link.weights = splat(1 / (kReach * kReach));
-        for (int lane = 0; lane < 4; ++lane) {
-          const int x = step - 2 * lane;
-          const int y = 4 * band + lane;
-          const CoarseCell& cell = grid.at(x, y);
-          for (std::size_t k = 0; k < 8 && !masked(cell); ++k) {
-            const CoarseCell& other = grid.at(x + kNeighbourX[k], y + kNeighbourY[k]);
-            if (masked(other) || std::abs(dot(cell.direction, other.direction)) < kAlike) continue;
-            const Vec2f to{static_cast<float>(kNeighbourX[k]), static_cast<float>(kNeighbourY[k])};
-            const float size = length(to);
-            const Vec2f e = to * (1 / size);
-            const float span = size * kCell;
-            // The equation holds along the bead t only: a neighbour across the bead asks for nothing.
-            const float across = dot(cell.direction, e);
-            const float along2 = 1 - across * across;  // (t . e)²
-            const float weight = along2 * along2 / (span * span);
-            link.weight[k][lane] = weight;
-            link.target[k][lane] = 0.5f * span * dot(cell.divergence + other.divergence, e);
-            link.weights[lane] += weight;
-          }
+  parallelForEach(run, rows.bands, 1, [&](int band) {
+    for (int step = 0; step < rows.steps; ++step) {
+      Links& link = links[rows.at(band, step)];
+      link.weights = splat(1 / (kReach * kReach));
+      for (int lane = 0; lane < 4; ++lane) {
+        const int x = step - 2 * lane;
+        const int y = 4 * band + lane;
+        const CoarseCell& cell = grid.at(x, y);
+        for (std::size_t k = 0; k < 8 && !masked(cell); ++k) {
+          const CoarseCell& other = grid.at(x + kNeighbourX[k], y + kNeighbourY[k]);
+          if (masked(other) || std::abs(dot(cell.direction, other.direction)) < kAlike) continue;
+          const Vec2f to{static_cast<float>(kNeighbourX[k]), static_cast<float>(kNeighbourY[k])};
+          const float size = length(to);
+          const Vec2f e = to * (1 / size);
+          const float span = size * kCell;
+          // The equation holds along the bead t only: a neighbour across the bead asks for nothing.
+          const float across = dot(cell.direction, e);
+          const float along2 = 1 - across * across;  // (t . e)²
+          const float weight = along2 * along2 / (span * span);
+          link.weight[k][lane] = weight;
+          link.target[k][lane] = 0.5f * span * dot(cell.divergence + other.divergence, e);
+          link.weights[lane] += weight;
         }
       }
     }
@@ -218,49 +213,47 @@ Result<std::vector<float>> spacingField(const LineField& lines, const CellConstr
 
   // Bilinear interpolation of u between the unmasked coarse cells, the same four for each four cells of a row; then e^u
   // by its series, as |u| <= 1/2.
-  parallelFor(run, grid.ny, rowGrain(run, grid.ny, 8.0 * grid.nx), [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const int y0 = (y + kCoarsening / 2) / kCoarsening - 1;
-      const float gy = (static_cast<float>(y) + 0.5f) / kCoarsening - 0.5f;
-      for (int x = -kCoarsening / 2; x < grid.nx; x += kCoarsening) {
-        const int x0 = (x + kCoarsening / 2) / kCoarsening - 1;
-        Vec2f d[kCoarsening] = {};
-        F4 dx = splat(0);
-        F4 dy = splat(0);
-        F4 gx = splat(0);
-        for (int k = 0; k < kCoarsening; ++k) {
-          gx[k] = (static_cast<float>(x + k) + 0.5f) / kCoarsening - 0.5f;
-          if (x + k < 0 || x + k >= grid.nx) continue;
-          d[k] = lines.direction[grid.index(x + k, y)];
-          dx[k] = d[k].x;
-          dy[k] = d[k].y;
-        }
-        // Coarse cells whose line disagrees with a cell's have no say in it.
-        F4 sum = splat(0);
-        F4 weights = splat(0);
-        for (int k = 0; k < 4; ++k) {
-          const int cx = x0 + (k & 1);
-          const int cy = y0 + (k >> 1);
-          const CoarseCell& cell = coarse.at(cx, cy);
-          if (masked(cell)) continue;
-          const F4 agreement = splat(cell.direction.x) * dx + splat(cell.direction.y) * dy;
-          const F4 near =
-              (splat(1) - abs4(gx - splat(static_cast<float>(cx)))) * splat(1 - std::abs(gy - static_cast<float>(cy)));
-          const F4 weight = select4(agreement * agreement < splat(kAlike * kAlike), splat(0), near);
-          sum = sum + weight * splat(u[indexOf(cx, cy, coarse.nx)]);
-          weights = weights + weight;
-        }
-        const F4 v = sum / weights;
-        // Horner's scheme; five terms.
-        const F4 e =
-            splat(1) +
-            v * (splat(1) +
-                 v / splat(2) * (splat(1) + v / splat(3) * (splat(1) + v / splat(4) * (splat(1) + v / splat(5)))));
-        for (int k = 0; k < kCoarsening; ++k) {
-          if (d[k] == Vec2f{} || weights[k] <= 0) continue;
-          const std::size_t i = grid.index(x + k, y);
-          if (!(ring && cells.zone[i] == Zone::Ring)) frequency[i] = e[k];
-        }
+  parallelForEach(run, grid.ny, rowGrain(run, grid.ny, 8.0 * grid.nx), [&](int y) {
+    const int y0 = (y + kCoarsening / 2) / kCoarsening - 1;
+    const float gy = (static_cast<float>(y) + 0.5f) / kCoarsening - 0.5f;
+    for (int x = -kCoarsening / 2; x < grid.nx; x += kCoarsening) {
+      const int x0 = (x + kCoarsening / 2) / kCoarsening - 1;
+      Vec2f d[kCoarsening] = {};
+      F4 dx = splat(0);
+      F4 dy = splat(0);
+      F4 gx = splat(0);
+      for (int k = 0; k < kCoarsening; ++k) {
+        gx[k] = (static_cast<float>(x + k) + 0.5f) / kCoarsening - 0.5f;
+        if (x + k < 0 || x + k >= grid.nx) continue;
+        d[k] = lines.direction[grid.index(x + k, y)];
+        dx[k] = d[k].x;
+        dy[k] = d[k].y;
+      }
+      // Coarse cells whose line disagrees with a cell's have no say in it.
+      F4 sum = splat(0);
+      F4 weights = splat(0);
+      for (int k = 0; k < 4; ++k) {
+        const int cx = x0 + (k & 1);
+        const int cy = y0 + (k >> 1);
+        const CoarseCell& cell = coarse.at(cx, cy);
+        if (masked(cell)) continue;
+        const F4 agreement = splat(cell.direction.x) * dx + splat(cell.direction.y) * dy;
+        const F4 near =
+            (splat(1) - abs4(gx - splat(static_cast<float>(cx)))) * splat(1 - std::abs(gy - static_cast<float>(cy)));
+        const F4 weight = select4(agreement * agreement < splat(kAlike * kAlike), splat(0), near);
+        sum = sum + weight * splat(u[indexOf(cx, cy, coarse.nx)]);
+        weights = weights + weight;
+      }
+      const F4 v = sum / weights;
+      // Horner's scheme; five terms.
+      const F4 e =
+          splat(1) +
+          v * (splat(1) +
+               v / splat(2) * (splat(1) + v / splat(3) * (splat(1) + v / splat(4) * (splat(1) + v / splat(5)))));
+      for (int k = 0; k < kCoarsening; ++k) {
+        if (d[k] == Vec2f{} || weights[k] <= 0) continue;
+        const std::size_t i = grid.index(x + k, y);
+        if (!(ring && cells.zone[i] == Zone::Ring)) frequency[i] = e[k];
       }
     }
   });

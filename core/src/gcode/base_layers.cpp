@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
-#include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "gcode/layout.hpp"
 #include "gcode_reader/coverage.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "geometry/outline.hpp"
 
 namespace sillon {
 namespace {
@@ -116,9 +115,8 @@ std::optional<Error> addBaseLayers(GcodeJob& job, const Shape& body, PointUm off
     }
     job.bases[k] = basePaths(body, offset, printer, params, loops.value(), static_cast<int>(k), 0);
     if (job.bases[k].empty()) {
-      return Error{ErrorCode::InvalidArgument, "base is " + std::to_string(params.base) +
-                                                   ", but the shape is too thin for lines of " +
-                                                   decimal(printer.nozzle, 3) + " mm; it must be 0 here"};
+      return refusedArgument("TooThinFor",
+                             {{"setting", "print.base"}, {"value", params.base}, {"width", printer.nozzle}});
     }
     const bool printed = k == 1 || !firstIsSmaller || params.base > 2;
     if (printed) least = std::min(least, cover.shareOf(job.bases[k], 0));

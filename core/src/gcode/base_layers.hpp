@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "gcode/job.hpp"
+#include "geometry/outline.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/geometry/outline.hpp"
 #include "sillon/geometry/shape.hpp"
 
 namespace sillon {

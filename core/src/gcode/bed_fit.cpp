@@ -1,10 +1,7 @@
 #include "gcode/layout.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
-
-#include "printer/bed.hpp"
 
 namespace sillon {
 namespace {

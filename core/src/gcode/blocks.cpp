@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "base/lines.hpp"
 #include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "gcode/layout.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/macros.hpp"
@@ -20,13 +20,6 @@ namespace {
 
 constexpr double kHotEnough = 20;  // [degrees Celsius], shortfall at which a nozzle still counts as hot
 constexpr double kNozzleBody = 2;  // [mm], half width of the nozzle's tip; more than any bead's half width
-
-std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
-
-// Turns a warning into an error, for faults that are refused.
-std::optional<Error> refusal(const Warning& warning) {
-  return Error{ErrorCode::InvalidArgument, warning.message, warningName(warning.code), warning.values};
-}
 
 // Warns of a block that moves below what stands on the bed. \param height  height of that [mm].
 void warnLow(GcodeJob& job, const std::string& block, const GcodeCheck& check, double height) {
@@ -58,7 +51,7 @@ std::optional<Error> checkBreaks(const std::string& block, const char* name) {
     const std::string_view next = std::string_view(block).substr(at + 2, 2);
     if (next.size() == 2 && std::string_view("GMT").find(next[0]) != std::string_view::npos && next[1] >= '0' &&
         next[1] <= '9') {
-      return invalid(std::string(name) + " has line breaks written as \\n; each command must be on a line of its own");
+      return refusedArgument("BreaksWritten", {{"block", name}});
     }
   }
   return std::nullopt;
@@ -73,11 +66,11 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
   const GcodeCheck check = checkGcode(block, printer);
   // Above another print Z may be known from that print, and homing Z could drive the nozzle into it.
   const bool homes = params.startHeight > 0 ? check.homesPlane : check.homes;
-  if (!homes) return invalid("startGcode does not home; it must have G28 or a start macro");
+  if (!homes) return refusedArgument("NotHomed");
   job.startRetracted = check.retracted;
   job.otherHotTools = check.otherHotTools;
   job.hotChamber = check.chamberTarget > 0;
-  if (check.firmwareRetracted) return invalid("startGcode draws filament back by G10; it must give it back by G11");
+  if (check.firmwareRetracted) return refusedArgument("DrawnBack");
   // Many blocks level the bed with a nozzle too cold to drip; firmwares refuse to move filament then.
   job.hotStart = check.nozzleReady >= std::max(kColdest, printer.firstLayerNozzleTemperature - kHotEnough);
   // The block extrudes at its own temperature; the job's is written only behind it.
@@ -90,7 +83,7 @@ std::optional<Error> checkStart(const std::string& block, const Printer& printer
     if (finding.line == 0) continue;  // findings about whole files
     const Warning warning = lineWarning(WarningCode::StartLine, finding.line, finding);
     const bool elsewhere = finding.code == "origin-shift";  // the plate would move with the origin
-    if (isDangerous(finding) || elsewhere || (finding.error && !trusted)) return refusal(warning);
+    if (isDangerous(finding) || elsewhere || (finding.error && !trusted)) return refusalOf(warning);
     if (isWorthALook(finding)) job.warnings.push_back(warning);
   }
   return std::nullopt;
@@ -143,11 +136,11 @@ std::optional<Error> checkLow(const std::string& block, Vec2 from, double z, con
       const double share = static_cast<double>(k) / kPieces;
       const double height = move->zFrom + share * (move->z - move->zFrom);
       if (height >= plate.height - 1e-9 || !near.holds(move->from + share * (move->to - move->from))) continue;
-      refused = refusal({WarningCode::EndLine,
-                         {{"line", static_cast<double>(line.number)},
-                          {"what", "goes down to Z " + decimal(move->z, 3) + " over the plate, which is " +
-                                       decimal(plate.height, 3) + " mm high; it must rise or go aside"},
-                          {"rule", std::string("height")}}});
+      refused = refusalOf({WarningCode::EndLine,
+                           {{"line", static_cast<double>(line.number)},
+                            {"what", "goes down to Z " + decimal(move->z, 3) + " over the plate, which is " +
+                                         decimal(plate.height, 3) + " mm high; it must rise or go aside"},
+                            {"rule", std::string("height")}}});
       return;
     }
   });
@@ -187,7 +180,7 @@ std::optional<Error> checkEnd(const std::string& block, Vec2 from, double height
     const Warning warning = lineWarning(WarningCode::EndLine, finding.line - lines, finding);
     const bool fault = finding.error && (finding.rule == "bounds" || finding.rule == "grammar");
     if (isDangerous(finding) || (fault && printer.flavor != GcodeFlavor::Bambu)) {
-      return refusal(warning);
+      return refusalOf(warning);
     }
     if (finding.error || isWorthALook(finding)) job.warnings.push_back(warning);
   }
@@ -231,6 +224,10 @@ bool isOfProfile(const std::string& block) {
 
 }  // namespace
 
+Error refusalOf(const Warning& warning) {
+  return {ErrorCode::InvalidArgument, warning.message, warningName(warning.code), warning.values};
+}
+
 bool setsPressureAdvance(std::string_view block) {
   bool sets = false;
   while (!block.empty()) {
@@ -258,26 +255,22 @@ bool primesItself(const Printer& printer, const PrintParams& params, const Bound
   if (printer.startGcode.empty()) return false;
   if (printer.flavor == GcodeFlavor::Bambu) return true;
   const Result<std::string> start =
-      expandTemplate(printer.startGcode, templateValues(printer, params, beads), "startGcode");
+      expandTemplate(printer.startGcode, templateValues(printer, params, beads), "printer.startGcode");
   return start && checkGcode(start.value(), printer).filamentMm > 0;
 }
 
 std::optional<Error> addBlocks(GcodeJob& job, Bounds beads, Vec2 last, const Printer& printer,
                                const PrintParams& params) {
-  if (printer.flavor == GcodeFlavor::Bambu && printer.startGcode.empty()) {
-    return invalid(
-        "startGcode is empty; Bambu printers need the start block of a file that their own slicer made: "
-        "sillon import cube.gcode.3mf > mine.json reads it");
-  }
+  if (printer.flavor == GcodeFlavor::Bambu && printer.startGcode.empty()) return refusedArgument("BambuStart");
   // Its height includes zOffset, because blocks are written in the printer's own Z.
   const Standing plate{beads, layerTop(params, layerCount(params) - 1) + printer.zOffset};
   for (const BeadPath& path : job.skirt) addBeads(beads, path);
-  if (auto error = checkBreaks(printer.startGcode, "startGcode")) return error;
-  if (auto error = checkBreaks(printer.endGcode, "endGcode")) return error;
+  if (auto error = checkBreaks(printer.startGcode, "printer.startGcode")) return error;
+  if (auto error = checkBreaks(printer.endGcode, "printer.endGcode")) return error;
   const std::vector<TemplateValue> values = templateValues(printer, params, beads);
-  Result<std::string> start = expandTemplate(printer.startGcode, values, "startGcode");
+  Result<std::string> start = expandTemplate(printer.startGcode, values, "printer.startGcode");
   if (!start) return start.error();
-  Result<std::string> end = expandTemplate(printer.endGcode, values, "endGcode");
+  Result<std::string> end = expandTemplate(printer.endGcode, values, "printer.endGcode");
   if (!end) return end.error();
   if (!printer.startGcode.empty()) {
     if (auto error = checkStart(start.value(), printer, params, job)) return error;

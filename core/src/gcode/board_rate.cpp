@@ -1,7 +1,6 @@
 #include "gcode/motion.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace sillon {
 namespace {

@@ -1,6 +1,5 @@
 #include "gcode/file_comments.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -12,7 +11,7 @@
 #include "gcode_reader/file_settings.hpp"
 #include "printer/bed.hpp"
 #include "printer/dialect.hpp"
-#include "sillon/base/version.hpp"
+#include "sillon/base/words.hpp"
 
 namespace sillon {
 namespace {

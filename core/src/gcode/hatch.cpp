@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sillon/geometry/outline.hpp"
+#include "geometry/outline.hpp"
+#include "geometry/shape_points.hpp"
 
 namespace sillon {
 namespace {

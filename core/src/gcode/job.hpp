@@ -19,6 +19,9 @@
 
 namespace sillon {
 
+/// Turns a warning into an error, for faults that are refused.
+Error refusalOf(const Warning& warning);
+
 // The job that is ready to be written, and the heights of its layers.
 
 inline constexpr double kLeastBead = 0.6;   ///< [nozzle]; thinner beads tear

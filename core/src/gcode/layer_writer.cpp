@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "base/numbers.hpp"
 #include "gcode/base_layers.hpp"
-#include "gcode/file_comments.hpp"
 #include "printer/dialect.hpp"
 #include "sillon/settings/presets.hpp"
 
@@ -30,7 +28,7 @@ void LayerWriter::write(const FileLayer& layer) {
     rimEnd_ = nullptr;
     if (layer.copy > 0) endObject(nozzle_.out(), job_, printer_.flavor, layer.copy - 1);
     nozzle_.standAt(job_.copies[layer.copy]);
-    if (layer.copy > 0) nozzle_.passOver(layerTop(params_, layerCount(params_) - 1));
+    if (layer.copy > 0) nozzle_.clearNextApproach(layerTop(params_, layerCount(params_) - 1));
   }
   setMachine(layer);
   if (begins) {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "base/numbers.hpp"
 #include "base/refused.hpp"
-#include "sillon/base/result.hpp"
 
 namespace sillon {
 namespace {
@@ -112,10 +110,7 @@ std::optional<Error> placeCycles(const Toolpath& toolpath, PointUm offset, doubl
       path.widths.pop_back();
     }
     const std::size_t count = path.points.size();
-    if (count < 3) {
-      return Error{ErrorCode::InvalidArgument, "cycle " + std::to_string(c) + " (from 0) has " + std::to_string(count) +
-                                                   " different points at 0.001 mm; it must have at least 3"};
-    }
+    if (count < 3) return refusedArgument("FewPoints", {{"cycle", c}, {"points", count}});
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t next = i + 1 < count ? i + 1 : 0;
       const double piece = lengthMm(path.points[next] - path.points[i]);
@@ -174,11 +169,11 @@ std::optional<Error> checkFit(const Bounds& box, const Shape& outline, Vec2 shif
   for (const PointUm copy : job.copies) {
     if (printer.roundBed) overhang = std::max(overhang, overhangOf(outline, shift + mm(copy), job, copy, bed));
     if (bed.hasZone() && overhang <= kSlack && touchesZone(outline, shift + mm(copy), job, copy, bed)) {
-      return refused(ErrorCode::DoesNotFit, reason::kOnExcludedZone);
+      return refused(ErrorCode::DoesNotFit, "OnExcludedZone");
     }
   }
   if (overhang > kSlack) {
-    return refused(ErrorCode::DoesNotFit, reason::kOverRoundBed, {{"by", std::max(overhang, 0.001)}});
+    return refused(ErrorCode::DoesNotFit, "OverRoundBed", {{"by", std::max(overhang, 0.001)}});
   }
   return std::nullopt;
 }

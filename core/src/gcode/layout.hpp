@@ -1,7 +1,6 @@
 // Plates on the bed: their place, copies and seams.
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,7 +1,6 @@
 #include "gcode/nozzle.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "base/numbers.hpp"
@@ -22,7 +21,7 @@ void Nozzle::moveZ(double z) {
   z_ = target;
   out_ << "G1 Z";
   out_.scaled(target + zOffset_, 3);
-  feedrate(static_cast<std::int64_t>(kLiftSpeed * 60));
+  endMove(static_cast<std::int64_t>(kLiftSpeed * 60));
 }
 
 void Nozzle::travel(PointUm target, double speed) {
@@ -35,7 +34,7 @@ void Nozzle::moveTo(PointUm target, double speed) {
   out_ << "G1 X";
   out_.scaled(target.x, 3) << " Y";
   out_.scaled(target.y, 3);
-  feedrate(std::llround(speed * 60));
+  endMove(std::llround(speed * 60));
 }
 
 MotionLimits Nozzle::machineLimits() const {
@@ -47,7 +46,7 @@ MotionLimits Nozzle::machineLimits() const {
 }
 
 // Writes the number after E, absolute or relative. \param amount  [0.00001 mm]
-void Nozzle::extrude(std::int64_t amount) {
+void Nozzle::writeE(std::int64_t amount) {
   e_ += amount;
   out_.scaled(printer_.absoluteE ? e_ : amount, 5);
 }
@@ -58,8 +57,8 @@ void Nozzle::filamentMove(double length) {
   if (amount == 0) return;
   seconds_ += std::abs(length) / printer_.retractSpeed;
   out_ << "G1 E";
-  extrude(amount);
-  feedrate(std::llround(printer_.retractSpeed * 60));
+  writeE(amount);
+  endMove(std::llround(printer_.retractSpeed * 60));
 }
 
 void Nozzle::retract() {
@@ -130,9 +129,9 @@ void Nozzle::wipe(const std::vector<PointUm>& points, double speed, double retra
     out_ << "G1 X";
     out_.scaled(at_.x, 3) << " Y";
     out_.scaled(at_.y, 3) << " E";
-    extrude(drawn - due);
+    writeE(drawn - due);
     drawn = due;
-    feedrate(std::llround(speed * 60));
+    endMove(std::llround(speed * 60));
   }
   if (draws) retracted_ = printer_.retractLength;
   seconds_ += travelSeconds(points, speed, machineLimits());
@@ -150,9 +149,9 @@ void Nozzle::bead(const Motion& motion, double flow, double height) {
     out_ << "G1 X";
     out_.scaled(to.x, 3) << " Y";
     out_.scaled(to.y, 3) << " E";
-    extrude(due - filamentWritten_);
+    writeE(due - filamentWritten_);
     filamentWritten_ = due;
-    feedrate(motion.feedrates[i]);
+    endMove(motion.feedrates[i]);
     seconds_ += motion.seconds[i];
     if (seconds_ >= nextProgress_) progress();
     if (out_.failed()) return;
@@ -162,7 +161,7 @@ void Nozzle::bead(const Motion& motion, double flow, double height) {
     out_ << "G1 X";
     out_.scaled(to.x, 3) << " Y";
     out_.scaled(to.y, 3);
-    feedrate(motion.feedrates[i]);
+    endMove(motion.feedrates[i]);
     seconds_ += motion.seconds[i];
   }
   if (silent_) seconds_ += motion.totalSeconds;
@@ -176,8 +175,8 @@ void Nozzle::fan(double percent) {
   out_ << "M106 S" << std::to_string(value) << "\n";
 }
 
-// Ends a move. F is modal, so it is written only when it changes.
-void Nozzle::feedrate(std::int64_t mmPerMin) {
+// F is modal, so it is written only when it changes.
+void Nozzle::endMove(std::int64_t mmPerMin) {
   if (mmPerMin != feedrate_) {
     feedrate_ = mmPerMin;
     out_ << " F";

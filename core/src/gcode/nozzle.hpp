@@ -1,4 +1,4 @@
-// The nozzle from move to move: its text, place, filament and time. Every path is timed from rest to rest.
+// Writes the moves of the nozzle as G-code, and tracks its place, filament and time. Each path starts and ends at rest.
 #pragma once
 
 #include <cmath>
@@ -29,14 +29,18 @@ class Nozzle {
 
   /// Moves straight up or down to a height above the bed [mm]. The printer's zOffset is added in the text only.
   void moveZ(double z);
+  /// Moves at the present height without filament. \param speed  [mm/s].
   void travel(PointUm target, double speed);
   /// Travels above all that stands in the way, goes down to a layer and brings the filament back to the tip.
   /// \param way  places on the first copy, the last one where a bead begins. \param top  top of the layer [mm].
   void approach(const std::vector<PointUm>& way, double top);
-  /// Lays one path of beads of the first copy, from its first point. \param height  height of the layer [mm].
+  /// Lays a path and moves to its end.
+  /// \param motion  path in the coordinates of the first copy; the nozzle prints it shifted to the chosen copy.
+  /// \param height  height of the layer [mm].
   void bead(const Motion& motion, double flow, double height);
   /// Retracts, wipes back along the path and lifts, so that the nozzle leaves the plate clean and never crosses it low.
-  /// \param retractOnTheWay  retracts while it wipes, because it would leave a dot standing still.
+  /// \param retractOnTheWay  true: retracts while wiping, because a nozzle that stood still to retract would leave a
+  /// dot.
   void leave(const Motion& motion, double speed, double top, bool retractOnTheWay = false);
   /// Retracts by what is missing from the printer's retraction; a start block may have drawn back some already.
   void retract();
@@ -47,12 +51,12 @@ class Nozzle {
   /// Sets an absolute E axis back to 0, because firmwares count it in 32-bit floats, which lose digits as it grows.
   void restartAxis();
 
-  /// Makes the next travel pass over plates of this height [mm].
-  void passOver(double height) { clearance_ = height; }
+  /// Makes the next approach() stay above this height [mm]; approach() adds the lift. travel() ignores it.
+  void clearNextApproach(double height) { clearance_ = height; }
   /// Chooses the copy that is printed. \param shift  from the first copy to that one.
   void standAt(PointUm shift) { shift_ = shift; }
   /// Notes that filament is drawn back already. \param length  [mm of filament].
-  void isRetracted(double length) { retracted_ = length; }
+  void noteRetracted(double length) { retracted_ = length; }
   /// Drops the residue of filament that rounding left, so that what follows begins without it.
   void dropResidue() { filament_ = filamentMm(); }
 
@@ -68,9 +72,10 @@ class Nozzle {
  private:
   void moveTo(PointUm target, double speed);
   void wipe(const std::vector<PointUm>& points, double speed, double retraction);
-  void extrude(std::int64_t amount);
+  void writeE(std::int64_t amount);
   void filamentMove(double length);
-  void feedrate(std::int64_t mmPerMin);
+  /// Writes F if it changed, ends the line and counts the move.
+  void endMove(std::int64_t mmPerMin);
 
   const Printer& printer_;
   ChunkedOutput out_;
@@ -82,7 +87,7 @@ class Nozzle {
   double nextProgress_ = 0;  // time of the next M73 [s]
   PointUm at_;
   PointUm shift_;                     // offset of the printed copy from the first one
-  double clearance_ = 0;              // [mm], height of the plates that the next travel passes over
+  double clearance_ = 0;              // height above which the next approach() stays [mm]
   std::int64_t z_ = -1;               // [µm]; -1: not known yet
   std::int64_t feedrate_ = 0;         // [mm/min]
   double retracted_ = 0;              // filament drawn back [mm]

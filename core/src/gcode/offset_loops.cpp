@@ -6,7 +6,6 @@
 #include "geometry/signed_distance.hpp"
 #include "geometry/straightened.hpp"
 #include "sillon/base/run_context.hpp"
-#include "sillon/geometry/outline.hpp"
 #include "toolpath/path.hpp"
 
 namespace sillon {

@@ -1,14 +1,12 @@
 #include "gcode/job.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 #include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "gcode/base_layers.hpp"
 #include "gcode/blocks.hpp"
 #include "gcode/layout.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "quality/measured_parts.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/quality/metrics.hpp"
 
 namespace sillon {
@@ -16,8 +14,6 @@ namespace {
 
 constexpr double kMinFlowSpeed = 5;  // [mm/s]; a hot end that allows less is too small for the job
 constexpr double kMinArea = 1e-6;    // [mm²]; a smaller area is rounding
-
-std::optional<Error> invalid(std::string message) { return Error{ErrorCode::InvalidArgument, std::move(message)}; }
 
 // Checks that the hot end can melt the widest bead at a speed worth printing.
 std::optional<Error> checkFlow(const GcodeJob& job, const Printer& printer, const PrintParams& params) {
@@ -39,8 +35,7 @@ std::optional<Error> checkFlow(const GcodeJob& job, const Printer& printer, cons
     area = std::max(area, params.baseFlow * height * printer.nozzle);
   area *= printer.filamentFlow;
   if (printer.maxFlow >= kMinFlowSpeed * area) return std::nullopt;
-  return invalid("maxFlow is " + decimal(printer.maxFlow, 3) + " mm3/s; beads of " + decimal(area, 4) +
-                 " mm2 need at least " + decimal(kMinFlowSpeed * area, 3) + " to print at 5 mm/s");
+  return refusedArgument("FlowTooLow", {{"flow", printer.maxFlow}, {"section", area}, {"least", kMinFlowSpeed * area}});
 }
 
 // Warns of a print on the bed: there is no skirt and no purge line, because the nozzle must not go down to the bed.
@@ -71,8 +66,7 @@ Result<std::vector<BeadPath>> bedCycles(const Toolpath& given, const Shape& give
   }
   const Toolpath toolpath = turn.none() ? flipped : turn.apply(flipped);
   if (const std::int64_t outside = countOutside(toolpath, inside); outside > 0) {
-    return *invalid("showSide is both, but the shape is not its own mirror image: " + std::to_string(outside) +
-                    " points of the path would lie outside; it must be up or bed here");
+    return refusedArgument("NotMirrored", {{"points", outside}});
   }
   PlacedCycles placedCycles;
   if (auto error = placeCycles(toolpath, offset, printer.nozzle, placedCycles)) return *error;
@@ -183,7 +177,7 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Toolpath* across, 
   const Toolpath& toolpath = turn.none() ? given : turn.apply(given);
   const Shape& shape = turn.none() ? givenShape : turn.apply(givenShape);
   const Bounds shapeBox = bounds(shape);
-  if (shapeBox.empty()) return Error{ErrorCode::EmptyShape, "the shape has no points; there is nothing to print"};
+  if (shapeBox.empty()) return refused(ErrorCode::EmptyShape, "NoArea");
 
   GcodeJob job;
   job.spacing = toolpath.spacing;
@@ -209,8 +203,7 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Toolpath* across, 
     outside = countOutside(turned, inside);
   }
   if (auto error = checkFlow(job, printer, params)) return *error;
-  if (!(inside.area > kMinArea))
-    return Error{ErrorCode::EmptyShape, "the shape has no area; there is nothing to print"};
+  if (!(inside.area > kMinArea)) return refused(ErrorCode::EmptyShape, "NoArea");
   if (params.showSide == ShowSide::Both) {
     Result<std::vector<BeadPath>> onBed = bedCycles(given, givenShape, turn, inside, offset, printer);
     if (!onBed) return onBed.error();
@@ -237,15 +230,15 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Toolpath* across, 
   if (outside > 0) {
     const Warning warning{WarningCode::OutsideShape, {{"n", static_cast<double>(outside)}}};
     if (params.strict) {
-      return Error{ErrorCode::InvalidArgument, warning.message + "; strict refuses that", warningName(warning.code),
-                   warning.values};
+      Error error = refusalOf(warning);
+      error.message += "; print.strict refuses that";
+      return error;
     }
     job.warnings.push_back(warning);
   }
   if (params.strict) {
     if (const std::int64_t crossings = countCrossings(toolpath); crossings > 0) {
-      return *invalid("the path crosses itself " + std::to_string(crossings) + (crossings == 1 ? " time" : " times") +
-                      "; strict refuses that");
+      return refusedArgument("CrossesItself", {{"times", crossings}});
     }
   }
   markSeams(job.cycles, offset, shape, inside, job.spacing);
@@ -261,10 +254,9 @@ Result<GcodeJob> prepareGcodeJob(const Toolpath& given, const Toolpath* across, 
 Result<GcodeJob> preparePatchJob(const PatchPlate& plate, const Printer& printer, const PrintParams& params) {
   if (auto error = checkPatchInput(plate, printer, params)) return *error;
   const Bounds shapeBox = bounds(plate.shape);
-  if (shapeBox.empty()) return Error{ErrorCode::EmptyShape, "the shape has no points; there is nothing to print"};
+  if (shapeBox.empty()) return refused(ErrorCode::EmptyShape, "NoArea");
   const ShapeScan inside = scanShape(plate.shape, shapeBox);
-  if (!(inside.area > kMinArea))
-    return Error{ErrorCode::EmptyShape, "the shape has no area; there is nothing to print"};
+  if (!(inside.area > kMinArea)) return refused(ErrorCode::EmptyShape, "NoArea");
 
   GcodeJob job;
   job.spacing = printer.nozzle;
@@ -278,8 +270,7 @@ Result<GcodeJob> preparePatchJob(const PatchPlate& plate, const Printer& printer
       BeadPath path;
       for (std::size_t i = 0; i < line.points.size(); ++i) {
         if (!holds(inside, line.points[i])) {
-          return *invalid("a patch has a point at (" + decimal(line.points[i].x, 3) + ", " +
-                          decimal(line.points[i].y, 3) + ") mm, outside the shape that carries it");
+          return refusedArgument("PatchOutside", {{"x", line.points[i].x}, {"y", line.points[i].y}});
         }
         const PointUm point = rounded(line.points[i]) + offset;
         if (!path.points.empty() && path.points.back() == point) continue;
@@ -287,7 +278,7 @@ Result<GcodeJob> preparePatchJob(const PatchPlate& plate, const Printer& printer
         path.points.push_back(point);
         path.widths.push_back(line.widths[i]);
       }
-      if (path.points.size() < 2) return *invalid("a patch has a line of no length");
+      if (path.points.size() < 2) return refusedArgument("NoLength");
       placedPatch.paths.push_back(std::move(path));
     }
     job.patches.push_back(std::move(placedPatch));

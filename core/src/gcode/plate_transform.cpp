@@ -1,8 +1,7 @@
 #include "gcode/layout.hpp"
 
-#include <cmath>
-
 #include "base/fast_math.hpp"
+#include "geometry/shape_points.hpp"
 
 namespace sillon {
 namespace {

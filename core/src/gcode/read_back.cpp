@@ -1,8 +1,8 @@
 #include "gcode/read_back.hpp"
 
 #include <algorithm>
-#include <optional>
 
+#include "base/refused.hpp"
 #include "gcode/job.hpp"
 #include "gcode/layout.hpp"
 #include "gcode_reader/machine.hpp"
@@ -96,11 +96,7 @@ Result<Toolpath> readBack(std::string_view gcode, const Shape& shape, const Prin
     if (oriented && move && move->e > 0 && move->length > 0) layer.add(*move);
   });
   Toolpath toolpath = layer.finish();
-  if (toolpath.cycles.empty()) {
-    return Error{ErrorCode::InvalidFile,
-                 "the G-code has no oriented layer on this page; it must be one that was "
-                 "written with these settings"};
-  }
+  if (toolpath.cycles.empty()) return refusedFile("NotOriented");
   return toolpath;
 }
 

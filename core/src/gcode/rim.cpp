@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "gcode/base_layers.hpp"
 #include "gcode/layout.hpp"
 
@@ -175,9 +175,7 @@ std::optional<Error> addRim(GcodeJob& job, const Shape& body, PointUm offset, co
   }
   job.rim = byBorder(std::move(paths), line);
   if (!job.rim.empty()) return std::nullopt;
-  return Error{ErrorCode::InvalidArgument, "print.rim is " + std::to_string(params.rim) +
-                                               ", but the shape is too thin for lines of " + decimal(line, 3) +
-                                               " mm; it must be 0 here"};
+  return refusedArgument("TooThinFor", {{"setting", "print.rim"}, {"value", params.rim}, {"width", line}});
 }
 
 }  // namespace sillon

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "geometry/outline.hpp"
+
 namespace sillon {
 namespace {
 

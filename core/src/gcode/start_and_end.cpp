@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/numbers.hpp"
 #include "gcode/file_comments.hpp"
@@ -17,9 +16,9 @@ namespace {
 // string is drawn and no bead lacks filament. Waiting for heat again costs no time if the block has already waited.
 void takeOver(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const PrintParams& params) {
   nozzle.out() << "G21\nG90\n" << (printer.absoluteE ? "M82" : "M83") << "\nG92 E0\nM220 S100\n";
-  nozzle.isRetracted(job.startRetracted);
+  nozzle.noteRetracted(job.startRetracted);
   if (job.hotStart) nozzle.retract();
-  nozzle.passOver(safeHeight(printer, params) - printer.lift);
+  nozzle.clearNextApproach(safeHeight(printer, params) - printer.lift);
   nozzle.moveZ(safeHeight(printer, params));
   if (job.ownStart || !job.purge.points.empty()) nozzle.travel(job.aside, printer.travelSpeed);
   const std::string bed = fixed(printer.bedTemperature, 0);
@@ -44,7 +43,7 @@ void purge(Nozzle& nozzle, const GcodeJob& job, const Printer& printer, const Pr
   nozzle.bead(motion, limits.flow, job.purgeHeight);
   nozzle.dropResidue();
   nozzle.leave(motion, limits.speed, job.purgeHeight);
-  nozzle.passOver(safeHeight(printer, params) - printer.lift);
+  nozzle.clearNextApproach(safeHeight(printer, params) - printer.lift);
 }
 
 // Restores the settings of the machine that the file has changed.

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <utility>
 
 #include "base/lines.hpp"
 #include "base/numbers.hpp"
-#include "gcode/job.hpp"
+#include "base/refused.hpp"
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {
@@ -33,7 +32,7 @@ class Expansion {
 
   Result<std::string> all() {
     while (at_ < text_.size() && !error_) next();
-    if (!error_ && !branches_.empty()) refuse(branches_.back().begin, "has no {endif}");
+    if (!error_ && !branches_.empty()) refuse(branches_.back().begin, "NoEndif");
     if (error_) return *error_;
     // A block that leaves the filament drawn back sets e_retracted, so that its slicer pushes it forward again. The
     // print begins primed, so the filament is pushed forward here.
@@ -72,7 +71,7 @@ class Expansion {
     } else if (comment_) {
       out_ += text_[at_++];
     } else {
-      refuse(at_, "stands for no value here; put the value itself there");
+      refuse(at_, "NoValue");
     }
   }
 
@@ -97,7 +96,7 @@ class Expansion {
     for (;;) {
       rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n;"), rest.size()));
       if (rest.empty() && comment_) return leave(at_ + 1);
-      if (rest.empty()) return refuse(at_, "stands for no value here; put the value itself there");
+      if (rest.empty()) return refuse(at_, "NoValue");
       if (rest[0] == '}') break;
       const std::string_view head = branchWord(rest);
       rest.remove_prefix(head.size());
@@ -156,7 +155,7 @@ class Expansion {
       around ? choose(rest) : skip(rest);
       return;
     }
-    if (branches_.empty()) return refuse(at_, "has no {if} before it");
+    if (branches_.empty()) return refuse(at_, "NoIf");
     Branch& now = branches_.back();
     if (head == "endif") {
       branches_.pop_back();
@@ -175,20 +174,19 @@ class Expansion {
     const std::optional<std::string> value = statement(rest, values_, own_);
     const bool yes = value == "true" || value == "1";
     if ((!yes && value != "false" && value != "0") || !ends(rest)) {
-      return refuse(at_, "cannot be evaluated here; keep only the branch that applies");
+      return refuse(at_, "NotEvaluated");
     }
     branches_.back().shown = branches_.back().done = yes;
   }
 
-  // Sets the error message, with the line and the text that begins at `begin`.
-  void refuse(std::size_t begin, const char* why) {
+  // Sets the error, with the line and the text that begins at `begin`.
+  void refuse(std::size_t begin, Reason why) {
     const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
     std::string_view whole = text_.substr(begin, text_.find_first_of("}]>\n", begin) - begin);
     if (begin + whole.size() < text_.size() && text_[begin + whole.size()] != '\n') {
       whole = text_.substr(begin, whole.size() + 1);
     }
-    error_ = Error{ErrorCode::InvalidArgument, std::string(block_) + " has \"" + printable(whole.substr(0, 60)) +
-                                                   "\" in line " + std::to_string(line) + ", which " + why};
+    error_ = refusedArgument(why, {{"block", block_}, {"text", printable(whole.substr(0, 60))}, {"line", line}});
   }
 
   static constexpr std::size_t npos = std::string_view::npos;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/refused.hpp"
 #include "gcode/blocks.hpp"
 #include "gcode/file_comments.hpp"
 #include "gcode/job.hpp"
@@ -112,7 +113,7 @@ Result<GcodeSummary> writeFile(const GcodeJob& job, const Printer& printer, cons
   writeEnd(nozzle, job, printer, params);
   writeFooter(out, {nozzle.filamentMm(), nozzle.seconds()}, job, printer, params);
   out.flush();
-  if (out.failed()) return Error{ErrorCode::Cancelled, "writing was stopped before the file was complete"};
+  if (out.failed()) return refused(ErrorCode::Cancelled, "WritingStopped");
   return summaryOf(nozzle, layers.oriented(), job, printer, params);
 }
 
@@ -121,7 +122,7 @@ using Prepare = std::function<Result<GcodeJob>(const Printer&)>;
 // Prepares and writes a job with the speeds that the machine allows, and warns of those that were lowered.
 Result<GcodeSummary> write(const Prepare& prepare, const Printer& given, const PrintParams& params,
                            const GcodeSink& sink) {
-  if (!sink) return Error{ErrorCode::InvalidArgument, "no sink was given to write to"};
+  if (!sink) return refusedArgument("NoSink");
   Printer printer = given;
   std::vector<Warning> held;
   const auto hold = [&](const std::string& field, double& speed) {

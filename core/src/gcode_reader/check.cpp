@@ -1,7 +1,5 @@
 #include "sillon/gcode_reader/check.hpp"
 
-#include <utility>
-
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/parser.hpp"
 #include "gcode_reader/print_rules.hpp"

@@ -1,10 +1,8 @@
 #include "gcode_reader/parser.hpp"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
+#include <iterator>
 #include <map>
-#include <optional>
 
 #include "base/numbers.hpp"
 #include "gcode_reader/machine.hpp"
@@ -15,7 +13,7 @@ namespace sillon {
 namespace {
 
 // Effects of commands, from the harmless to the worst; rowOf compares them.
-enum class CommandKind {
+enum CommandKind {
   Safe,        // its effect ends with the print, or MachineState follows it
   Outlives,    // its effect outlasts the print
   Runs,        // runs commands that are written elsewhere
@@ -23,7 +21,6 @@ enum class CommandKind {
   Files,       // reaches files, the network or other programs
   Never,       // has no place in a print
 };
-using enum CommandKind;
 
 // Pages that describe the commands. Each row of the table names one of them, on which its commands are found by name.
 //   Marlin   https://marlinfw.org/meta/gcode/
@@ -129,19 +126,7 @@ constexpr CommandRow kRows[] = {
 
 // The page of a dialect.
 unsigned sourceOf(GcodeFlavor flavor) {
-  switch (flavor) {
-    case GcodeFlavor::Klipper:
-      return Klipper;
-    case GcodeFlavor::RepRap:
-      return RepRap;
-    case GcodeFlavor::PrusaBuddy:
-      return Prusa;
-    case GcodeFlavor::Bambu:
-      return Bambu;
-    case GcodeFlavor::Marlin:
-      break;
-  }
-  return Marlin;
+  return 1U << static_cast<unsigned>(flavor);  // sources and dialects stand in one order
 }
 
 using Rows = std::map<std::string, std::vector<const CommandRow*>, std::less<>>;
@@ -193,13 +178,7 @@ const CommandRow* rowOf(std::string_view name, GcodeFlavor flavor) {
 
 // Tells whether a command homes, or changes what later coordinates mean: units, modes, offsets.
 bool movesOrigin(const GcodeCommand& command) {
-  for (const int code : {20, 28, 30, 90, 91}) {
-    if (command.is('G', code)) return true;
-  }
-  for (const int code : {82, 83, 206, 290}) {
-    if (command.is('M', code)) return true;
-  }
-  return false;
+  return command.isAny('G', {20, 28, 30, 90, 91}) || command.isAny('M', {82, 83, 206, 290});
 }
 
 // The row for a command as it was read; null: none.
@@ -232,27 +211,9 @@ const CommandRow* rowOf(const GcodeCommand& command, GcodeFlavor flavor) {
 
 // Tells whether an M command is followed by text, a file's name or a list of its own instead of words.
 bool takesText(const GcodeCommand& command) {
-  if (command.letter != 'M') return false;
-  switch (command.code) {
-    case 16:
-    case 23:
-    case 28:
-    case 30:
-    case 32:
-    case 36:
-    case 98:
-    case 117:
-    case 118:
-    case 486:
-    case 550:
-    case 587:
-    case 862:
-    case 1002:
-    case 1006:
-      return true;
-    default:
-      return command.code >= 810 && command.code <= 819;
-  }
+  constexpr int kCodes[] = {16, 23, 28, 30, 32, 36, 98, 117, 118, 486, 550, 587, 862, 1002, 1006};
+  const bool listed = std::find(std::begin(kCodes), std::end(kCodes), command.code) != std::end(kCodes);
+  return command.letter == 'M' && (listed || (command.code >= 810 && command.code <= 819));
 }
 
 // Tells the same of any command; the named ones show a text, send it to the host, or name an object.
@@ -356,7 +317,6 @@ class Judge {
   // Adds a finding, unless the line already has one with the same sentence.
   void add(std::string_view code, bool error, FindingValues values) {
     GcodeFinding finding = makeFinding(code, error, std::move(values));
-    finding.count = 1;
     for (const GcodeFinding& other : findings_) {
       if (other.message == finding.message) return;
     }
@@ -414,20 +374,8 @@ class Judge {
       if (!isStartMacro(head) && !isEndMacro(head)) told(macro ? "macro" : "unknown", false, shown);
       return;
     }
-    switch (row->kind) {
-      case Safe:
-        return;
-      case Outlives:
-        return told("outlives", row->error, shown);
-      case Runs:
-        return told("runs", row->error, shown);
-      case Unfollowed:
-        return told("unfollowed", row->error, shown);
-      case Files:
-        return told("files", row->error, shown);
-      case Never:
-        return told("never", row->error, shown);
-    }
+    constexpr const char* kSentences[] = {nullptr, "outlives", "runs", "unfollowed", "files", "never"};
+    if (row->kind != Safe) told(kSentences[row->kind], row->error, shown);
   }
 
   // Adds a finding if a target is above its limit [degrees Celsius].
@@ -495,24 +443,19 @@ class Judge {
           std::any_of(telling.letters.begin(), telling.letters.end(), [&](char letter) { return words.has(letter); });
       if (telling.code == head.code && head.sub == 0 && named) told(telling.sentence, telling.error, shown);
     }
+    if (head.code == 109 || head.code == 190 || head.code == 191) coolest(words, shown);
     switch (head.code) {
-      case 109:
-        coolest(words, shown);
-        [[fallthrough]];
       case 104:
+      case 109:
       case 568:
         return hottest(hottestNozzle_);
-      case 190:
-        coolest(words, shown);
-        [[fallthrough]];
       case 140:
       case 144:
+      case 190:
         return hottest(hottestBed_);
-      case 191:
-        coolest(words, shown);
-        [[fallthrough]];
       case 141:
       case 142:
+      case 191:
       case 192:
         return hottest(100);
       case 620:
@@ -673,9 +616,7 @@ const char* spellingFault(std::string_view line) {
 }
 
 bool probesBed(const GcodeCommand& command) {
-  for (const int code : {29, 30, 32, 34}) {
-    if (command.is('G', code)) return true;
-  }
+  if (command.isAny('G', {29, 30, 32, 34})) return true;
   const std::string name = command.letter == 0 ? upperCase(command.name) : std::string();
   return name == "QUAD_GANTRY_LEVEL" || name == "Z_TILT_ADJUST" || name == "BED_MESH_CALIBRATE" || name == "PROBE" ||
          name == "SCREWS_TILT_CALCULATE";

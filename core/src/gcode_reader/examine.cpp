@@ -1,9 +1,5 @@
 #include "sillon/gcode_reader/check.hpp"
 
-#include <optional>
-#include <string>
-#include <utility>
-
 #include "base/numbers.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/parser.hpp"
@@ -69,10 +65,7 @@ std::vector<GcodeFinding> examineBlock(std::string_view block, GcodeFlavor flavo
     if (move && move->z < move->zFrom && tooDeep(*move, {})) {
       add("below-bed", true, {{"mm", decimal(move->z, 3)}});
     }
-    for (std::size_t k = before; k < findings.size(); ++k) {
-      findings[k].line = line.number;
-      findings[k].count = 1;
-    }
+    for (std::size_t k = before; k < findings.size(); ++k) findings[k].line = line.number;
   });
   return findings;
 }

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "base/numbers.hpp"
 #include "base/refused.hpp"
@@ -297,11 +296,10 @@ WeighedFilament weighFilament(std::string_view gcode, GcodeFlavor flavor, std::o
 
 Error askForFilament(const WeighedFilament& weighed) {
   const auto told = [](double diameter) { return decimal(diameter, 2); };
-  return refused(ErrorCode::InvalidFile, reason::kFilamentOpen,
-                 {{"thinWidth", told(weighed.widthWith(kThinFilament))},
-                  {"thin", told(kThinFilament)},
-                  {"wideWidth", told(weighed.widthWith(kWideFilament))},
-                  {"wide", told(kWideFilament)}});
+  return refusedFile("FilamentOpen", {{"thinWidth", told(weighed.widthWith(kThinFilament))},
+                                      {"thin", told(kThinFilament)},
+                                      {"wideWidth", told(weighed.widthWith(kWideFilament))},
+                                      {"wide", told(kWideFilament)}});
 }
 
 }  // namespace sillon

@@ -1,7 +1,7 @@
 #include "gcode_reader/rules.hpp"
 
-#include <array>
-#include <iterator>
+#include <algorithm>
+#include <cassert>
 
 namespace sillon {
 namespace {
@@ -100,23 +100,26 @@ constexpr FindingRow kRows[] = {
     {"end", {"hot-chamber", "the chamber stays hot at the end"}},
 };
 
-// The sentences without their rules, which findingSentences() returns as one span.
-constexpr auto kSentences = [] {
-  std::array<Sentence, std::size(kRows)> sentences{};
-  for (std::size_t k = 0; k < sentences.size(); ++k) sentences[k] = kRows[k].sentence;
-  return sentences;
-}();
+constexpr auto kSentences = sentencesOf(kRows);
 
 }  // namespace
 
 std::span<const Sentence> findingSentences() { return kSentences; }
 
 GcodeFinding makeFinding(std::string_view code, bool error, FindingValues values) {
-  const Sentence& sentence = sentenceOf(kSentences, code);
+  return makeFinding(kRows, code, error, std::move(values));
+}
+
+GcodeFinding makeFinding(std::span<const FindingRow> rows, std::string_view code, bool error, FindingValues values) {
+  const auto row =
+      std::find_if(rows.begin(), rows.end(), [&](const FindingRow& one) { return one.sentence.code == code; });
+  assert(row != rows.end());
+  const Sentence& sentence = row->sentence;
   GcodeFinding finding;
   finding.code = std::string(code);
-  finding.rule = kRows[&sentence - kSentences.data()].rule;
+  finding.rule = row->rule;
   finding.error = error;
+  finding.count = 1;
   finding.values = std::move(values);
   finding.message = filled(sentence, finding.values);
   return finding;

@@ -1,6 +1,5 @@
 #include "gcode_reader/parser.hpp"
 
-#include <algorithm>
 #include <bitset>
 
 namespace sillon {

@@ -1,7 +1,5 @@
 #include "gcode_reader/machine.hpp"
 
-#include <algorithm>
-#include <string>
 #include <string_view>
 
 #include "gcode_reader/macros.hpp"

@@ -1,9 +1,8 @@
 #include "gcode_reader/machine.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
-#include <utility>
 
 namespace sillon {
 namespace {
@@ -53,7 +52,6 @@ MachineMove runMove(MachineState& state, int code, const GcodeWords& words) {
   move.from = state.at;
   move.zFrom = state.z;
   move.xy = words.has('X') || words.has('Y');
-  move.toldZ = words.has('Z');
   move.toldF = words.has('F');
   move.arc = code >= 2;
   if (move.toldF) state.speed = words.at('F') * unit / 60;
@@ -141,20 +139,8 @@ bool readsWords(const GcodeCommand& command) {
   if (command.letter == 'G') {
     return command.sub == 0 && (command.code <= 3 || command.code == 10 || command.code == 11 || command.code == 92);
   }
-  if (command.letter != 'M') return false;
-  switch (command.code) {
-    case 104:
-    case 109:
-    case 140:
-    case 141:
-    case 190:
-    case 191:
-    case 200:
-    case 568:
-      return true;
-    default:
-      return false;
-  }
+  constexpr int kCodes[] = {104, 109, 140, 141, 190, 191, 200, 568};
+  return command.letter == 'M' && std::find(std::begin(kCodes), std::end(kCodes), command.code) != std::end(kCodes);
 }
 
 std::optional<MachineMove> runCommand(MachineState& state, const GcodeCommand& command, const GcodeWords& words) {

@@ -104,7 +104,6 @@ struct MachineMove {
   Vec2 centre;           ///< centre of an arc
   double turn = 0;       ///< turn of an arc [rad], counterclockwise above 0
   bool xy = false;       ///< X or Y is written
-  bool toldZ = false;    ///< Z is written
   bool toldF = false;    ///< F is written
   bool arc = false;      ///< the move is G2 or G3
   bool readable = true;  ///< false: an arc without a centre or with an impossible radius, which is not followed

@@ -1,10 +1,5 @@
 #include "gcode_reader/machine.hpp"
 
-#include <algorithm>
-#include <memory>
-#include <string>
-#include <utility>
-
 #include "gcode_reader/macros.hpp"
 
 namespace sillon {
@@ -59,7 +54,7 @@ std::optional<MachineMove> restore(MachineState& state, const std::string& name,
   state.at = move.to = saved.at;
   state.z = move.z = saved.z;
   if (speed > 0) state.speed = speed;
-  move.xy = move.toldZ = true;
+  move.xy = true;
   move.length = length(move.to - move.from);
   return move;
 }

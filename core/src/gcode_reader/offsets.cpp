@@ -1,7 +1,6 @@
 #include "gcode_reader/machine.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "gcode_reader/macros.hpp"
 

@@ -1,8 +1,6 @@
 #include "gcode_reader/parser.hpp"
 
 #include <fast_float/fast_float.h>
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace sillon {

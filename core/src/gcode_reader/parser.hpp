@@ -2,9 +2,11 @@
 // from its lines. Reading is the same for all firmwares; machine.hpp and commands.cpp know the effects of commands.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -143,6 +145,9 @@ struct GcodeCommand {
   std::string_view rest;  ///< text behind the head, as written
 
   [[nodiscard]] bool is(char wanted, int number) const { return letter == wanted && code == number && sub == 0; }
+  [[nodiscard]] bool isAny(char wanted, std::initializer_list<int> numbers) const {
+    return letter == wanted && sub == 0 && std::find(numbers.begin(), numbers.end(), code) != numbers.end();
+  }
 };
 /// Reads the head of a line's code.
 GcodeCommand commandOf(std::string_view code);

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
-#include <string>
 #include <utility>
 
 #include "base/numbers.hpp"
@@ -37,12 +35,7 @@ constexpr FindingRow kRows[] = {
     {"cooling", {"first-fan", "the fan blows at {percent} % on the first layer"}},
 };
 
-// The sentences without their rules, which printFindingSentences() returns as one span.
-constexpr auto kSentences = [] {
-  std::array<Sentence, std::size(kRows)> sentences{};
-  for (std::size_t k = 0; k < sentences.size(); ++k) sentences[k] = kRows[k].sentence;
-  return sentences;
-}();
+constexpr auto kSentences = sentencesOf(kRows);
 
 constexpr double kSame = 1e-6;   // difference that counts as none
 constexpr double kSameHeat = 3;  // [degrees Celsius], change that counts as none
@@ -95,27 +88,12 @@ void addNumbers(std::string_view text, std::vector<double>& numbers) {
 
 // Tells whether a command waits for a heater.
 bool waitsForHeat(const GcodeCommand& command, const std::string& name) {
-  return command.is('M', 109) || command.is('M', 190) || command.is('M', 191) || command.is('M', 116) ||
-         name == "TEMPERATURE_WAIT";
+  return command.isAny('M', {109, 116, 190, 191}) || name == "TEMPERATURE_WAIT";
 }
 
-// Tells whether a command pauses the print for somebody.
+// Tells whether a command pauses the print for somebody; M400 U does so on Bambu's printers.
 bool pauses(const GcodeCommand& command, const GcodeWords& words, const std::string& name) {
-  if (name == "PAUSE") return true;
-  if (command.letter != 'M' || command.sub != 0) return false;
-  switch (command.code) {
-    case 0:
-    case 1:
-    case 25:
-    case 226:
-    case 600:
-    case 601:
-      return true;
-    case 400:
-      return words.has('U');  // pauses Bambu's printers
-    default:
-      return false;
-  }
+  return name == "PAUSE" || command.isAny('M', {0, 1, 25, 226, 600, 601}) || (command.is('M', 400) && words.has('U'));
 }
 
 }  // namespace
@@ -143,15 +121,8 @@ std::vector<std::string> PrintRules::unchecked() const {
 
 // Adds a finding about the current line, or about `line` if that is above 0.
 void PrintRules::tell(std::string_view code, bool error, FindingValues values, std::int64_t line) {
-  const Sentence& sentence = sentenceOf(kSentences, code);
-  GcodeFinding finding;
-  finding.code = std::string(code);
-  finding.rule = kRows[&sentence - kSentences.data()].rule;
-  finding.error = error;
-  finding.values = std::move(values);
-  finding.message = filled(sentence, finding.values);
   const std::int64_t here = std::exchange(check_.lines, line > 0 ? line : check_.lines);
-  found(std::move(finding));
+  found(makeFinding(kRows, code, error, std::move(values)));
   check_.lines = here;
 }
 

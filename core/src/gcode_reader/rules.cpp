@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
-#include <utility>
 
 #include "base/numbers.hpp"
-#include "gcode_reader/machine.hpp"
 #include "gcode_reader/macros.hpp"
-#include "gcode_reader/parser.hpp"
 #include "printer/bed.hpp"
 
 namespace sillon {
@@ -90,7 +86,6 @@ void Rules::found(GcodeFinding finding) {
     return;
   }
   finding.line = check_.lines;
-  finding.count = 1;
   check_.findings.push_back(std::move(finding));
 }
 
@@ -302,7 +297,6 @@ void Rules::judgeOrigin() {
   if (most == 0) return;
   GcodeFinding finding = makeFinding("origin-shift", true, {{"mm", decimal(most, 3)}});
   finding.line = shiftLine_;
-  finding.count = 1;
   check_.findings.push_back(std::move(finding));
 }
 
@@ -372,7 +366,7 @@ void Rules::move(const MachineMove& move) {
   }
   const bool wipes = block() && beside(settings_, move.from) && beside(settings_, move.to);
   const bool zTold = machine_.told(kAxisZ);
-  if (zTold && (move.xy || move.z < move.zFrom) && !wipes) {  // a block by itself does not tell where a move begins
+  if (zTold && (move.xy || move.z < move.zFrom) && !wipes) {  // a block alone does not tell where a move begins
     const double low = lastZTold_ ? std::min(move.zFrom, move.z) : move.z;
     check_.lowest = std::min(check_.lowest, low);
     if (low < startHeight_ && (move.xy || startHeight_ > 0)) found("below-print", !block(), {{"mm", decimal(low, 3)}});
@@ -501,16 +495,12 @@ void Rules::endLayer() {
 
 // Measures the coverage of oriented layers and their beads' waits for neighbours.
 void Rules::judgeLayers() {
-  const auto whole = [&](std::string_view code, FindingValues values) {
-    check_.findings.push_back(makeFinding(code, false, std::move(values)));
-    check_.findings.back().count = 1;
-  };
   if (beads_.size() >= kMostBeads) return;
   check_.coverage = orientedCoverage(beads_);
   check_.delay = neighbourDelay(beads_);
   for (const double share : check_.coverage) {
     if (share < 0 || share >= kLeastCovered) continue;
-    whole("coverage", {{"percent", fixed(100 * share, 1)}});
+    check_.findings.push_back(makeFinding("coverage", false, {{"percent", fixed(100 * share, 1)}}));
     break;
   }
 }
@@ -584,7 +574,6 @@ void Rules::endPath() {
 void Rules::judgeTotals() {
   const auto whole = [&](std::string_view code, bool error, FindingValues values = {}) {
     check_.findings.push_back(makeFinding(code, error, std::move(values)));
-    check_.findings.back().count = 1;
   };
   if (check_.moves == 0) whole("no-move", true);
   if (moved_ && layers_ == 0) whole("no-layers", false);

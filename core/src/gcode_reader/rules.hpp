@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,13 +24,23 @@ namespace sillon {
 
 using FindingValues = std::vector<std::pair<std::string, std::string>>;
 
-/// A finding's sentence, and the rule it belongs to.
+/// The sentence of a finding, and the rule it belongs to.
 struct FindingRow {
   const char* rule;
   Sentence sentence;
 };
 
-/// Makes a finding; its line and count are left to the caller.
+/// The sentences without their rules.
+template <std::size_t Count>
+constexpr std::array<Sentence, Count> sentencesOf(const FindingRow (&rows)[Count]) {
+  std::array<Sentence, Count> sentences{};
+  for (std::size_t k = 0; k < Count; ++k) sentences[k] = rows[k].sentence;
+  return sentences;
+}
+
+/// Makes a finding from the row of its code; its line is left to the caller.
+GcodeFinding makeFinding(std::span<const FindingRow> rows, std::string_view code, bool error, FindingValues values);
+/// Makes a finding; its line is left to the caller.
 /// \param code  one of the list in findings.cpp. \param values  values of the sentence's {names}.
 GcodeFinding makeFinding(std::string_view code, bool error, FindingValues values = {});
 

@@ -6,12 +6,10 @@
 #include <numbers>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/exact_math.hpp"
-#include "base/numbers.hpp"
 #include "geometry/shape_points.hpp"
 #include "sillon/geometry/shape.hpp"
 
@@ -110,13 +108,17 @@ Shape polygonShape(std::span<const Vec2> points, Vec2 size, Corners corners) {
 }
 
 // Checks the size and the corner radius of a shape.
-std::optional<Error> wrongSize(const char* name, Vec2 size, Corners corners) {
-  const std::string of = std::string(" of the ") + name;
-  if (!validSize(size.x)) return sizeError("The width" + of, size.x);
-  if (!validSize(size.y)) return sizeError("The height" + of, size.y);
+std::optional<Error> wrongSize(Vec2 size, Corners corners) {
+  if (!validSize(size.x)) return sizeError("shape.size.x", size.x);
+  if (!validSize(size.y)) return sizeError("shape.size.y", size.y);
   if (corners.radius >= 0) return std::nullopt;  // false for NaN
-  return Error{ErrorCode::InvalidArgument,
-               "The corner radius is " + shownNumber(corners.radius) + " mm; it must be 0 or more"};
+  return refusedArgument("RadiusNegative", {{"radius", corners.radius}});
+}
+
+/// Checks the diameter of the hole of a ring or a tag. \param side  the shape's shorter side
+std::optional<Error> wrongInner(double inner, double side) {
+  if (inner > 0 && inner < side) return std::nullopt;  // false for NaN
+  return refusedArgument("InnerOutOfRange", {{"inner", inner}, {"side", side}});
 }
 
 // Fills in the height, if none is given, by the shape's own proportions. \param share  height / width.
@@ -138,12 +140,12 @@ Ring circleRing(Vec2 centre, double diameter) {
 }
 
 Result<Shape> makeRectangle(Vec2 size) {
-  if (auto error = wrongSize("rectangle", size, {})) return *error;
+  if (auto error = wrongSize(size, {})) return *error;
   return oneRing({snapped(Vec2{0, 0}), snapped(Vec2{size.x, 0}), snapped(size), snapped(Vec2{0, size.y})}, size);
 }
 
 Result<Shape> makeRoundedRectangle(Vec2 size, double radius, bool chamfered) {
-  if (auto error = wrongSize("rectangle", size, {radius, chamfered})) return *error;
+  if (auto error = wrongSize(size, {radius, chamfered})) return *error;
   if (radius == 0) return makeRectangle(size);
   const double held = std::min(radius, std::min(size.x, size.y) / 2);
   const std::array<Vec2, 4> box{Vec2{0, 0}, {size.x, 0}, size, {0, size.y}};
@@ -153,19 +155,15 @@ Result<Shape> makeRoundedRectangle(Vec2 size, double radius, bool chamfered) {
 }
 
 Result<Shape> makeDisc(double diameter) {
-  if (!validSize(diameter)) return sizeError("The diameter of the disc", diameter);
+  if (!validSize(diameter)) return sizeError("shape.size.x", diameter);
   return makeRoundedRectangle({diameter, diameter}, diameter / 2);
 }
 
 Result<Shape> makeRing(double diameter, double inner) {
   Result<Shape> disc = makeDisc(diameter);
-  if (!disc) return sizeError("The diameter of the ring", diameter);
+  if (!disc) return disc;
   if (inner == 0) inner = diameter / 2;
-  if (!(inner > 0 && inner < diameter)) {  // false for NaN
-    return Error{ErrorCode::InvalidArgument, "The inner diameter of the ring is " + shownNumber(inner) +
-                                                 " mm; it must be more than 0 and less than its width of " +
-                                                 shownNumber(diameter) + " mm"};
-  }
+  if (auto error = wrongInner(inner, diameter)) return *error;
   Shape shape = std::move(disc).value();
   shape.paths[0].rings.push_back(hole({diameter / 2, diameter / 2}, inner));
   return shape;
@@ -173,17 +171,14 @@ Result<Shape> makeRing(double diameter, double inner) {
 
 Result<Shape> makeHexagon(Vec2 size, Corners corners) {
   size = withHeight(size, std::numbers::sqrt3 / 2);
-  if (auto error = wrongSize("hexagon", size, corners)) return *error;
+  if (auto error = wrongSize(size, corners)) return *error;
   const auto [w, h] = size;
   const std::array<Vec2, 6> points{Vec2{0, h / 2}, {w / 4, 0}, {3 * w / 4, 0}, {w, h / 2}, {3 * w / 4, h}, {w / 4, h}};
   return polygonShape(points, size, corners);
 }
 
 Result<Shape> makeStar(int points, Vec2 size, Corners corners) {
-  if (points < 3 || points > 24) {
-    return Error{ErrorCode::InvalidArgument,
-                 "The star has " + std::to_string(points) + " points; it must have 3 to 24"};
-  }
+  if (points < 3 || points > 24) return outOfRange("shape.points", points, 3, 24, "");
   // Straight lines from each tip to the next but one give the inner radius for five and for six points; stars with
   // fewer or more points take the nearer of these two.
   const double inner = points <= 5 ? (3 - std::sqrt(5.0)) / 2 : std::numbers::inv_sqrt3;
@@ -195,7 +190,7 @@ Result<Shape> makeStar(int points, Vec2 size, Corners corners) {
     box.add(star.back());
   }
   size = withHeight(size, box.size().y / box.size().x);
-  if (auto error = wrongSize("star", size, corners)) return *error;
+  if (auto error = wrongSize(size, corners)) return *error;
   for (Vec2& p : star) {
     p = {size.x * (p.x - box.min.x) / box.size().x, size.y * (p.y - box.min.y) / box.size().y};
   }
@@ -207,7 +202,7 @@ Result<Shape> makeHeart(Vec2 size) {
   constexpr double kHalf = std::numbers::sqrt2 / 2;  // half the square's diagonal; its side is 1
   constexpr Vec2 kBox{kHalf + 1, 1.5 * kHalf + 0.5};
   size = withHeight(size, kBox.y / kBox.x);
-  if (auto error = wrongSize("heart", size, {})) return *error;
+  if (auto error = wrongSize(size, {})) return *error;
   const Vec2 scale{size.x / kBox.x, size.y / kBox.y};
   const auto centre = [&](double side) { return Vec2{size.x / 2 + side * kHalf / 2 * scale.x, 1.5 * kHalf * scale.y}; };
   Ring ring{snapped(Vec2{size.x / 2, 0})};
@@ -226,7 +221,7 @@ Result<Shape> makeShield(Vec2 size, Corners corners) {
   constexpr double kArcs = std::numbers::sqrt3 / 2;  // height of the arcs; the width is 1
   constexpr double kSides = 1.0 / 3;
   size = withHeight(size, kArcs + kSides);
-  if (auto error = wrongSize("shield", size, corners)) return *error;
+  if (auto error = wrongSize(size, corners)) return *error;
   const auto [w, h] = size;
   const double y = h * kArcs / (kArcs + kSides);
   const Vec2 radii{w, y / kArcs};
@@ -244,17 +239,12 @@ Result<Shape> makeTag(Vec2 size, double inner, Corners corners) {
   constexpr double kUsualHole = 5;  // fits a key ring [mm]
   constexpr double kWall = 3;       // between the hole and the end [mm]
   size = withHeight(size, 0.4);
-  if (auto error = wrongSize("tag", size, corners)) return *error;
+  if (auto error = wrongSize(size, corners)) return *error;
   const bool upright = size.y > size.x;
   const Vec2 lying = upright ? Vec2{size.y, size.x} : size;
   const double r = lying.y / 2;
   if (inner == 0) inner = kUsualHole;
-  if (!(inner > 0 && inner < lying.y)) {  // false for NaN
-    return Error{ErrorCode::InvalidArgument,
-                 "The hole of the tag is " + shownNumber(inner) +
-                     " mm; it must be more than 0 and less than the tag's shorter side of " + shownNumber(lying.y) +
-                     " mm"};
-  }
+  if (auto error = wrongInner(inner, lying.y)) return *error;
   Ring ring;
   addQuarter(ring, {r, r}, {0, r}, {-r, 0});
   addQuarter(ring, {r, r}, {-r, 0}, {0, -r});

@@ -1,8 +1,5 @@
 #include "geometry/signed_distance.hpp"
 
-#include <algorithm>
-#include <cstddef>
-
 namespace sillon {
 
 // Sweeps down and up once over rows with a margin of one cell. A row first takes values from the row before it, many

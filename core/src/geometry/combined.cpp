@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "geometry/outline.hpp"
 #include "geometry/outline_steps.hpp"
 
 namespace sillon {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <mutex>
 
@@ -217,12 +216,10 @@ CellEntries sortIntoCells(const CurveCorners& corners, const std::vector<int>& s
   }
   out.begin[cells] = sum;
   out.entries.resize(sum);
-  parallelFor(run, shares, 1, [&](int from, int to) {
-    for (int k = from; k < to; ++k) {
-      CellShare& share = all[k];
-      for (const Pair& pair : share.pairs) {
-        out.entries[share.next[pair.cell]++] = pair.segment;
-      }
+  parallelForEach(run, shares, 1, [&](int k) {
+    CellShare& share = all[k];
+    for (const Pair& pair : share.pairs) {
+      out.entries[share.next[pair.cell]++] = pair.segment;
     }
   });
   return out;

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/refused.hpp"
+#include "geometry/outline.hpp"
 #include "geometry/shape_points.hpp"
-#include "sillon/geometry/outline.hpp"
 
 namespace sillon {
 namespace {
@@ -36,12 +36,12 @@ Result<Shape> withHoles(Shape shape, const std::vector<RoundHole>& holes) {
   for (std::size_t k = 0; k < holes.size(); ++k) {
     const RoundHole& hole = holes[k];
     if (!validSize(hole.diameter)) {
-      return sizeError("The diameter of hole " + std::to_string(k + 1), hole.diameter);
+      return sizeError("shape.holes[" + std::to_string(k) + "].diameter", hole.diameter);
     }
     if (!meets(hole, outline.value())) {
       const Bounds box = outline.value().bounds;
-      return refused(ErrorCode::InvalidArgument, reason::kHoleOutside,
-                     {{"n", static_cast<double>(k + 1)},
+      return refused(ErrorCode::InvalidArgument, "HoleOutside",
+                     {{"n", k + 1},
                       {"x", hole.centre.x},
                       {"y", hole.centre.y},
                       {"diameter", hole.diameter},
@@ -60,7 +60,7 @@ Result<Shape> withHoles(Shape shape, const std::vector<RoundHole>& holes) {
   Result<FilledPath> left = combined(paths, rule);
   if (!left) return left.error();
   if (left.value().rings.empty()) {
-    return Error{ErrorCode::EmptyShape, "the holes leave nothing of the shape; make them smaller or fewer"};
+    return refused(ErrorCode::EmptyShape, "HolesLeaveNothing");
   }
   shape.paths = {std::move(left).value()};
   return shape;

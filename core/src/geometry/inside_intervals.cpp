@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/outline.hpp"
 #include "geometry/outline_steps.hpp"
 
 namespace sillon {

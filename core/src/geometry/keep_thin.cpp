@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
-#include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "base/sort_key.hpp"
 #include "geometry/bead_room.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "geometry/shape_points.hpp"
+#include "sillon/geometry/shape.hpp"
 
 namespace sillon {
 namespace {
@@ -83,7 +83,7 @@ class DiscMask {
 
 Result<Shape> keepThinPlaces(Shape shape, double spacing, const RunContext& run) {
   if (!(spacing >= 0.05 && spacing <= 20)) {  // false for NaN
-    return Error{ErrorCode::InvalidArgument, outOfRange("spacing", spacing, " mm", "0.05 to 20 mm")};
+    return outOfRange("toolpath.spacing", spacing, 0.05, 20, "mm");
   }
   const Result<Outline> outline = resolveOutline(shape);
   if (!outline) return outline.error();

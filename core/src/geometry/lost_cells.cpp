@@ -73,31 +73,29 @@ Result<LostCells> lostCells(const Shape& shape, const BorderIndex& border, const
   // Squared reach of a disc [samples²]; a deep sample stands for its whole cell.
   constexpr double kLimit = (kSamples / 2 + 0.75) * (kSamples / 2 + 0.75);
   const auto perMm = static_cast<float>(1 / cell);
-  parallelFor(run, grid.ny, 16, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const std::size_t row = grid.index(0, y);
-      int deepX = 0;  // offset of the deep sample found last; mostly it fits the next sample, too
-      int deepY = 0;
-      for (int x = 0; x < grid.nx; ++x) {
-        const std::size_t i = row + x;
-        if (const int beyond = samplesBeyond(sd[i], deep, 0, perMm); beyond >= 0) {
-          x += beyond;
-          continue;
-        }
-        const auto isDeep = [&](int dx, int dy) {
-          if (dx * dx + dy * dy > kLimit || x + dx < 0 || y + dy < 0 || x + dx >= grid.nx || y + dy >= grid.ny)
-            return false;
-          return sd[grid.index(x + dx, y + dy)] <= deep;
-        };
-        bool reached = isDeep(deepX, deepY);
-        for (int dy = -kReach; dy <= kReach && !reached; ++dy) {
-          for (int dx = -kReach; dx <= kReach && !reached; ++dx) {
-            reached = isDeep(dx, dy);
-            if (reached) deepX = dx, deepY = dy;
-          }
-        }
-        lost[i] = reached ? 0 : 1;
+  parallelForEach(run, grid.ny, 16, [&](int y) {
+    const std::size_t row = grid.index(0, y);
+    int deepX = 0;  // offset of the deep sample found last; mostly it fits the next sample, too
+    int deepY = 0;
+    for (int x = 0; x < grid.nx; ++x) {
+      const std::size_t i = row + x;
+      if (const int beyond = samplesBeyond(sd[i], deep, 0, perMm); beyond >= 0) {
+        x += beyond;
+        continue;
       }
+      const auto isDeep = [&](int dx, int dy) {
+        if (dx * dx + dy * dy > kLimit || x + dx < 0 || y + dy < 0 || x + dx >= grid.nx || y + dy >= grid.ny)
+          return false;
+        return sd[grid.index(x + dx, y + dy)] <= deep;
+      };
+      bool reached = isDeep(deepX, deepY);
+      for (int dy = -kReach; dy <= kReach && !reached; ++dy) {
+        for (int dx = -kReach; dx <= kReach && !reached; ++dx) {
+          reached = isDeep(dx, dy);
+          if (reached) deepX = dx, deepY = dy;
+        }
+      }
+      lost[i] = reached ? 0 : 1;
     }
   });
   if (run.cancelled()) return cancelledRun();

@@ -1,15 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 
-#include "base/numbers.hpp"
 #include "base/refused.hpp"
 #include "geometry/shape_points.hpp"
 #include "geometry/signed_distance.hpp"
 #include "geometry/straightened.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 
 namespace sillon {
 namespace {
@@ -56,7 +54,7 @@ Image levelMask(const Grid& grid, const std::vector<float>& distance, double off
 /// shape's depth.
 Error nothingLeft(double offset, const std::vector<float>& distance) {
   const double deepest = -static_cast<double>(*std::min_element(distance.begin(), distance.end()));
-  return refused(ErrorCode::EmptyShape, reason::kOffsetTooDeep,
+  return refused(ErrorCode::EmptyShape, "OffsetTooDeep",
                  {{"offset", offset}, {"depth", std::ceil(10 * deepest - 1e-3) / 10}});
 }
 
@@ -64,7 +62,7 @@ Error nothingLeft(double offset, const std::vector<float>& distance) {
 
 Result<Shape> offsetShape(Shape shape, double offset, const RunContext& run) {
   if (!(offset >= -20 && offset <= 50)) {  // false for NaN
-    return Error{ErrorCode::InvalidArgument, outOfRange("offset", offset, " mm", "-20 to 50 mm")};
+    return outOfRange("shape.offset", offset, -20, 50, "mm");
   }
   if (offset == 0) return shape;
   const Result<Outline> outline = resolveOutline(shape);

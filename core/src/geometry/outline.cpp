@@ -1,11 +1,10 @@
-#include "sillon/geometry/outline.hpp"
+#include "geometry/outline.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <utility>
 
-#include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "geometry/outline_steps.hpp"
 
 namespace sillon {
@@ -23,6 +22,30 @@ std::vector<PathEdge> gridEdges(const std::vector<PathEdge>& edges) {
   return out;
 }
 
+/// Returns a point beyond kMaxCoordinate, or one that is no number; null if there is none.
+const Vec2* farPoint(const Shape& shape) {
+  for (const FilledPath& path : shape.paths) {
+    for (const Ring& ring : path.rings) {
+      for (const Vec2& p : ring) {
+        if (!(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate)) return &p;
+      }
+    }
+  }
+  return nullptr;
+}
+
+/// Checks a shape's points and resolves its outline.
+Result<Outline> outlineOf(const Shape& shape, Points points) {
+  if (const Vec2* far = farPoint(shape)) {
+    return refusedArgument("ShapePointTooFar", {{"x", far->x}, {"y", far->y}, {"most", kMaxCoordinate}});
+  }
+  Result<Outline> outline = borderOf(shape.paths, nullptr, points);
+  if (!outline) return outline;
+  if (outline.value().bounds.empty()) return refused(ErrorCode::EmptyShape, "NoOutline");
+  if (!(outline.value().area > 0)) return refused(ErrorCode::EmptyShape, "NoInside");
+  return outline;
+}
+
 }  // namespace
 
 Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule* rule, Points points) {
@@ -36,9 +59,7 @@ Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule*
   const std::optional<std::vector<PathEdge>> pieces = splitEdges(edges, outline.bounds, points);
   const auto sides = pieces ? sidesOf(*pieces, outline.bounds, paths, rule) : std::nullopt;
   if (!sides) {
-    return Error{ErrorCode::TooLarge,
-                 "the outline has too many edges or meets itself too often; at most 4 million pieces can be read; "
-                 "merge its paths in a drawing program, or draw it as a PNG"};
+    return refused(ErrorCode::TooLarge, "OutlineTooManyPieces");
   }
   for (std::size_t k = 0; k < pieces->size(); ++k) {
     const auto [left, right] = (*sides)[k];
@@ -59,40 +80,6 @@ Result<Outline> borderOf(const std::vector<FilledPath>& paths, const InsideRule*
   }
   return outline;
 }
-
-namespace {
-
-/// Returns a point beyond kMaxCoordinate, or one that is no number; null if there is none.
-const Vec2* farPoint(const Shape& shape) {
-  for (const FilledPath& path : shape.paths) {
-    for (const Ring& ring : path.rings) {
-      for (const Vec2& p : ring) {
-        if (!(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate)) return &p;
-      }
-    }
-  }
-  return nullptr;
-}
-
-/// Checks a shape's points and resolves its outline.
-Result<Outline> outlineOf(const Shape& shape, Points points) {
-  if (const Vec2* far = farPoint(shape)) {
-    return Error{ErrorCode::InvalidArgument, "the shape has a point at " + shownNumber(far->x) + ", " +
-                                                 shownNumber(far->y) +
-                                                 " mm; both coordinates must be -1000000 to 1000000 mm"};
-  }
-  Result<Outline> outline = borderOf(shape.paths, nullptr, points);
-  if (!outline) return outline;
-  if (outline.value().bounds.empty()) {
-    return Error{ErrorCode::EmptyShape, "the shape has no outline; it needs at least one closed path"};
-  }
-  if (!(outline.value().area > 0)) {
-    return Error{ErrorCode::EmptyShape, "the shape encloses no area; it needs at least one closed path with an inside"};
-  }
-  return outline;
-}
-
-}  // namespace
 
 Result<Outline> resolveOutline(const Shape& shape) { return outlineOf(shape, Points::AsGiven); }
 

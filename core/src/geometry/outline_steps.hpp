@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "sillon/geometry/outline.hpp"
+#include "geometry/outline.hpp"
 #include "sillon/geometry/shape.hpp"
 
 namespace sillon {

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <utility>
 
 #include "base/sort_key.hpp"
+#include "geometry/outline.hpp"
 
 namespace sillon {
 namespace {

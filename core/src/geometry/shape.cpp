@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <string>
 #include <utility>
 
-#include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "geometry/shape_points.hpp"
 
 namespace sillon {
@@ -181,60 +179,33 @@ class MaskTracer {
   std::vector<bool> visited_;  // horizontal edges of rows 0 .. height-1; nothing is inside beyond them
 };
 
+Error heightError(double width, double height) {
+  return refusedArgument("HeightOutOfRange", {{"width", width}, {"height", height}, {"most", kMaxSize}});
+}
+
 }  // namespace
 
 Result<Shape> shapeFromMask(const Image& mask, double width) {
   if (mask.width <= 0 || mask.height <= 0 || mask.channels < 1 || mask.channels > 4 ||
-      mask.samples.size() != cellCount(mask.width, mask.height) * mask.channels) {
-    return Error{ErrorCode::InvalidArgument, "The mask has no pixels; it needs a picture of 1 to 4 channels"};
+      mask.samples.size() != cellCount(mask.width, mask.height) * toSize(mask.channels)) {
+    return refusedArgument("MaskWithoutPixels");
   }
-  if (!validSize(width)) return sizeError("The width of the mask", width);
+  if (!validSize(width)) return sizeError("shape.size.x", width);
   const double scale = width / mask.width;
   const double height = snapped(mask.height * scale);
-  if (!validSize(height)) return sizeError("The height of the mask at this width", height);
+  if (!validSize(height)) return heightError(width, height);
 
   Shape shape;
   shape.page = {width, height};
   FilledPath path;
   if (!MaskTracer(mask, scale).trace(path.rings)) {
-    return Error{ErrorCode::TooLarge,
-                 "The outline of the mask has more than 4 million points; use a smaller or less noisy picture"};
+    return refused(ErrorCode::TooLarge, "MaskTooDetailed");
   }
   if (path.rings.empty()) {
-    return Error{ErrorCode::EmptyShape, "The mask is empty; some of its pixels must be at least 50 % bright or opaque"};
+    return refused(ErrorCode::EmptyShape, "MaskEmpty");
   }
   shape.paths.push_back(std::move(path));
   return shape;
-}
-
-Result<Shape> scaledToWidth(const Shape& shape, double width) {
-  if (!validSize(width)) return sizeError("The width of the shape", width);
-  if (!(shape.page.x > 0)) return sizeError("The width of the shape's page", shape.page.x);
-  const double scale = width / shape.page.x;
-  const double height = snapped(shape.page.y * scale);
-  if (!validSize(height)) return sizeError("The height of the shape at this width", height);
-
-  Shape scaled;
-  scaled.page = {width, height};
-  scaled.drawing = shape.drawing;
-  scaled.drawing.offPage *= scale * scale;
-  scaled.drawing.faintMm2 *= scale * scale;
-  for (const FilledPath& path : shape.paths) {
-    FilledPath copy;
-    copy.fillRule = path.fillRule;
-    for (const Ring& ring : path.rings) {
-      Ring points;
-      points.reserve(ring.size());
-      for (const Vec2 p : ring) points.push_back(snapped(p * scale));
-      dropRepeatedPoints(points);
-      if (points.size() >= 3) copy.rings.push_back(std::move(points));
-    }
-    if (!copy.rings.empty()) scaled.paths.push_back(std::move(copy));
-  }
-  if (scaled.paths.empty()) {
-    return Error{ErrorCode::EmptyShape, "Nothing of the shape is left at a width of " + shownNumber(width) + " mm"};
-  }
-  return scaled;
 }
 
 Bounds bounds(const Shape& shape) {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <string_view>
 #include <utility>
 
-#include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/geometry/shape.hpp"
 
@@ -21,9 +21,9 @@ inline Vec2 snapped(Vec2 p) { return {snapped(p.x), snapped(p.y)}; }
 
 inline bool validSize(double mm) { return snapped(mm) > 0 && mm <= kMaxSize; }  // false for NaN
 
-inline Error sizeError(const std::string& what, double mm) {
-  return {ErrorCode::InvalidArgument,
-          what + " is " + shownNumber(mm) + " mm; it must be more than 0 and at most " + shownNumber(kMaxSize) + " mm"};
+/// \param name  setting in full
+inline Error sizeError(std::string_view name, double mm) {
+  return refusedArgument("SizeOutOfRange", {{"name", name}, {"value", mm}, {"most", kMaxSize}});
 }
 
 inline void dropRepeatedPoints(Ring& ring) {
@@ -33,5 +33,16 @@ inline void dropRepeatedPoints(Ring& ring) {
 
 /// Makes a circle, counter-clockwise, accurate within 0.001 mm.
 Ring circleRing(Vec2 centre, double diameter);
+
+/// Moves every point of a shape; its page stays.
+/// \param move  function from a point to its new place.
+template <class Move>
+void movePoints(Shape& shape, const Move& move) {
+  for (FilledPath& path : shape.paths) {
+    for (Ring& ring : path.rings) {
+      for (Vec2& point : ring) point = move(point);
+    }
+  }
+}
 
 }  // namespace sillon

@@ -1,13 +1,13 @@
 #include "geometry/signed_distance.hpp"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <span>
-#include <string>
 
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
+#include "geometry/outline.hpp"
 
 namespace sillon {
 namespace {
@@ -192,8 +192,7 @@ Result<int> checkRows(const Shape& shape, const Grid& lattice) {
     }
   }
   if (crossings > static_cast<double>(kMaxRowCrossings)) {
-    return Error{ErrorCode::TooLarge, "the outline is too detailed: it crosses the rows of the grid more than " +
-                                          std::to_string(kMaxRowCrossings) + " times"};
+    return refused(ErrorCode::TooLarge, "OutlineTooDetailed");
   }
   return 0;
 }
@@ -232,7 +231,7 @@ Grid nodeLattice(const Grid& grid) {
 }
 
 Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, const RunContext& run) {
-  if (outline.segments.empty()) return Error{ErrorCode::EmptyShape, "the outline is empty; it needs a piece of border"};
+  if (outline.segments.empty()) return refused(ErrorCode::EmptyShape, "NoOutline");
   BorderIndex index;
   index.segments_ = outline.segments;
   index.blocks_ = {grid.origin, kBlockCells * grid.cell, (grid.nx - 1) / kBlockCells + 1,
@@ -264,21 +263,17 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
     std::vector<int> candidates;
   };
   std::vector<std::vector<Leaf>> leaves(tasks.size());
-  parallelFor(run, static_cast<int>(tasks.size()), 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      subdivision.descend(tasks[k], 1, [&](CellBlock block, double lowest) {
-        if (!hasRoom(block)) return false;
-        leaves[k].push_back(
-            {blocks.index(block.x, block.y), static_cast<float>(lowest * (1 - 1e-6)), std::move(block.candidates)});
-        return true;
-      });
-    }
+  parallelForEach(run, static_cast<int>(tasks.size()), 1, [&](int k) {
+    subdivision.descend(tasks[k], 1, [&](CellBlock block, double lowest) {
+      if (!hasRoom(block)) return false;
+      leaves[k].push_back(
+          {blocks.index(block.x, block.y), static_cast<float>(lowest * (1 - 1e-6)), std::move(block.candidates)});
+      return true;
+    });
   });
   if (run.cancelled()) return cancelledRun();
   if (kept > most) {
-    return Error{byMemory ? ErrorCode::OutOfMemory : ErrorCode::TooLarge,
-                 std::string("the outline is too detailed for this spacing") + (byMemory ? " and this memory" : "") +
-                     "; simplify the drawing"};
+    return refused(byMemory ? ErrorCode::OutOfMemory : ErrorCode::TooLarge, "OutlineTooDetailed");
   }
 
   index.lowest_.assign(blocks.size(), 0);
@@ -297,11 +292,9 @@ Result<BorderIndex> buildBorderIndex(const Outline& outline, const Grid& grid, c
     }
   }
   index.outside_.assign(blocks.size(), 0);
-  parallelFor(run, blocks.ny, 16, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < blocks.nx; ++x) {
-        index.outside_[blocks.index(x, y)] = index.nearest(blocks.centre(x, y)).distance > 0 ? 1 : 0;
-      }
+  parallelForEach(run, blocks.ny, 16, [&](int y) {
+    for (int x = 0; x < blocks.nx; ++x) {
+      index.outside_[blocks.index(x, y)] = index.nearest(blocks.centre(x, y)).distance > 0 ? 1 : 0;
     }
   });
   return index;

@@ -8,7 +8,7 @@
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 
 namespace sillon {
 

@@ -1,22 +1,25 @@
+// Splits the edges of an outline where they cross or touch, so that the pieces meet only at their ends.
 #include "geometry/outline_steps.hpp"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 
 namespace sillon {
 namespace {
 
-/// Distance within which an edge is taken to pass through a point [mm]: points meant to lie on one line come on a grid
-/// of 1 nm.
+/// An edge passes through a point that lies within this distance of it [mm]. Drawings are rounded to 1 nm, so points of
+/// one line may lie 2 nm off it.
 constexpr double kNear = 2e-6;
-constexpr int kMaxRounds = 5;                     ///< rounds of splitting; two suffice for nearly all drawings
-constexpr int kMaxGridRounds = 50;                ///< rounds on a grid; five suffice for nearly all drawings
-constexpr std::size_t kMaxPieces = 4'000'000;     ///< more than any drawing has that a spacing of 0.05 mm could show
-constexpr std::uint64_t kMaxPairs = 800'000'000;  ///< tests of two edges; some ten seconds: strokes of a world map
+constexpr int kMaxRounds = 5;       ///< rounds of splitting; two suffice for nearly all drawings
+constexpr int kMaxGridRounds = 50;  ///< rounds on a grid; five suffice for nearly all drawings
+/// Limit on pieces; beads 0.05 mm apart could not show a drawing with more.
+constexpr std::size_t kMaxPieces = 4'000'000;
+constexpr std::size_t kMaxSplits = 2 * kMaxPieces;   ///< limit on splits of one round
+constexpr std::size_t kMaxEntries = 4 * kMaxPieces;  ///< limit on edges in cells, each counted in every cell
+/// Limit on tests of edge pairs; they take about ten seconds, and the strokes of a world map stay below it.
+constexpr std::uint64_t kMaxPairs = 800'000'000;
 
 struct EdgeSplit {
   int edge;
@@ -58,7 +61,7 @@ void splitPair(const std::vector<PathEdge>& edges, int i, int j, Points points, 
   if (t <= 0 || t >= 1) return;
   const double s = fa / (fa - fb);
   const Vec2 at = e.a + u * t;
-  // Collinear pieces only seem to cross, by their last digits, and at a different place on each.
+  // Rounding errors make collinear pieces seem to cross, at a different place on each. Such crossings are dropped.
   if (length(f.a + v * s - at) > kNear) return;
   splits.push_back({i, t, at});
   splits.push_back({j, s, at});
@@ -102,6 +105,7 @@ struct EdgeRaster {
         right = std::min(right, std::max(x0, x1));
       }
       const std::int64_t last = at(right + reach, low.x);
+      // The margin makes -1 the lowest index, so 1 is added to keep keys positive.
       for (std::int64_t column = at(left - reach, low.x); column <= last; ++column)
         visit((static_cast<std::uint64_t>(row + 1) << 32) | static_cast<std::uint32_t>(column + 1));
     }
@@ -121,6 +125,7 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
   double total = 0;
   for (const PathEdge& edge : edges.all) total += length(edge.b - edge.a);
   const Vec2 size = box.size();
+  // At most a million cells on a side keep an index within 32 bits.
   const EdgeRaster cells{
       box.min, std::max(total / static_cast<double>(edges.all.size()), std::max(size.x, size.y) / 1e6), reach};
   struct Entry {
@@ -128,8 +133,9 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
     int edge;
   };
   std::vector<Entry> entries;
-  // Cells without a fresh edge are skipped: after the first rounds these are nearly all. Cells are marked by digests of
-  // their keys, some 64 digests per edge, because most drawings are combined of thousands of small ones.
+  // Cells without a fresh edge are skipped; after the first rounds these are nearly all. The table that marks busy
+  // cells has 64 to 128 entries per edge, and at most 2^20, because most calls have few edges and a large table would
+  // cost more than the test.
   const int bits = std::min(static_cast<int>(std::bit_width(edges.all.size())) + 6, 20);
   std::vector<char> busy(std::size_t{1} << bits);
   const auto digestOf = [&](std::uint64_t key) { return toSize((key * 0x9E3779B97F4A7C15U) >> (64 - bits)); };
@@ -140,7 +146,7 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
         if (fresh) busy[digestOf(key)] = 1;
         if (busy[digestOf(key)] != 0) entries.push_back({key, static_cast<int>(k)});
       });
-      if (entries.size() > 4 * kMaxPieces) return false;
+      if (entries.size() > kMaxEntries) return false;
     }
   }
   std::sort(entries.begin(), entries.end(),
@@ -164,7 +170,7 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
         splitPair(edges.all, entries[i].edge, entries[j].edge, points, splits);
       }
     }
-    if (splits.size() > 2 * kMaxPieces) return false;
+    if (splits.size() > kMaxSplits) return false;
   }
   std::sort(splits.begin(), splits.end(), [](const EdgeSplit& a, const EdgeSplit& b) {
     return a.edge != b.edge ? a.edge < b.edge : (a.t != b.t ? a.t < b.t : a.at.x < b.at.x);
@@ -175,12 +181,15 @@ bool findSplits(const Edges& edges, const Bounds& box, Points points, std::vecto
 // Unifies coincident crossings, and crossings that lie on a point of an edge: pieces that cover each other must have
 // equal ends.
 //
-// A hash table with one point per cell, since known points lie further apart than cells. With std::unordered_map, a
-// map's strokes took an eighth longer to read.
+// They stand in a hash table by cells. With std::unordered_map, a map's strokes took an eighth longer to read.
 class KnownPoints {
  public:
   explicit KnownPoints(const std::vector<PathEdge>& edges) {
-    for (const PathEdge& edge : edges) add(edge.a);
+    // One point of the drawing per cell suffices, because drawings are rounded to 1 nm. More would make a drawing slow
+    // to read that has all its points in one place.
+    for (const PathEdge& edge : edges) {
+      if (slots_[slotOf(cellOf(edge.a))] < 0) add(edge.a);
+    }
   }
 
   // Moves each split to the known point nearest to it, if that is within kTouch, and adds the others as known points.
@@ -190,11 +199,11 @@ class KnownPoints {
       const Vec2* best = nullptr;
       for (std::int64_t x = cell.x - 1; x <= cell.x + 1; ++x) {
         for (std::int64_t y = cell.y - 1; y <= cell.y + 1; ++y) {
-          const int found = slots_[slotOf({x, y})];
-          if (found < 0) continue;
-          const Vec2& point = points_[found];
-          const double apart = length(point - split.at);
-          if (apart <= kTouch && (best == nullptr || apart < length(*best - split.at))) best = &point;
+          for (std::size_t slot = slotOf({x, y}); slots_[slot] >= 0; slot = next(slot)) {
+            const Vec2& point = points_[slots_[slot]];
+            const double apart = length(point - split.at);
+            if (apart <= kTouch && (best == nullptr || apart < length(*best - split.at))) best = &point;
+          }
         }
       }
       if (best != nullptr) {
@@ -215,35 +224,38 @@ class KnownPoints {
     return {static_cast<std::int64_t>(std::floor(p.x / kCell)), static_cast<std::int64_t>(std::floor(p.y / kCell))};
   }
 
-  /// Returns the slot of the point in a cell, or the free slot where it would be stored.
+  /// Returns the slot of the first point in a cell, or the free slot where it would be stored. Further points of the
+  /// cell lie between it and the next free slot.
   [[nodiscard]] std::size_t slotOf(PointCell cell) const {
     const auto mixed = (static_cast<std::uint64_t>(cell.x) * 0x9E3779B97F4A7C15U + static_cast<std::uint64_t>(cell.y)) *
                        0xC2B2AE3D27D4EB4FU;
-    for (std::size_t at = toSize(mixed >> 32);; ++at) {
-      at &= slots_.size() - 1;
+    for (std::size_t at = toSize(mixed >> 32) & (slots_.size() - 1);; at = next(at)) {
       if (slots_[at] < 0) return at;
       const PointCell other = cellOf(points_[slots_[at]]);
       if (other.x == cell.x && other.y == cell.y) return at;
     }
   }
 
-  // Stores a point unless its cell has one already.
+  [[nodiscard]] std::size_t next(std::size_t slot) const { return (slot + 1) & (slots_.size() - 1); }
+
   void add(Vec2 p) {
-    if (2 * points_.size() >= slots_.size()) {
-      slots_.assign(2 * slots_.size(), -1);
-      for (std::size_t k = 0; k < points_.size(); ++k) slots_[slotOf(cellOf(points_[k]))] = static_cast<int>(k);
-    }
-    int& slot = slots_[slotOf(cellOf(p))];
-    if (slot >= 0) return;
-    slot = static_cast<int>(points_.size());
     points_.push_back(p);
+    if (2 * points_.size() <= slots_.size()) return store(points_.size() - 1);
+    slots_.assign(2 * slots_.size(), -1);
+    for (std::size_t k = 0; k < points_.size(); ++k) store(k);
+  }
+
+  void store(std::size_t index) {
+    std::size_t slot = slotOf(cellOf(points_[index]));
+    while (slots_[slot] >= 0) slot = next(slot);
+    slots_[slot] = static_cast<int>(index);
   }
 
   std::vector<Vec2> points_;
   std::vector<int> slots_ = std::vector<int>(64, -1);  ///< indices of points, -1 if free; at most half are taken
 };
 
-/// Splits edges into pieces that meet at their ends only. Every ring stays closed.
+/// Splits edges at the given places. Every ring stays closed.
 Edges piecesOf(const std::vector<PathEdge>& edges, const std::vector<EdgeSplit>& splits) {
   Edges pieces;
   pieces.all.reserve(edges.size() + splits.size());
@@ -287,6 +299,7 @@ std::optional<std::vector<PathEdge>> splitEdges(const std::vector<PathEdge>& edg
     if (pieces.all.size() > kMaxPieces) return std::nullopt;
     if (pieces.all.size() == before) return std::move(pieces.all);
   }
+  // Pieces in mm may still cross by a few nm here, which callers accept. On the grid they must not.
   if (grid) return std::nullopt;
   return std::move(pieces.all);
 }

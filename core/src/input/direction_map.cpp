@@ -1,5 +1,6 @@
 #include "sillon/input/plate_input.hpp"
 
+#include "base/refused.hpp"
 #include "input/map_defect.hpp"
 #include "input/stored_angle.hpp"
 
@@ -44,12 +45,9 @@ void forEachTexel(const Image& image, const Body& body) {
 }  // namespace
 
 Result<DirectionMap> directionMap(const Image& image, DirectionEncoding encoding) {
-  if (const std::string defect = imageDefect(image); !defect.empty()) {
-    return Error{ErrorCode::InvalidArgument, "direction map is a " + defect};
-  }
+  if (std::optional<Error> defect = imageDefect(image, "layers.directionFile")) return *std::move(defect);
   if (encoding == DirectionEncoding::Tangent && image.channels < 3) {
-    return Error{ErrorCode::InvalidArgument, "direction map is a picture with " + std::to_string(image.channels) +
-                                                 " channels; tangents need red and green, 3 or 4"};
+    return refusedArgument("TangentsNeedColours", {{"channels", image.channels}});
   }
   DirectionMap map{image.width, image.height, {}};
   map.angle.reserve(cellCount(image.width, image.height));
@@ -70,16 +68,13 @@ Result<DirectionMap> directionMap(const Image& image, DirectionEncoding encoding
 
 Result<DirectionMap> uniformDirection(double degrees) {
   if (!std::isfinite(degrees)) {
-    const std::string value = std::isnan(degrees) ? "not a number" : "infinite";
-    return Error{ErrorCode::InvalidArgument, "angle is " + value + "; it must be a finite number of degrees"};
+    return refusedArgument("AngleNotFinite");
   }
   return DirectionMap{1, 1, {storedAngle(std::fmod(degrees, 180.0) / 180)}};
 }
 
 Result<ModeMap> modeMap(const Image& image) {
-  if (const std::string defect = imageDefect(image); !defect.empty()) {
-    return Error{ErrorCode::InvalidArgument, "mode map is a " + defect};
-  }
+  if (std::optional<Error> defect = imageDefect(image, "layers.modeFile")) return *std::move(defect);
   ModeMap map{image.width, image.height, {}};
   map.mode.reserve(cellCount(image.width, image.height));
   forEachTexel(image, [&](int x, int y) {

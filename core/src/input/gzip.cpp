@@ -1,10 +1,5 @@
 #include "input/gzip.hpp"
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <utility>
-
 #include "base/checksums.hpp"
 #include "base/deflate.hpp"
 #include "input/inflate.hpp"
@@ -16,7 +11,7 @@ namespace {
 constexpr std::size_t kHeader = 10;
 constexpr std::size_t kTrailer = 8;  // checksum and size
 
-Error damaged(const char* what) { return damagedFile(".gz", what); }
+Error damaged(Reason reason) { return refusedFile(reason, {{"file", ".gz"}}); }
 
 // Returns the offset of the first byte after the header, or 0 if the header is cut off.
 std::size_t endOfHeader(std::string_view file) {
@@ -44,7 +39,7 @@ bool isEmpty(std::string_view data) {
 }
 
 Result<std::string> packed(std::string header, std::string_view text) {
-  if (const auto problem = tooLargeToPack(text.size(), ".gz")) return *problem;
+  if (const auto problem = tooLargeToPack(text.size())) return *problem;
   header += deflated(text);
   append(header, crc32(text), 4);
   append(header, text.size(), 4);
@@ -55,15 +50,11 @@ Result<std::string> packed(std::string header, std::string_view text) {
 
 Result<std::string> gunzipped(std::string_view file, std::size_t most) {
   const std::size_t begin = endOfHeader(file);
-  if (begin == 0) return damaged("is cut off, or packed in an unknown way");
-  const std::size_t size = toSize(number(file, file.size() - 4, 4));
+  if (begin == 0) return damaged("PackedCutOff");
+  const auto size = toSize(number(file, file.size() - 4, 4));
   const std::string_view data = file.substr(begin, file.size() - kTrailer - begin);
-  if (size > most) {
-    return Error{ErrorCode::TooLarge, "the .gz holds " + std::to_string(size >> 20) +
-                                          " MiB of text, or is cut off; it must be at most " +
-                                          std::to_string(most >> 20)};
-  }
-  if (size > data.size() * kBestDeflate) return damaged("is damaged: its size does not fit");
+  if (size > most) return fileTooLarge(size, most);
+  if (size > data.size() * kBestDeflate) return damaged("PackedDamaged");
   // The data include 4 bytes of the trailer, because stb_image's inflate reads that far beyond the end.
   std::optional<std::string> text;
   if (size > 0) {
@@ -72,14 +63,14 @@ Result<std::string> gunzipped(std::string_view file, std::size_t most) {
     text.emplace();
   }
   if (!text || crc32(*text) != number(file, file.size() - kTrailer, 4)) {
-    return damaged("is damaged, or made of several parts: its checksum does not fit");
+    return damaged("PackedDamaged");
   }
   return std::move(*text);
 }
 
 Result<std::string> gzippedLike(std::string_view file, std::string_view text) {
   const std::size_t begin = endOfHeader(file);
-  if (begin == 0) return damaged("is cut off, or packed in an unknown way");
+  if (begin == 0) return damaged("PackedCutOff");
   return packed(std::string(file.substr(0, begin)), text);
 }
 

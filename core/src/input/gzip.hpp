@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
+#include "base/refused.hpp"
 #include "sillon/base/result.hpp"
 
 namespace sillon {
@@ -54,24 +54,11 @@ inline constexpr std::size_t kBestDeflate = 1032;
 
 /// Refuses to pack G-code that is too long.
 /// \param size  size of the G-code [bytes]
-/// \param kind  ".gz", ".bgcode", ...
 /// \return TooLarge, or nothing
-inline std::optional<Error> tooLargeToPack(std::size_t size, const char* kind) {
-  constexpr std::size_t kMostMiB = 1024;
-  if (size <= kMostMiB << 20) return std::nullopt;
-  std::string message = "the G-code is ";
-  message.append(std::to_string(size >> 20)).append(" MiB; in a ").append(kind);
-  message.append(" it must be at most ").append(std::to_string(kMostMiB));
-  return Error{ErrorCode::TooLarge, std::move(message)};
-}
-
-/// Makes the error for a packed file that cannot be read.
-/// \param kind  ".gz", ".bgcode", ...
-/// \param what  "is cut off", ...
-inline Error damagedFile(const char* kind, const char* what) {
-  std::string message = "the ";
-  message.append(kind).append(" ").append(what);
-  return {ErrorCode::InvalidFile, std::move(message)};
+inline std::optional<Error> tooLargeToPack(std::size_t size) {
+  constexpr std::size_t kMost = std::size_t{1} << 30;
+  if (size <= kMost) return std::nullopt;
+  return fileTooLarge(size, kMost);
 }
 
 }  // namespace sillon

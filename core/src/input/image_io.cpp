@@ -3,15 +3,16 @@
 #include "sillon/input/image_io.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "base/checksums.hpp"
 #include "base/deflate.hpp"
+#include "base/refused.hpp"
 #include "input/inflate.hpp"
 
 namespace {
@@ -116,27 +117,30 @@ bool readTgaHeader(Bytes b, TgaHeader& header) {
   return header.pixels > 0;
 }
 
-/// Tells whether a TGA is cut off; empty if it is complete.
-std::string tgaDefect(Bytes bytes) {
+constexpr Reason kCutOff("PictureCutOff");
+
+std::optional<Reason> cutOffIf(bool cut) { return cut ? std::optional(kCutOff) : std::nullopt; }
+
+/// Returns what is wrong with a TGA; nothing if it is complete.
+std::optional<Reason> tgaDefect(Bytes bytes) {
   TgaHeader header;
   readTgaHeader(bytes, header);
   const std::uint64_t size = bytes.size();
-  if ((header.type & 8) == 0) return header.dataAt + header.pixels * header.pixelBytes > size ? "it is cut off" : "";
-  std::size_t at = header.dataAt;
-  std::uint64_t pixels = 0;
+  if ((header.type & 8) == 0) return cutOffIf(header.dataAt + header.pixels * header.pixelBytes > size);
+  std::uint64_t at = header.dataAt, pixels = 0;
   while (pixels < header.pixels) {
-    if (at >= size) return "it is cut off";
-    const std::size_t run = (bytes[at] & 127u) + 1;
-    at += 1 + ((bytes[at] & 128u) != 0 ? 1 : run) * header.pixelBytes;
+    if (at >= size) return kCutOff;
+    const std::uint64_t run = (bytes[toSize(at)] & 127u) + 1;
+    at += 1 + ((bytes[toSize(at)] & 128u) != 0 ? 1 : run) * header.pixelBytes;
     pixels += run;
   }
-  return at > size ? "it is cut off" : "";
+  return cutOffIf(at > size);
 }
 
 // ---- EXIF ----
 
 struct Facts {
-  std::string defect;   // empty: none
+  std::optional<Reason> defect;
   int orientation = 1;  // EXIF, 1..8
 };
 
@@ -174,14 +178,14 @@ Facts inspectPng(Bytes bytes) {
     const Bytes named = bytes.subspan(at + 4, length + 4);
     const bool critical = (named[0] & 32u) == 0;
     if (critical && crc32(textOf(named)) != be32(bytes, at + 8 + length)) {
-      facts.defect = "it is damaged (checksum)";
+      facts.defect = Reason("PictureDamaged");
       return facts;
     }
     if (startsWith(named, "eXIf")) facts.orientation = exifOrientation(named.subspan(4));
     if (startsWith(named, "IEND")) return facts;
     at += length + 12;
   }
-  facts.defect = "it is cut off";
+  facts.defect = kCutOff;
   return facts;
 }
 
@@ -213,7 +217,7 @@ Facts inspectJpeg(Bytes bytes) {
     const std::uint8_t marker = bytes[at + 1];
     at += 2;
     if (marker == 0xd9) {  // end of image
-      if (scans == 0) facts.defect = "it holds no picture";
+      if (scans == 0) facts.defect = Reason("PictureEmpty");
       return facts;
     }
     if (marker == 0xd8 || marker == 0x01) continue;  // no length follows
@@ -224,12 +228,12 @@ Facts inspectJpeg(Bytes bytes) {
     constexpr std::string_view kExif("Exif\0\0", 6);
     if (marker == 0xe1 && facts.orientation == 1 && startsWith(segment, kExif))
       facts.orientation = exifOrientation(segment.subspan(kExif.size()));
-    if (marker == 0xc4 && !huffmanTablesValid(segment)) facts.defect = "it is damaged (Huffman table)";
-    if (marker == 0xda && ++scans > kMaxJpegScans) facts.defect = "it has more than 100 scans";
-    if (!facts.defect.empty()) return facts;
+    if (marker == 0xc4 && !huffmanTablesValid(segment)) facts.defect = Reason("PictureDamaged");
+    if (marker == 0xda && ++scans > kMaxJpegScans) facts.defect = Reason("PictureScans");
+    if (facts.defect) return facts;
     at += length;
   }
-  facts.defect = "it is cut off";
+  facts.defect = kCutOff;
   return facts;
 }
 
@@ -263,22 +267,22 @@ Image uprighted(const void* stored, bool deep, int orientation, Image image) {
 
 // ---- BMP ----
 
-/// Checks the header and the length of a BMP; empty if both are good.
-std::string bmpDefect(Bytes bytes) {
-  if (bytes.size() < 26) return "it is cut off";
+/// Returns what is wrong with the header or the length of a BMP; nothing if both are good.
+std::optional<Reason> bmpDefect(Bytes bytes) {
+  if (bytes.size() < 26) return kCutOff;
   const std::uint64_t offset = le32(bytes, 10);
   const bool oldHeader = le32(bytes, 14) == 12;
-  if (!oldHeader && bytes.size() < 54) return "it is cut off";
+  if (!oldHeader && bytes.size() < 54) return kCutOff;
   const std::uint64_t width = oldHeader ? le16(bytes, 18) : le32(bytes, 18);
   const std::uint32_t signedHeight = oldHeader ? le16(bytes, 20) : le32(bytes, 22);
   const std::uint64_t height = !oldHeader && (signedHeight >> 31) != 0 ? 0u - signedHeight : signedHeight;
   const std::uint64_t bits = le16(bytes, oldHeader ? 24 : 28);
-  if (width == 0 || height == 0 || bits == 0 || bits > 32) return "it is damaged (header)";
+  if (width == 0 || height == 0 || bits == 0 || bits > 32) return Reason("PictureHeader");
   const std::uint32_t packing = oldHeader ? 0 : le32(bytes, 30);
-  if (packing == 1 || packing == 2) return "it is packed (run lengths); save it without compression";
+  if (packing == 1 || packing == 2) return Reason("PicturePacked");
   const std::uint64_t rowBytes = (width * bits + 7) / 8;
   const std::uint64_t stride = (rowBytes + 3) / 4 * 4;  // the last row may lack its padding
-  return offset + stride * (height - 1) + rowBytes > bytes.size() ? "it is cut off" : "";
+  return cutOffIf(offset + stride * (height - 1) + rowBytes > bytes.size());
 }
 
 // ---- all ----
@@ -312,42 +316,46 @@ struct Foreign {
   std::size_t at;
   std::string_view mark;
   const char* kind;
+  bool picture = false;
 };
 constexpr Foreign kForeign[] = {
-    {0, "GIF8", "a GIF picture"},
-    {8, "WEBP", "a WebP picture"},
-    {4, "ftyp", "a HEIC or AVIF picture, or a video"},
-    {0, std::string_view("II*\0", 4), "a TIFF picture"},
-    {0, std::string_view("MM\0*", 4), "a TIFF picture"},
-    {0, "8BPS", "a Photoshop file"},
-    {0, "%PDF", "a PDF"},
-    {0, "%!PS", "a PostScript file"},
-    {0, "\x1f\x8b", "compressed"},
-    {0, "PK\x03\x04", "an archive, such as ZIP or 3MF"},
-    {0, "solid ", "an STL body"},
-    {0, "\xff\xfe", "text in UTF-16"},
-    {0, "\xfe\xff", "text in UTF-16"},
+    {0, "GIF8", "GIF", true},
+    {8, "WEBP", "WebP", true},
+    {4, "ftyp", "HEIC/AVIF", true},
+    {0, std::string_view("II*\0", 4), "TIFF", true},
+    {0, std::string_view("MM\0*", 4), "TIFF", true},
+    {0, "8BPS", "Photoshop"},
+    {0, "%PDF", "PDF"},
+    {0, "%!PS", "PostScript"},
+    {0, "\x1f\x8b", "GZIP"},
+    {0, "PK\x03\x04", "ZIP/3MF"},
+    {0, "solid ", "STL"},
+    {0, "\xff\xfe", "UTF-16"},
+    {0, "\xfe\xff", "UTF-16"},
 };
 
-// Returns the kind of a file that is neither picture nor drawing, or an empty string if it is none of these.
-std::string foreignKind(Bytes bytes) {
+/// Returns the row of a file that is neither picture nor drawing; nothing if it is none of these.
+const Foreign* foreignKind(Bytes bytes) {
+  static constexpr Foreign kDxf{0, "", "DXF"};
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   for (const Foreign& foreign : kForeign) {
-    if (text.substr(std::min(foreign.at, text.size())).starts_with(foreign.mark)) return foreign.kind;
+    if (text.substr(std::min(foreign.at, text.size())).starts_with(foreign.mark)) return &foreign;
   }
-  return text.substr(0, 80).find("SECTION") != std::string_view::npos ? "a DXF drawing" : "";
+  return text.substr(0, 80).find("SECTION") != std::string_view::npos ? &kDxf : nullptr;
 }
 
-Error unreadable(const std::string& name, Format format, const std::string& reason) {
-  return {ErrorCode::InvalidFile,
-          name + " cannot be read as " + kFormatNames[static_cast<int>(format)] + ": " + reason};
+Error unreadable(const std::string& name, Format format, Reason reason) {
+  return refusedFile(reason, {{"file", name}, {"format", kFormatNames[static_cast<int>(format)]}});
 }
 
-Error tooLarge(const std::string& name, const std::string& size) {
-  return {ErrorCode::TooLarge, name + " has " + size + " pixels; at most " + std::to_string(kMaxImageSide) +
-                                   " per side and " + std::to_string(kMaxReadSamples / 3'000'000) +
-                                   " million in all are allowed, " + std::to_string(kMaxReadSamples / 4'000'000) +
-                                   " million with transparency"};
+Error tooLarge(const std::string& name, double width, double height) {
+  return refused(ErrorCode::TooLarge, "PictureTooLarge",
+                 {{"file", name},
+                  {"width", width},
+                  {"height", height},
+                  {"side", kMaxImageSide},
+                  {"millions", kMaxReadSamples / 3'000'000},
+                  {"transparent", kMaxReadSamples / 4'000'000}});
 }
 
 using Decoded = std::unique_ptr<void, void (*)(void*)>;
@@ -359,20 +367,20 @@ Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format,
 
   // For a PNG that is too large, the decoder itself would only report "unknown".
   if (format == Format::Png && size >= 24 && std::max(be32(bytes, 16), be32(bytes, 20)) > kMaxImageSide) {
-    return tooLarge(name, std::to_string(be32(bytes, 16)) + " x " + std::to_string(be32(bytes, 20)));
+    return tooLarge(name, be32(bytes, 16), be32(bytes, 20));
   }
   Image image;
   allocationLimit = 1u << 20;
   if (stbi_info_from_memory(data, size, &image.width, &image.height, &image.channels) == 0) {
-    return unreadable(name, format, "its header is damaged or of an unknown kind");
+    return unreadable(name, format, "PictureHeader");
   }
   image.height = std::abs(image.height);  // a BMP whose first row is the top one has a negative height
   const std::int64_t pixels = static_cast<std::int64_t>(image.width) * image.height;
   if (image.width > kMaxImageSide || image.height > kMaxImageSide ||
       pixels * std::max(image.channels, 3) > kMaxReadSamples) {
-    return tooLarge(name, std::to_string(image.width) + " x " + std::to_string(image.height));
+    return tooLarge(name, image.width, image.height);
   }
-  if (pixels / kPixelsPerByte[static_cast<int>(format)] > size) return unreadable(name, format, "it is cut off");
+  if (pixels / kPixelsPerByte[static_cast<int>(format)] > size) return unreadable(name, format, "PictureCutOff");
 
   // The largest request that an intact picture makes: 4 channels of 16 bits, doubled once by the unpacker when rows of
   // an interlaced PNG need more bytes than first guessed; a JPEG stores 16-bit coefficients of blocks padded to 32
@@ -383,7 +391,7 @@ Result<Image> decodeChecked(Bytes bytes, const std::string& name, Format format,
       deep ? static_cast<void*>(stbi_load_16_from_memory(data, size, &image.width, &image.height, &image.channels, 0))
            : static_cast<void*>(stbi_load_from_memory(data, size, &image.width, &image.height, &image.channels, 0)),
       stbi_image_free);
-  if (!decoded) return unreadable(name, format, stbi_failure_reason());
+  if (!decoded) return unreadable(name, format, "PictureDamaged");
 
   image = uprighted(decoded.get(), deep, orientation, std::move(image));
   // The fourth byte of a TGA pixel has no meaning if the header names no alpha bits.
@@ -457,11 +465,9 @@ std::string rowsOf(int width, int height, std::span<const std::uint8_t> rgb, boo
 }  // namespace
 
 Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name) {
-  if (bytes.empty())
-    return Error{ErrorCode::InvalidFile, name + " is empty; it must be a PNG, JPEG, BMP or TGA picture"};
+  if (bytes.empty()) return refusedFile("FileEmpty", {{"file", name}});
   constexpr std::size_t kMaxBytes = 0x7fffffff;
-  if (bytes.size() > kMaxBytes)
-    return Error{ErrorCode::TooLarge, name + " has more than 2 GiB; at most that is allowed"};
+  if (bytes.size() > kMaxBytes) return inPlace(fileTooLarge(bytes.size(), kMaxBytes), name);
 
   const Format format = formatOf(bytes);
   Facts facts;
@@ -479,19 +485,16 @@ Result<Image> decodeImage(std::span<const std::uint8_t> bytes, const std::string
       facts.defect = tgaDefect(bytes);
       break;
     case Format::Unknown:
-      if (const std::string kind = foreignKind(bytes); !kind.empty()) {
-        return Error{
-            ErrorCode::InvalidFile,
-            name + " is " + kind + "; pictures must be PNG, JPEG, BMP or TGA, and drawings plain SVG in UTF-8"};
+      if (const Foreign* kind = foreignKind(bytes)) {
+        return refusedFile("FormatUnread", {{"file", name}, {"kind", kind->kind}});
       }
-      return Error{ErrorCode::InvalidFile, name + " is not a picture that can be read (it begins with bytes " +
-                                               firstBytes(bytes) + "); PNG, JPEG, BMP and TGA can"};
+      return refusedFile("UnknownPicture", {{"file", name}, {"bytes", firstBytes(bytes)}});
   }
-  if (!facts.defect.empty()) return unreadable(name, format, facts.defect);
+  if (facts.defect) return unreadable(name, format, *facts.defect);
   try {
     return decodeChecked(bytes, name, format, facts.orientation);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::TooLarge, name + " needs more memory than there is"};
+    return inPlace(refused(ErrorCode::TooLarge, "NeedsMoreMemory"), name);
   }
 }
 
@@ -516,7 +519,8 @@ std::vector<std::uint8_t> encodePng(int width, int height, std::span<const std::
 bool beginsLikePicture(std::span<const std::uint8_t> bytes) {
   const Format format = formatOf(bytes);
   if (format != Format::Unknown && format != Format::Tga) return true;  // a TGA has no mark at its beginning
-  return foreignKind(bytes).find("picture") != std::string::npos;
+  const Foreign* const kind = foreignKind(bytes);
+  return kind != nullptr && kind->picture;
 }
 
 std::optional<std::string> inflated(std::string_view data, std::size_t size) {

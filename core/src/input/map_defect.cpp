@@ -2,23 +2,26 @@
 
 #include <cstdint>
 
+#include "base/refused.hpp"
+
 namespace sillon {
 
-std::string imageDefect(const Image& image) {
+std::optional<Error> imageDefect(const Image& image, std::string_view name) {
   const bool consistent = image.width > 0 && image.height > 0 && image.channels >= 1 && image.channels <= 4 &&
-                          image.samples.size() == cellCount(image.width, image.height) * image.channels;
-  if (consistent) return "";
-  return "picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels with " +
-         std::to_string(image.channels) + " channels and " + std::to_string(image.samples.size()) +
-         " samples; it must have pixels, 1 to 4 channels and a sample for each";
+                          image.samples.size() == cellCount(image.width, image.height) * toSize(image.channels);
+  if (consistent) return std::nullopt;
+  return refusedArgument("SamplesUnlikePicture", {{"name", name},
+                                                  {"width", image.width},
+                                                  {"height", image.height},
+                                                  {"channels", image.channels},
+                                                  {"samples", image.samples.size()}});
 }
 
-std::string mapDefect(const char* name, int width, int height, std::size_t values) {
+std::optional<Error> mapDefect(const char* name, int width, int height, std::size_t values) {
   if (width > 0 && height > 0 &&
       std::uint64_t{values} == static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height))
-    return {};
-  return std::string(name) + " map is " + std::to_string(width) + " x " + std::to_string(height) + " pixels with " +
-         std::to_string(values) + " values; it must have a pixel at least, and one value for each";
+    return std::nullopt;
+  return refusedArgument("ValuesUnlikeMap", {{"name", name}, {"width", width}, {"height", height}, {"values", values}});
 }
 
 }  // namespace sillon

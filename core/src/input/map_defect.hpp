@@ -2,17 +2,19 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <optional>
+#include <string_view>
 
+#include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
 
 namespace sillon {
 
-/// Describes the defect of a picture; empty if it has pixels, 1 to 4 channels and a sample for each.
-std::string imageDefect(const Image& image);
+/// Refuses a picture, unless it has pixels, 1 to 4 channels and a sample for each. \param name  its name, or what it is
+std::optional<Error> imageDefect(const Image& image, std::string_view name);
 
-/// Describes the defect of a map; empty if it has at least one pixel and one value for each.
-/// \param name  name of the map, for the sentence.
-std::string mapDefect(const char* name, int width, int height, std::size_t values);
+/// Refuses a map, unless it has at least one pixel and one value for each.
+/// \param name  "directions", "modes" or "tones"
+std::optional<Error> mapDefect(const char* name, int width, int height, std::size_t values);
 
 }  // namespace sillon

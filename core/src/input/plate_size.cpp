@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "base/numbers.hpp"
-#include "sillon/base/result.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace sillon {

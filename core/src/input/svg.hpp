@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "input/shaped_line.hpp"
 #include "sillon/geometry/shape.hpp"
-#include "sillon/input/shaped_line.hpp"
 
 namespace sillon {
 

@@ -1,11 +1,13 @@
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
+#include "compose/visible.hpp"
 #include "input/plate_size.hpp"
 #include "job/place_on_bed.hpp"
+#include "pictures/parts.hpp"
+#include "report/told.hpp"
 #include "sillon/compose/compose.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/job/plate.hpp"
@@ -138,6 +140,11 @@ class Maker {
   PartsProgress parts_;
 };
 
+LayersTold layersTold(const Plate& plate) {
+  return toldOf(plate.composition.layers.placed, plate.seenLayers, plate.input.shape.page,
+                plate.project.toolpath.spacing);
+}
+
 }  // namespace
 
 Result<Plate> makePlate(Project project, const ReadInput& read, const PlateOptions& options, const RunContext& run) {
@@ -148,15 +155,6 @@ Result<Plate> makePlate(Project project, const ReadInput& read, const PlateOptio
   if (auto error = Maker(plate, read, options, run).make()) return *std::move(error);
   return plate;
 }
-
-namespace {
-
-LayersTold layersTold(const Plate& plate) {
-  return toldOf(plate.composition.layers.placed, plate.seenLayers, plate.input.shape.page,
-                plate.project.toolpath.spacing);
-}
-
-}  // namespace
 
 std::vector<InputNote> Plate::notes() const {
   std::vector<InputNote> all = inputNotes(project, input.shape.drawing);

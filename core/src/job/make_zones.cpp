@@ -2,20 +2,16 @@
 #include <optional>
 #include <utility>
 
+#include "base/refused.hpp"
+#include "compose/visible.hpp"
+#include "export/zones.hpp"
 #include "sillon/compose/compose.hpp"
-#include "sillon/job/zones.hpp"
+#include "sillon/job/plate.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/settings/table.hpp"
 
 namespace sillon {
 namespace {
-
-/// Names the body in an error.
-Error ofBody(const Error& error) {
-  Error told = error;
-  told.message = "the body: " + error.message;
-  return told;
-}
 
 /// A body, and its top as the surface on which layers lie.
 struct Topped {
@@ -31,13 +27,13 @@ Result<Topped> bodyOf(const Project& project, const ZonesRequest& request, const
   std::optional<Shape> outline;
   if (request.body) {
     Result<Mesh> mesh = readStl(*request.body);
-    if (!mesh) return ofBody(mesh.error());
+    if (!mesh) return mesh.error();
     out.body = std::move(mesh).value();
     if (request.face) {
       out.corner = request.face->corner;
     } else {
       Result<Shape> seen = silhouetteOf(out.body, out.corner);
-      if (!seen) return ofBody(seen.error());
+      if (!seen) return seen.error();
       outline = std::move(seen).value();
     }
   }
@@ -69,9 +65,7 @@ Result<ZonesMade> makeZones(const Project& project, const ZonesRequest& request,
   const PlateInput laid = composed.value().laid();
   if (std::any_of(laid.modes.mode.begin(), laid.modes.mode.end(),
                   [](DirectionMode mode) { return mode != DirectionMode::Constrained; })) {
-    return Error{
-        ErrorCode::InvalidArgument,
-        "zones show directions as they are given, so the mode must be constrained; --mode constrained sets it"};
+    return refusedArgument("ZonesConstrained");
   }
   Result<DirectionZones> zones = directionZones(laid.shape, laid.directions, request.params, run);
   if (!zones) return zones.error();

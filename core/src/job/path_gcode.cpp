@@ -1,9 +1,7 @@
-#include "sillon/job/path_gcode.hpp"
+#include "sillon/job/plate.hpp"
 
 #include <string_view>
 #include <utility>
-
-#include "sillon/look/preview.hpp"
 
 namespace sillon {
 

@@ -2,9 +2,9 @@
 #include <string>
 #include <utility>
 
+#include "base/refused.hpp"
 #include "gcode/read_back.hpp"
 #include "sillon/gcode_reader/check.hpp"
-#include "sillon/job/path_gcode.hpp"
 #include "sillon/job/plate.hpp"
 
 namespace sillon {
@@ -43,9 +43,7 @@ std::optional<Error> checkPlateGcode(Plate& plate, std::string_view gcode, const
   const auto fault = std::find_if(check.findings.begin(), check.findings.end(),
                                   [](const GcodeFinding& finding) { return finding.error; });
   if (fault != check.findings.end()) {
-    return Error{ErrorCode::InvalidArgument, "the G-code would be refused by `check`: " + fault->message + " (line " +
-                                                 std::to_string(fault->line) +
-                                                 " of the file); change the start or end code, or the settings of it"};
+    return refusedArgument("CheckRefuses", {{"what", fault->message}, {"line", fault->line}});
   }
   plate.findings = std::move(check.findings);
   plate.delay = check.delay;

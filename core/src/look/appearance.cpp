@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/fast_math.hpp"
+#include "base/refused.hpp"
 #include "look/appearance_data.hpp"
 #include "look/inversion_parts.hpp"
 
@@ -35,16 +36,18 @@ bool within(double v, double low, double high) { return v >= low && v <= high; }
 
 }  // namespace
 
-std::string invalidLamp(const Lamp& lamp) {
-  if (!within(lamp.azimuth, -36000, 36000)) return "lamp azimuth is outside its range of -36000 to 36000 degrees";
-  if (!within(lamp.elevation, 1, 90)) return "lamp elevation is outside its range of 1 to 90 degrees";
-  if (!within(lamp.slope, 0, 2)) return "lamp size is outside its range of 0 to 2";
-  return {};
+std::optional<Error> invalidLamp(const Lamp& lamp) {
+  if (!within(lamp.azimuth, -36000, 36000)) return outOfRange("lamp.azimuth", lamp.azimuth, -36000, 36000, "degrees");
+  if (!within(lamp.elevation, 1, 90)) return outOfRange("lamp.elevation", lamp.elevation, 1, 90, "degrees");
+  if (!within(lamp.slope, 0, 2)) return outOfRange("lamp.size", lamp.slope, 0, 2, "");
+  return std::nullopt;
 }
 
-std::string invalidRoughness(const Roughness& roughness) {
-  const bool fits = within(roughness.along, 0.1, 45) && within(roughness.across, 0.1, 45);
-  return fits ? "" : "a slope is outside its range of 0.1 to 45 degrees";
+std::optional<Error> invalidRoughness(const Roughness& roughness) {
+  for (const double slope : {roughness.along, roughness.across}) {
+    if (!within(slope, 0.1, 45)) return outOfRange("slopes", slope, 0.1, 45, "degrees");
+  }
+  return std::nullopt;
 }
 
 // The model of docs/internals/pictures.md: anisotropic Beckmann slopes (Heitz 2014) and an eye straight above.

@@ -1,4 +1,4 @@
-#include "sillon/look/conflict.hpp"
+#include "sillon/look/inversion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "input/map_defect.hpp"
+#include "look/rasters.hpp"
 
 namespace sillon {
 namespace {
@@ -32,10 +33,10 @@ PictureConflict conflictOf(const DirectionMap& directions, std::span<const Shown
                            const Roughness& roughness, double level) {
   PictureConflict conflict{directions.width, directions.height, {}};
   // Maps may come from outside: a map whose values do not match its size gives no conflict.
-  if (!mapDefect("direction", directions.width, directions.height, directions.angle.size()).empty()) return {};
+  if (mapDefect("directions", directions.width, directions.height, directions.angle.size())) return {};
   for (const ShownPicture& picture : shown) {
     const Tones& tones = picture.tones;
-    if (!mapDefect("tone", tones.width, tones.height, tones.value.size()).empty()) return {};
+    if (mapDefect("tones", tones.width, tones.height, tones.value.size())) return {};
   }
   for (const ShownPicture& picture : shown) {
     // Codes by direction under this lamp, and the range that counts as 0 to 1.

@@ -2,7 +2,6 @@
 // cells of one of four colours at a time, from coarse to fine.
 #include "look/inversion_parts.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -12,8 +11,7 @@
 
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
-#include "base/simd.hpp"
-#include "sillon/look/inversion.hpp"
+#include "look/rasters.hpp"
 
 namespace sillon {
 namespace {

@@ -1,11 +1,12 @@
 // Prepares the pictures' tones and runs the inversion. direction_solver.cpp finds the directions, lamp_choice.cpp the
 // lamps, white and side that were left open.
 #include "sillon/look/inversion.hpp"
+#include "base/refused.hpp"
+#include "input/map_defect.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <utility>
 
 #include "base/parallel_for.hpp"
@@ -30,36 +31,40 @@ void raiseDetails(std::vector<float>& values, int width, int height, double amou
   }
 }
 
-// Tells the first thing that is wrong with the arguments; empty if nothing is.
-std::string defectOf(std::span<const LitPicture> pictures, const Roughness& roughness, const PicturePage& page,
-                     const InversionParams& params) {
-  const auto within = [](double v, double low, double high) { return v >= low && v <= high; };
-  if (pictures.empty() || pictures.size() > kMaxPictures) {
-    return std::to_string(pictures.size()) + " pictures are asked for; there must be 1 to 4";
+// Refuses the first argument that is wrong; nothing if none is.
+std::optional<Error> defectOf(std::span<const LitPicture> pictures, const Roughness& roughness, const PicturePage& page,
+                              const InversionParams& params) {
+  struct Limited {
+    const char* name;
+    double value, low, high;
+    const char* unit = "";
+  };
+  // A level of 0 is chosen here.
+  const double level = params.level == 0 ? 1 : params.level;
+  const Limited limits[] = {{"pictures", static_cast<double>(pictures.size()), 1, kMaxPictures},
+                            {"toolpath.spacing", page.spacing, 1e-3, 1e3, "mm"},
+                            {"smoothness", params.smoothness, 0.001, 10},
+                            {"sharpness", params.sharpness, 0, 2},
+                            {"localContrast", params.localContrast, 0, 2},
+                            {"level", level, 0.05, 1}};
+  for (const Limited& one : limits) {
+    if (!(one.value >= one.low && one.value <= one.high)) {
+      return outOfRange(one.name, one.value, one.low, one.high, one.unit);
+    }
   }
-  if (std::string defect = pageDefect(page.size); !defect.empty()) return defect;
-  if (!within(page.spacing, 1e-3, 1e3)) return "spacing is outside its range of 0.001 to 1000 mm";
-  if (!within(params.smoothness, 0.001, 10)) return "smoothness is outside its range of 0.001 to 10";
-  if (!within(params.sharpness, 0, 2)) return "sharpness is outside its range of 0 to 2";
-  if (!within(params.localContrast, 0, 2)) return "local contrast is outside its range of 0 to 2";
-  if (params.level != 0 && !within(params.level, 0.05, 1)) return "level is outside its range of 0.05 to 1, or 0";
-  if (std::string defect = invalidRoughness(roughness); !defect.empty()) return defect;
+  if (auto defect = pageDefect(page.size)) return defect;
+  if (auto defect = invalidRoughness(roughness)) return defect;
   for (const LitPicture& picture : pictures) {
     const Tones& tones = picture.tones;
-    if (tones.width < 1 || tones.height < 1 || tones.value.size() != cellCount(tones.width, tones.height)) {
-      return "a picture has no pixels";
+    if (auto defect = mapDefect("tones", tones.width, tones.height, tones.value.size())) return defect;
+    for (const float tone : tones.value) {
+      if (!std::isfinite(tone)) return outOfRange("tone", tone, 0, 1, "");
     }
-    if (std::any_of(tones.value.begin(), tones.value.end(), [](float tone) { return !std::isfinite(tone); })) {
-      return "a picture has a tone that is not a number";
-    }
-    if (std::string defect = invalidLamp(picture.lamp); !defect.empty()) return defect;
+    if (auto defect = invalidLamp(picture.lamp)) return defect;
     // A high lamp or a matt spool leaves too little contrast for any picture.
-    if (contrastOf(lobeOf(picture.lamp, roughness)) < kLeastContrast) {
-      return "the lamp makes no direction of this spool more than 1.5 times as bright as another; choose a lower or a "
-             "smaller lamp, or a glossier spool";
-    }
+    if (contrastOf(lobeOf(picture.lamp, roughness)) < kLeastContrast) return refusedArgument("WeakLamp");
   }
-  return {};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -67,9 +72,7 @@ std::string defectOf(std::span<const LitPicture> pictures, const Roughness& roug
 Result<SolvedDirections> solveDirections(std::span<const LitPicture> pictures, const Roughness& roughness,
                                          const PicturePage& page, const InversionParams& params,
                                          const RunContext& run) {
-  if (std::string defect = defectOf(pictures, roughness, page, params); !defect.empty()) {
-    return Error{ErrorCode::InvalidArgument, std::move(defect)};
-  }
+  if (auto defect = defectOf(pictures, roughness, page, params)) return *std::move(defect);
   // 1. Cells of tau/2, or larger on huge pages.
   const double cell = std::max(page.spacing / 2, std::max(page.size.x, page.size.y) / kMostCells);
   const auto cells = [&](double side) { return std::max(1, static_cast<int>(std::floor(side / cell + 0.5))); };

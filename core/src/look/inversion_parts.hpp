@@ -110,4 +110,7 @@ LampChoice chooseLamps(const LampTrial& trial, std::span<const LitPicture> pictu
 /// that lies beyond the page, 0..1.
 Tones pageTones(Tones tones, Vec2 page, PictureProportions proportions, double& leftOut);
 
+/// Most pictures that are solved for together.
+inline constexpr int kMaxPictures = 4;
+
 }  // namespace sillon

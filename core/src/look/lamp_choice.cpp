@@ -1,11 +1,11 @@
 #include "look/inversion_parts.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
 #include "base/fast_math.hpp"
+#include "look/rasters.hpp"
 
 namespace sillon {
 namespace {

@@ -1,4 +1,4 @@
-#include "sillon/look/loop.hpp"
+#include "sillon/look/preview.hpp"
 
 #include <cmath>
 #include <cstddef>

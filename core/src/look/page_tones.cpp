@@ -1,8 +1,6 @@
 #include "look/inversion_parts.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace sillon {
 namespace {

@@ -1,6 +1,7 @@
 // Draws previews. Beads are rasterised once, on 2 x 2 samples per pixel, in bands of rows; both panels are shaded from
 // the same samples, and samples without a bead show the background with the plate's shadow.
 #include "sillon/look/preview.hpp"
+#include "base/refused.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include "base/parallel_for.hpp"
 #include "look/inversion_parts.hpp"
 #include "look/preview_parts.hpp"
+#include "look/rasters.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/look/inversion.hpp"
 #include "toolpath/path.hpp"
@@ -232,20 +234,12 @@ void drawBackground(const BandDrawing& drawing, const Shadow& shadow, const std:
   }
 }
 
-/// Tells why a look cannot be drawn; empty if it can.
-std::string lookDefect(const LookParams& look) {
-  if (std::string defect = invalidLamp(look.lamp); !defect.empty()) return defect;
-  if (std::string defect = invalidRoughness(look.roughness); !defect.empty()) return defect;
+/// Tells why a look cannot be drawn; nothing if it can.
+std::optional<Error> defectOf(const Toolpath& toolpath, Vec2 page, const LookParams& look) {
+  if (auto defect = invalidLamp(look.lamp)) return defect;
+  if (auto defect = invalidRoughness(look.roughness)) return defect;
   const bool near = look.eyeDistance >= 0.1 && look.eyeDistance <= 1000;
-  return near || look.eyeDistance == 0 ? "" : "the eye's distance is outside its range of 0.1 to 1000 page sides, or 0";
-}
-
-std::string defectOf(const Toolpath& toolpath, Vec2 page, const PreviewParams& params) {
-  const auto within = [](double v, double low, double high) { return v >= low && v <= high; };
-  if (!within(params.width, 16, 16384)) {
-    return "preview width is " + std::to_string(params.width) + " pixels; it must be 16 to 16384";
-  }
-  if (std::string defect = lookDefect(params.look); !defect.empty()) return defect;
+  if (!near && look.eyeDistance != 0) return outOfRange("eyeDistance", look.eyeDistance, 0.1, 1000, "");
   return toolpathDefect(toolpath, page);
 }
 
@@ -260,14 +254,11 @@ Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layou
   const Bands bands = sortIntoBands(beads, layout.look.height * kSamples, kBandRows * kSamples);
   const BandDrawing drawing{layout, beads, bands, lookOf(params.look, std::max(layout.look.width, layout.look.height))};
   std::vector<std::uint8_t> covered(cellCount(layout.look.width, layout.look.height));
-  parallelFor(run, static_cast<int>(bands.begin.size()) - 1, 1, [&](int begin, int end) {
-    for (int band = begin; band < end; ++band) drawBand(drawing, band, image, covered);
-  });
+  parallelForEach(run, static_cast<int>(bands.begin.size()) - 1, 1,
+                  [&](int band) { drawBand(drawing, toSize(band), image, covered); });
   // The shadow needs the whole plate, so that the background comes after all bands.
   const Shadow shadow = shadowOf(covered, kSamples * kSamples, layout.look);
-  parallelFor(run, image.height, kBandRows, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) drawBackground(drawing, shadow, covered, y, image);
-  });
+  parallelForEach(run, image.height, kBandRows, [&](int y) { drawBackground(drawing, shadow, covered, y, image); });
   if (directions) {
     drawLegend(image, layout);
     drawLamp(image, layout, params.look.lamp);
@@ -280,37 +271,30 @@ Result<RgbImage> render(const Toolpath& toolpath, Vec2 page, const Layout& layou
 
 Result<RgbImage> renderPreview(const Toolpath& toolpath, Vec2 page, const PreviewParams& params,
                                const RunContext& run) {
-  if (const std::string defect = defectOf(toolpath, page, params); !defect.empty()) {
-    return Error{ErrorCode::InvalidArgument, defect};
-  }
+  if (params.width < 16 || params.width > 16384) return outOfRange("width", params.width, 16, 16384, "");
+  if (auto defect = defectOf(toolpath, page, params.look)) return *std::move(defect);
   const Layout layout = layOut(page, params.width);
   if (layout.width == 0) {
-    return Error{ErrorCode::TooLarge, "preview of panels " + std::to_string(params.width) +
-                                          " pixels wide would be beyond " + std::to_string(kMaxImageSide) +
-                                          " pixels per side or 100 million in all; choose fewer"};
+    return refused(ErrorCode::TooLarge, "PreviewTooLarge", {{"width", params.width}, {"most", kMaxImageSide}});
   }
   try {
     return render(toolpath, page, layout, params, run);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::TooLarge, "preview needs more memory than there is; choose a smaller width"};
+    return needsMoreMemory();
   }
 }
 
 Result<RgbImage> renderLook(const Toolpath& toolpath, Vec2 page, int width, int height, const LookParams& look,
                             const RunContext& run) {
   constexpr int kMaxSide = 1024;
-  if (width < 16 || width > kMaxSide || height < 16 || height > kMaxSide) {
-    return Error{ErrorCode::InvalidArgument, "the look's size is " + std::to_string(width) + " x " +
-                                                 std::to_string(height) + " pixels; each must be 16 to 1024"};
+  for (const int side : {width, height}) {
+    if (side < 16 || side > kMaxSide) return outOfRange("width, height", side, 16, kMaxSide, "");
   }
-  const PreviewParams params{kMaxSide, look};
-  if (const std::string defect = defectOf(toolpath, page, params); !defect.empty()) {
-    return Error{ErrorCode::InvalidArgument, defect};
-  }
+  if (auto defect = defectOf(toolpath, page, look)) return *std::move(defect);
   try {
-    return render(toolpath, page, layOutLook(page, width, height), params, run);
+    return render(toolpath, page, layOutLook(page, width, height), {kMaxSide, look}, run);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::TooLarge, "the look needs more memory than there is; choose a smaller size"};
+    return needsMoreMemory();
   }
 }
 

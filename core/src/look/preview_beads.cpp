@@ -1,7 +1,5 @@
 #include "look/preview_parts.hpp"
 
-#include <cmath>
-
 #include "base/simd.hpp"
 
 namespace sillon {

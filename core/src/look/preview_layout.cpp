@@ -1,9 +1,5 @@
 #include "look/preview_parts.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-
 #include "sillon/input/image_io.hpp"
 
 namespace sillon {

@@ -1,8 +1,5 @@
 #include "look/preview_parts.hpp"
 
-#include <algorithm>
-#include <cstddef>
-
 namespace sillon {
 namespace {
 

@@ -1,9 +1,5 @@
 #include "look/preview_parts.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 namespace sillon {
 namespace {
 

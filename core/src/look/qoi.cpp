@@ -1,8 +1,5 @@
 #include "look/preview_parts.hpp"
 
-#include <array>
-#include <cstddef>
-
 namespace sillon {
 namespace {
 

@@ -1,7 +1,6 @@
 // Reads files of a person's own spools (docs/reference/spools.md). They may come from anywhere, so that everything is
 // checked.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -9,9 +8,9 @@
 #include <utility>
 
 #include "base/json.hpp"
-#include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "sillon/base/words.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 
 namespace sillon {
 namespace {
@@ -24,16 +23,29 @@ constexpr std::size_t kLongestKey = 40;
 constexpr double kLeastSlope = 0.1;
 constexpr double kMostSlope = 45;
 
-// All defects of the text are errors of the same kind.
-Error fault(std::string message) { return {ErrorCode::InvalidFile, std::move(message)}; }
+// Forms of values, as in the file. Slopes are degrees: along the bead, across it.
+constexpr char kSlopesForm[] = "[0.1 ... 45, 0.1 ... 45]";
+constexpr char kSidesForm[] = "{\"nozzleSide\": [0.1 ... 45, 0.1 ... 45], \"bedSide\": [0.1 ... 45, 0.1 ... 45]}";
+constexpr char kColourForm[] = "[0 ... 255, 0 ... 255, 0 ... 255]";
+constexpr char kSpoolForm[] = "{\"colour\": [...], \"fine\": {...}, \"wide\": {...}, \"source\": \"...\"}";
+constexpr char kFileForm[] = "{\"version\": 1, \"spools\": {...}}";
+
+// Refuses a value for its form. \param where  path of the value  \param form  as in the file
+Error wrongForm(std::string_view where, const char* form) {
+  return refusedFile("SpoolForm", {{"where", where}, {"form", form}});
+}
+
+// Refuses a key that the form does not have.
+Error otherKey(std::string_view where, std::string_view key, const char* form) {
+  return refusedFile("SpoolKey", {{"where", where}, {"key", inQuotes(key)}, {"form", form}});
+}
+
+Error wrongFile() { return refusedFile("SpoolFile", {{"form", kFileForm}}); }
 
 // Parses the text, or tells in words what is wrong with it. Repeated keys are errors: the library would silently keep
 // only the last one.
 Result<Json> parsed(std::string_view text) {
-  if (text.size() > kMaxBytes) {
-    return Error{ErrorCode::TooLarge, "a file of spools has " + std::to_string(text.size()) +
-                                          " bytes; it must have at most " + std::to_string(kMaxBytes)};
-  }
+  if (text.size() > kMaxBytes) return fileTooLarge(text.size(), kMaxBytes);
   // Keys of each object that is open, from the outermost one in.
   std::vector<std::set<std::string>> keys;
   std::string twice;
@@ -47,8 +59,8 @@ Result<Json> parsed(std::string_view text) {
     return true;
   };
   Json json = Json::parse(text.begin(), text.end(), look, false);
-  if (json.is_discarded()) return fault("a file of spools is JSON, and this text is not");
-  if (!twice.empty()) return fault("key " + inQuotes(twice) + " is given twice; each key may be given once");
+  if (json.is_discarded()) return wrongFile();
+  if (!twice.empty()) return refusedFile("KeyTwice", {{"key", inQuotes(twice)}});
   return json;
 }
 
@@ -67,13 +79,13 @@ std::optional<Error> readSlopes(const Json& sides, const char* side, const std::
   const auto found = sides.find(side);
   const bool pair = found != sides.end() && found->is_array() && found->size() == 2 && (*found)[0].is_number() &&
                     (*found)[1].is_number();
-  if (!pair) {
-    return fault(what + " must be two numbers: the RMS slopes along and across the bead in degrees");
-  }
+  if (!pair) return wrongForm(what, kSlopesForm);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     const double slope = (*found)[k].get<double>();
     if (slope >= kLeastSlope && slope <= kMostSlope) continue;
-    return fault(outOfRange((what + "[" + std::to_string(k) + "]").c_str(), slope, " degrees", "0.1 to 45"));
+    Error error = outOfRange(what + "[" + std::to_string(k) + "]", slope, kLeastSlope, kMostSlope, "degrees");
+    error.code = ErrorCode::InvalidFile;
+    return error;
   }
   out = {(*found)[0].get<double>(), (*found)[1].get<double>()};
   return std::nullopt;
@@ -83,28 +95,26 @@ std::optional<Error> readSlopes(const Json& sides, const char* side, const std::
 std::optional<Error> readSides(const Json& spool, const char* nozzle, const std::string& name, SideRoughness& out) {
   const std::string what = name + "." + nozzle;
   const Json& sides = spool[nozzle];
-  if (!sides.is_object()) return fault(what + " must be an object with nozzleSide and bedSide");
-  if (const auto key = unknownKey(sides, {"nozzleSide", "bedSide"})) {
-    return fault(what + " has the key " + inQuotes(*key) + "; it may have nozzleSide and bedSide");
-  }
+  if (!sides.is_object()) return wrongForm(what, kSidesForm);
+  if (const auto key = unknownKey(sides, {"nozzleSide", "bedSide"})) return otherKey(what, *key, kSidesForm);
   if (auto error = readSlopes(sides, "nozzleSide", what, out.nozzleSide)) return error;
   return readSlopes(sides, "bedSide", what, out.bedSide);
 }
 
 /// Reads one spool. Its key must not be one that comes with the program, which it would replace silently.
 Result<Spool> readSpool(const std::string& key, const Json& json) {
-  const std::string name = "spool " + inQuotes(key);
+  const std::string name = "spools[" + inQuotes(key) + "]";
   // Keys are words of the command line and of projects, so that they hold no spaces.
   const bool plain = !key.empty() && key.size() <= kLongestKey && std::all_of(key.begin(), key.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
   });
-  if (!plain) return fault(name + " must be called by 1 to 40 letters, digits, - and _");
-  if (findSpool(key) != nullptr) return fault(name + " is one that comes with the program; call yours otherwise");
-  if (!json.is_object()) return fault(name + " must be an object with colour and fine");
+  if (!plain) return refusedFile("SpoolName", {{"where", name}});
+  if (findSpool(key) != nullptr) return refusedFile("SpoolTaken", {{"where", name}});
+  if (!json.is_object()) return wrongForm(name, kSpoolForm);
   if (const auto other = unknownKey(json, {"colour", "fine", "wide", "source"})) {
-    return fault(name + " has the key " + inQuotes(*other) + "; it may have colour, fine, wide and source");
+    return otherKey(name, *other, kSpoolForm);
   }
-  if (json.contains("source") && !json["source"].is_string()) return fault(name + ".source must be text");
+  if (json.contains("source") && !json["source"].is_string()) return wrongForm(name + ".source", "\"...\"");
   Spool spool;
   spool.key = key;
   const Json colour = json.value("colour", Json());
@@ -113,8 +123,8 @@ Result<Spool> readSpool(const std::string& key, const Json& json) {
     rgb = colour[k].is_number_unsigned() && colour[k].get<std::uint64_t>() <= 255;
     if (rgb) spool.colour[k] = colour[k].get<std::uint8_t>();
   }
-  if (!rgb) return fault(name + ".colour must be red, green and blue, whole numbers from 0 to 255");
-  if (!json.contains("fine")) return fault(name + " has no slopes; fine must have nozzleSide and bedSide");
+  if (!rgb) return wrongForm(name + ".colour", kColourForm);
+  if (!json.contains("fine")) return wrongForm(name + ".fine", kSidesForm);
   if (auto error = readSides(json, "fine", name, spool.fine)) return *error;
   // Without figures for a wide nozzle those for a fine one serve.
   spool.wide = spool.fine;
@@ -131,16 +141,12 @@ Result<std::vector<Spool>> readSpools(std::string_view text) {
   if (!json) return json.error();
   const Json& root = json.value();
   if (!root.is_object() || !root.contains("spools") || !root["spools"].is_object()) {
-    return fault("a file of spools is an object with version and spools");
-  }
-  if (const auto key = unknownKey(root, {"version", "spools"})) {
-    return fault("a file of spools has the key " + inQuotes(*key) + "; it may have version and spools");
+    return wrongFile();
   }
   // Later versions may mean something else by the same keys.
-  if (root.value("version", Json()) != 1) return fault("version of a file of spools must be 1");
+  if (unknownKey(root, {"version", "spools"}) || root.value("version", Json()) != 1) return wrongFile();
   if (root["spools"].size() > kMostSpools) {
-    return fault("a file has " + std::to_string(root["spools"].size()) + " spools; it may have at most " +
-                 std::to_string(kMostSpools));
+    return refusedFile("ManySpools", {{"count", root["spools"].size()}, {"most", kMostSpools}});
   }
   std::vector<Spool> spools;
   for (const auto& item : root["spools"].items()) {

@@ -1,4 +1,4 @@
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #include "sillon/look/preview.hpp"
 
-#include <array>
 #include <utility>
 
+#include "base/refused.hpp"
 #include "look/preview_parts.hpp"
 #include "sillon/input/image_io.hpp"
 
@@ -56,7 +56,7 @@ Result<std::vector<Thumbnail>> lookThumbnails(const Toolpath& toolpath, Vec2 pag
     // QOI or PNG, as the printer's screen asks for.
     thumbnail.bytes = size.format == ThumbnailFormat::Qoi ? encodeQoi(size.width, size.height, rgb)
                                                           : encodePng(size.width, size.height, rgb, {}, true);
-    if (thumbnail.bytes.empty()) return Error{ErrorCode::TooLarge, "a thumbnail needs more memory than there is"};
+    if (thumbnail.bytes.empty()) return needsMoreMemory();
     thumbnails.push_back(std::move(thumbnail));
   }
   return thumbnails;

@@ -1,6 +1,7 @@
 // Writes the small file that <sillon-view> shows. Each segment is a capsule that marks samples of the texels it covers;
 // a texel's direction is the mean, in doubled angles, of the capsules that reach it.
-#include "sillon/look/view_file.hpp"
+#include "sillon/look/preview.hpp"
+#include "base/refused.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -169,19 +170,14 @@ std::string noteOf(Vec2 page, double spacing, const ViewParams& params) {
   return note + " slopes " + whole(params.roughness.along * 100) + " " + whole(params.roughness.across * 100);
 }
 
-std::string defectOf(const Toolpath& toolpath, Vec2 page, const ViewParams& params) {
-  const auto within = [](double v, double low, double high) { return v >= low && v <= high; };
-  if (!within(toolpath.spacing, 1e-3, 1e3)) return "spacing is outside its range of 0.001 to 1000 mm";
-  if (std::string defect = invalidRoughness(params.roughness); !defect.empty()) return defect;
-  return toolpathDefect(toolpath, page);
-}
-
 }  // namespace
 
 Result<std::vector<std::uint8_t>> viewFile(const Toolpath& toolpath, Vec2 page, const ViewParams& params) {
-  if (const std::string defect = defectOf(toolpath, page, params); !defect.empty()) {
-    return Error{ErrorCode::InvalidArgument, defect};
+  if (!(toolpath.spacing >= 1e-3 && toolpath.spacing <= 1e3)) {
+    return outOfRange("toolpath.spacing", toolpath.spacing, 1e-3, 1e3, "mm");
   }
+  if (auto defect = invalidRoughness(params.roughness)) return *std::move(defect);
+  if (auto defect = toolpathDefect(toolpath, page)) return *std::move(defect);
   const std::string note = noteOf(page, toolpath.spacing, params);
   try {
     // Try again with fewer texels until the file is small enough.
@@ -195,7 +191,7 @@ Result<std::vector<std::uint8_t>> viewFile(const Toolpath& toolpath, Vec2 page, 
   } catch (const std::bad_alloc&) {
     // told below
   }
-  return Error{ErrorCode::TooLarge, "the view needs more memory than there is"};
+  return needsMoreMemory();
 }
 
 }  // namespace sillon

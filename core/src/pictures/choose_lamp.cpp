@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
+#include "look/rasters.hpp"
+#include "quality/seen_cells.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
 

@@ -1,9 +1,9 @@
+#include "look/rasters.hpp"
 #include "pictures/parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace sillon {
 namespace {

@@ -46,4 +46,27 @@ void addMissingTones(std::span<const float> light, const Tones& asked, const Lob
 Result<double> chosenAzimuth(std::vector<LitPicture> lit, const Roughness& roughness, const Shape& shape,
                              const InversionParams& inversion, const RunContext& run, const OnTrial& onTrial);
 
+/// Lists pictures under their lamps, without tones. A lamp that is not given is to be chosen, at
+/// the elevation of the first.
+/// \param lampSize  PictureParams::lampSize.
+std::vector<LitPicture> unlit(const std::vector<LampPicture>& pictures, double lampSize);
+
+/// Tells how well a plate shows each picture.
+/// \param measures  measures of each picture, or empty: not measured.
+std::vector<PictureFacts> pictureFacts(const PlatePictures& pictures, const std::vector<PictureMeasures>& measures);
+
+/// Returns the inversion's parameters for the settings of pictures.
+InversionParams inversionOf(const PictureParams& params);
+
+/// Reads the pictures of the lowest layer and puts the directions that show them into the input. If
+/// the layer has none, nothing is read and none are shown. If the lamp of a single picture is left
+/// open, it becomes the one of three whose plate, made with the usual toolpath settings, shows the
+/// picture best.
+/// \param kept  result of the plate before, as while somebody edits: what is asked for once more is
+/// taken from there. It is emptied after pictures of more than 4 million pixels.
+/// \return the errors of reading, decodeImage and solveDirections.
+Result<PlatePictures> solvePictures(const Project& project, const ReadInput& read, PlateInput& input,
+                                    const RunContext& run, std::optional<KeptPictures>* kept = nullptr,
+                                    const OnTrial& onTrial = {});
+
 }  // namespace sillon

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "sillon/geometry/outline.hpp"
-#include "sillon/look/conflict.hpp"
+#include "geometry/outline.hpp"
+#include "look/rasters.hpp"
+#include "sillon/look/inversion.hpp"
 
 namespace sillon {
 

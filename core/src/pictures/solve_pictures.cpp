@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "look/inversion_parts.hpp"
+#include "look/rasters.hpp"
 #include "pictures/parts.hpp"
 #include "project/files.hpp"
-#include "sillon/look/spools.hpp"
+#include "quality/seen_cells.hpp"
+#include "sillon/look/appearance.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/quality/metrics.hpp"
 

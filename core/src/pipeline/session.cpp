@@ -1,7 +1,5 @@
 #include "sillon/pipeline/pipeline.hpp"
 
-#include <optional>
-
 #include "pipeline/steps.hpp"
 
 namespace sillon {

@@ -6,7 +6,7 @@
 #include "field/fields.hpp"
 #include "geometry/parts.hpp"
 #include "geometry/signed_distance.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "toolpath/path.hpp"
 

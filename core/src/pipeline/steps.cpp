@@ -4,7 +4,6 @@
 #include <string>
 
 #include "base/free_memory.hpp"
-#include "base/numbers.hpp"
 #include "base/parallel_for.hpp"
 #include "base/refused.hpp"
 #include "field/fields.hpp"
@@ -27,7 +26,7 @@ constexpr double kPictureStitchAlignment = 4;
 constexpr int kGivingRounds = 3;
 
 Error noBeadFits(const Shape& shape, double spacing) {
-  const char* const why = shape.drawing.linesOnly ? reason::kLinesTooThin : reason::kNoBeadFits;
+  const Reason why = shape.drawing.linesOnly ? Reason("LinesTooThin") : Reason("NoBeadFits");
   return refused(ErrorCode::EmptyShape, why, {{"spacing", spacing}});
 }
 
@@ -83,11 +82,9 @@ std::optional<Error> wrongInput(const PlateInput& input, const ToolpathParams& p
   if (auto wrong = invalidSettings(params)) return wrong;
   const DirectionMap& directions = input.directions;
   const ModeMap& modes = input.modes;
-  std::string bad = pageDefect(input.shape.page);
-  if (bad.empty()) bad = mapDefect("direction", directions.width, directions.height, directions.angle.size());
-  if (bad.empty()) bad = mapDefect("mode", modes.width, modes.height, modes.mode.size());
-  if (bad.empty()) return std::nullopt;
-  return Error{ErrorCode::InvalidArgument, std::move(bad)};
+  if (auto wrong = pageDefect(input.shape.page)) return wrong;
+  if (auto wrong = mapDefect("directions", directions.width, directions.height, directions.angle.size())) return wrong;
+  return mapDefect("modes", modes.width, modes.height, modes.mode.size());
 }
 
 Result<ShapeFields> shapeStep(const Shape& shape, const Making& making) {

@@ -10,18 +10,9 @@ namespace sillon {
 
 /// Name of a dialect in slicers and viewers.
 inline const char* dialectName(GcodeFlavor flavor) {
-  switch (flavor) {
-    case GcodeFlavor::Klipper:
-      return "klipper";
-    case GcodeFlavor::RepRap:
-      return "reprapfirmware";
-    case GcodeFlavor::Bambu:
-      return "marlin";
-    case GcodeFlavor::Marlin:
-    case GcodeFlavor::PrusaBuddy:
-      break;
-  }
-  return "marlin2";
+  if (flavor == GcodeFlavor::Klipper) return "klipper";
+  if (flavor == GcodeFlavor::RepRap) return "reprapfirmware";
+  return flavor == GcodeFlavor::Bambu ? "marlin" : "marlin2";
 }
 
 /// Sets the acceleration of prints and travels [mm/s²]. Klipper and Bambu read S only.
@@ -42,25 +33,9 @@ inline std::string cornerSpeedCommand(GcodeFlavor flavor, double speed) {
 /// Sets pressure (or linear) advance [s].
 inline std::string pressureAdvanceCommand(GcodeFlavor flavor, double seconds) {
   const std::string value = seconds > 0 ? fixed(seconds, 4) : "0";
-  switch (flavor) {
-    case GcodeFlavor::Klipper:
-      return "SET_PRESSURE_ADVANCE ADVANCE=" + value + "\n";
-    case GcodeFlavor::RepRap:
-      return "M572 D0 S" + value + "\n";
-    case GcodeFlavor::PrusaBuddy:
-      return "M572 S" + value + "\n";
-    case GcodeFlavor::Marlin:
-    case GcodeFlavor::Bambu:
-      break;
-  }
-  return "M900 K" + value + "\n";
-}
-
-/// Waits until the nozzle has heated up or cooled down to a temperature [degrees Celsius]. Klipper and Bambu wait for
-/// both with S.
-inline std::string waitForNozzle(GcodeFlavor flavor, double degrees) {
-  const bool both = flavor == GcodeFlavor::Klipper || flavor == GcodeFlavor::Bambu;
-  return (both ? "M109 S" : "M109 R") + fixed(degrees, 0) + "\n";
+  if (flavor == GcodeFlavor::Klipper) return "SET_PRESSURE_ADVANCE ADVANCE=" + value + "\n";
+  if (flavor == GcodeFlavor::RepRap) return "M572 D0 S" + value + "\n";
+  return (flavor == GcodeFlavor::PrusaBuddy ? "M572 S" : "M900 K") + value + "\n";
 }
 
 }  // namespace sillon

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "gcode/blocks.hpp"
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/layers.hpp"
@@ -22,8 +22,6 @@ namespace sillon {
 namespace {
 
 constexpr double kMostAdvance = 2;  // [s]; values of linear advance 1.0, in a unit of its own, begin at 10
-
-Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
 
 bool hasWord(std::string_view line, char letter) {
   return line.find(std::string{' ', letter}) != std::string_view::npos;
@@ -481,9 +479,7 @@ std::optional<Error> Donor::guessBed() {
     return std::nullopt;
   }
   if (!(least.x < 0 && least.y < 0 && most.x > 0 && most.y > 0)) {
-    return invalidFile("the file does not tell the bed, and its beads lie left of or before the origin, from (" +
-                       decimal(least.x, 1) + ", " + decimal(least.y, 1) + ") to (" + decimal(most.x, 1) + ", " +
-                       decimal(most.y, 1) + "); take a file of a slicer that tells it, such as PrusaSlicer or Orca");
+    return refusedFile("BedUntold", {{"left", least.x}, {"front", least.y}, {"right", most.x}, {"back", most.y}});
   }
   const double reach = std::max({-least.x, -least.y, most.x, most.y});
   const double half = std::max(0.5 * std::max(p.bedMax.x - p.bedMin.x, p.bedMax.y - p.bedMin.y), std::ceil(reach));
@@ -515,6 +511,8 @@ std::optional<Error> Donor::weighFilament(std::string_view text) {
   return std::nullopt;
 }
 
+Error tooLong(const char* block) { return refusedFile("BlockTooLong", {{"block", block}, {"most", kMaxBlockBytes}}); }
+
 // Takes the end block over. \param rest  text behind the last bead.
 std::optional<Error> Donor::endBlock(std::string_view rest) {
   bool begun =
@@ -531,7 +529,7 @@ std::optional<Error> Donor::endBlock(std::string_view rest) {
     if (code.empty()) continue;
     wiping = wiping && (isMove(code) || isOfEnding(code));
     endLine(code, begun && !wiping);
-    if (out_.printer.endGcode.size() > kMaxBlockBytes) return invalidFile("the end block is longer than 65536 bytes");
+    if (out_.printer.endGcode.size() > kMaxBlockBytes) return tooLong("printer.endGcode");
   }
   return std::nullopt;
 }
@@ -540,7 +538,7 @@ std::optional<Error> Donor::endBlock(std::string_view rest) {
 std::optional<Error> Donor::read(std::string_view text) {
   scan(text);
   if (numbered_ && lastBead_ == 0) {
-    return invalidFile("its lines are numbered, as hosts send them; take the file that the slicer wrote");
+    return refusedFile("LinesNumbered");
   }
   if (firstLayer_ == std::string_view::npos) {
     tellsBlocks_ = settings_.contains("start_gcode") && settings_.contains("end_gcode") && lastBead_ > 0;
@@ -548,24 +546,21 @@ std::optional<Error> Donor::read(std::string_view text) {
       for (const char* key : {"start_gcode", "end_gcode"}) settings_[key] = unescaped(settings_[key]);
       return std::nullopt;
     }
-    return invalidFile(
-        "the G-code marks no layer (;LAYER_CHANGE, ; CHANGE_LAYER or ;LAYER:0); its start block cannot be told");
+    return refusedFile("NoLayers");
   }
-  if (lastBead_ <= firstLayer_) return invalidFile("the G-code extrudes nothing after its first layer mark");
+  if (lastBead_ <= firstLayer_) return refusedFile("NoBeads");
 
   takeOwnSettings();
   // Bambu's machines cut, draw back and flush between two filaments, in code that stands behind the start block.
   if (tool_ != chosen_ && out_.printer.flavor == GcodeFlavor::Bambu) {
-    return invalidFile("its start block loads filament " + std::to_string(chosen_ + 1) +
-                       ", but its first bead is of filament " + std::to_string(tool_ + 1) +
-                       "; slice the donor with one filament");
+    return refusedFile("TwoFilaments", {{"loaded", chosen_ + 1}, {"used", tool_ + 1}});
   }
   if (auto error = guessBed()) return error;
   if (auto error = weighFilament(text)) return error;
   startBlock(text.substr(0, firstLayer_));
   if (!flowLine_.empty()) note("FlowFactor", {{"line", flowLine_}});
   Printer& p = out_.printer;
-  if (p.startGcode.size() > kMaxBlockBytes) return invalidFile("the start block is longer than 65536 bytes");
+  if (p.startGcode.size() > kMaxBlockBytes) return tooLong("printer.startGcode");
   recogniseKlipper(out_);
   if (setsPressureAdvance(p.startGcode)) {  // the block sets it for the donor's filament, and nothing need set it again
     p.setPressureAdvance = false;

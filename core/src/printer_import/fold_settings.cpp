@@ -1,9 +1,6 @@
 #include "printer_import/slicer_files.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "base/numbers.hpp"

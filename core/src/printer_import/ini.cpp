@@ -1,9 +1,7 @@
 #include "printer_import/slicer_files.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
-#include <vector>
 
 #include "base/refused.hpp"
 #include "printer_import/notes.hpp"
@@ -14,8 +12,6 @@ namespace {
 constexpr std::size_t kMostNames = 4000;  // bytes of names that an error lists, at most
 constexpr int kMaxInherited = 1000;       // sections that one printer may consist of
 constexpr int kDeepestInherited = 32;     // levels of sections that inherit from each other
-
-Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
 
 // Sections of a file of settings.
 struct Bundle {
@@ -92,11 +88,8 @@ Result<ImportedPrinter> importIni(std::string_view text, std::string_view name) 
       return found == active->second.end() ? std::string() : found->second;
     };
     std::string printer = name.empty() ? chosen("printer") : std::string(name);
-    if (bundle.sections.empty()) {
-      return invalidFile(
-          "the file is neither G-code nor settings of a slicer; .ini, .json, .orca_printer and .3mf are read");
-    }
-    if (bundle.printers.empty()) return invalidFile("the file has no section of a printer");
+    if (bundle.sections.empty()) return refusedFile("UnknownContent");
+    if (bundle.printers.empty()) return refusedFile("NoPrinterSettings");
     if (printer.empty() && bundle.printers.size() == 1) printer = bundle.printers.front();
     if (!bundle.sections.contains("printer:" + printer)) {
       std::string known;
@@ -105,16 +98,14 @@ Result<ImportedPrinter> importIni(std::string_view text, std::string_view name) 
         known += (known.empty() ? "" : ", ") + shown(other);
       }
       if (!printer.empty()) {
-        return Error{ErrorCode::InvalidArgument,
-                     "the file has no printer " + shown(printer) + "; name one of " + known};
+        return refusedArgument("NoSuchPrinter", {{"printer", shown(printer)}, {"names", known}});
       }
-      const NamedValue count("count", static_cast<double>(bundle.printers.size()));
-      return refused(ErrorCode::InvalidArgument, reason::kWhichPrinter, {count, {"names", known}});
+      return refusedArgument("WhichPrinter", {{"count", bundle.printers.size()}, {"names", known}});
     }
     int budget = kMaxInherited;
     inherit(bundle, "printer:", printer, 0, budget, settings, out.notRead);
     if (const auto kind = settings.find("printer_technology"); kind != settings.end() && kind->second == "SLA") {
-      return invalidFile("the printer " + shown(printer) + " hardens resin; G-code is made for printers with a nozzle");
+      return refusedFile("ResinPrinter", {{"printer", shown(printer)}});
     }
     if (!settings.contains("printer_model")) settings["printer_model"] = printer;
     std::string filament = chosen("filament");

@@ -23,7 +23,6 @@ constexpr Sentence kSentences[] = {
     {"ExcludedArea", "{key} is {value}; only one box can be excluded"},
     {"Flavor", "{key} is {value}; known are Marlin, Klipper and RepRapFirmware; Marlin is assumed"},
     {"BlockTooLong", "{key} is {value}; a block may have 65536 bytes"},
-    {"Placeholder", "a placeholder has no value here: {detail}"},
     // Bundles and presets.
     {"SectionMissing", "{section} is inherited, but missing from the file"},
     {"InheritedTooDeep", "the file inherits in a circle, or from more than 1000 sections; the rest is missing"},
@@ -48,6 +47,12 @@ std::span<const Sentence> importNoteSentences() { return kSentences; }
 
 ImportNote importNote(std::string_view code, std::initializer_list<std::pair<const char*, std::string>> values) {
   return {std::string(code), {values.begin(), values.end()}, filled(sentenceOf(kSentences, code), values)};
+}
+
+ImportNote importNote(const Error& error) {
+  ImportNote note{error.reason, {}, error.message};
+  for (const NamedValue& value : error.values) note.values.emplace_back(value.name, textOf(value));
+  return note;
 }
 
 void addNote(std::vector<ImportNote>& notes, ImportNote note) {

@@ -15,6 +15,9 @@ namespace sillon {
 /// names, in its order.
 ImportNote importNote(std::string_view code, std::initializer_list<std::pair<const char*, std::string>> values = {});
 
+/// Makes a note of what a plate would be refused for; its code is the error's reason.
+ImportNote importNote(const Error& error);
+
 /// Adds a note, unless the list has one with the same sentence.
 void addNote(std::vector<ImportNote>& notes, ImportNote note);
 

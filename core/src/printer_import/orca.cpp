@@ -3,6 +3,7 @@
 
 #include "base/json.hpp"
 #include "base/numbers.hpp"
+#include "base/refused.hpp"
 #include "printer_import/notes.hpp"
 #include "printer_import/slicer_files.hpp"
 #include "sillon/project/project.hpp"
@@ -42,9 +43,7 @@ SlicerSettings settingsOfCura(const Json& root) {
 
 Result<ImportedPrinter> importJson(std::string_view text) {
   const Json root = parseJson(text);
-  if (!root.is_object()) {
-    return Error{ErrorCode::InvalidFile, "the file begins like JSON, but is not a JSON object"};
-  }
+  if (!root.is_object()) return refusedFile("UnknownContent");
   ImportedPrinter out;
   if (root.contains("sillon")) {
     Result<Project> project = readProject(text);
@@ -61,8 +60,7 @@ Result<ImportedPrinter> importJson(std::string_view text) {
   }
   const auto kind = root.contains("type") && root["type"].is_string() ? root["type"].get<std::string>() : std::string();
   if (kind == "process" || kind == "filament") {
-    return Error{ErrorCode::InvalidFile,
-                 "the preset is of a " + kind + " and not of a printer; export the printer, or a project"};
+    return refusedFile("OtherPreset", {{"kind", kind}});
   }
   const bool cura = root.contains("overrides") && root["overrides"].is_object();
   out.source = cura ? "Cura definition" : "Orca settings";
@@ -89,9 +87,7 @@ Result<ImportedPrinter> importJson(std::string_view text) {
   // Otherwise the defaults, which are another machine's, would take the place of the inherited bed or block.
   const bool lacks = !settings.contains("printable_area") || !settings.contains("machine_start_gcode");
   if (made && inherits && lacks && made.value().profile.empty()) {
-    return Error{ErrorCode::InvalidFile,
-                 "the preset inherits its bed or its start block from " + shown(parent->second) +
-                     ", which lies in another file; open G-code that was sliced for this printer"};
+    return refusedFile("BedElsewhere", {{"name", shown(parent->second)}});
   }
   return made;
 }

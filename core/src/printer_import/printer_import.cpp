@@ -1,18 +1,17 @@
 #include "sillon/printer_import/printer_import.hpp"
 
 #include <optional>
-#include <utility>
 
+#include "base/refused.hpp"
+#include "export/packing.hpp"
 #include "export/zip.hpp"
 #include "printer_import/slicer_files.hpp"
-#include "sillon/export/gcode_archive.hpp"
+#include "sillon/export/export.hpp"
 
 namespace sillon {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{256} << 20;  // largest file that is read
-
-Error invalidFile(std::string message) { return Error{ErrorCode::InvalidFile, std::move(message)}; }
 
 // Tells G-code from settings, by the first line that has a command or a setting.
 bool looksLikeGcode(std::string_view text) {
@@ -51,7 +50,7 @@ Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view n
   if (isPackedGcode(bytes)) {
     if (const auto entry = packedSettings(bytes)) {
       const Result<std::string> settings = unpackEntry(bytes, *entry, kMaxSettingsBytes);
-      if (!settings) return Error{settings.error().code, "the file " + settings.error().message};
+      if (!settings) return settings.error();
       if (entry->name != kPrusaProject) return importJson(settings.value());
       std::string lines;  // the settings without the ';' before each line
       for (std::string_view rest = settings.value(); !rest.empty();) {
@@ -63,24 +62,17 @@ Result<ImportedPrinter> importPrinter(std::string_view bytes, std::string_view n
     }
     const Result<std::string> gcode = unpackGcode(std::string(bytes));
     if (!gcode) return gcode.error();
-    if (!looksLikeGcode(gcode.value())) return invalidFile("the file does not contain G-code");
+    if (!looksLikeGcode(gcode.value())) return refusedFile("UnknownContent");
     return importDonor(gcode.value());
   }
-  if (bytes.size() > kMaxBytes) {
-    return Error{ErrorCode::TooLarge,
-                 "the file is " + std::to_string(bytes.size() >> 20) + " MiB; it must be at most 256"};
-  }
+  if (bytes.size() > kMaxBytes) return fileTooLarge(bytes.size(), kMaxBytes);
   std::string_view text = bytes;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   const bool json = begin != std::string_view::npos && text[begin] == '{';
-  if (text.find('\0') != std::string_view::npos)
-    return invalidFile("the file is not text; G-code, .ini, .json, .orca_printer and .3mf are read");
+  if (text.find('\0') != std::string_view::npos) return refusedFile("UnknownContent");
   if (!json && looksLikeGcode(text)) return importDonor(text);
-  if (text.size() > kMaxSettingsBytes) {
-    return Error{ErrorCode::TooLarge,
-                 "the settings are " + std::to_string(text.size() >> 20) + " MiB; they must be at most 16"};
-  }
+  if (text.size() > kMaxSettingsBytes) return fileTooLarge(text.size(), kMaxSettingsBytes);
   return json ? importJson(text) : importIni(text, name);
 }
 

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <vector>
 
-#include "base/lines.hpp"
 #include "gcode_reader/parser.hpp"
 
 namespace sillon {

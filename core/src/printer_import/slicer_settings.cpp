@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <optional>
 #include <utility>
-#include <vector>
 
-#include "base/lines.hpp"
 #include "base/numbers.hpp"
-#include "gcode/blocks.hpp"
+#include "base/refused.hpp"
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/parser.hpp"
 #include "printer_import/notes.hpp"
@@ -47,8 +44,8 @@ class SettingsReader {
 
  private:
   const std::string* find(Keys keys);
-  void took() { out_.read.push_back(key_); }
-  void failed(const char* code, const std::string& value) {
+  void noteTaken() { out_.read.push_back(key_); }
+  void noteFailed(const char* code, const std::string& value) {
     addNote(out_.notRead, importNote(code, {{"key", key_}, {"value", shown(value)}}));
   }
   void number(Keys keys, double low, double high, double& out);
@@ -85,7 +82,7 @@ void SettingsReader::number(Keys keys, double low, double high, double& out) {
   const std::string* text = find(keys);
   if (text == nullptr) return;
   const auto value = firstNumber(*text);
-  if (!value) return failed("NotANumber", *text);
+  if (!value) return noteFailed("NotANumber", *text);
   if (*value < low || *value > high) {
     addNote(out_.notRead,
             importNote("OutOfRange",
@@ -93,7 +90,7 @@ void SettingsReader::number(Keys keys, double low, double high, double& out) {
     return;
   }
   out = *value;
-  took();
+  noteTaken();
 }
 
 /// Reads a number that slicers set to 0 for no limit. \param high  greatest value that is taken. \return 0: no limit,
@@ -121,20 +118,20 @@ void SettingsReader::profile() {
 void SettingsReader::names() {
   if (const std::string* text = find({"printer_model", "printer_settings_id", "name"})) {
     p_.name = text->substr(0, 100);
-    took();
+    noteTaken();
   }
   if (const std::string* text = find({"filament_type", "material_type"})) {
     p_.filamentType = text->substr(0, std::min({text->find(';'), text->find(','), std::size_t{100}}));
-    took();
+    noteTaken();
   }
   if (const std::string* text = find({"thumbnails"})) {
     std::string sizes = *text;
     std::replace(sizes.begin(), sizes.end(), ';', ',');
     if (readThumbnailSizes(sizes)) {
       p_.screenSizes = sizes;
-      took();
+      noteTaken();
     } else {
-      failed("Thumbnails", *text);
+      noteFailed("Thumbnails", *text);
     }
   }
 }
@@ -147,11 +144,11 @@ void SettingsReader::bed() {
     for (const Vec2 corner : corners) box.add(corner);
     const Vec2 size = box.size();
     if (corners.size() < 3 || !(size.x >= 10 && size.y >= 10 && size.x <= 5000 && size.y <= 5000)) {
-      failed("BedShape", *text);
+      noteFailed("BedShape", *text);
     } else {
       p_.bedMin = box.min;
       p_.bedMax = box.max;
-      took();
+      noteTaken();
       const Vec2 centre = 0.5 * (box.min + box.max);
       const double radius = size.x / 2;
       const auto onCircle = [&](Vec2 corner) { return std::abs(length(corner - centre) - radius) < 0.01 * radius; };
@@ -167,10 +164,11 @@ void SettingsReader::bed() {
     addNote(out_.notRead, bedUnknown(p_));
   }
   BedArea area{{p_.bedMin, p_.bedMax}, {}};
-  if (const std::string* text = find({"extruder_printable_area"}); text != nullptr && reachByAll(*text, area)) took();
+  if (const std::string* text = find({"extruder_printable_area"}); text != nullptr && reachByAll(*text, area))
+    noteTaken();
   if (const std::string* text = find({"bed_exclude_area"});
       text != nullptr && *text != "0x0") {  // Orca writes 0x0 for none
-    exclude(*text, area) ? took() : failed("ExcludedArea", *text);
+    exclude(*text, area) ? noteTaken() : noteFailed("ExcludedArea", *text);
   }
   p_.bedMin = area.bed.min;
   p_.bedMax = area.bed.max;
@@ -250,9 +248,9 @@ void SettingsReader::flavor() {
       // UltiGCode is for the Ultimaker 2 and its kin, with filament of 2.85 mm that files do not state. In files
       // without that header, as ours, they count E in mm.
       if (word == "ultigcode" && p_.filamentDiameter == Printer().filamentDiameter) p_.filamentDiameter = kWideFilament;
-      return failed("Flavor", *text);
+      return noteFailed("Flavor", *text);
     }
-    took();
+    noteTaken();
   }
   constexpr std::string_view kBuddy[] = {"MK4", "MK3.5", "MK3.9", "MINI", "XL", "COREONE"};
   const auto buddy = [&](std::string_view model) { return p_.name.starts_with(model); };
@@ -268,7 +266,7 @@ void SettingsReader::flavor() {
 void SettingsReader::block(Keys keys, std::string& out) {
   const std::string* text = find(keys);
   if (text == nullptr) return;
-  if (text->size() > kMaxBlockBytes) return failed("BlockTooLong", *text);
+  if (text->size() > kMaxBlockBytes) return noteFailed("BlockTooLong", *text);
   std::string lines;
   for (std::string_view rest = *text; !rest.empty();) {
     const std::string_view line = nextLine(rest);
@@ -281,21 +279,10 @@ void SettingsReader::block(Keys keys, std::string& out) {
   out = withSettings(lines, settings_, templateValues(p_, {}, {}));
   if (out.size() > kMaxBlockBytes) {
     out.clear();
-    return failed("BlockTooLong", *text);
+    return noteFailed("BlockTooLong", *text);
   }
-  took();
+  noteTaken();
 }
-
-}  // namespace
-
-ImportNote bedUnknown(const Printer& printer) {
-  const Vec2 size = printer.bedMax - printer.bedMin;
-  return importNote("BedUnknown", {{"width", decimal(size.x, 0)}, {"depth", decimal(size.y, 0)}});
-}
-
-void takeSettings(const SlicerSettings& settings, ImportedPrinter& out) { SettingsReader(settings, out).all(); }
-
-namespace {
 
 // A plate in the middle of the bed, for blocks that compute something from the plate.
 Bounds somePlate(const Printer& printer) {
@@ -303,31 +290,6 @@ Bounds somePlate(const Printer& printer) {
   const Vec2 quarter = 0.25 * (printer.bedMax - printer.bedMin);
   return {middle - quarter, middle + quarter};
 }
-
-}  // namespace
-
-void chooseTool(SlicerSettings& settings, std::size_t tool) {
-  const auto types = settings.find("filament_type");
-  const std::size_t count = types == settings.end() ? 0 : itemsOf(types->second);
-  if (tool >= count) return;
-  for (auto& [key, value] : settings) {
-    const bool other = key.starts_with("machine_") || key.ends_with("_area") || key.ends_with("_shape") ||
-                       key.ends_with("gcode") || key == "thumbnails";
-    if (!other && itemsOf(value) == count) value = itemOf(value, tool);
-  }
-}
-
-void judgeBlocks(ImportedPrinter& out) {
-  const std::vector<TemplateValue> values = templateValues(out.printer, {}, somePlate(out.printer));
-  for (const auto& [name, text] :
-       {std::pair{"the start block", &out.printer.startGcode}, {"the end block", &out.printer.endGcode}}) {
-    if (const auto expanded = expandTemplate(*text, values, name); !expanded) {
-      addNote(out.notRead, importNote("Placeholder", {{"detail", expanded.error().message}}));
-    }
-  }
-}
-
-namespace {
 
 // Adds the heating that a start block lacks, as its slicer does by itself.
 void addHeating(Printer& printer) {
@@ -345,11 +307,37 @@ void addHeating(Printer& printer) {
 
 }  // namespace
 
+ImportNote bedUnknown(const Printer& printer) {
+  const Vec2 size = printer.bedMax - printer.bedMin;
+  return importNote("BedUnknown", {{"width", decimal(size.x, 0)}, {"depth", decimal(size.y, 0)}});
+}
+
+void takeSettings(const SlicerSettings& settings, ImportedPrinter& out) { SettingsReader(settings, out).all(); }
+
+void chooseTool(SlicerSettings& settings, std::size_t tool) {
+  const auto types = settings.find("filament_type");
+  const std::size_t count = types == settings.end() ? 0 : itemsOf(types->second);
+  if (tool >= count) return;
+  for (auto& [key, value] : settings) {
+    const bool other = key.starts_with("machine_") || key.ends_with("_area") || key.ends_with("_shape") ||
+                       key.ends_with("gcode") || key == "thumbnails";
+    if (!other && itemsOf(value) == count) value = itemOf(value, tool);
+  }
+}
+
+void judgeBlocks(ImportedPrinter& out) {
+  const std::vector<TemplateValue> values = templateValues(out.printer, {}, somePlate(out.printer));
+  for (const auto& [name, text] :
+       {std::pair{"printer.startGcode", &out.printer.startGcode}, {"printer.endGcode", &out.printer.endGcode}}) {
+    if (const auto expanded = expandTemplate(*text, values, name); !expanded) {
+      addNote(out.notRead, importNote(expanded.error()));
+    }
+  }
+}
+
 Result<ImportedPrinter> printerOfSettings(const SlicerSettings& settings, ImportedPrinter out) {
   takeSettings(settings, out);
-  if (out.read.empty()) {
-    return Error{ErrorCode::InvalidFile, "the file has no setting of a printer that is known here"};
-  }
+  if (out.read.empty()) return refusedFile("NoPrinterSettings");
   addHeating(out.printer);
   judgeBlocks(out);
   std::sort(out.read.begin(), out.read.end());

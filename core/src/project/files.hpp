@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,6 @@ std::vector<std::string> sceneKeys();
 bool isScene(const nlohmann::json& root);
 
 /// Applies the keys of a scene to a project. \return the fault, of type or range; empty: none.
-std::string readSceneKeys(const nlohmann::json& root, Project& project);
+std::optional<Error> readSceneKeys(const nlohmann::json& root, Project& project);
 
 }  // namespace sillon

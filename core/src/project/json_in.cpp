@@ -25,7 +25,7 @@ constexpr std::array kSections{Section::Shape,    Section::Layers, Section::Pict
 class Inspector : public nlohmann::json_sax<Json> {
  public:
   explicit Inspector(std::string_view text) : text_(text) {}
-  std::string problem;
+  Fault problem;
 
   bool null() override { return true; }
   bool boolean(bool /*value*/) override { return true; }
@@ -40,7 +40,7 @@ class Inspector : public nlohmann::json_sax<Json> {
   bool end_array() override { return leave(); }
   bool key(string_t& key) override {
     if (keys_.back().insert(key).second) return true;
-    problem = "key " + inQuotes(key) + " is given twice; each key may be given once";
+    problem = refusedFile("KeyTwice", {{"key", inQuotes(key)}});
     return false;
   }
   bool parse_error(std::size_t position, const std::string& /*token*/, const Json::exception& /*why*/) override {
@@ -48,15 +48,14 @@ class Inspector : public nlohmann::json_sax<Json> {
     const std::string_view before = text_.substr(0, end);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t column = end - (before.rfind('\n') + 1);  // npos + 1 is 0, in the first line
-    problem = "the text is not JSON at line " + std::to_string(line) + ", column " + std::to_string(column) +
-              "; a project or scene is one JSON object";
+    problem = refusedFile("NotJson", {{"line", line}, {"column", column}});
     return false;
   }
 
  private:
   bool enter() {
     if (keys_.size() == kMaxDepth) {
-      problem = "the JSON is nested deeper than " + std::to_string(kMaxDepth) + " levels; a project needs 5";
+      problem = refusedFile("JsonTooDeep", {{"most", kMaxDepth}});
       return false;
     }
     keys_.emplace_back();
@@ -71,64 +70,56 @@ class Inspector : public nlohmann::json_sax<Json> {
   std::vector<std::set<std::string>> keys_;  // keys of each open object; an empty set for a list
 };
 
-/// Checks that an object is a project of the known version, or a scene. \return the fault; empty: none.
-std::string wrongKind(const Json& root) {
+/// Checks that an object is a project of the known version, or a scene.
+Fault wrongKind(const Json& root) {
   const auto version = root.find("sillon");
   if (version != root.end()) {
     int read = 0;
-    if (std::string wrong = readInteger(*version, "sillon", read); !wrong.empty()) return wrong;
-    if (read == kProjectVersion) return "";
-    return "sillon is " + std::to_string(read) + "; this program reads version " + std::to_string(kProjectVersion);
+    if (Fault wrong = readInteger(*version, "sillon", read)) return wrong;
+    if (read == kProjectVersion) return std::nullopt;
+    return refusedFile("OtherVersion", {{"version", read}, {"known", kProjectVersion}});
   }
   for (const Section section : kSections) {
     if (!root.contains(sectionName(section))) continue;
-    return "the project has no version; it must have \"sillon\": " + std::to_string(kProjectVersion);
+    return refusedFile("NoVersion", {{"known", kProjectVersion}});
   }
-  if (isScene(root)) return "";
-  return "the file is neither a project nor a scene; a project has \"sillon\": 1, a scene has \"nozzle_width\" and "
-         "\"svg_path\"";
+  if (isScene(root)) return std::nullopt;
+  return refusedFile("NoProject");
 }
 
-/// Reads a project. \return the fault, such as an unknown key or a wrong type; empty: none.
-std::string readRoot(const Json& root, Project& project) {
+/// Reads a project. \return the fault, such as an unknown key or a wrong type
+Fault readRoot(const Json& root, Project& project) {
   std::vector<std::string> known{"sillon"};
   for (const Section section : kSections) known.emplace_back(sectionName(section));
   known.emplace_back(kStudio);
   for (std::string& key : sceneKeys()) known.push_back(std::move(key));
-  if (std::string wrong = unknownKey(root, "", known); !wrong.empty()) return wrong;
-  if (std::string wrong = wrongKind(root); !wrong.empty()) return wrong;
-  if (std::string wrong = readSceneKeys(root, project); !wrong.empty()) return wrong;
+  if (Fault wrong = unknownKey(root, "", known)) return wrong;
+  if (Fault wrong = wrongKind(root)) return wrong;
+  if (Fault wrong = readSceneKeys(root, project)) return wrong;
   for (const Section section : kSections) {
     const auto found = root.find(sectionName(section));
     if (found == root.end()) continue;
-    std::string wrong =
+    Fault wrong =
         section == Section::Layers ? readLayers(*found, project) : readSection(*found, section, viewOf(project));
-    if (!wrong.empty()) return wrong;
+    if (wrong) return wrong;
   }
   const auto studio = root.find(kStudio);
-  if (studio == root.end()) return "";
-  if (!studio->is_object()) return std::string(kStudio) + " is " + typeName(*studio) + "; it must be an object";
+  if (studio == root.end()) return std::nullopt;
+  if (!studio->is_object()) return wrongType("NotObject", kStudio, *studio);
   project.studio = jsonText(*studio);
-  return "";
+  return std::nullopt;
 }
 
 }  // namespace
 
 Result<Project> readProject(std::string_view json) {
-  if (json.size() > kMaxProjectBytes) {
-    return Error{ErrorCode::TooLarge, "the project is " + std::to_string(json.size()) + " bytes; it must be at most " +
-                                          std::to_string(kMaxProjectBytes)};
-  }
+  if (json.size() > kMaxProjectBytes) return fileTooLarge(json.size(), kMaxProjectBytes);
   Inspector inspector(json);
-  if (!Json::sax_parse(json, &inspector)) return Error{ErrorCode::InvalidFile, inspector.problem};
+  if (!Json::sax_parse(json, &inspector)) return *std::move(inspector.problem);
   const Json root = parseJson(json);
-  if (!root.is_object()) {
-    return Error{ErrorCode::InvalidFile, std::string("the JSON is ") + typeName(root) + "; it must be an object"};
-  }
+  if (!root.is_object()) return refusedFile("NoProject");
   Project project;
-  if (std::string wrong = readRoot(root, project); !wrong.empty()) {
-    return Error{ErrorCode::InvalidFile, std::move(wrong)};
-  }
+  if (Fault wrong = readRoot(root, project)) return *std::move(wrong);
   if (auto wrong = invalidSettings(project)) return *std::move(wrong);
   return project;
 }

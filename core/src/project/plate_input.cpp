@@ -4,19 +4,20 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/refused.hpp"
 #include "geometry/parts.hpp"
+#include "geometry/shape_points.hpp"
 #include "input/gzip.hpp"
 #include "input/map_defect.hpp"
 #include "input/plate_size.hpp"
+#include "input/shaped_line.hpp"
 #include "input/svg.hpp"
 #include "project/files.hpp"
 #include "sillon/base/words.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/input/image_io.hpp"
 #include "sillon/settings/table.hpp"
 #include "sillon/text/text.hpp"
@@ -40,9 +41,7 @@ bool looksLikeSvg(std::string_view bytes, std::string_view name) {
 // Decodes a picture, or checks one that is decoded already.
 Result<Image> picture(InputFile file, const std::string& name) {
   if (auto* decoded = std::get_if<Image>(&file)) {
-    if (const std::string defect = imageDefect(*decoded); !defect.empty()) {
-      return Error{ErrorCode::InvalidArgument, inQuotes(name) + " is a " + defect};
-    }
+    if (std::optional<Error> defect = imageDefect(*decoded, inQuotes(name))) return *std::move(defect);
     return std::move(*decoded);
   }
   const std::string& bytes = std::get<std::string>(file);
@@ -163,8 +162,54 @@ Result<Shape> builtinShape(const Project& project, const ReadInput& read, const 
   for (const std::string& name : splitWords(findSetting(Section::Shape, "builtin")->choices)) {
     if (name != "none") names += (names.empty() ? "" : ", ") + name;
   }
-  return Error{ErrorCode::InvalidArgument,
-               "there is no shape; give a shape file, a built-in shape (" + names + ") or a direction picture"};
+  return refusedArgument("NoShape", {{"names", names}});
+}
+
+// Tells whether a picture has an alpha channel and at least a hundredth of it is transparent.
+bool isCutOut(const Image& image) {
+  if (image.channels % 2 != 0) return false;
+  std::size_t clear = 0;
+  const std::size_t step = image.channels;
+  for (std::size_t k = step - 1; k < image.samples.size(); k += step) clear += image.samples[k] < 0x8000 ? 1 : 0;
+  return 100 * clear >= image.samples.size() / step;
+}
+
+/// Directions and modes of the lowest layer.
+struct LowestField {
+  DirectionMap directions;
+  ModeMap modes;
+};
+
+/// \param lines  receives the direction picture of the lowest layer, if it has one.
+Result<LowestField> fieldOf(const Project& project, const ReadInput& read, std::optional<Image>& lines) {
+  const Layer* const ground = groundOf(project.layers);
+  if (ground == nullptr) return LowestField{uniformDirection(0).value(), uniformMode(DirectionMode::Constrained)};
+  auto directions = uniformDirection(ground->kind() == LayerKind::Direction ? ground->as<LayerAngle>()->angle : 0);
+  if (const MapLayer* const map = ground->as<MapLayer>()) {
+    Result<Image> decoded = readPicture(read, map->file, "direction picture");
+    if (!decoded) return decoded.error();
+    lines = cropped(std::move(decoded).value(), *map);
+    directions = directionMap(*lines, map->encoding);
+    if (!directions) return named("direction picture", map->file, directions.error());
+  }
+  Result<ModeMap> modes = readModes(*ground, read);
+  if (!modes) return modes.error();
+  return LowestField{std::move(directions).value(), std::move(modes).value()};
+}
+
+/// Keeps thin places of a shape. This takes as much memory as the plate, so its size is checked first.
+Result<Shape> withThinPlaces(Shape shape, double spacing, const RunContext& run) {
+  if (auto error = plateTooLarge(bounds(shape).size(), spacing, run.memory())) return *error;
+  return keepThinPlaces(std::move(shape), spacing, run);
+}
+
+/// Applies the offset, thin places and holes of a project to a shape. Holes come last, so that nothing else changes
+/// them.
+Result<Shape> finished(Result<Shape> shape, const Project& project, const RunContext& run) {
+  if (shape && project.outlineOffset != 0) shape = offsetShape(std::move(shape).value(), project.outlineOffset, run);
+  if (shape && project.keepThin) shape = withThinPlaces(std::move(shape).value(), project.toolpath.spacing, run);
+  if (shape && !project.holes.empty()) shape = withHoles(std::move(shape).value(), project.holes);
+  return shape;
 }
 
 }  // namespace
@@ -222,57 +267,6 @@ Result<PaintedFile> readPainted(const ReadInput& read, const std::string& name, 
   if (!painting) return named(what.c_str(), name, painting.error());
   return PaintedFile{paintedPicture(painting.value(), kPaintedSide), std::move(painting.value().shape.drawing)};
 }
-
-namespace {
-
-// Tells whether a picture has an alpha channel and at least a hundredth of it is transparent.
-bool isCutOut(const Image& image) {
-  if (image.channels % 2 != 0) return false;
-  std::size_t clear = 0;
-  const std::size_t step = image.channels;
-  for (std::size_t k = step - 1; k < image.samples.size(); k += step) clear += image.samples[k] < 0x8000 ? 1 : 0;
-  return 100 * clear >= image.samples.size() / step;
-}
-
-/// Directions and modes of the lowest layer.
-struct LowestField {
-  DirectionMap directions;
-  ModeMap modes;
-};
-
-/// \param lines  receives the direction picture of the lowest layer, if it has one.
-Result<LowestField> fieldOf(const Project& project, const ReadInput& read, std::optional<Image>& lines) {
-  const Layer* const ground = groundOf(project.layers);
-  if (ground == nullptr) return LowestField{uniformDirection(0).value(), uniformMode(DirectionMode::Constrained)};
-  auto directions = uniformDirection(ground->kind() == LayerKind::Direction ? ground->as<LayerAngle>()->angle : 0);
-  if (const MapLayer* const map = ground->as<MapLayer>()) {
-    Result<Image> decoded = readPicture(read, map->file, "direction picture");
-    if (!decoded) return decoded.error();
-    lines = cropped(std::move(decoded).value(), *map);
-    directions = directionMap(*lines, map->encoding);
-    if (!directions) return named("direction picture", map->file, directions.error());
-  }
-  Result<ModeMap> modes = readModes(*ground, read);
-  if (!modes) return modes.error();
-  return LowestField{std::move(directions).value(), std::move(modes).value()};
-}
-
-/// Keeps thin places of a shape. This takes as much memory as the plate, so its size is checked first.
-Result<Shape> withThinPlaces(Shape shape, double spacing, const RunContext& run) {
-  if (auto error = plateTooLarge(bounds(shape).size(), spacing, run.memory())) return *error;
-  return keepThinPlaces(std::move(shape), spacing, run);
-}
-
-/// Applies the offset, thin places and holes of a project to a shape. Holes come last, so that nothing else changes
-/// them.
-Result<Shape> finished(Result<Shape> shape, const Project& project, const RunContext& run) {
-  if (shape && project.outlineOffset != 0) shape = offsetShape(std::move(shape).value(), project.outlineOffset, run);
-  if (shape && project.keepThin) shape = withThinPlaces(std::move(shape).value(), project.toolpath.spacing, run);
-  if (shape && !project.holes.empty()) shape = withHoles(std::move(shape).value(), project.holes);
-  return shape;
-}
-
-}  // namespace
 
 Result<PlateInput> readPlateInput(const Project& project, Shape shape, const ReadInput& read) {
   std::optional<Image> lines;

@@ -1,7 +1,6 @@
 #include "project/files.hpp"
 
 #include <algorithm>
-#include <cstddef>
 
 #include "base/json.hpp"
 #include "settings/json.hpp"
@@ -26,16 +25,16 @@ constexpr const char* kShells = "shell_count";           // in one published sce
 class SceneReader {
  public:
   explicit SceneReader(const Json& root) : root_(root) {}
-  std::string problem;
+  Fault problem;
 
   /// Reads one key. \return true if it is there and valid.
   template <class Value, class Read>
   bool take(const char* key, Value& out, const Read& read) {
-    if (!problem.empty()) return false;
+    if (problem) return false;
     const auto found = root_.find(key);
     if (found == root_.end()) return false;
     problem = read(*found, key, out);
-    return problem.empty();
+    return !problem;
   }
   bool text(const char* key, std::string& out) { return take(key, out, readText); }
   bool flag(const char* key, bool& out) { return take(key, out, readFlag); }
@@ -56,8 +55,7 @@ class SceneReader {
  private:
   bool within(const char* key, double value, double low, double high) {
     if (value >= low && value <= high) return true;
-    const std::string range = low == high ? numberText(low) : numberText(low) + " to " + numberText(high);
-    problem = std::string(key) + " is " + numberText(value) + "; it must be " + range;
+    problem = outOfRange(key, value, low, high, "");
     return false;
   }
   const Json& root_;
@@ -71,7 +69,7 @@ std::vector<std::string> sceneKeys() {
 
 bool isScene(const Json& root) { return root.contains(kWidth) && root.contains(kShape); }
 
-std::string readSceneKeys(const Json& root, Project& project) {
+Fault readSceneKeys(const Json& root, Project& project) {
   SceneReader reader(root);
   const Setting& spacing = *findSetting(Section::Toolpath, "spacing");
   const Setting& nozzle = *findSetting(Section::Printer, "nozzle");

@@ -105,9 +105,7 @@ Alignment alignmentOf(const Toolpath& toolpath, const BorderIndex& border, const
                     (perimeters + 0.05) * params.spacing};
   const std::vector<SegmentRange> ranges = rangesOf(toolpath);
   std::vector<Alignment> sums(ranges.size());
-  parallelFor(run, static_cast<int>(ranges.size()), 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) sums[k] = sumsOf(ranges[k], asked);
-  });
+  parallelForEach(run, static_cast<int>(ranges.size()), 1, [&](int k) { sums[k] = sumsOf(ranges[k], asked); });
   Alignment out;
   for (const Alignment& part : sums) {
     out.all.add(part.all);

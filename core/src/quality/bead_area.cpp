@@ -4,15 +4,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <vector>
 
 #include "base/capsule_rows.hpp"
 #include "base/parallel_for.hpp"
 #include "base/simd.hpp"
-#include "geometry/signed_distance.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "geometry/outline.hpp"
 
 namespace sillon {
 namespace {

@@ -69,4 +69,7 @@ Turns countTurns(const ClosedCurves& curves, double spacing, const RunContext& r
 /// Measures the widths of beads, weighted by length. \param totalLength  length of all beads [mm]
 WidthMeasures widthMeasures(const Toolpath& toolpath, const ToolpathParams& params, double totalLength);
 
+/// Counts pairs of non-consecutive segments that share a point, exactly, on integers of 1 µm.
+std::int64_t countCrossings(const Toolpath& toolpath);
+
 }  // namespace sillon

@@ -1,11 +1,11 @@
 #include "sillon/quality/metrics.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/fast_math.hpp"
 #include "base/numbers.hpp"
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 #include "base/sort_key.hpp"
 #include "geometry/closed_curves.hpp"
 #include "geometry/parts.hpp"
@@ -95,11 +95,9 @@ std::string digestOf(const Toolpath& toolpath) {
 Result<Measures> measureToolpath(const Toolpath& toolpath, const PlateInput& input, const ToolpathParams& params,
                                  const RunContext& run, const std::optional<Dislocations>& known) {
   const Shape& shape = input.shape;
-  if (std::string defect = toolpathDefect(toolpath, shape.page); !defect.empty())
-    return Error{ErrorCode::InvalidArgument, std::move(defect)};
-  for (const Cycle& cycle : toolpath.cycles) {
-    if (cycle.points.empty())
-      return Error{ErrorCode::InvalidArgument, "toolpath has a cycle without points; each must have some"};
+  if (auto defect = toolpathDefect(toolpath, shape.page)) return *std::move(defect);
+  for (std::size_t c = 0; c < toolpath.cycles.size(); ++c) {
+    if (toolpath.cycles[c].points.empty()) return refusedArgument("FewPoints", {{"cycle", c}, {"points", 0}});
   }
   ToolpathParams made = params;
   made.spacing = toolpath.spacing;

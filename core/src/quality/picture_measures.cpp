@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <new>
 #include <utility>
 
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 #include "base/simd.hpp"
 #include "input/map_defect.hpp"
+#include "look/rasters.hpp"
+#include "quality/seen_cells.hpp"
 #include "sillon/input/image_io.hpp"
 #include "toolpath/path.hpp"
 
@@ -214,17 +216,14 @@ PictureMeasures compareTones(std::span<const float> light, const Tones& picture)
 
 Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const Lamp> lamps, const Roughness& roughness,
                            const RunContext& run) {
-  if (std::string defect = toolpathDefect(toolpath, page); !defect.empty()) {
-    return Error{ErrorCode::InvalidArgument, std::move(defect)};
-  }
+  if (auto defect = toolpathDefect(toolpath, page)) return *std::move(defect);
   if (!(toolpath.spacing >= 1e-3 && toolpath.spacing <= 1e3)) {
-    return Error{ErrorCode::InvalidArgument, "spacing is outside its range of 0.001 to 1000 mm"};
+    return outOfRange("toolpath.spacing", toolpath.spacing, 1e-3, 1e3, "mm");
   }
-  std::string defect = invalidRoughness(roughness);
+  if (auto defect = invalidRoughness(roughness)) return *std::move(defect);
   for (const Lamp& lamp : lamps) {
-    if (defect.empty()) defect = invalidLamp(lamp);
+    if (auto defect = invalidLamp(lamp)) return *std::move(defect);
   }
-  if (!defect.empty()) return Error{ErrorCode::InvalidArgument, std::move(defect)};
   // The cells divide the page evenly, and are as near to 2 tau as that allows.
   const auto cellsAlong = [&](double side) {
     return std::max(1.0, std::round(side / (kCellSpacings * toolpath.spacing)));
@@ -232,7 +231,7 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
   const double across = cellsAlong(page.x);
   const double down = cellsAlong(page.y);
   if (across * down * kPointsPerCell * kPointsPerCell > static_cast<double>(kMaxImagePixels)) {
-    return Error{ErrorCode::TooLarge, "the pictures would be judged at more than 100 million points"};
+    return refused(ErrorCode::TooLarge, "JudgedTooFine");
   }
   const PictureCells cells{static_cast<int>(across), static_cast<int>(down)};
 
@@ -268,15 +267,13 @@ Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const 
         inBand[band].push_back(static_cast<std::uint32_t>(k));
       }
     }
-    parallelFor(run, bands, 1, [&](int begin, int end) {
-      for (int band = begin; band < end; ++band) {
-        drawBand(beads, inBand[band], band * kBandCells, std::min(cells.height, (band + 1) * kBandCells), lights);
-      }
+    parallelForEach(run, bands, 1, [&](int band) {
+      drawBand(beads, inBand[band], band * kBandCells, std::min(cells.height, (band + 1) * kBandCells), lights);
     });
     if (run.cancelled()) return cancelledRun();
     return SeenCells{cells.width, cells.height, std::move(lights)};
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::TooLarge, "judging the pictures needs more memory than there is"};
+    return needsMoreMemory();
   }
 }
 
@@ -290,23 +287,6 @@ std::vector<PictureMeasures> comparePictures(const std::vector<std::vector<float
     for (const Tones& other : asked) measures.back().others.push_back(correlation(sumsOf(lights[k], other)));
   }
   return measures;
-}
-
-Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, Vec2 page,
-                                                     std::span<const ShownPicture> pictures, const Roughness& roughness,
-                                                     const RunContext& run) {
-  std::vector<Lamp> lamps;
-  for (const ShownPicture& picture : pictures) {
-    const Tones& tones = picture.tones;
-    if (std::string bad = mapDefect("tone", tones.width, tones.height, tones.value.size()); !bad.empty()) {
-      return Error{ErrorCode::InvalidArgument, std::move(bad)};
-    }
-    lamps.push_back(picture.lamp);
-  }
-  const auto seen = seePlate(toolpath, page, lamps, roughness, run);
-  if (!seen) return seen.error();
-  const auto& [width, height, lights] = seen.value();
-  return comparePictures(lights, pictures, width, height);
 }
 
 }  // namespace sillon

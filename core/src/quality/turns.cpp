@@ -14,12 +14,10 @@ constexpr int kGrain = 1 << 14;
 // Unit vectors along the steps of a cycle.
 std::vector<Vec2f> headingsOf(const Vec2f* points, int n, const RunContext& run) {
   std::vector<Vec2f> headings(n);
-  parallelFor(run, n, kGrain, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      const Vec2f e = points[k + 1 < n ? k + 1 : 0] - points[k];
-      const float size = length(e);
-      headings[k] = size > 0 ? e * (1 / size) : Vec2f{};
-    }
+  parallelForEach(run, n, kGrain, [&](int k) {
+    const Vec2f e = points[k + 1 < n ? k + 1 : 0] - points[k];
+    const float size = length(e);
+    headings[k] = size > 0 ? e * (1 / size) : Vec2f{};
   });
   return headings;
 }

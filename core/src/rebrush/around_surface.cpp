@@ -1,4 +1,3 @@
-#include <map>
 #include <string>
 
 #include "base/numbers.hpp"
@@ -63,31 +62,11 @@ void keepCommand(std::string_view line, KeptPlaces& places, SurfaceBlock& block)
     if (!origin && !retraction && command.code != 90) leaveSurface(block, LeftBecause::Command);
     return;
   }
-  if (command.letter == 'M' && command.sub == 0) {
-    switch (command.code) {
-      case 82:
-      case 83:
-        return;
-      case 106:
-      case 107:
-        return put("fan " + decimal(wordsOf(command.rest).at('P'), 3));
-      case 104:  // sets a temperature without waiting for it
-      case 140:
-      case 73:
-      case 117:
-      case 201:
-      case 203:
-      case 204:
-      case 205:
-      case 572:
-      case 900:
-        return put(kindOf(command));
-      default:
-        return leaveSurface(block, LeftBecause::Command);
-    }
-  }
-  if (command.name == "SET_VELOCITY_LIMIT" || command.name == "SET_PRESSURE_ADVANCE" ||
-      command.name == "SET_PRINT_STATS_INFO") {
+  if (command.isAny('M', {82, 83})) return;
+  if (command.isAny('M', {106, 107})) return put("fan " + decimal(wordsOf(command.rest).at('P'), 3));
+  // M104 and M140 set a temperature without waiting for it.
+  if (command.isAny('M', {73, 104, 117, 140, 201, 203, 204, 205, 572, 900}) || command.name == "SET_VELOCITY_LIMIT" ||
+      command.name == "SET_PRESSURE_ADVANCE" || command.name == "SET_PRINT_STATS_INFO") {
     return put(kindOf(command));
   }
   leaveSurface(block, LeftBecause::Command);

@@ -1,7 +1,5 @@
 #include "sillon/rebrush/rebrush.hpp"
 
-#include <cstddef>
-
 namespace sillon {
 
 std::vector<std::string_view> partsOf(std::string_view text, const std::vector<Edit>& edits) {

@@ -30,19 +30,8 @@ RoleKind roleOf(std::string_view name) {
 }  // namespace
 
 const char* slicerName(Slicer slicer) {
-  switch (slicer) {
-    case Slicer::PrusaSlicer:
-      return "PrusaSlicer";
-    case Slicer::SuperSlicer:
-      return "SuperSlicer";
-    case Slicer::OrcaSlicer:
-      return "OrcaSlicer";
-    case Slicer::BambuStudio:
-      return "Bambu Studio";
-    case Slicer::Cura:
-      break;
-  }
-  return "Cura";
+  constexpr const char* kNames[] = {"PrusaSlicer", "SuperSlicer", "OrcaSlicer", "Bambu Studio", "Cura"};
+  return kNames[static_cast<std::size_t>(slicer)];
 }
 
 Mark readMark(std::string_view comment) {

@@ -1,11 +1,11 @@
 #include "sillon/rebrush/rebrush.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/numbers.hpp"
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 #include "geometry/signed_distance.hpp"
 #include "rebrush/blocks.hpp"
 #include "rebrush/replace.hpp"
@@ -172,7 +172,7 @@ std::optional<Error> relay(std::string_view gcode, const SlicedFile& file, const
 Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const RebrushOptions& options,
                           const RunContext& run) {
   if (auto wrong = invalidSettings(options.project)) return *std::move(wrong);
-  if (file.blocks == nullptr) return Error{ErrorCode::InvalidArgument, "the file was not read by readSlicedFile"};
+  if (file.blocks == nullptr) return refusedArgument("FileNotRead");
   const std::vector<SurfaceBlock>& blocks = file.blocks->blocks;
   std::vector<std::size_t> chosen;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
@@ -180,8 +180,7 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
   }
   for (const std::size_t k : options.only) {
     if (k < blocks.size()) continue;
-    return Error{ErrorCode::InvalidArgument,
-                 "surface " + std::to_string(k + 1) + " is chosen; the file has " + std::to_string(blocks.size())};
+    return refusedArgument("NoSuchSurface", {{"surface", k + 1}, {"count", blocks.size()}});
   }
 
   Rebrushed out;
@@ -203,20 +202,16 @@ Result<Rebrushed> rebrush(std::string_view gcode, SlicedFile file, const Rebrush
       changes.push_back(change);
       edits.insert(edits.end(), relaid.begin(), relaid.end());
     } else if (const SlicedSurface& surface = file.surfaces[k]; reason.empty() || surface.areaMm2 > largest) {
-      reason = "layer " + std::to_string(surface.layer) + ": " + made.why;
+      reason = "no surface can be replaced; layer " + std::to_string(surface.layer) + ": " + made.why;
       because = made.because;
       largest = surface.areaMm2;
     }
   }
-  if (edits.empty()) {
-    return Error{ErrorCode::InvalidArgument,
-                 out.surfaces.empty() ? "the file has no surface of the kind that was asked for"
-                                      : "no surface can be replaced; " + reason,
-                 surfaceReasonName(because)};
-  }
+  if (out.surfaces.empty()) return refusedArgument("NoSurface");
+  if (edits.empty()) return Error{ErrorCode::InvalidArgument, reason, surfaceReasonName(because)};
   std::sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
   for (std::size_t k = 1; k < edits.size(); ++k) {
-    if (edits[k].begin < edits[k - 1].end) return Error{ErrorCode::Internal, "two surfaces share a line of the file"};
+    if (edits[k].begin < edits[k - 1].end) return refused(ErrorCode::Internal, "SurfacesOverlap");
   }
   for (const TimeChange& entry : changes) out.seconds += entry.seconds;
   std::sort(changes.begin(), changes.end(), [](const TimeChange& a, const TimeChange& b) { return a.at < b.at; });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/refused.hpp"
 #include "geometry/signed_distance.hpp"
 
 namespace sillon {
@@ -126,7 +127,7 @@ Result<RegionField> fieldOfBeads(const std::vector<RegionBead>& beads, double no
     const Vec2 half{bead.width / 2, bead.width / 2};
     for (const Vec2 p : {bead.from, bead.to}) {
       if (!(std::abs(p.x) <= kLargestBed && std::abs(p.y) <= kLargestBed)) {
-        return Error{ErrorCode::TooLarge, "a move goes further than 5000 mm; no bed is as large"};
+        return refused(ErrorCode::TooLarge, "MoveTooFar", {{"most", kLargestBed}});
       }
       box.add(p - half);
       box.add(p + half);
@@ -163,7 +164,7 @@ Result<Shape> regionOf(const RegionField& field, int part, double hole, Vec2& co
       above = std::max(above, y);
     }
   }
-  if (right < 0) return Error{ErrorCode::EmptyShape, "the surface covers nothing"};
+  if (right < 0) return refused(ErrorCode::EmptyShape, "SurfaceEmpty");
   left -= 2;
   below -= 2;
   right += 2;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <string>
 #include <utility>
 
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 #include "gcode_reader/file_settings.hpp"
 #include "gcode_reader/machine.hpp"
 #include "gcode_reader/parser.hpp"
@@ -170,9 +169,7 @@ void draw(const HighBead& bead, PrintRelief& relief) {
 }  // namespace
 
 Result<PrintRelief> printRelief(std::string_view gcode, int side, const RunContext& run) {
-  if (side < 16 || side > 4096) {
-    return Error{ErrorCode::InvalidArgument, "side is " + std::to_string(side) + "; it must be 16 to 4096"};
-  }
+  if (side < 16 || side > 4096) return outOfRange("side", side, 16, 4096, "");
   const FileSettings settings = readFileSettings(gcode, {});
   BeadsBox around;
   BeadReader beads(settings, [&](const HighBead& bead) { around.add(bead); });
@@ -181,12 +178,8 @@ Result<PrintRelief> printRelief(std::string_view gcode, int side, const RunConte
   if (!forEachLine(gcode, run, [&](const GcodeLine& line) { beads.line(line); })) {
     return cancelledRun();
   }
-  if (beads.beyond) {
-    return Error{ErrorCode::InvalidFile, "a bead lies more than 10 m away from the bed's origin"};
-  }
-  if (around.empty()) {
-    return Error{ErrorCode::InvalidFile, beads.begun ? "no bead lies in any of its layers" : "it does not mark layers"};
-  }
+  if (beads.beyond) return refusedFile("MoveTooFar", {{"most", 10000}});
+  if (around.empty()) return refusedFile(beads.begun ? Reason("NoBeads") : Reason("NoLayers"));
   const Bounds box = around.trimmed();
   const Vec2 room{static_cast<double>(kWidest) / 2, static_cast<double>(kWidest) / 2};
   const Vec2 size = box.size() + 2 * room;

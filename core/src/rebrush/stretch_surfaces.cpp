@@ -5,7 +5,7 @@
 
 #include "base/sort_key.hpp"
 #include "rebrush/stretches.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 
 namespace sillon {
 namespace {

@@ -198,10 +198,10 @@ void EventReader::endStretch() {
 Result<SlicedFacts> EventReader::finish() {
   facts_.cut = isSurface(role_) && !lines_.empty() && lines_.back().bead();
   endStretch();
-  if (numbered_) return refused(ErrorCode::InvalidFile, reason::kLinesNumbered);
-  if (!program_ || !marked_ || facts_.file.layers == 0) return refused(ErrorCode::InvalidFile, reason::kNoMarks);
+  if (numbered_) return refusedFile("LinesNumbered");
+  if (!program_ || !marked_ || facts_.file.layers == 0) return refusedFile("NoMarks");
   if (settings_.weighed.evidence == FilamentEvidence::Open) return askForFilament(settings_.weighed);
-  if (!pushed_) return refused(ErrorCode::InvalidFile, reason::kNoFilament);
+  if (!pushed_) return refusedFile("NoFilament");
   facts_.file.slicer = program_->slicer;
   facts_.file.program = program_->name;
   if (settings_.nozzle > 0) facts_.file.nozzle = settings_.nozzle;
@@ -214,12 +214,7 @@ double Stretch::heightAt(double z) const { return height.value_or(std::max(0.0, 
 
 Result<SlicedFacts> readEvents(std::string_view gcode, const FileSettings& settings,
                                const std::function<void(SlicedEvent)>& visit, const RunContext& run) {
-  if (gcode.starts_with("GCDE")) {
-    return Error{
-        ErrorCode::InvalidFile,
-        "it is binary G-code (.bgcode); in PrusaSlicer switch off Preferences, Other, \"Use binary G-code when the "
-        "printer supports it\", and export again"};
-  }
+  if (gcode.starts_with("GCDE")) return refusedFile("BinaryGcode");
   EventReader reader(settings, visit);
   run.beginStage("reading", 0, 1);
   if (!forEachLine(gcode, run, [&](const GcodeLine& line) { reader.line(line); })) return cancelledRun();

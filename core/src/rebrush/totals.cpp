@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <optional>
 
 #include "base/numbers.hpp"
 #include "gcode_reader/parser.hpp"

@@ -4,15 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "base/refused.hpp"
+#include "geometry/shape_points.hpp"
 #include "rebrush/blocks.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/look/appearance.hpp"
 #include "sillon/project/project.hpp"
 
 namespace sillon {
 namespace {
 
 constexpr int kMostTexels = 4096;  // largest number of texels along a side of a cut map
-constexpr const char* kNoBed = "fit is bed, but the file does not give its bed; it must be face, object or all";
 
 // Cuts out the part of a map that lies over `part`, where the map lies over `whole`. Maps of 1 x 1 are the same
 // everywhere.
@@ -71,7 +72,8 @@ Result<Bounds> DirectionSource::pageFor(const SlicedSurface& surface) const {
   if (options_.fit == PictureFit::Bed) {
     const Bounds& bed = file_.blocks->settings.bed;
     const Vec2 size = bed.empty() ? Vec2{} : bed.size();
-    return size.x > 0 && size.y > 0 ? Result<Bounds>(bed) : Error{ErrorCode::InvalidArgument, kNoBed};
+    if (!(size.x > 0 && size.y > 0)) return refusedArgument("FitWithoutBed");
+    return bed;
   }
   Bounds box;
   for (std::size_t k = 0; k < file_.surfaces.size(); ++k) {

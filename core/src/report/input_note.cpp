@@ -1,8 +1,9 @@
-#include "sillon/report/input_note.hpp"
+#include "sillon/report/warning.hpp"
 
 #include <utility>
 
 #include "base/sentence.hpp"
+#include "report/told.hpp"
 #include "report/told_json.hpp"
 
 namespace sillon {

@@ -10,7 +10,8 @@
 
 #include "base/json.hpp"
 #include "base/numbers.hpp"
-#include "sillon/base/version.hpp"
+#include "report/told.hpp"
+#include "sillon/base/words.hpp"
 
 namespace sillon {
 namespace {
@@ -156,15 +157,8 @@ std::string delayJson(const NeighbourDelay& delay) {
 }
 
 std::string perimeterText(const ToolpathParams& params) {
-  switch (params.perimeterMode) {
-    case PerimeterMode::None:
-      return "none";
-    case PerimeterMode::Soft:
-      return "soft";
-    case PerimeterMode::Count:
-      break;
-  }
-  return std::to_string(params.perimeters);
+  if (params.perimeterMode == PerimeterMode::Count) return std::to_string(params.perimeters);
+  return params.perimeterMode == PerimeterMode::None ? "none" : "soft";
 }
 
 }  // namespace

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <iterator>
 #include <string_view>
-#include <utility>
 
 #include "base/sentence.hpp"
 #include "base/sort_key.hpp"
+#include "report/told.hpp"
 #include "report/told_json.hpp"
 #include "sillon/base/words.hpp"
-#include "sillon/report/layers.hpp"
 
 namespace sillon {
 namespace {

@@ -4,10 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "base/refused.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/settings/table.hpp"
@@ -35,8 +36,8 @@ std::string pairText(Vec2 value);
 /// Lists the choices of a setting, such as "none", "soft" or "count", in quotes.
 std::string choicesText(const Setting& setting);
 
-/// Puts the number of the layer into a message about a setting of a layer: "layers[2].angle is ...".
-std::string inLayer(std::string message, std::size_t number);
+/// Puts the number of the layer into an error about a setting of a layer: "layers[2].angle is ...".
+Error inLayer(Error error, std::size_t number);
 
 /// Writes a project file with the sections of which a view has any part.
 std::string projectText(const SettingsView& view);
@@ -57,25 +58,33 @@ inline Error settingOutOfRange(const Setting& setting, double value, double low,
 
 // Settings from JSON.
 
-// Each of these reads one value. \param name  name in messages. \return the fault; empty: none.
-std::string readText(const nlohmann::json& value, const std::string& name, std::string& out);
-std::string readFlag(const nlohmann::json& value, const std::string& name, bool& out);
-std::string readNumber(const nlohmann::json& value, const std::string& name, double& out);
-std::string readInteger(const nlohmann::json& value, const std::string& name, int& out);
-std::string readInteger(const nlohmann::json& value, const std::string& name, std::uint64_t& out);
+/// Error that a reader found; empty if the value is good.
+using Fault = std::optional<Error>;
 
-/// Names the type of a value, such as "a list" or "text".
-const char* typeName(const nlohmann::json& value);
+// Each of these reads one value. \param name  name in messages.
+Fault readText(const nlohmann::json& value, const std::string& name, std::string& out);
+Fault readFlag(const nlohmann::json& value, const std::string& name, bool& out);
+Fault readNumber(const nlohmann::json& value, const std::string& name, double& out);
+Fault readInteger(const nlohmann::json& value, const std::string& name, int& out);
+Fault readInteger(const nlohmann::json& value, const std::string& name, std::uint64_t& out);
+
+/// Makes the error for a value of a wrong type. \param reason  takes `setting` and the JSON `type`
+Error wrongType(Reason reason, std::string_view setting, const nlohmann::json& value);
 
 /// Reads the keys of one section; missing keys leave their fields as they are. The values of a named preset or profile
 /// are applied first. Only types are checked; ranges are left to the validator. \return the fault, such as an unknown
-/// key; empty: none.
-std::string readSection(const nlohmann::json& value, Section section, const SettingsView& view);
+/// key.
+Fault readSection(const nlohmann::json& value, Section section, const SettingsView& view);
 
-/// Reads the list of a project's layers. \return the fault, as readSection.
-std::string readLayers(const nlohmann::json& value, Project& project);
+/// Reads the list of a project's layers. \return the fault, as readSection
+Fault readLayers(const nlohmann::json& value, Project& project);
+
+/// Makes the error for an unknown name. \param near  reason that takes `near`, names like it
+/// \param far  reason that takes `known`, all names, if none is like it  \param setting  value of the reason, too
+Error unknownName(Reason near, Reason far, std::string_view setting, const std::string& name,
+                  const std::vector<std::string>& known);
 
 /// Refuses unknown keys. \param prefix  prefix of the names in messages, such as "print.".
-std::string unknownKey(const nlohmann::json& object, const std::string& prefix, const std::vector<std::string>& known);
+Fault unknownKey(const nlohmann::json& object, const std::string& prefix, const std::vector<std::string>& known);
 
 }  // namespace sillon

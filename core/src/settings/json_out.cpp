@@ -1,8 +1,6 @@
 #include "settings/json.hpp"
 
 #include <cmath>
-#include <cstdint>
-#include <string_view>
 
 #include "base/json.hpp"
 #include "sillon/base/words.hpp"
@@ -76,35 +74,9 @@ struct ValueJson {
 };
 
 const char* typeName(SettingType type) {
-  switch (type) {
-    case SettingType::Number:
-      return "number";
-    case SettingType::Integer:
-      return "integer";
-    case SettingType::Flag:
-      return "flag";
-    case SettingType::Choice:
-      return "choice";
-    case SettingType::Pair:
-      return "pair";
-    case SettingType::IntegerPair:
-      return "integer pair";
-    case SettingType::Text:
-      return "text";
-    case SettingType::Block:
-      return "block";
-    case SettingType::PictureList:
-      return "pictures";
-    case SettingType::HoleList:
-      return "holes";
-    case SettingType::ColourList:
-      return "colours";
-    case SettingType::StrokeList:
-      return "strokes";
-    case SettingType::Name:
-      break;
-  }
-  return "name";
+  constexpr const char* kNames[] = {"number", "integer",  "flag",  "choice",  "pair",    "integer pair", "text",
+                                    "block",  "pictures", "holes", "colours", "strokes", "name"};
+  return kNames[static_cast<std::size_t>(type)];
 }
 
 const char* levelName(Level level) {
@@ -156,6 +128,34 @@ std::string settingJson(const Setting& setting, const Field& field, const std::s
   return "    {" + out + "}";
 }
 
+/// Writes a layer on one line: its kind and all settings that differ from the defaults. The fill is also written beside
+/// an angle, which would select the fill by angle otherwise.
+std::string layerText(const Layer& layer) {
+  Layer usual;
+  SettingsView view, defaults;
+  defaults.layer = &usual;
+  choose(findSetting(Section::Layers, "kind")->field(defaults), layer.contents.index());
+  view.layer = const_cast<Layer*>(&layer);
+  std::string out;
+  for (const Setting& setting : settings()) {
+    if (setting.section != Section::Layers) continue;
+    const Field field = setting.field(view), other = setting.field(defaults);
+    if (std::holds_alternative<std::monostate>(field)) continue;
+    const std::string json = std::visit(ValueJson{setting, field, ""}, field);
+    const bool fill = setting.key == std::string_view("fill");
+    const bool angled = fill && layer.as<LayerAngle>()->angle != usual.as<LayerAngle>()->angle;
+    const bool told = out.empty() || angled || json != std::visit(ValueJson{setting, other, ""}, other);
+    if (told) add(out, setting.key, json);
+  }
+  return "{" + out + "}";
+}
+
+std::string layersText(const std::vector<Layer>& layers) {
+  std::string out;
+  for (const Layer& layer : layers) out += (out.empty() ? "\n    " : ",\n    ") + layerText(layer);
+  return out.empty() ? "[]" : "[" + out + "\n  ]";
+}
+
 }  // namespace
 
 std::string numberText(double value) {
@@ -188,44 +188,13 @@ std::string settingText(const Setting& setting, const Project& project) {
   return setting.type == SettingType::Choice ? json.substr(1, json.size() - 2) : json;
 }
 
-std::string inLayer(std::string message, std::size_t number) {
+Error inLayer(Error error, std::size_t number) {
   const std::string_view section = "layers.";
-  const std::size_t at = message.find(section);
-  if (at != std::string::npos) message.insert(at + section.size() - 1, "[" + std::to_string(number) + "]");
-  return message;
+  const std::size_t at = error.message.find(section);
+  if (at != std::string::npos) error.message.insert(at + section.size() - 1, "[" + std::to_string(number) + "]");
+  error.values.emplace_back("layer", static_cast<double>(number + 1));
+  return error;
 }
-
-namespace {
-
-/// Writes a layer on one line: its kind and all settings that differ from the defaults. The fill is also written beside
-/// an angle, which would select the fill by angle otherwise.
-std::string layerText(const Layer& layer) {
-  Layer usual;
-  SettingsView view, defaults;
-  defaults.layer = &usual;
-  choose(findSetting(Section::Layers, "kind")->field(defaults), layer.contents.index());
-  view.layer = const_cast<Layer*>(&layer);
-  std::string out;
-  for (const Setting& setting : settings()) {
-    if (setting.section != Section::Layers) continue;
-    const Field field = setting.field(view), other = setting.field(defaults);
-    if (std::holds_alternative<std::monostate>(field)) continue;
-    const std::string json = std::visit(ValueJson{setting, field, ""}, field);
-    const bool fill = setting.key == std::string_view("fill");
-    const bool angled = fill && layer.as<LayerAngle>()->angle != usual.as<LayerAngle>()->angle;
-    const bool told = out.empty() || angled || json != std::visit(ValueJson{setting, other, ""}, other);
-    if (told) add(out, setting.key, json);
-  }
-  return "{" + out + "}";
-}
-
-std::string layersText(const std::vector<Layer>& layers) {
-  std::string out;
-  for (const Layer& layer : layers) out += (out.empty() ? "\n    " : ",\n    ") + layerText(layer);
-  return out.empty() ? "[]" : "[" + out + "\n  ]";
-}
-
-}  // namespace
 
 std::string projectText(const SettingsView& view) {
   std::string out = "{\n  \"sillon\": 1";

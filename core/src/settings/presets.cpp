@@ -1,7 +1,6 @@
 #include "sillon/settings/presets.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "base/json.hpp"
@@ -17,12 +16,12 @@ namespace {
 /// JSON built into the library, and the name of one row of it.
 struct BuiltIn {
   const char* key;
-  const char* noun;
+  const char* setting;
   std::string_view json;
 };
-constexpr BuiltIn kPrinters{"printers", "printer profile", kPrintersJson};
-constexpr BuiltIn kFilaments{"filaments", "filament profile", kFilamentsJson};
-constexpr BuiltIn kPresets{"presets", "preset", kPresetsJson};
+constexpr BuiltIn kPrinters{"printers", "printer.profile", kPrintersJson};
+constexpr BuiltIn kFilaments{"filaments", "printer.filament", kFilamentsJson};
+constexpr BuiltIn kPresets{"presets", "toolpath.preset", kPresetsJson};
 
 /// Parses built-in JSON once, because files of many printers, and tests, ask for it again and again.
 const Json& rowsOf(const BuiltIn& builtIn) {
@@ -52,12 +51,12 @@ Json settingsOf(Json row) {
   return row;
 }
 
-/// Applies a built-in row to settings. \return the fault; empty: none.
-std::string apply(const BuiltIn& builtIn, const std::string& id, Section section, const SettingsView& view) {
+/// Applies a built-in row to settings.
+Fault apply(const BuiltIn& builtIn, const std::string& id, Section section, const SettingsView& view) {
   const Json& rows = rowsOf(builtIn);
   const auto found = rows.find(id);
   if (found != rows.end()) return readSection(settingsOf(*found), section, view);
-  return inQuotes(id) + " is not a " + builtIn.noun + "; " + suggestion(id, ids(rows));
+  return unknownName("NameLike", "NameUnknown", builtIn.setting, id, ids(rows));
 }
 
 // Reduces a name to lower-case letters and digits without the nozzle: "Bambu Lab A1 0.4 nozzle" becomes "bambulaba1".
@@ -101,9 +100,9 @@ std::optional<PrinterProfile> profileOf(std::string_view model) {
   return std::nullopt;
 }
 
-std::string applyProfile(ProfileKind kind, const std::string& id, Printer& printer) {
-  std::string wrong = apply(builtIn(kind), id, Section::Printer, viewOf(printer));
-  if (wrong.empty() && kind == ProfileKind::Printer) applyAdvance(id, printer);
+std::optional<Error> applyProfile(ProfileKind kind, const std::string& id, Printer& printer) {
+  Fault wrong = apply(builtIn(kind), id, Section::Printer, viewOf(printer));
+  if (!wrong && kind == ProfileKind::Printer) applyAdvance(id, printer);
   return wrong;
 }
 
@@ -143,7 +142,7 @@ void followAdvance(const Project& before, Project& changed) {
 
 std::vector<std::string> presets() { return ids(rowsOf(kPresets)); }
 
-std::string applyPreset(const std::string& id, ToolpathParams& params) {
+std::optional<Error> applyPreset(const std::string& id, ToolpathParams& params) {
   SettingsView view;
   view.toolpath = &params;
   return apply(kPresets, id, Section::Toolpath, view);

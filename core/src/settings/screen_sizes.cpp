@@ -1,8 +1,9 @@
 #include "sillon/settings/project.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cstddef>
+
+#include "base/refused.hpp"
 
 namespace sillon {
 namespace {
@@ -39,8 +40,7 @@ Result<std::vector<ThumbnailSize>> readThumbnailSizes(std::string_view text) {
     while (!word.empty() && word.back() == ' ') word.remove_suffix(1);
     const ThumbnailSize size = sizeFrom(word);
     if (size.width == 0 || sizes.size() == kMostPictures) {
-      return Error{ErrorCode::InvalidArgument,
-                   "screenSizes must be at most 8 sizes of 16 to 1024 pixels, such as \"16x16/QOI, 300x300/PNG\""};
+      return refusedArgument("ScreenSizes");
     }
     sizes.push_back(size);
   }

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "input/shaped_line.hpp"
 #include "input/svg.hpp"
 #include "input/svg/svg_reader.hpp"
 #include "sillon/text/text.hpp"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstddef>
 
 #include "sillon/text/text.hpp"
 #include "text/font_data.hpp"

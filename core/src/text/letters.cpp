@@ -5,7 +5,6 @@
 
 #include "base/refused.hpp"
 #include "sillon/base/words.hpp"
-#include "sillon/text/text.hpp"
 #include "text/font_names.hpp"
 
 namespace sillon {
@@ -15,30 +14,24 @@ std::span<const std::string_view> builtinFonts() { return kFontNames; }
 Error unknownFont(const std::string& font) {
   std::string known;
   for (const std::string_view name : builtinFonts()) known += (known.empty() ? "" : ", ") + std::string(name);
-  return {ErrorCode::InvalidArgument,
-          "the font is " + inQuotes(font) + "; it must be a file that is handed over, or one of " + known};
+  return refusedArgument("UnknownFont", {{"font", inQuotes(font)}, {"known", known}});
 }
 
 std::string nameOfLine(const std::string& font, int weight, const std::string& line) {
   return "line:" + font + (weight > 0 ? '\t' + std::to_string(weight) : std::string()) + '\n' + line;
 }
 
-Error noFont(const std::string& font) {
-  return {ErrorCode::InvalidFile,
-          inQuotes(font) +
-              " is no font; it must be a TrueType or OpenType file, plain or packed (.ttf, .otf, .woff, .woff2)"};
-}
+Error noFont(const std::string& font) { return refusedFile("NoFont", {{"font", inQuotes(font)}}); }
 
 Error tooDetailed(const std::string& font, std::size_t most) {
-  return {ErrorCode::TooLarge, "the letters of " + inQuotes(font) + " have more than " + std::to_string(most >> 20) +
-                                   " MiB of curves; take another font"};
+  return refused(ErrorCode::TooLarge, "FontTooDetailed", {{"font", inQuotes(font)}, {"megabytes", most >> 20}});
 }
 
 Error missingLetter(const std::string& font, const LackedLetter& lacked) {
-  const NamedValue letter("letter", letterWithCode(lacked.letter));
+  const std::string letter = letterWithCode(lacked.letter);
   return lacked.picture
-             ? refused(ErrorCode::InvalidArgument, reason::kPictureLetter, {{"font", inQuotes(font)}, letter})
-             : refused(ErrorCode::InvalidArgument, reason::kMissingLetter, {letter});
+             ? refused(ErrorCode::InvalidArgument, "PictureLetter", {{"font", inQuotes(font)}, {"letter", letter}})
+             : refused(ErrorCode::InvalidArgument, "MissingLetter", {{"letter", letter}});
 }
 
 void addLacked(std::vector<LackedLetter>& all, const LackedLetter& one) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "input/shaped_line.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/text/text.hpp"
@@ -25,5 +26,21 @@ Error tooDetailed(const std::string& font, std::size_t most = kMostPathBytes);
 Error missingLetter(const std::string& font, const LackedLetter& lacked);
 /// Adds a letter to those that are reported; ShapedLine limits their number.
 void addLacked(std::vector<LackedLetter>& all, const LackedLetter& one);
+
+/// Shapes one line: kerning, ligatures and joined scripts as the font has them, and scripts of both
+/// senses in one line by the Unicode bidirectional algorithm. Tabs are spaces. Letters that the
+/// font lacks come, one by one, from the first built-in font that has them, at the same height of
+/// capitals; letters that none has are left out.
+/// \param font  one of builtinFonts(), or a file that `read` hands over.
+/// \param weight  weight of a variable font, 1..1000; 0: the font's own.
+/// \return InvalidFile for a file that is no font; InvalidArgument for a name that is neither.
+Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font, const std::string& line, int weight = 0);
+
+/// Returns the built-in font that families name first, or else one that looks alike.
+/// \param families  names between commas, as in CSS's `font-family`.
+DrawingFont fontOfDrawing(std::string_view families);
+
+/// Shapes one line of a drawing.
+Result<ShapedLine> shapeLineOfDrawing(const ReadInput& read, const DrawingFont& font, const std::string& line);
 
 }  // namespace sillon

@@ -1,8 +1,7 @@
 // Takes QR codes that JavaScript has made (wasm/src/text/text.ts) by the same algorithm.
 #include <variant>
 
-#include "sillon/text/qr_code.hpp"
-#include "text/qr_errors.hpp"
+#include "text/qr_code.hpp"
 
 namespace sillon {
 

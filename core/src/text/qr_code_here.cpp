@@ -3,8 +3,7 @@
 #include <cstddef>
 #include <qrcodegen.hpp>
 
-#include "sillon/text/qr_code.hpp"
-#include "text/qr_errors.hpp"
+#include "text/qr_code.hpp"
 
 namespace sillon {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sillon/text/qr_code.hpp"
+#include "text/qr_code.hpp"
 
 namespace sillon {
 namespace {

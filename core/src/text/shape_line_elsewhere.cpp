@@ -1,9 +1,9 @@
 // Takes lines that JavaScript has shaped (wasm/src/text/text.ts) with the same library. With HarfBuzz, engines in
 // browsers would be a fifth larger, and most plates have no text.
 #include <cstddef>
-#include <utility>
 
 #include "base/json.hpp"
+#include "input/shaped_line.hpp"
 #include "sillon/base/words.hpp"
 #include "sillon/text/text.hpp"
 #include "text/letters.hpp"

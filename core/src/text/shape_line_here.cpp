@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/json.hpp"
+#include "input/shaped_line.hpp"
 #include "sillon/base/words.hpp"
 #include "sillon/settings/table.hpp"
 #include "sillon/text/text.hpp"

@@ -1,5 +1,5 @@
-// Lays out shaped lines, straight or on a circle, and reads them as one drawing: the SVG reader flattens curves, and
-// guards against hostile fonts.
+// Lays out shaped lines, straight or on a circle. It writes the letters as an SVG and reads that back, because the SVG
+// reader flattens curves and guards against hostile fonts.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,6 +12,9 @@
 #include "base/exact_math.hpp"
 #include "base/json.hpp"
 #include "base/lines.hpp"
+#include "base/refused.hpp"
+#include "geometry/shape_points.hpp"
+#include "input/shaped_line.hpp"
 #include "input/svg.hpp"
 #include "sillon/base/words.hpp"
 #include "sillon/text/text.hpp"
@@ -22,7 +25,8 @@ namespace {
 
 constexpr double kLineStep = 1.7;  // distance from line to line [heights of capitals]
 constexpr double kRoom = 4;        // room for ink around a line [heights of capitals]; accents and swashes fit into it
-constexpr double kAlmostFull = 1.0;  // largest share of a circle that a line may take
+// Largest share of a circle that a line may take: it may fill the circle, but must not overlap itself.
+constexpr double kLargestShare = 1.0;
 
 double widthOf(const ShapedLine& line) {
   double width = 0;
@@ -77,13 +81,13 @@ Result<LetterDrawing> onCircle(const std::vector<ShapedLine>& lines, const Lette
     const double step = kLineStep * lettering.capHeight * static_cast<double>(k);
     const double radius = std::abs(lettering.circle) + (below ? step : -step);
     const double width = widthOf(line) * scale;
-    if (!(radius > 0 && width <= kAlmostFull * 2 * std::numbers::pi * radius)) {
-      return Error{ErrorCode::InvalidArgument,
-                   "the line is " + std::to_string(std::lround(width)) + " mm long and its circle " +
-                       std::to_string(std::lround(std::max(0.0, 2 * std::numbers::pi * radius))) +
-                       " mm; take a larger circle, smaller letters or fewer of them"};
+    if (!(radius > 0 && width <= kLargestShare * 2 * std::numbers::pi * radius)) {
+      return refusedArgument(
+          "LineLongerThanCircle",
+          {{"line", std::lround(width)}, {"circle", std::lround(std::max(0.0, 2 * std::numbers::pi * radius))}});
     }
-    // Letters stand upright on their own middles; along the lower side they run counter-clockwise.
+    // Each letter is turned so that its own middle stands upright on the circle. Letters run clockwise at the top and
+    // counter-clockwise at the bottom.
     double pen = -width / 2;
     for (const ShapedLine::Letter& letter : line.letters) {
       const double half = letter.advance * scale / 2;
@@ -100,6 +104,7 @@ Result<LetterDrawing> onCircle(const std::vector<ShapedLine>& lines, const Lette
   return drawing;
 }
 
+/// Reads the letters as a square SVG with the drawing's origin in its middle.
 Result<Shape> shapeOf(const LetterDrawing& drawing) {
   const std::string reach = jsonNumber(drawing.reach), side = jsonNumber(2 * drawing.reach);
   const Result<Shape> read =
@@ -107,7 +112,7 @@ Result<Shape> shapeOf(const LetterDrawing& drawing) {
               "mm\" viewBox=\"0 0 " + side + " " + side + "\"><g transform=\"matrix(1 0 0 -1 " + reach + " " + reach +
               ")\">" + drawing.paths + "</g></svg>");
   if (!read && read.error().code == ErrorCode::EmptyShape) {
-    return Error{ErrorCode::EmptyShape, "the text has no ink; it must have letters that can be seen"};
+    return refused(ErrorCode::EmptyShape, "TextWithoutInk");
   }
   return read;
 }

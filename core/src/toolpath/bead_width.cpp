@@ -143,19 +143,15 @@ void holdApart(const ClosedCurves& curves, const std::vector<std::int32_t>& curv
   for (int round = 0; round < kRounds && !run.cancelled(); ++round) {
     const float growth = round == 0 ? 1 : kGrowth;
     beads.setWidths(width);
-    parallelFor(run, grid.count(), 2048, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        if (open[i] == 0) continue;
-        shares[i] = beads.shareOf(static_cast<int>(i), growth);
-        const float least = std::min(limits.low, width[i]);
-        width[i] = std::min(wanted[i], std::max(least, width[i] * shares[i].factor));
-      }
+    parallelForEach(run, grid.count(), 2048, [&](std::size_t i) {
+      if (open[i] == 0) return;
+      shares[i] = beads.shareOf(static_cast<int>(i), growth);
+      const float least = std::min(limits.low, width[i]);
+      width[i] = std::min(wanted[i], std::max(least, width[i] * shares[i].factor));
     });
-    parallelFor(run, grid.count(), 8192, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const bool mayGrow = width[i] < wanted[i] && (round > 0 || gaveWay(shares, i));
-        open[i] = static_cast<char>(open[i] != 0 && mayGrow);
-      }
+    parallelForEach(run, grid.count(), 8192, [&](std::size_t i) {
+      const bool mayGrow = width[i] < wanted[i] && (round > 0 || gaveWay(shares, i));
+      open[i] = static_cast<char>(open[i] != 0 && mayGrow);
     });
   }
 }

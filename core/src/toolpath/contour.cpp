@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "base/fast_math.hpp"
 #include "base/parallel_for.hpp"
+#include "base/refused.hpp"
 
 namespace sillon {
 namespace {
@@ -142,60 +142,54 @@ Result<ClosedCurves> contourCycles(const Grid& grid, const std::vector<float>& v
   // 1. Read all signs.
   Signs signs(lattice);
   const int grain = rowGrain(run, grid.ny, 2.0 * grid.nx);
-  parallelFor(run, grid.ny, grain, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) signs.read(y);
-  });
+  parallelForEach(run, grid.ny, grain, [&](int y) { signs.read(y); });
   // 2. Number the vertices row by row: first the edges along the row, then those up to the next row. The bits of each
   // row are counted, and sums of the counts tell where each row begins, so that rows can be worked on at the same time.
   std::vector<std::int64_t> first(grid.ny + 1, 0);
   std::vector<int> firstUp(grid.ny, 0);  // offset within its row
-  parallelFor(run, grid.ny, grain, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      int along = 0;
-      int up = 0;
-      for (std::size_t w = 0; w < signs.words(); ++w) {
-        along += std::popcount(signs.along(y, w));
-        up += std::popcount(signs.up(y, w));
-      }
-      first[y + 1] = along + up;
-      firstUp[y] = along;
+  parallelForEach(run, grid.ny, grain, [&](int y) {
+    int along = 0;
+    int up = 0;
+    for (std::size_t w = 0; w < signs.words(); ++w) {
+      along += std::popcount(signs.along(y, w));
+      up += std::popcount(signs.up(y, w));
     }
+    first[y + 1] = along + up;
+    firstUp[y] = along;
   });
   for (std::size_t y = 1; y < first.size(); ++y) first[y] += first[y - 1];
   const std::int64_t total = first.back();
   if (total > INT32_MAX / 2) {
-    return Error{ErrorCode::TooLarge, "the plate needs more than a thousand million path points; use a larger spacing"};
+    return refused(ErrorCode::TooLarge, "PathTooLong");
   }
 
   // 3. Place the vertices and link them, square by square. Each row numbers its vertices anew from its own begin.
   std::vector<Vec2f> vertices(toSize(total));
   std::vector<int> next(toSize(total), -1);
-  parallelFor(run, grid.ny - 1, grain, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const std::size_t row = y;
-      int along = static_cast<int>(first[row]);  // the next vertex of each kind
-      int above = static_cast<int>(first[row + 1]);
-      int up = along + firstUp[row];
-      for (std::size_t w = 0; w < signs.words(); ++w) {
-        const Signs::Word alongs = signs.along(y, w);
-        const Signs::Word ups = signs.up(y, w);
-        const Signs::Word aboves = signs.along(y + 1, w);
-        const Signs::Word nextUps = ups >> 1 | (w + 1 < signs.words() ? signs.up(y, w + 1) << 63 : 0);
-        // Visit only squares of which an edge holds a vertex.
-        for (Signs::Word rest = alongs | ups | aboves; rest != 0; rest &= rest - 1) {
-          const int bit = std::countr_zero(rest);
-          const int x = 64 * static_cast<int>(w) + bit;
-          const auto number = [&](Signs::Word word, int& free) { return (word >> bit & 1) != 0 ? free++ : -1; };
-          const int left = number(ups, up);
-          if (left >= 0) vertices[left] = lattice.vertex(x, y, x, y + 1);
-          if (x + 1 == grid.nx) continue;
-          const int bottom = number(alongs, along);
-          const int top = number(aboves, above);
-          // The right edge belongs to the next square, which numbers it: it is the next free one here.
-          const int right = (nextUps >> bit & 1) != 0 ? up : -1;
-          if (bottom >= 0) vertices[bottom] = lattice.vertex(x, y, x + 1, y);
-          linkSquare(lattice, x, y, {bottom, right, top, left}, next);
-        }
+  parallelForEach(run, grid.ny - 1, grain, [&](int y) {
+    const std::size_t row = y;
+    int along = static_cast<int>(first[row]);  // the next vertex of each kind
+    int above = static_cast<int>(first[row + 1]);
+    int up = along + firstUp[row];
+    for (std::size_t w = 0; w < signs.words(); ++w) {
+      const Signs::Word alongs = signs.along(y, w);
+      const Signs::Word ups = signs.up(y, w);
+      const Signs::Word aboves = signs.along(y + 1, w);
+      const Signs::Word nextUps = ups >> 1 | (w + 1 < signs.words() ? signs.up(y, w + 1) << 63 : 0);
+      // Visit only squares of which an edge holds a vertex.
+      for (Signs::Word rest = alongs | ups | aboves; rest != 0; rest &= rest - 1) {
+        const int bit = std::countr_zero(rest);
+        const int x = 64 * static_cast<int>(w) + bit;
+        const auto number = [&](Signs::Word word, int& free) { return (word >> bit & 1) != 0 ? free++ : -1; };
+        const int left = number(ups, up);
+        if (left >= 0) vertices[left] = lattice.vertex(x, y, x, y + 1);
+        if (x + 1 == grid.nx) continue;
+        const int bottom = number(alongs, along);
+        const int top = number(aboves, above);
+        // The right edge belongs to the next square, which numbers it: it is the next free one here.
+        const int right = (nextUps >> bit & 1) != 0 ? up : -1;
+        if (bottom >= 0) vertices[bottom] = lattice.vertex(x, y, x + 1, y);
+        linkSquare(lattice, x, y, {bottom, right, top, left}, next);
       }
     }
   });

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "geometry/bead_room.hpp"
-#include "geometry/closed_curves.hpp"
 #include "geometry/point_grid.hpp"
 
 namespace sillon {

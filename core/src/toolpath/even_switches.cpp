@@ -234,12 +234,10 @@ std::vector<Switch> findSwitches(const Beads& beads, double stitchAlignment, con
   // 4. Thin out, count turns, and thin out again by the cost with turns. Turns are counted for few joints, as that
   // takes longer than all the rest.
   thinOut(possible, Taken(count, kApart / 8));
-  parallelFor(run, static_cast<int>(possible.size()), 64, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      Switch& made = possible[k].made;
-      made.turns = turnsAdded(beads, joining, made.joint);
-      possible[k].cost = price * made.miss + kTurnCost * static_cast<float>(made.turns);
-    }
+  parallelForEach(run, static_cast<int>(possible.size()), 64, [&](int k) {
+    Switch& made = possible[k].made;
+    made.turns = turnsAdded(beads, joining, made.joint);
+    possible[k].cost = price * made.miss + kTurnCost * static_cast<float>(made.turns);
   });
   std::erase_if(possible, [](const Possible& one) {
     return one.made.turns > (one.made.ring == -1 ? kTurnsOfJoint : kTurnsOfRings);

@@ -1,7 +1,6 @@
 #include "toolpath/joining.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace sillon {
 

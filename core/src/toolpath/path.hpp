@@ -166,10 +166,10 @@ Result<Toolpath> finishToolpath(const ClosedCurves& curves, const BeadWidths& wi
 
 // Checks of a toolpath before it is drawn: somebody may have changed it.
 
-/// Tells why no plate can have this page [mm]; empty if one can.
-std::string pageDefect(Vec2 page);
+/// Tells why no plate can have this page [mm]; nothing if one can.
+std::optional<Error> pageDefect(Vec2 page);
 
-/// Tells why the toolpath or its page [mm] cannot be drawn; empty if they can.
-std::string toolpathDefect(const Toolpath& toolpath, Vec2 page);
+/// Tells why the toolpath or its page [mm] cannot be drawn; nothing if they can.
+std::optional<Error> toolpathDefect(const Toolpath& toolpath, Vec2 page);
 
 }  // namespace sillon

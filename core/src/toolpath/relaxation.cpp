@@ -33,8 +33,8 @@ constexpr float kAskedStrength = 0.25f;
 constexpr float kAskedSmoothing = 0.3f;
 constexpr int kAskedRounds = 2;
 
-// The pull of line keeping: a move is felt over 18 points, or 4.5 tau. In the last but one round it is felt over 1.4
-// tau, so that the round that is left makes gaps even again.
+// The pull of turning beads to lines: a move is felt over 18 points, or 4.5 tau. In the last but one round it is felt
+// over 1.4 tau, so that the round that is left makes gaps even again.
 constexpr float kAskedPull = 0.003f;
 constexpr float kLastPull = 0.03f;
 
@@ -55,24 +55,20 @@ std::vector<Vec2f> movesOf(const ClosedCurves& curves, const BeadGaps& gaps, con
   for (int c = 0; c < curves.count(); ++c) {
     const int first = curves.begin[c];
     const int n = curves.size(c);
-    parallelFor(run, n, 8192, [&](int begin, int end) {
-      for (int k = begin; k < end; ++k) {
-        const std::size_t i = first + k;
-        const Vec2f tangent = tangentAt(curves, c, first + k);
-        const Vec2 p = wide(curves.points[i]);
-        const float part = border.blockDistance(p) < spacing ? atBorder : strength;
-        const float difference = gaps.left[i] - gaps.right[i];
-        const float drift = std::clamp(difference, -kDrift * spacing, kDrift * spacing);
-        const float move =
-            std::clamp(part * drift + kVoidStrength * (difference - drift), -kMaxMove * spacing, kMaxMove * spacing);
-        raw[i] = Vec2f{-tangent.y, tangent.x} * move;
-      }
+    parallelForEach(run, n, 8192, [&](int k) {
+      const std::size_t i = first + k;
+      const Vec2f tangent = tangentAt(curves, c, first + k);
+      const Vec2 p = wide(curves.points[i]);
+      const float part = border.blockDistance(p) < spacing ? atBorder : strength;
+      const float difference = gaps.left[i] - gaps.right[i];
+      const float drift = std::clamp(difference, -kDrift * spacing, kDrift * spacing);
+      const float move =
+          std::clamp(part * drift + kVoidStrength * (difference - drift), -kMaxMove * spacing, kMaxMove * spacing);
+      raw[i] = Vec2f{-tangent.y, tangent.x} * move;
     });
-    parallelFor(run, n, 8192, [&](int begin, int end) {
-      for (int k = begin; k < end; ++k) {
-        const auto at = [&](int offset) { return raw[first + wrapped(k + offset, n)]; };
-        moves[first + k] = (at(-2) + at(2) + (at(-1) + at(1)) * 2.0f + at(0) * 4.0f) * 0.1f;
-      }
+    parallelForEach(run, n, 8192, [&](int k) {
+      const auto at = [&](int offset) { return raw[first + wrapped(k + offset, n)]; };
+      moves[first + k] = (at(-2) + at(2) + (at(-1) + at(1)) * 2.0f + at(0) * 4.0f) * 0.1f;
     });
   }
   return moves;

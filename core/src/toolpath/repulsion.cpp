@@ -58,28 +58,26 @@ ClosedCurves repulsed(ClosedCurves curves, const Grid& lattice, const ToolpathPa
     // Nearer points than half a spacing push, unless they are the bead's own.
     const PointGrid grid(curves.points, reach, run);
     std::vector<Vec2f> moved = curves.points;
-    parallelFor(run, static_cast<int>(moved.size()), 4096, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) {
-        const OnEdge edge = edgeOf(curves.points[i], lattice);
-        const int size = curves.size(curveOf[i]);
-        float sum = 0;
-        int neighbours = 0;
-        grid.around(curves.points[i], reach, [&](int first, int last) {
-          for (int k = first; k < last; ++k) {
-            const int j = grid.id[k];
-            const Vec2f other{grid.x[k], grid.y[k]};
-            if (length(other - curves.points[i]) >= reach) continue;
-            const int apart = std::abs(i - j);
-            if (curveOf[i] == curveOf[j] && std::min(apart, size - apart) <= kOwnChain) continue;
-            sum += cutNearest(edge, other, reach);
-            ++neighbours;
-          }
-        });
-        if (neighbours == 0) continue;
-        // Half-way, and held off the ends of the edge as contours are.
-        const float to = 0.5f * (edge.at + sum / static_cast<float>(neighbours));
-        moved[i] = edge.from + edge.along * std::clamp(to, kMinRoot * cell, (1 - kMinRoot) * cell);
-      }
+    parallelForEach(run, static_cast<int>(moved.size()), 4096, [&](int i) {
+      const OnEdge edge = edgeOf(curves.points[i], lattice);
+      const int size = curves.size(curveOf[i]);
+      float sum = 0;
+      int neighbours = 0;
+      grid.around(curves.points[i], reach, [&](int first, int last) {
+        for (int k = first; k < last; ++k) {
+          const int j = grid.id[k];
+          const Vec2f other{grid.x[k], grid.y[k]};
+          if (length(other - curves.points[i]) >= reach) continue;
+          const int apart = std::abs(i - j);
+          if (curveOf[i] == curveOf[j] && std::min(apart, size - apart) <= kOwnChain) continue;
+          sum += cutNearest(edge, other, reach);
+          ++neighbours;
+        }
+      });
+      if (neighbours == 0) return;
+      // Half-way, and held off the ends of the edge as contours are.
+      const float to = 0.5f * (edge.at + sum / static_cast<float>(neighbours));
+      moved[i] = edge.from + edge.along * std::clamp(to, kMinRoot * cell, (1 - kMinRoot) * cell);
     });
     curves.points = std::move(moved);
   }

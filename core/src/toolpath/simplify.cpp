@@ -82,13 +82,11 @@ std::vector<std::vector<std::size_t>> keptPoints(const std::vector<Curve>& curve
     for (std::size_t begin = 0; begin < curves[c].points.size(); begin += kPiece)
       pieces.push_back({c, begin, std::min(begin + kPiece, curves[c].points.size()), {}});
   }
-  parallelFor(run, static_cast<int>(pieces.size()), 1, [&](int first, int last) {
-    for (int k = first; k < last; ++k) {
-      CurvePiece& piece = pieces[k];
-      for (std::size_t at = piece.begin; at < piece.end;
-           at = keptAfter(curves[piece.curve], at, tolerance, keep[piece.curve]))
-        piece.walk.push_back(at);
-    }
+  parallelForEach(run, static_cast<int>(pieces.size()), 1, [&](int k) {
+    CurvePiece& piece = pieces[k];
+    for (std::size_t at = piece.begin; at < piece.end;
+         at = keptAfter(curves[piece.curve], at, tolerance, keep[piece.curve]))
+      piece.walk.push_back(at);
   });
   // Put the walks together: go on from the piece before, one point at a time, until its walk and this piece's meet.
   std::vector<std::vector<std::size_t>> kept(curves.size());

@@ -1,10 +1,8 @@
 #include "toolpath/path.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "base/parallel_for.hpp"
 #include "base/sort_key.hpp"
@@ -126,10 +124,8 @@ void sortNearestFirst(std::vector<Partner>& partners) {
 std::vector<std::int32_t> freeSets(const Strands& strands, const Joining& joining, const SetsToJoin& sets,
                                    const RunContext& run) {
   std::vector<std::int32_t> free(strands.grid.id.size(), -1);
-  parallelFor(run, strands.grid.count(), 8192, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t s = begin; s < end; ++s) {
-      if (!joining.used(strands.grid.id[s])) free[s] = sets.ofCurve[strands.curveAt[s]];
-    }
+  parallelForEach(run, strands.grid.count(), 8192, [&](std::size_t s) {
+    if (!joining.used(strands.grid.id[s])) free[s] = sets.ofCurve[strands.curveAt[s]];
   });
   return free;
 }
@@ -362,11 +358,9 @@ Result<Stitched> stitchOnce(const ClosedCurves& curves, const LineField& lines, 
   const int most = labels.empty() ? 0 : *std::max_element(partOfCurve.begin(), partOfCurve.end()) + 1;
   std::vector<int> curveAt(grid.count());
   std::vector<int> partAt(grid.id.size(), -1);
-  parallelFor(run, grid.count(), 8192, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      curveAt[k] = joining.curveOf(grid.id[k]);
-      partAt[k] = partOfCurve[curveAt[k]];
-    }
+  parallelForEach(run, grid.count(), 8192, [&](std::size_t k) {
+    curveAt[k] = joining.curveOf(grid.id[k]);
+    partAt[k] = partOfCurve[curveAt[k]];
   });
   // 2. Rounds: find candidates between open sets, join the cheapest first, and widen the search when nothing is joined
   // any more.

@@ -1,4 +1,4 @@
-// Fields for the result of a calibration print, and the button that takes it over into the plate's setting.
+// Makes the fields for the result of a calibration print, and the button that takes it over into the plate's setting.
 import type { Calibration, CalibrationKind } from 'sillon';
 import { html, nothing, type TemplateResult } from 'lit';
 import { c } from '../i18n/calibrate.js';
@@ -21,7 +21,7 @@ export interface Found {
 
 type Change = (change: Partial<Found>) => void;
 
-/** Fields for the result that this kind of print has; none before the print is made. */
+/** Makes the fields for the result that this kind of print has; none before the print is made. */
 export function answerFields(
   studio: Studio,
   kind: CalibrationKind,
@@ -60,7 +60,7 @@ function triedValues(
   </div>`;
 }
 
-/** Fields for a print that finds one setting. */
+/** Makes the fields for a print that finds one setting. */
 function settingAnswer(
   studio: Studio,
   kind: CalibrationKind,
@@ -108,7 +108,7 @@ function settingAnswer(
   )}`;
 }
 
-/** Fields for a print that finds the narrowest and the widest good beads. */
+/** Makes the fields for a print that finds the narrowest and the widest good beads. */
 function widthsAnswer(studio: Studio, calibration: Calibration, found: Found, change: Change): TemplateResult {
   const tried = calibration.values.map(({ value }) => value);
   const [low, high] = [Math.min(...tried), Math.max(...tried)];

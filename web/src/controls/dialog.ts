@@ -41,7 +41,7 @@ export abstract class DialogElement extends StudioElement {
       @close=${() => {
         // The event comes late: what was opened meanwhile has taken this sheet's place, and stays.
         if (this.isConnected) this.studio.show(undefined);
-        // Of what had the focus before nothing may be left.
+        // The element that had the focus before may be gone.
         if (document.activeElement === document.body || this.matches(':focus-within')) this.studio.stage?.focus();
         this.#afterwards?.();
       }}

@@ -71,7 +71,7 @@ export const aboutButton = (id: string, label: string, help: string): Content =>
 export const helpText = (id: string, help: string): Content =>
   help === '' ? nothing : html`<p class="help" id="${id}-help" hidden>${help}</p>`;
 
-/** What every field has: the id of its input, a name, and help that unfolds. */
+/** Properties of every field: the id of its input, a name, and help that unfolds. */
 interface Field {
   id: string;
   label: string;

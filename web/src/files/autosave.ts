@@ -239,7 +239,7 @@ const idsIn = (record: unknown): string[] => {
   return files.map((id) => textIn(id, 'files', 1000));
 };
 
-/** Fields of a record. @throws Unfit for a record of another version */
+/** Returns the fields of a record. @throws Unfit for a record of another version */
 function fieldsIn(record: unknown): Fields {
   const fields = fieldsOf(record, '', ['version', 'files', 'plate', 'past', 'future']);
   numberIn(fields['version'], 'version', version, version);

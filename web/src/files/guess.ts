@@ -11,7 +11,7 @@ export interface PictureFacts {
   /** True where samples have more than 8 bits, as programs write them and cameras do not. */
   deep: boolean;
   coloured: boolean;
-  /** True where all pixels have the four greys of modes, and some have one of the two middle ones. */
+  /** True where nearly all pixels have one of the four greys of modes, and some have a middle one. */
   modeGreys: boolean;
   /** True where red and green are a point on the unit circle, and blue carries nothing. */
   unitVectors: boolean;
@@ -23,6 +23,7 @@ export interface PictureFacts {
   whiteOnClear: boolean;
 }
 
+// These samples suffice for all figures, so larger pictures are thinned to about as many.
 const enoughSamples = 1 << 16;
 const oneToneSpan = 8; // spread of tones, of 255, below which nothing would be seen
 
@@ -88,6 +89,7 @@ function areTwoTones(counts: Float64Array): boolean {
     if (low < 0.005 || low > 0.995) continue;
     between = Math.max(between, (mean * low - lowSum) ** 2 / (low * (1 - low)));
   }
+  // A variance below 100 (10 tones) is too little contrast to tell two tones.
   return variance > 100 && between > 0.95 * variance;
 }
 
@@ -125,6 +127,7 @@ function areUnitVectors(rgb: Uint8Array): boolean {
     ++telling;
     if (Math.abs(length - 1) < 0.08) ++unit;
   }
+  // Blue carries nothing if it varies by less than 5 of 255.
   return telling > 0.05 * count && unit > 0.95 * telling && blueSquare - blue * blue < 25;
 }
 
@@ -186,7 +189,8 @@ export interface Guessed {
   colours?: number;
 }
 
-/** The role of one file for itself: its name decides, then the figures about its pixels. */
+/** Guesses the role of one file on its own. Its name decides if the colours allow that role: tangents need colour,
+ * masks allow any, the others need grey. Otherwise the pixels decide. */
 function roleOf({ name, facts }: Guessed): Role {
   if (facts === undefined) return 'shape';
   const said = saidBy(name);
@@ -201,7 +205,7 @@ function roleOf({ name, facts }: Guessed): Role {
 /** Fills that nobody has chosen with care, so that a drawing's own directions may replace them. */
 const plain: readonly (Fill | undefined)[] = [undefined, 'direction', 'radial', 'spiral', 'waves', 'noise', 'colours'];
 
-/** The part of a plate that a role fills; each part can be filled once. */
+/** Returns the part of a plate that a role fills. Only lamps can share a part. */
 const partOf = (role: Role): string =>
   role === 'shape' || role === 'mask' || role === 'colours' ? 'shape' : role === 'modes' ? 'modes' : 'directions';
 
@@ -224,23 +228,26 @@ export function guessRoles(files: readonly Guessed[], plate: Plate): Role[] {
   const alone = filled('directions') === 0 && plain.includes(groundFill(plate)) && plate.layers.length < 2;
   const shape = roles.indexOf('shape');
   if (alone && shape >= 0 && (files[shape]?.colours ?? 0) > 1) roles[shape] = 'colours';
-  // Pictures that come together get a lamp each, as far as there is room. A single one replaces those on the plate.
+  // Pictures that come together share the plate: the first is 'lamp', the next ones are 'more', up to the limit. A
+  // black-and-white picture beside a lamp counts as one of them. A single picture replaces those on the plate.
+  const blank = (k: number): boolean => files.length > 1 && files[k]?.facts?.oneTone === true;
+  const lampGiven = roles.some((role, k) => role === 'lamp' && !blank(k));
   let pictures = 0;
   const taken = new Set<string>();
   return roles.map((role, k) => {
     const part = partOf(role);
-    const seen = role === 'lamp' || (role === 'levels' && pictures > 0);
+    const isLamp = role === 'lamp' || (role === 'levels' && lampGiven);
     // A picture of one tone would not be seen beside others.
-    if (files.length > 1 && files[k]?.facts?.oneTone && seen) return 'none';
-    if (seen && pictures > 0 && pictures < mostPictures) {
+    if (isLamp && blank(k)) return 'none';
+    if (isLamp && pictures > 0 && pictures < mostPictures) {
       ++pictures;
-      taken.add(part);
       return 'more';
     }
     if (taken.has(part)) return 'none';
     taken.add(part);
-    if (seen) ++pictures;
-    return role;
+    if (!isLamp) return role;
+    ++pictures;
+    return 'lamp';
   });
 }
 

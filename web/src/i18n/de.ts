@@ -1207,7 +1207,6 @@ export const de: Translation = {
   'note.ExcludedArea': '{key} ist {value}; nur ein Rechteck kann ausgespart werden.',
   'note.Flavor': '{key} ist {value}; bekannt sind Marlin, Klipper und RepRapFirmware; Marlin wird angenommen.',
   'note.BlockTooLong': '{key} ist {value}; ein Block darf 65536 Bytes haben.',
-  'note.Placeholder': 'Ein Platzhalter hat hier keinen Wert: {detail}.',
   'note.SectionMissing': '{section} wird geerbt, fehlt aber in der Datei.',
   'note.InheritedTooDeep': 'Die Datei erbt im Kreis oder von mehr als 1000 Abschnitten; der Rest fehlt.',
   'note.InheritedElsewhere': 'Die Datei erbt von {name}, was in einer anderen Datei steht; Lücken füllen die Vorgaben.',
@@ -1414,6 +1413,8 @@ export const de: Translation = {
   'reason.SettingOutOfRange': '{label} ist {value}; erlaubt ist {low} bis {high}.',
   'reason.SettingOutOfRange.hint': 'Den Wert ändern oder rückgängig machen.',
   'reason.OverBedEdge': 'Die Platte ragt über den Rand des Druckbetts: {sides}.',
+  'reason.inElement': '{element} in Zeile {line}: {what}',
+  'reason.inPlace': '{place}: {what}',
   'reason.left': 'links {mm} mm',
   'reason.right': 'rechts {mm} mm',
   'reason.front': 'vorn {mm} mm',
@@ -1439,6 +1440,163 @@ export const de: Translation = {
   'reason.WhichPrinter': 'Die Datei enthält {count} Drucker, und keiner ist gewählt; einen davon nennen: {names}.',
   'reason.RimBelow':
     '„Erhöhter Rand“ ist {rim}, aber was sich zeigt, liegt auf dem Druckbett; für einen Rand muss „Schauseite“ oben sein.',
+  'reason.SizeOutOfRange': '{name} ist {value} mm; möglich sind mehr als 0 und höchstens {most} mm.',
+  'reason.HeightOutOfRange':
+    'Bei einer Breite von {width} mm ist die Höhe {height} mm; möglich sind mehr als 0 und höchstens {most} mm.',
+  'reason.RadiusNegative': 'Der Radius der Ecken ist {radius} mm; er muss 0 oder mehr sein.',
+  'reason.InnerOutOfRange':
+    'Das Loch ist {inner} mm groß; es muss größer als 0 und kleiner als die kürzere Seite von {side} mm sein.',
+  'reason.HolesLeaveNothing': 'Die Löcher lassen nichts von der Form übrig; sie müssen kleiner oder weniger sein.',
+  'reason.OutlineTooManyPieces':
+    'Der Umriss hat zu viele Kanten oder schneidet sich zu oft; gelesen werden höchstens 4 Millionen Stücke. Die Pfade im Zeichenprogramm vereinigen oder als PNG zeichnen.',
+  'reason.OutlineTooDetailed':
+    'Der Umriss ist für diese Linienbreite oder diesen Speicher zu fein; die Zeichnung vereinfachen.',
+  'reason.ShapePointTooFar':
+    'Die Form hat einen Punkt bei {x}; {y} mm; beide Koordinaten müssen von −{most} bis {most} mm reichen.',
+  'reason.NoOutline': 'Die Form hat keinen Umriss; nötig ist mindestens ein geschlossener Pfad.',
+  'reason.NoInside': 'Die Form umschließt keine Fläche; nötig ist mindestens ein geschlossener Pfad mit einem Inneren.',
+  'reason.MaskWithoutPixels': 'Die Maske hat keine Pixel; nötig ist ein Bild mit 1 bis 4 Kanälen.',
+  'reason.MaskTooDetailed':
+    'Der Umriss der Maske hat mehr als 4 Millionen Punkte; ein kleineres oder weniger verrauschtes Bild nehmen.',
+  'reason.MaskEmpty': 'Die Maske ist leer; einige ihrer Pixel müssen zu mindestens 50 % hell oder deckend sein.',
+  'reason.NothingAtWidth': 'Bei einer Breite von {width} mm bleibt nichts von der Form; sie muss breiter sein.',
+  'reason.PageOutOfRange':
+    'Die Seite ist {width} × {height} mm groß; beide Kanten müssen 0,001 bis 100000 mm lang sein.',
+  'reason.PathPointTooFar': 'Der Druckweg hat einen Punkt außerhalb von −100000 bis 100000 mm.',
+  'reason.BeadTooWide': 'Der Druckweg hat eine Bahnbreite außerhalb von 0 bis 1000 mm.',
+  'reason.PathTooLong': 'Die Platte braucht mehr als eine Milliarde Punkte; eine größere „Linienbreite“ wählen.',
+  'reason.SamplesUnlikePicture':
+    '{name} ist ein Bild von {width} × {height} Pixeln mit {channels} Kanälen und {samples} Werten; nötig sind Pixel, 1 bis 4 Kanäle und je ein Wert.',
+  'reason.SamplesUnlikeSides':
+    '{name} ist ein Bild, dessen Seiten, Kanäle und Anzahl der Werte nicht zusammenpassen; nötig sind 1 bis 4 Kanäle, Seiten von 1 bis {side} Pixeln, höchstens {millions} Millionen Pixel und ein Wert je Kanal und Pixel.',
+  'reason.ValuesUnlikeMap':
+    'Die Karte „{name}“ hat {width} × {height} Pixel und {values} Werte; nötig sind mindestens ein Pixel und je ein Wert.',
+  'reason.TangentsNeedColours':
+    'Die Richtungskarte ist ein Bild mit {channels} Kanälen; Tangenten brauchen Rot und Grün, also 3 oder 4.',
+  'reason.AngleNotFinite': 'Der Winkel ist keine endliche Zahl von Grad; er muss eine sein.',
+  'reason.PictureCutOff':
+    '{file} ist als {format} nicht lesbar: Die Datei ist abgeschnitten. Erneut kopieren oder herunterladen.',
+  'reason.PictureDamaged':
+    '{file} ist als {format} nicht lesbar: Die Datei ist beschädigt. In einem Bildprogramm neu speichern.',
+  'reason.PictureHeader':
+    '{file} ist als {format} nicht lesbar: Der Dateikopf ist beschädigt oder von unbekannter Art. In einem Bildprogramm neu speichern.',
+  'reason.PictureEmpty': '{file} ist als {format} nicht lesbar: Die Datei enthält kein Bild.',
+  'reason.PictureScans':
+    '{file} ist als {format} nicht lesbar: Die Datei hat mehr als 100 Durchgänge. In einem Bildprogramm neu speichern.',
+  'reason.PicturePacked':
+    '{file} ist als {format} nicht lesbar: Die Datei ist gepackt (Lauflängen). Ohne Kompression speichern.',
+  'reason.PictureTooLarge':
+    '{file} hat {width} × {height} Pixel; möglich sind höchstens {side} je Seite und {millions} Millionen insgesamt, mit Transparenz {transparent} Millionen.',
+  'reason.FileEmpty': '{file} ist leer; es muss etwas darin stehen.',
+  'reason.FileNotGiven': '{file} ist genannt, aber nicht dabei; die Datei dazulegen.',
+  'reason.FormatUnread':
+    '{file} ist eine {kind}-Datei; Bilder müssen PNG, JPEG, BMP oder TGA sein, Zeichnungen einfaches SVG in UTF-8.',
+  'reason.UnknownPicture':
+    '{file} ist kein lesbares Bild (es beginnt mit den Bytes {bytes}); gelesen werden PNG, JPEG, BMP und TGA.',
+  'reason.UnknownFont': 'Die Schrift ist {font}; möglich sind eine Datei, die dabei ist, oder eine von {known}.',
+  'reason.NoFont':
+    '{font} ist keine Schrift; nötig ist eine TrueType- oder OpenType-Datei, auch gepackt (.ttf, .otf, .woff, .woff2).',
+  'reason.FontTooDetailed':
+    'Die Buchstaben von {font} haben mehr als {megabytes} MiB an Kurven; eine andere Schrift nehmen.',
+  'reason.LineLongerThanCircle':
+    'Die Zeile ist {line} mm lang, ihr Kreis {circle} mm; einen größeren Kreis, kleinere oder weniger Buchstaben nehmen.',
+  'reason.TextWithoutInk': 'Der Text hat nichts Sichtbares; er muss Buchstaben haben, die man sieht.',
+  'reason.QrTooLong':
+    'Der Text hat {bytes} Bytes; kein QR-Code dieser Fehlerkorrektur fasst sie: Den Text kürzen oder die Korrektur senken.',
+  'reason.SvgNotText': 'Die Zeichnung ist kein Text in UTF-8; als einfaches SVG speichern.',
+  'reason.SvgEmpty': 'Die Datei enthält kein <svg>-Element; die Zeichnung als einfaches SVG speichern.',
+  'reason.SvgNotXml':
+    'Die Datei ist in Zeile {line} kein wohlgeformtes XML, bei {text}; in einem Zeichenprogramm neu speichern.',
+  'reason.SvgFirstElement': 'Das erste Element ist {text}; es muss <svg> sein.',
+  'reason.SvgNested': 'Elemente sind tiefer als {most} Ebenen verschachtelt; im Zeichenprogramm Gruppen auflösen.',
+  'reason.SvgNamespaces': 'Die Datei erklärt an einer Stelle mehr als {most} Namensräume; als einfaches SVG speichern.',
+  'reason.SvgEntities':
+    'Die Entitäten des DOCTYPE sind zu viele oder zu lang; gelesen werden höchstens 1000, von zusammen 1 MiB, für einen Text von 64 MiB.',
+  'reason.SvgUseRepeats': '<use> wiederholt so viele Elemente, dass die Zeichnung zu groß wird; weniger wiederholen.',
+  'reason.SvgClipRepeats':
+    'Schneiden wiederholt so viele Umrisse, dass die Zeichnung zu groß wird; die Pfade unter jedem Schnittpfad oder jeder Maske zu einem vereinigen.',
+  'reason.SvgStyleRules': '<style> hat so viele Regeln, dass die Zeichnung zu groß wird; mit weniger speichern.',
+  'reason.SvgLoosePieces': 'Es sind zu viele Umrisse ohne Farbe; einige davon vereinigen.',
+  'reason.SvgPoints': 'Die Umrisse haben mehr als {most} Punkte; die Zeichnung vereinfachen.',
+  'reason.SvgPointTooFar': 'Ein Punkt liegt mehr als 1 km entfernt; Koordinaten dürfen höchstens 1000000 mm sein.',
+  'reason.SvgLetters':
+    'Die Zeichnung hat mehr als {most} Buchstaben; Text in Pfade umwandeln oder einen Teil weglassen.',
+  'reason.SvgArcRadii': 'Die Radien eines Bogens sind zu klein für seine Länge; den Bogen als Kurve zeichnen.',
+  'reason.SvgWithoutSize': 'Die Größe der Zeichnung ist unbekannt; <svg> braucht width und height oder eine viewBox.',
+  'reason.SvgPageSide':
+    '{attribute} ist {text} und ergibt eine Seite von {value} mm; möglich sind mehr als 0 und höchstens {most} mm.',
+  'reason.SvgNegativeSize': 'width und height dürfen nicht negativ sein.',
+  'reason.SvgNegative': '{attribute} ist {text}, darf aber nicht negativ sein.',
+  'reason.SvgUnit': '{attribute} ist {text}; bekannte Einheiten sind mm, cm, in, pt, pc, px, Q, em, ex und %.',
+  'reason.SvgLengths': '{attribute} ist {text}; nötig sind Längen.',
+  'reason.SvgHrefElsewhere': 'href ist {text}; es muss ein Element dieser Datei mit #id nennen.',
+  'reason.SvgHrefUnknown': 'href ist {text}, aber kein Element hat diese id.',
+  'reason.SvgShowsItself': '{attribute} ist {text}, das sich selbst noch einmal zeigt.',
+  'reason.SvgNumber': '{attribute} hat {text}, wo eine Zahl stehen muss.',
+  'reason.SvgNumberTooLarge': '{attribute} hat die Zahl {text}, die zu groß ist.',
+  'reason.SvgFlag': '{attribute} hat {text}, wo 0 oder 1 stehen muss.',
+  'reason.SvgSign': '{attribute} hat {text}, wo {sign} stehen muss.',
+  'reason.SvgCommand': '{attribute} hat {text}, wo ein Befehl M L H V C S Q T A oder Z stehen muss.',
+  'reason.SvgFirstCommand': '{attribute} hat {text}, wo M stehen muss, der erste Befehl.',
+  'reason.SvgUnitHere': '{attribute} hat {text}, wo eine bekannte Einheit stehen muss.',
+  'reason.SvgTransform': '{attribute} hat {text}, wo eine Abbildung wie translate(1 2) stehen muss.',
+  'reason.SvgEnd': '{attribute} hat {text}, wo es enden muss.',
+  'reason.SvgTransformNumbers':
+    'transform hat {text} mit {count} Zahlen; möglich sind matrix, translate, scale, rotate, skewX oder skewY mit ihren Zahlen.',
+  'reason.SvgTransformOrigin': 'transform-origin ist {text}; nötig sind zwei Längen oder Wörter wie center.',
+  'reason.SvgViewBox': 'viewBox ist {text}; Breite und Höhe müssen größer als 0 sein.',
+  'reason.SvgAspectRatio':
+    'preserveAspectRatio ist {text}; möglich sind none oder eine Ausrichtung wie xMidYMid, dann meet oder slice.',
+  'reason.PaintOffPage':
+    'Alles Gemalte liegt neben der Seite oder ist weggeschnitten; „Umrisse“ statt „Sichtbares“ nimmt Umrisse, wie immer sie gemalt sind und wo sie liegen.',
+  'reason.NothingDrawn':
+    'Die Zeichnung hat keine Fläche, die sich füllen lässt; nötig sind Pfade, Grundformen, Linien mit Strich oder Text in einer eingebauten Schrift (Bilder zählen nicht).',
+  'reason.NotJson':
+    'Der Text ist in Zeile {line}, Spalte {column} kein JSON; ein Projekt oder eine Szene ist ein JSON-Objekt.',
+  'reason.JsonTooDeep': 'Das JSON ist tiefer als {most} Ebenen verschachtelt; ein Projekt braucht 5.',
+  'reason.KeyLike': 'Unbekannter Schlüssel {setting}; ähnlich: {near}.',
+  'reason.KeyUnknown': 'Unbekannter Schlüssel {setting}; bekannt sind {known}.',
+  'reason.KeyMissing': '{setting} hat kein {key}; das ist nötig.',
+  'reason.NameLike': '{setting} ist {name}, was unbekannt ist; ähnlich: {near}.',
+  'reason.NameUnknown': '{setting} ist {name}, was unbekannt ist; bekannt sind {known}.',
+  'reason.NotText': '{setting} hat den JSON-Typ {type}; nötig ist Text.',
+  'reason.NotFlag': '{setting} hat den JSON-Typ {type}; nötig ist true oder false.',
+  'reason.NotNumber': '{setting} hat den JSON-Typ {type}; nötig ist eine Zahl.',
+  'reason.NotNumberOrNull': '{setting} hat den JSON-Typ {type}; nötig ist eine Zahl oder null.',
+  'reason.NotWhole': '{setting} hat den JSON-Typ {type}; nötig ist eine ganze Zahl.',
+  'reason.NotWholeNumber': '{setting} ist {value}; nötig ist eine ganze Zahl von {low} bis {high}.',
+  'reason.NotPair': '{setting} hat den JSON-Typ {type}; nötig sind zwei Zahlen [x, y].',
+  'reason.NotWholePair': '{setting} ist {value}; nötig sind zwei ganze Zahlen.',
+  'reason.NotList': '{setting} hat den JSON-Typ {type}; nötig ist eine Liste.',
+  'reason.NotObject': '{setting} hat den JSON-Typ {type}; nötig ist ein Objekt.',
+  'reason.NotPoints': '{setting} muss eine Liste von Zahlen x, y, x, y, … in mm sein.',
+  'reason.NotChoice': '{setting} ist {value}; möglich sind {choices}.',
+  'reason.OtherKind': '{setting} gehört nicht zur Art {kind}; sie hat {known}.',
+  'reason.OtherVersion': 'Das Projekt hat die Version {version}; dieses Programm liest Version {known}.',
+  'reason.NoVersion': 'Das Projekt hat keine Version; nötig ist sillon: {known}.',
+  'reason.NoProject':
+    'Die Datei ist weder ein Projekt noch eine Szene; ein Projekt hat sillon, eine Szene nozzle_width und svg_path.',
+  'reason.NoShape':
+    'Es gibt keine Form; nötig sind eine Formdatei, eine eingebaute Form ({names}) oder ein Richtungsbild.',
+  'reason.TextTooLong': '{setting} hat {bytes} Bytes; möglich ist Text von höchstens {most}.',
+  'reason.NotOneLine': '{setting} ist {value}; nötig ist eine Zeile von höchstens {most} Bytes.',
+  'reason.TooMany': '{setting} hat {count} Einträge; möglich sind bis zu {most}.',
+  'reason.TooManyPoints': '{setting}: {count} Punkte; möglich sind bis zu {most}.',
+  'reason.NotColour': '{setting} ist {value}; nötig ist „#rrggbb“.',
+  'reason.FileNotNamed': '{setting} ist leer; eine Datei muss dort stehen.',
+  'reason.TextMissing': '{setting} ist leer; dort müssen Buchstaben stehen.',
+  'reason.PicturesMissing': 'Die Ebene hat keine Bilder; nötig ist mindestens eines.',
+  'reason.EchoOfNothing': 'Das Echo hat keine Datei; es muss eine Zeichnung nennen oder einen Text haben.',
+  'reason.TwoShapes': 'Die Form hat die Datei {file} und ist zugleich eingebaut; nur eines von beiden geht.',
+  'reason.BedSides':
+    '„Druckbett, oben rechts“ ist {max} mm; es muss {low} bis {high} mm rechts und oberhalb von „Druckbett, unten links“ {min} liegen.',
+  'reason.RoundBedSides':
+    '„Rundes Druckbett“ ist an bei einem Druckbett von {width} × {depth} mm; es muss ein Quadrat sein.',
+  'reason.ScreenSizes':
+    '„Vorschaubilder“ dürfen höchstens 8 Größen von 16 bis 1024 Pixeln sein, wie „16x16/QOI, 300x300/PNG“.',
+  'reason.CropReversed': 'Der Ausschnitt endet bei {max}; das muss rechts und oberhalb seines Anfangs {min} liegen.',
+  'reason.SeveralPlates': 'Die Datei enthält {count} Platten; sie einzeln exportieren, damit keine vergessen wird.',
+  'reason.Cancelled': 'Der Lauf wurde abgebrochen.',
   'reason.OffBody': '{name} trägt eine andere Form, als die Platte jetzt hat.',
   'reason.OffBody.hint': 'Die Änderung an Umriss oder Größe zurücknehmen, oder den Körper noch einmal öffnen.',
   'reason.LinesNumbered':
@@ -1449,6 +1607,165 @@ export const de: Translation = {
     'Die Datei nennt keinen Filamentdurchmesser; ihre Bahnen wären mit {thin} mm {thinWidth} mm breit, mit {wide} mm {wideWidth} mm. Am Ende eine Zeile „; filament_diameter = {thin}“ oder „; filament_diameter = {wide}“ anfügen.',
   'reason.NoFilament':
     'Keine ihrer Bahnen schiebt mit E Filament; für eine Firmware exportieren, die Filament so zählt.',
+  'reason.TooThinFor':
+    '{setting} ist {value}, aber die Form ist zu schmal für Linien von {width} mm; hier ist nur 0 möglich.',
+  'reason.FewPoints':
+    'Der Zyklus {cycle} (ab 0) hat bei 0,001 mm {points} verschiedene Punkte; nötig sind mindestens 3.',
+  'reason.WidthsUnlikePoints':
+    'Der Druckweg hat eine Linie mit {points} Punkten und {widths} Breiten; nötig ist eine Breite je Punkt, und mindestens 2.',
+  'reason.PointTooFar': 'Ein Punkt liegt bei ({x}; {y}) mm; Koordinaten müssen von -100000 bis 100000 reichen.',
+  'reason.BeadTooThick':
+    'Eine Bahn hätte {width} × {height} mm = {area} mm²; möglich sind höchstens 4 Düse² = {most} mm², also ist die „Linienbreite“ zu groß für die Düse.',
+  'reason.BadDate': 'Das Datum ist {date}; es muss aussehen wie „1970-01-01 at 00:00:00 UTC“.',
+  'reason.NamesSlicer':
+    '{setting} darf „generated by“ nicht enthalten; Host-Programme hielten die Datei für die eines anderen Slicers.',
+  'reason.ScarfAndCoast':
+    '„Schrägnaht“ ist {scarf} mm, und „Coasting“ ist {coast}; eines davon muss 0 sein: Beide formen das Ende einer geschlossenen Bahn.',
+  'reason.SideOnBed':
+    '„Starthöhe“ ist {height} mm; sie muss 0 sein, wenn „Schauseite“ nicht oben ist, denn diese Seite liegt auf dem Druckbett.',
+  'reason.ThumbnailSize':
+    'Ein Vorschaubild hat {width} × {height} Pixel in {bytes} Byte; möglich sind 1 bis 1024 Pixel je Seite und für alle zusammen 1 bis 700000 Byte.',
+  'reason.PatchesPlain':
+    'Felder werden gedruckt, wie sie sind; nötig sind „Schauseite“ oben, „Drehung auf dem Druckbett“ 0, „Gespiegelt“ aus, „Kopien“ 1x1, „Starthöhe“ 0, „Erhöhter Rand“ 0 und „Muster der Bodenschichten“ schraffiert oder am Rand entlang.',
+  'reason.NoLength': 'Ein Feld hat eine Linie ohne Länge; sie braucht zwei verschiedene Punkte.',
+  'reason.PatchOutside': 'Ein Feld hat einen Punkt bei ({x}; {y}) mm, außerhalb der Form, die es trägt.',
+  'reason.PatchFlow':
+    'Feld {patch} (ab 0): Für ein Tempo von {speed} mm/s braucht eine Bahn von {section} mm² {needs} mm³/s; „Größter Volumenstrom“ ist {most}.',
+  'reason.NoAcross':
+    '„Muster der Bodenschichten“ ist „Quer zu den Bahnen“; dafür ist ein zweiter Druckweg quer zum ersten nötig, und es gibt keinen.',
+  'reason.NoArea': 'Die Form hat keine Fläche; es gibt nichts zu drucken.',
+  'reason.NoLines': 'Der Druckweg hat keine Linien; es gibt nichts zu drucken.',
+  'reason.FlowTooLow':
+    '„Größter Volumenstrom“ ist {flow} mm³/s; Bahnen von {section} mm² brauchen mindestens {least}, um mit 5 mm/s zu drucken.',
+  'reason.NotMirrored':
+    '„Schauseite“ ist „Beide“, aber die Form ist nicht ihr eigenes Spiegelbild: {points} Punkte des Druckwegs lägen außerhalb. Hier „Oben“ oder „Auf dem Druckbett“ wählen.',
+  'reason.CrossesItself': 'Der Druckweg kreuzt sich {times}-mal; „Streng“ lässt das nicht zu.',
+  'reason.NotHomed': '„Start-G-Code“ fährt keine Nullpunkte an; nötig ist G28 oder ein Start-Makro.',
+  'reason.DrawnBack': '„Start-G-Code“ zieht mit G10 Filament zurück; G11 muss es zurückgeben.',
+  'reason.BambuStart':
+    '„Start-G-Code“ ist leer; Drucker von Bambu brauchen den Startblock einer Datei ihres eigenen Slicers. Eine solche Datei (.gcode.3mf) beim Drucker öffnen.',
+  'reason.BreaksWritten': '{block} enthält Zeilenumbrüche als \\n; jeder Befehl muss in einer eigenen Zeile stehen.',
+  'reason.NoEndif': '{block} enthält in Zeile {line} „{text}“ ohne endif.',
+  'reason.NoIf': '{block} enthält in Zeile {line} „{text}“ ohne ein if davor.',
+  'reason.NoValue':
+    '{block} enthält in Zeile {line} „{text}“, wofür es hier keinen Wert gibt; den Wert selbst dorthin schreiben.',
+  'reason.NotEvaluated':
+    '{block} enthält in Zeile {line} „{text}“, was hier nicht ausgewertet werden kann; nur den Zweig behalten, der gilt.',
+  'reason.WritingStopped': 'Das Schreiben wurde beendet, bevor die Datei vollständig war.',
+  'reason.NoSink': 'Es gibt kein Ziel, in das geschrieben werden kann.',
+  'reason.NotOriented':
+    'Der G-Code hat auf dieser Seite keine gerichtete Schicht; er muss mit diesen Einstellungen geschrieben sein.',
+  'reason.PackedCutOff': 'Die {file} ist abgeschnitten; noch einmal herunterladen oder exportieren.',
+  'reason.PackedDamaged': 'Die {file} ist beschädigt; noch einmal herunterladen oder exportieren.',
+  'reason.PackedUnknown':
+    'Die {file} ist auf eine Art gepackt, die hier nicht bekannt ist; stattdessen unverpackten G-Code exportieren.',
+  'reason.PackedEncrypted': 'Die {file} ist verschlüsselt; ohne Verschlüsselung exportieren.',
+  'reason.PackedEmpty': 'Die {file} enthält keinen G-Code; die Platte vor dem Exportieren slicen.',
+  'reason.FileTooLarge': 'Die Datei, oder was in ihr verpackt ist, hat {megabytes} MiB; möglich sind höchstens {most}.',
+  'reason.PrintTooLarge':
+    'Die Datei ist {megabytes} MiB groß; erlaubt sind höchstens {most}. Weniger Objekte hineinlegen oder mit gröberer Auflösung slicen.',
+  'reason.NoTriangles': 'Der Körper hat kein Dreieck mit einer Fläche.',
+  'reason.BrokenMesh': 'Das Netz hat einen Punkt, der nicht endlich ist, oder ein Dreieck ohne drei seiner Punkte.',
+  'reason.ZoneEntangled':
+    'Eine Zone ist zu verschlungen, um sie in Dreiecke zu zerlegen; weniger oder breitere Zonen sind es nicht.',
+  'reason.Entangled':
+    'Der Umriss aus {points} Punkten kreuzt oder berührt sich so, dass er sich nicht in Dreiecke zerlegen lässt; er muss einfacher sein.',
+  'reason.StlCutOff': 'Die STL-Datei ist abgeschnitten oder eine Datei anderer Art.',
+  'reason.StlCorner': 'Die STL-Datei hat eine Ecke, die nicht aus drei Zahlen besteht.',
+  'reason.StlTooFar': 'Die STL-Datei reicht weiter als 10000 mm.',
+  'reason.StlTooLarge': 'Die STL-Datei hat mehr als 10 Millionen Dreiecke; mehr werden nicht gelesen.',
+  'reason.NoBase': '„Bodenschichten“ ist 0; für einen Körper daraus ist mindestens 1 nötig.',
+  'reason.FilamentsDisagree':
+    'Die .gcode.3mf ist für Filament {package}, aber der G-Code für Filament {gcode}; beide müssen aus einer Datei des Slicers kommen, mit einem Filament gesliced: den Drucker aus ihr neu übernehmen.',
+  'reason.ZonesTooSmall': 'Die Form ist zu klein für Zonen; eine Zelle davon ist {cell} mm breit.',
+  'reason.BodyFlat': 'Der Körper ist flach; von oben ist nichts zu sehen.',
+  'reason.ArchiveEmpty': 'Die Datei ist ein Archiv (ZIP) ohne G-Code; den G-Code aus dem Slicer exportieren.',
+  'reason.NotForBambu':
+    'Der G-Code ist nicht für einen Drucker von Bambu Lab, und andere lesen keine .gcode.3mf; den Drucker aus einer Datei des eigenen Slicers übernehmen oder unverpackten G-Code schreiben.',
+  'reason.ManyFilaments':
+    'Der G-Code lädt {count} Filamente, und eine neue .gcode.3mf führt eines; den Drucker aus einer Datei übernehmen, die mit einem Filament gesliced ist.',
+  'reason.UnknownContent':
+    'Die Datei ist weder G-Code noch enthält sie Einstellungen eines Slicers; gelesen werden G-Code, .ini, .json, .orca_printer und .3mf.',
+  'reason.BedUntold':
+    'Die Datei nennt das Druckbett nicht, und ihre Bahnen liegen links vom Nullpunkt oder davor, von ({left}; {front}) bis ({right}; {back}); eine Datei eines Slicers nehmen, der es nennt, wie PrusaSlicer oder Orca.',
+  'reason.BlockTooLong': '{block} der Datei ist länger als {most} Byte.',
+  'reason.NoLayers':
+    'Der G-Code kennzeichnet keine Schicht (;LAYER_CHANGE, ; CHANGE_LAYER oder ;LAYER:0); ihn aus einem Slicer exportieren, der das tut.',
+  'reason.NoBeads': 'Der G-Code fördert nach seiner ersten Schichtmarke nichts.',
+  'reason.TwoFilaments':
+    'Ihr Startblock lädt Filament {loaded}, aber ihre erste Bahn ist aus Filament {used}; die Datei mit einem Filament slicen.',
+  'reason.NoPrinterSettings': 'Die Datei hat keine hier bekannte Einstellung eines Druckers.',
+  'reason.NoSuchPrinter': 'Die Datei hat keinen Drucker {printer}; einen davon nennen: {names}.',
+  'reason.ResinPrinter': 'Der Drucker {printer} härtet Harz; G-Code entsteht für Drucker mit Düse.',
+  'reason.OtherPreset':
+    'Das Profil ist von der Art „{kind}“ und nicht eines Druckers; den Drucker oder ein Projekt exportieren.',
+  'reason.BedElsewhere':
+    'Das Profil erbt sein Druckbett oder seinen Startblock von {name} aus einer anderen Datei; G-Code öffnen, der für diesen Drucker gesliced ist.',
+  'reason.BeadsTooSmall':
+    'Eine Bahn ist auf dem Foto {pixels} Pixel breit; nötig sind mindestens 4,5: näher herangehen oder eine Kamera mit mehr Pixeln nehmen.',
+  'reason.NoBeadsSeen':
+    'Dort liegt ein Quadrat, aber darauf sind keine Bahnen eines Prüfstücks zu sehen; das Foto ist unscharf, oder es zeigt etwas anderes.',
+  'reason.NoPlainGround':
+    'Das Foto hat an seinem Rand keinen einfarbigen Grund; das ganze Prüfstück auf einfarbiges Papier legen, von dem auf allen Seiten etwas zu sehen ist.',
+  'reason.NoCoupon':
+    'Das Foto zeigt kein Prüfstück; es auf einfarbiges Papier anderer Farbe legen, sodass es etwa das halbe Bild füllt.',
+  'reason.CouponCutOff':
+    'Das Prüfstück ist vom Rand des Fotos abgeschnitten; es muss ganz zu sehen sein, mit etwas Grund darum.',
+  'reason.NotSquare':
+    'Das Foto zeigt kein Prüfstück; was dort liegt, ist nicht quadratisch, oder es ist abgeschnitten oder verdeckt.',
+  'reason.PhotoTooSmall': 'Das Foto hat {width} × {height} Pixel; jede Seite braucht mindestens {least}.',
+  'reason.PhotoTooLarge': 'Das Foto hat {width} × {height} Pixel; möglich sind 64 Millionen: es mit weniger aufnehmen.',
+  'reason.ManyLamps':
+    'Auf dem Prüfstück glänzt anderes, als eine einzige Lampe glänzen ließe; alle anderen Lampen ausschalten und die Vorhänge schließen.',
+  'reason.Blurred':
+    'Das Foto ist um {blur} mm unscharf; möglich sind {most}: die Kamera ruhig halten und auf das Prüfstück scharf stellen lassen.',
+  'reason.LowContrast':
+    'Die hellsten Bahnen sind {contrast}-mal so hell wie die dunkelsten, und nötig ist das 1,5-Fache; eine kleine Lampe tief über dem Prüfstück in einem dunklen Raum verwenden.',
+  'reason.OtherWidths':
+    'Die Bahnen wären {percent} % so breit wie verlangt, und nötig sind 90 bis 110 %; das Prüfstück hat andere Einstellungen, oder das Licht zeigt die Bahnen zu schlecht: die Lampe um das Prüfstück herum bewegen.',
+  'reason.OtherElevation':
+    'Die Höhe der Lampe ist {elevation}°, und das Foto zeigt sie bei {seen} ± {error}; sie am Prüfstück über dem Tisch noch einmal messen oder weglassen.',
+  'reason.BurntPhoto':
+    'Das Foto ist überbelichtet: {percent} % der Pixel der Spiralen sind am Anschlag, und möglich sind 2 %; kürzer belichten.',
+  'reason.StretchedPhoto':
+    'Keine Kamera sieht ein Quadrat so; das Foto ist verzerrt oder aus einer Seite eines größeren ausgeschnitten: das ganze Bild nehmen, wie es aufgenommen wurde.',
+  'reason.SlopesUnclear':
+    'Neigungen lassen sich in diesem Licht nicht bestimmen: {value}° auf {error} genau; eine kleinere oder weiter entfernte Lampe nehmen.',
+  'reason.NoReadings': 'Es gibt keine Messung zum Zusammenfassen; nötig ist mindestens eine.',
+  'reason.ReadingsApart':
+    'Foto {photograph} ergibt Neigungen von {value}°, und die mittlere ist {middle}; die Fotos sind nicht von einem Prüfstück, oder eines ist zu schlecht beleuchtet.',
+  'reason.AllDirections': '{kind} probiert alle Richtungen; from und to müssen wegbleiben.',
+  'reason.StepsTooFine':
+    '{kind} von {from} bis {to} hat {count} Werte; das Ende muss um mindestens {least} über dem Anfang liegen.',
+  'reason.FitWithoutBed':
+    'Das Bild soll auf das ganze Druckbett, aber die Datei nennt ihr Druckbett nicht; eine Fläche, ein Objekt oder alle Flächen wählen.',
+  'reason.MoveTooFar': 'Eine Bewegung geht weiter als {most} mm vom Nullpunkt weg; kein Druckbett ist so groß.',
+  'reason.SurfaceEmpty': 'Die Fläche bedeckt nichts.',
+  'reason.BinaryGcode':
+    'Sie ist binärer G-Code (.bgcode); in PrusaSlicer unter „Einstellungen“, „Andere“ das Binärformat ausschalten und noch einmal exportieren.',
+  'reason.FileNotRead': 'Die Datei wurde nicht mit readSlicedFile gelesen.',
+  'reason.NoSuchSurface': 'Fläche {surface} ist gewählt; die Datei hat {count}.',
+  'reason.NoSurface': 'Die Datei hat keine Fläche der verlangten Art.',
+  'reason.SurfacesOverlap': 'Zwei Flächen teilen sich eine Zeile der Datei.',
+  'reason.JudgedTooFine':
+    'Die Bilder würden an mehr als 100 Millionen Punkten beurteilt; eine größere „Linienbreite“ oder eine kleinere Platte wählen.',
+  'reason.PreviewTooLarge':
+    'Eine Vorschau mit {width} Pixel breiten Feldern hätte mehr als {most} Pixel je Seite oder 100 Millionen insgesamt; weniger wählen.',
+  'reason.WeakLamp':
+    'Die Lampe macht keine Richtung dieser Spule mehr als 1,5-mal so hell wie eine andere; eine tiefere oder kleinere Lampe oder eine glänzendere Spule wählen.',
+  'reason.NeedsMoreMemory':
+    'Dafür ist mehr Speicher nötig, als es gibt; es kleiner machen oder kleinere Bilder verwenden.',
+  'reason.KeyTwice': 'Der Schlüssel {key} steht zweimal da; jeder darf einmal stehen.',
+  'reason.SpoolFile': 'Eine Datei mit Spulen muss JSON der Form {form} sein.',
+  'reason.SpoolForm': '{where} muss die Form {form} haben.',
+  'reason.SpoolKey': '{where} hat den Schlüssel {key}; nötig ist die Form {form}.',
+  'reason.SpoolName': '{where} muss mit 1 bis 40 Buchstaben, Ziffern, - und _ benannt sein.',
+  'reason.SpoolTaken': '{where} gehört schon zum Programm; die eigene anders nennen.',
+  'reason.ManySpools': 'Die Datei hat {count} Spulen; möglich sind höchstens {most}.',
+  'reason.CheckRefuses':
+    'Die Prüfung würde den G-Code ablehnen: {what} (Zeile {line} der Datei); den Start- oder End-G-Code oder seine Einstellungen ändern.',
+  'reason.ZonesConstrained':
+    'Zonen zeigen Richtungen, wie sie vorgegeben sind; dafür muss der Modus „constrained“ sein.',
   'reason.PlateTooLarge': 'Die Platte ist für eine „Linienbreite“ von {mm} mm zu groß.',
   'reason.leastSpacing': 'Eine „Linienbreite“ von mindestens {mm} mm wählen.',
   'reason.percent': 'Mit {percent} % ihrer Größe würde sie passen.',

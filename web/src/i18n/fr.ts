@@ -1220,7 +1220,6 @@ export const fr: Translation = {
   'note.ExcludedArea': '{key} vaut {value} ; un seul rectangle peut être exclu.',
   'note.Flavor': '{key} vaut {value} ; sont connus Marlin, Klipper et RepRapFirmware ; Marlin est supposé.',
   'note.BlockTooLong': '{key} vaut {value} ; un bloc peut avoir 65536 octets.',
-  'note.Placeholder': 'Une variable est sans valeur ici : {detail}.',
   'note.SectionMissing': '{section} est hérité, mais absent du fichier.',
   'note.InheritedTooDeep': 'Le fichier hérite en boucle, ou de plus de 1000 sections ; le reste manque.',
   'note.InheritedElsewhere':
@@ -1426,6 +1425,8 @@ export const fr: Translation = {
   'reason.SettingOutOfRange': '{label} : {value} ; il faut de {low} à {high}.',
   'reason.SettingOutOfRange.hint': 'Changez cette valeur, ou défaites.',
   'reason.OverBedEdge': 'La plaque dépasse du plateau : {sides}.',
+  'reason.inElement': '{element} à la ligne {line} : {what}',
+  'reason.inPlace': '{place} : {what}',
   'reason.left': '{mm} mm à gauche',
   'reason.right': '{mm} mm à droite',
   'reason.front': '{mm} mm devant',
@@ -1451,6 +1452,163 @@ export const fr: Translation = {
   'reason.WhichPrinter': 'Le fichier contient {count} imprimantes et aucune n’est choisie ; nommez-en une : {names}.',
   'reason.RimBelow':
     '« Rebord » vaut {rim}, mais ce qui se voit est sur le plateau ; pour un rebord, « Face à montrer » doit être au-dessus.',
+  'reason.SizeOutOfRange': '{name} : {value} mm ; il faut plus de 0 et au plus {most} mm.',
+  'reason.HeightOutOfRange':
+    'Pour une largeur de {width} mm, la hauteur est de {height} mm ; il faut plus de 0 et au plus {most} mm.',
+  'reason.RadiusNegative': 'Le rayon des coins est de {radius} mm ; il faut 0 ou plus.',
+  'reason.InnerOutOfRange':
+    'Le trou mesure {inner} mm ; il doit être plus grand que 0 et plus petit que le côté court de {side} mm.',
+  'reason.HolesLeaveNothing': 'Les trous ne laissent rien de la forme ; faites-les plus petits ou moins nombreux.',
+  'reason.OutlineTooManyPieces':
+    'Le contour a trop d’arêtes ou se croise trop souvent ; 4 millions de morceaux sont lus au plus. Fusionnez ses tracés dans un logiciel de dessin, ou dessinez-le en PNG.',
+  'reason.OutlineTooDetailed':
+    'Le contour est trop détaillé pour cette largeur de ligne ou cette mémoire ; simplifiez le dessin.',
+  'reason.ShapePointTooFar':
+    'La forme a un point en {x} ; {y} mm ; les deux coordonnées doivent aller de −{most} à {most} mm.',
+  'reason.NoOutline': 'La forme n’a pas de contour ; il lui faut au moins un tracé fermé.',
+  'reason.NoInside': 'La forme n’enferme aucune surface ; il lui faut au moins un tracé fermé qui ait un intérieur.',
+  'reason.MaskWithoutPixels': 'Le masque n’a pas de pixels ; il faut une image de 1 à 4 canaux.',
+  'reason.MaskTooDetailed':
+    'Le contour du masque a plus de 4 millions de points ; prenez une image plus petite ou moins bruitée.',
+  'reason.MaskEmpty': 'Le masque est vide ; certains de ses pixels doivent être clairs ou opaques à 50 % au moins.',
+  'reason.NothingAtWidth': 'À une largeur de {width} mm, il ne reste rien de la forme ; faites-la plus large.',
+  'reason.PageOutOfRange': 'La page mesure {width} × {height} mm ; ses deux côtés doivent avoir de 0,001 à 100000 mm.',
+  'reason.PathPointTooFar': 'Le trajet a un point hors de −100000 à 100000 mm.',
+  'reason.BeadTooWide': 'Le trajet a un cordon dont la largeur est hors de 0 à 1000 mm.',
+  'reason.PathTooLong': 'La plaque demande plus d’un milliard de points ; prenez une « Largeur de ligne » plus grande.',
+  'reason.SamplesUnlikePicture':
+    '{name} est une image de {width} × {height} pixels à {channels} canaux et {samples} valeurs ; il faut des pixels, de 1 à 4 canaux et une valeur pour chacun.',
+  'reason.SamplesUnlikeSides':
+    '{name} est une image dont les côtés, les canaux et le nombre de valeurs ne s’accordent pas ; il faut de 1 à 4 canaux, des côtés de 1 à {side} pixels, au plus {millions} millions de pixels, et une valeur par canal et par pixel.',
+  'reason.ValuesUnlikeMap':
+    'La carte « {name} » a {width} × {height} pixels et {values} valeurs ; il faut au moins un pixel, et une valeur pour chacun.',
+  'reason.TangentsNeedColours':
+    'La carte des directions est une image à {channels} canaux ; les tangentes demandent du rouge et du vert, donc 3 ou 4.',
+  'reason.AngleNotFinite': 'L’angle n’est pas un nombre fini de degrés ; il doit en être un.',
+  'reason.PictureCutOff':
+    '{file} n’est pas lisible comme {format} : le fichier est tronqué. Copiez-le ou téléchargez-le à nouveau.',
+  'reason.PictureDamaged':
+    '{file} n’est pas lisible comme {format} : le fichier est abîmé. Enregistrez-le à nouveau dans un éditeur d’images.',
+  'reason.PictureHeader':
+    '{file} n’est pas lisible comme {format} : son en-tête est abîmé ou d’un genre inconnu. Enregistrez-le à nouveau dans un éditeur d’images.',
+  'reason.PictureEmpty': '{file} n’est pas lisible comme {format} : le fichier ne contient pas d’image.',
+  'reason.PictureScans':
+    '{file} n’est pas lisible comme {format} : le fichier a plus de 100 passages. Enregistrez-le à nouveau dans un éditeur d’images.',
+  'reason.PicturePacked':
+    '{file} n’est pas lisible comme {format} : le fichier est compressé (RLE). Enregistrez-le sans compression.',
+  'reason.PictureTooLarge':
+    '{file} a {width} × {height} pixels ; il en faut au plus {side} par côté et {millions} millions en tout, {transparent} millions avec transparence.',
+  'reason.FileEmpty': '{file} est vide ; il doit contenir quelque chose.',
+  'reason.FileNotGiven': '{file} est nommé mais n’a pas été donné ; joignez ce fichier.',
+  'reason.FormatUnread':
+    '{file} est un fichier {kind} ; les images doivent être en PNG, JPEG, BMP ou TGA, et les dessins en SVG simple, en UTF-8.',
+  'reason.UnknownPicture':
+    '{file} n’est pas une image lisible (elle commence par les octets {bytes}) ; PNG, JPEG, BMP et TGA le sont.',
+  'reason.UnknownFont': 'La police est {font} ; il faut un fichier joint, ou l’une de {known}.',
+  'reason.NoFont':
+    '{font} n’est pas une police ; il faut un fichier TrueType ou OpenType, compressé ou non (.ttf, .otf, .woff, .woff2).',
+  'reason.FontTooDetailed': 'Les lettres de {font} ont plus de {megabytes} MiB de courbes ; prenez une autre police.',
+  'reason.LineLongerThanCircle':
+    'La ligne mesure {line} mm et son cercle {circle} mm ; prenez un cercle plus grand, ou des lettres plus petites ou moins nombreuses.',
+  'reason.TextWithoutInk': 'Le texte n’a rien de visible ; il lui faut des lettres que l’on voie.',
+  'reason.QrTooLong':
+    'Le texte a {bytes} octets ; aucun QR code de cette correction ne les contient : raccourcissez-le, ou baissez la correction.',
+  'reason.SvgNotText': 'Le dessin n’est pas du texte en UTF-8 ; enregistrez-le en SVG simple.',
+  'reason.SvgEmpty': 'Le fichier ne contient pas d’élément <svg> ; enregistrez le dessin en SVG simple.',
+  'reason.SvgNotXml':
+    'Le fichier n’est pas du XML bien formé à la ligne {line}, à {text} ; enregistrez-le à nouveau dans un logiciel de dessin.',
+  'reason.SvgFirstElement': 'Le premier élément est {text} ; ce doit être <svg>.',
+  'reason.SvgNested':
+    'Des éléments sont imbriqués à plus de {most} niveaux ; dégroupez-les dans un logiciel de dessin.',
+  'reason.SvgNamespaces':
+    'Le fichier déclare plus de {most} espaces de noms à un endroit ; enregistrez-le en SVG simple.',
+  'reason.SvgEntities':
+    'Les entités du DOCTYPE sont trop nombreuses ou trop longues ; 1000 sont lues au plus, de 1 MiB en tout, pour un texte de 64 MiB.',
+  'reason.SvgUseRepeats': '<use> répète tant d’éléments que le dessin devient trop grand ; répétez-en moins.',
+  'reason.SvgClipRepeats':
+    'La découpe répète tant de contours que le dessin devient trop grand ; réunissez en un seul les tracés sous chaque découpe ou masque.',
+  'reason.SvgStyleRules':
+    '<style> a tant de règles que le dessin devient trop grand ; enregistrez-le avec moins de règles.',
+  'reason.SvgLoosePieces': 'Il y a trop de contours sans peinture ; réunissez-en certains.',
+  'reason.SvgPoints': 'Les contours ont plus de {most} points ; simplifiez le dessin.',
+  'reason.SvgPointTooFar': 'Un point se trouve à plus de 1 km ; les coordonnées doivent rester sous 1000000 mm.',
+  'reason.SvgLetters':
+    'Le dessin a plus de {most} lettres ; convertissez le texte en tracés, ou omettez-en une partie.',
+  'reason.SvgArcRadii': 'Les rayons d’un arc sont trop petits pour sa longueur ; dessinez l’arc comme une courbe.',
+  'reason.SvgWithoutSize': 'La taille du dessin est inconnue ; <svg> a besoin de width et height, ou d’une viewBox.',
+  'reason.SvgPageSide':
+    '{attribute} vaut {text}, ce qui fait un côté de {value} mm ; il faut plus de 0 et au plus {most} mm.',
+  'reason.SvgNegativeSize': 'width et height ne doivent pas être négatifs.',
+  'reason.SvgNegative': '{attribute} vaut {text}, mais ne doit pas être négatif.',
+  'reason.SvgUnit': '{attribute} vaut {text} ; les unités connues sont mm, cm, in, pt, pc, px, Q, em, ex et %.',
+  'reason.SvgLengths': '{attribute} vaut {text} ; il faut des longueurs.',
+  'reason.SvgHrefElsewhere': 'href vaut {text} ; il doit nommer un élément de ce fichier par #id.',
+  'reason.SvgHrefUnknown': 'href vaut {text}, mais aucun élément n’a cet id.',
+  'reason.SvgShowsItself': '{attribute} vaut {text}, qui se montre lui-même à nouveau.',
+  'reason.SvgNumber': '{attribute} a {text} là où il faut un nombre.',
+  'reason.SvgNumberTooLarge': '{attribute} a le nombre {text}, qui est trop grand.',
+  'reason.SvgFlag': '{attribute} a {text} là où il faut 0 ou 1.',
+  'reason.SvgSign': '{attribute} a {text} là où il faut {sign}.',
+  'reason.SvgCommand': '{attribute} a {text} là où il faut une commande M L H V C S Q T A ou Z.',
+  'reason.SvgFirstCommand': '{attribute} a {text} là où il faut M, la première commande.',
+  'reason.SvgUnitHere': '{attribute} a {text} là où il faut une unité connue.',
+  'reason.SvgTransform': '{attribute} a {text} là où il faut une transformation comme translate(1 2).',
+  'reason.SvgEnd': '{attribute} a {text} là où il doit finir.',
+  'reason.SvgTransformNumbers':
+    'transform a {text} avec {count} nombres ; il faut matrix, translate, scale, rotate, skewX ou skewY avec leurs nombres.',
+  'reason.SvgTransformOrigin': 'transform-origin vaut {text} ; il faut deux longueurs, ou des mots comme center.',
+  'reason.SvgViewBox': 'viewBox vaut {text} ; sa largeur et sa hauteur doivent dépasser 0.',
+  'reason.SvgAspectRatio':
+    'preserveAspectRatio vaut {text} ; il faut none ou un alignement comme xMidYMid, puis meet ou slice.',
+  'reason.PaintOffPage':
+    'Tout ce qui est peint se trouve hors de la page ou est découpé ; « Contours » au lieu de « Visible » prend les contours, quels que soient leur peinture et leur place.',
+  'reason.NothingDrawn':
+    'Le dessin n’a aucune surface à remplir ; il faut des tracés, des formes de base, des lignes avec un contour ou du texte dans une police intégrée (les images ne comptent pas).',
+  'reason.NotJson':
+    'Le texte n’est pas du JSON à la ligne {line}, colonne {column} ; un projet ou une scène est un objet JSON.',
+  'reason.JsonTooDeep': 'Le JSON est imbriqué à plus de {most} niveaux ; un projet en demande 5.',
+  'reason.KeyLike': 'Clé inconnue {setting} ; semblables : {near}.',
+  'reason.KeyUnknown': 'Clé inconnue {setting} ; les clés connues sont {known}.',
+  'reason.KeyMissing': '{setting} n’a pas de {key} ; il en faut un.',
+  'reason.NameLike': '{setting} : {name} est inconnu ; semblables : {near}.',
+  'reason.NameUnknown': '{setting} : {name} est inconnu ; les noms connus sont {known}.',
+  'reason.NotText': '{setting} a le type JSON {type} ; il faut du texte.',
+  'reason.NotFlag': '{setting} a le type JSON {type} ; il faut true ou false.',
+  'reason.NotNumber': '{setting} a le type JSON {type} ; il faut un nombre.',
+  'reason.NotNumberOrNull': '{setting} a le type JSON {type} ; il faut un nombre ou null.',
+  'reason.NotWhole': '{setting} a le type JSON {type} ; il faut un nombre entier.',
+  'reason.NotWholeNumber': '{setting} : {value} ; il faut un nombre entier de {low} à {high}.',
+  'reason.NotPair': '{setting} a le type JSON {type} ; il faut deux nombres [x, y].',
+  'reason.NotWholePair': '{setting} : {value} ; il faut deux nombres entiers.',
+  'reason.NotList': '{setting} a le type JSON {type} ; il faut une liste.',
+  'reason.NotObject': '{setting} a le type JSON {type} ; il faut un objet.',
+  'reason.NotPoints': '{setting} doit être une liste de nombres x, y, x, y, … en mm.',
+  'reason.NotChoice': '{setting} : {value} ; il faut {choices}.',
+  'reason.OtherKind': '{setting} n’est pas pour le genre {kind} ; il a {known}.',
+  'reason.OtherVersion': 'Le projet est de la version {version} ; ce programme lit la version {known}.',
+  'reason.NoVersion': 'Le projet n’a pas de version ; il lui faut sillon: {known}.',
+  'reason.NoProject':
+    'Le fichier n’est ni un projet ni une scène ; un projet a sillon, une scène a nozzle_width et svg_path.',
+  'reason.NoShape':
+    'Il n’y a pas de forme ; donnez un fichier de forme, une forme intégrée ({names}) ou une image de directions.',
+  'reason.TextTooLong': '{setting} a {bytes} octets ; il faut du texte de {most} au plus.',
+  'reason.NotOneLine': '{setting} : {value} ; il faut une ligne de {most} octets au plus.',
+  'reason.TooMany': '{setting} a {count} éléments ; il peut en avoir {most} au plus.',
+  'reason.TooManyPoints': '{setting} : {count} points ; il peut y en avoir {most} au plus.',
+  'reason.NotColour': '{setting} : {value} ; il faut « #rrggbb ».',
+  'reason.FileNotNamed': '{setting} est vide ; il doit nommer un fichier.',
+  'reason.TextMissing': '{setting} est vide ; il faut des lettres.',
+  'reason.PicturesMissing': 'Le calque n’a pas d’images ; il en faut au moins une.',
+  'reason.EchoOfNothing': 'L’écho n’a pas de fichier ; il doit nommer un dessin, ou avoir un texte.',
+  'reason.TwoShapes': 'La forme a le fichier {file} et est aussi intégrée ; il faut l’un ou l’autre.',
+  'reason.BedSides':
+    '« Plateau, en haut à droite » vaut {max} mm ; ce doit être {low} à {high} mm à droite et au-dessus de « Plateau, en bas à gauche » {min}.',
+  'reason.RoundBedSides': '« Plateau rond » est actif sur un plateau de {width} × {depth} mm ; il doit être carré.',
+  'reason.ScreenSizes':
+    '« Images pour l’écran » doit donner au plus 8 tailles de 16 à 1024 pixels, comme « 16x16/QOI, 300x300/PNG ».',
+  'reason.CropReversed': 'Le recadrage finit en {max} ; ce doit être à droite et au-dessus de son début {min}.',
+  'reason.SeveralPlates': 'Le fichier contient {count} plaques ; exportez-les une par une, pour n’en oublier aucune.',
+  'reason.Cancelled': 'Le calcul a été annulé.',
   'reason.OffBody': '{name} porte une autre forme que celle de la plaque.',
   'reason.OffBody.hint': 'Annulez ce qui a changé le contour ou la taille, ou rouvrez le volume.',
   'reason.LinesNumbered':
@@ -1461,6 +1619,165 @@ export const fr: Translation = {
     'Le fichier n’indique pas le diamètre du filament ; ses cordons auraient {thinWidth} mm de large avec {thin} mm, {wideWidth} mm avec {wide} mm. Ajoutez à la fin une ligne « ; filament_diameter = {thin} » ou « ; filament_diameter = {wide} ».',
   'reason.NoFilament':
     'Aucun de ses cordons ne pousse de filament par E ; exportez-le pour un firmware qui compte le filament ainsi.',
+  'reason.TooThinFor':
+    '{setting} : {value}, mais la forme est trop étroite pour des lignes de {width} mm ; seul 0 convient ici.',
+  'reason.FewPoints':
+    'Le cycle {cycle} (à partir de 0) a {points} points distincts à 0,001 mm près ; il en faut au moins 3.',
+  'reason.WidthsUnlikePoints':
+    'Le trajet a une ligne de {points} points et {widths} largeurs ; il faut une largeur par point, et au moins 2.',
+  'reason.PointTooFar': 'Un point se trouve à ({x} ; {y}) mm ; les coordonnées doivent aller de -100000 à 100000.',
+  'reason.BeadTooThick':
+    'Un cordon aurait {width} × {height} mm = {area} mm² ; il peut avoir au plus 4 buse² = {most} mm² : la « Largeur de ligne » est trop grande pour la buse.',
+  'reason.BadDate': 'La date est {date} ; elle doit ressembler à « 1970-01-01 at 00:00:00 UTC ».',
+  'reason.NamesSlicer':
+    '{setting} ne doit pas contenir « generated by » ; un hôte prendrait le fichier pour celui d’un autre slicer.',
+  'reason.ScarfAndCoast':
+    '« Couture en sifflet » vaut {scarf} mm et « Roue libre » {coast} ; l’une des deux doit être 0 : toutes deux façonnent la fin d’un cycle.',
+  'reason.SideOnBed':
+    '« Hauteur de départ » vaut {height} mm ; il faut 0 quand « Face à montrer » n’est pas au-dessus, car cette face est sur le plateau.',
+  'reason.ThumbnailSize':
+    'Une vignette a {width} × {height} pixels en {bytes} octets ; il faut 1 à 1024 pixels par côté et 1 à 700000 octets en tout.',
+  'reason.PatchesPlain':
+    'Les champs s’impriment tels quels ; il faut « Face à montrer » au-dessus, « Rotation sur le plateau » 0, « En miroir » désactivé, « Plaques sur le plateau » 1x1, « Hauteur de départ » 0, « Rebord » 0 et « Motif du fond » en hachures ou le long du bord.',
+  'reason.NoLength': 'Un champ a une ligne sans longueur ; il lui faut deux points distincts.',
+  'reason.PatchOutside': 'Un champ a un point à ({x} ; {y}) mm, hors de la forme qui le porte.',
+  'reason.PatchFlow':
+    'Champ {patch} (à partir de 0) : à {speed} mm/s, un cordon de {section} mm² demande {needs} mm³/s ; « Débit maximal » vaut {most}.',
+  'reason.NoAcross':
+    '« Motif du fond » est « En travers des cordons » ; il faut un second trajet en travers du premier, et il n’y en a pas.',
+  'reason.NoArea': 'La forme n’a pas de surface ; il n’y a rien à imprimer.',
+  'reason.NoLines': 'Le trajet n’a pas de lignes ; il n’y a rien à imprimer.',
+  'reason.FlowTooLow':
+    '« Débit maximal » vaut {flow} mm³/s ; des cordons de {section} mm² demandent au moins {least} pour s’imprimer à 5 mm/s.',
+  'reason.NotMirrored':
+    '« Face à montrer » vaut « Les deux », mais la forme n’est pas sa propre image en miroir : {points} points du trajet seraient dehors ; choisissez ici une seule face.',
+  'reason.CrossesItself': 'Le trajet se croise {times} fois ; « Strict » le refuse.',
+  'reason.NotHomed': '« G-code de début » ne fait pas d’origine ; il lui faut G28 ou une macro de début.',
+  'reason.DrawnBack': '« G-code de début » rétracte le filament par G10 ; il doit le rendre par G11.',
+  'reason.BambuStart':
+    '« G-code de début » est vide ; les imprimantes Bambu demandent le bloc de début d’un fichier de leur propre slicer. Ouvrez un tel fichier (.gcode.3mf) comme imprimante.',
+  'reason.BreaksWritten':
+    '{block} contient des retours à la ligne écrits \\n ; chaque commande doit être sur sa propre ligne.',
+  'reason.NoEndif': '{block} contient « {text} » à la ligne {line}, sans endif.',
+  'reason.NoIf': '{block} contient « {text} » à la ligne {line}, sans if avant lui.',
+  'reason.NoValue':
+    '{block} contient « {text} » à la ligne {line}, qui n’a pas de valeur ici ; écrivez-y la valeur elle-même.',
+  'reason.NotEvaluated':
+    '{block} contient « {text} » à la ligne {line}, que l’on ne peut évaluer ici ; gardez seulement la branche qui vaut.',
+  'reason.WritingStopped': 'L’écriture a été arrêtée avant que le fichier soit complet.',
+  'reason.NoSink': 'Il n’y a pas de destination où écrire.',
+  'reason.NotOriented':
+    'Le G-code n’a pas de couche orientée sur cette page ; il doit avoir été écrit avec ces réglages.',
+  'reason.PackedCutOff': 'Le {file} est tronqué ; téléchargez-le ou exportez-le de nouveau.',
+  'reason.PackedDamaged': 'Le {file} est endommagé ; téléchargez-le ou exportez-le de nouveau.',
+  'reason.PackedUnknown': 'Le {file} est compressé d’une façon inconnue ici ; exportez plutôt du G-code simple.',
+  'reason.PackedEncrypted': 'Le {file} est chiffré ; exportez-le sans chiffrement.',
+  'reason.PackedEmpty': 'Le {file} ne contient pas de G-code ; tranchez la plaque avant de l’exporter.',
+  'reason.FileTooLarge': 'Le fichier, ou ce qu’il contient, fait {megabytes} Mio ; le maximum est {most}.',
+  'reason.PrintTooLarge':
+    'Le fichier fait {megabytes} Mio ; il doit en faire {most} au plus. Y mettre moins d’objets, ou trancher avec une résolution plus grossière.',
+  'reason.NoTriangles': 'Le volume n’a aucun triangle qui ait une surface.',
+  'reason.BrokenMesh': 'Le maillage a un point qui n’est pas fini, ou un triangle sans trois de ses points.',
+  'reason.ZoneEntangled':
+    'Une zone est trop enchevêtrée pour être découpée en triangles ; moins de zones, ou de plus larges, ne le sont pas.',
+  'reason.Entangled':
+    'Le contour de {points} points se croise ou se touche de sorte qu’on ne peut le découper en triangles ; il doit être plus simple.',
+  'reason.StlCutOff': 'Le STL est tronqué, ou c’est un fichier d’une autre sorte.',
+  'reason.StlCorner': 'Le STL a un sommet qui n’est pas fait de trois nombres.',
+  'reason.StlTooFar': 'Le STL va plus loin que 10000 mm.',
+  'reason.StlTooLarge': 'Le STL a plus de 10 millions de triangles ; c’est le maximum.',
+  'reason.NoBase': '« Couches du fond » vaut 0 ; il en faut au moins 1 pour en faire un volume.',
+  'reason.FilamentsDisagree':
+    'Le .gcode.3mf est pour le filament {package}, mais le G-code pour le filament {gcode} ; les deux doivent venir d’un même fichier de votre slicer, tranché avec un seul filament : importez-en de nouveau l’imprimante.',
+  'reason.ZonesTooSmall': 'La forme est trop petite pour des zones ; une cellule en fait {cell} mm.',
+  'reason.BodyFlat': 'Le volume est plat ; d’en haut, on ne voit rien.',
+  'reason.ArchiveEmpty': 'Le fichier est une archive (ZIP) sans G-code ; exportez le G-code depuis votre slicer.',
+  'reason.NotForBambu':
+    'Le G-code n’est pas pour une imprimante Bambu Lab, et les autres ne lisent pas le .gcode.3mf ; prenez l’imprimante d’un fichier de votre propre slicer, ou écrivez du G-code simple.',
+  'reason.ManyFilaments':
+    'Le G-code charge {count} filaments, et un nouveau .gcode.3mf en liste un ; prenez l’imprimante d’un fichier tranché avec un seul filament.',
+  'reason.UnknownContent':
+    'Le fichier n’est ni du G-code ni les réglages d’un slicer ; on lit le G-code, .ini, .json, .orca_printer et .3mf.',
+  'reason.BedUntold':
+    'Le fichier n’indique pas le plateau, et ses cordons sont à gauche de l’origine ou devant, de ({left} ; {front}) à ({right} ; {back}) ; prenez un fichier d’un slicer qui l’indique, comme PrusaSlicer ou Orca.',
+  'reason.BlockTooLong': '{block} du fichier dépasse {most} octets.',
+  'reason.NoLayers':
+    'Le G-code ne marque aucune couche (;LAYER_CHANGE, ; CHANGE_LAYER ou ;LAYER:0) ; exportez-le d’un slicer qui le fait.',
+  'reason.NoBeads': 'Le G-code n’extrude rien après sa première marque de couche.',
+  'reason.TwoFilaments':
+    'Son bloc de début charge le filament {loaded}, mais son premier cordon est du filament {used} ; tranchez le fichier avec un seul filament.',
+  'reason.NoPrinterSettings': 'Le fichier n’a aucun réglage d’imprimante connu ici.',
+  'reason.NoSuchPrinter': 'Le fichier n’a pas d’imprimante {printer} ; nommez-en une : {names}.',
+  'reason.ResinPrinter': 'L’imprimante {printer} durcit de la résine ; le G-code est fait pour des imprimantes à buse.',
+  'reason.OtherPreset':
+    'Le profil est de la sorte « {kind} » et non d’une imprimante ; exportez l’imprimante, ou un projet.',
+  'reason.BedElsewhere':
+    'Le profil hérite son plateau ou son bloc de début de {name}, qui est dans un autre fichier ; ouvrez du G-code tranché pour cette imprimante.',
+  'reason.BeadsTooSmall':
+    'Un cordon fait {pixels} pixels de large sur la photo ; il en faut au moins 4,5 : approchez-vous, ou prenez un appareil avec plus de pixels.',
+  'reason.NoBeadsSeen':
+    'Il y a un carré, mais on n’y voit pas les cordons d’une éprouvette ; la photo est floue, ou montre autre chose.',
+  'reason.NoPlainGround':
+    'La photo n’a pas de fond uni le long de son bord ; posez l’éprouvette entière sur du papier uni, visible de tous côtés.',
+  'reason.NoCoupon':
+    'La photo ne montre pas d’éprouvette ; posez-la sur du papier uni d’une autre couleur, pour qu’elle remplisse environ la moitié de l’image.',
+  'reason.CouponCutOff':
+    'L’éprouvette est coupée par le bord de la photo ; on doit la voir entière, avec un peu de fond autour.',
+  'reason.NotSquare': 'La photo ne montre pas d’éprouvette ; ce qui est là n’est pas carré, ou est coupé ou couvert.',
+  'reason.PhotoTooSmall': 'La photo a {width} × {height} pixels ; chaque côté doit en avoir au moins {least}.',
+  'reason.PhotoTooLarge':
+    'La photo a {width} × {height} pixels ; elle peut en avoir 64 millions : prenez-la avec moins.',
+  'reason.ManyLamps':
+    'Ce qui brille sur l’éprouvette n’est pas ce qu’une seule lampe ferait briller ; éteignez les autres lampes et fermez les rideaux.',
+  'reason.Blurred':
+    'La photo est floue de {blur} mm ; le maximum est {most} : tenez l’appareil immobile et laissez-le faire le point sur l’éprouvette.',
+  'reason.LowContrast':
+    'Les cordons les plus clairs sont {contrast} fois plus clairs que les plus sombres, et il faut 1,5 fois ; prenez une petite lampe, basse sur l’éprouvette, dans une pièce sombre.',
+  'reason.OtherWidths':
+    'Les cordons auraient {percent} % de la largeur demandée, et il faut 90 à 110 % ; l’éprouvette vient d’autres réglages, ou la lumière montre trop mal les cordons : déplacez la lampe autour de l’éprouvette.',
+  'reason.OtherElevation':
+    'La hauteur de la lampe est de {elevation}°, et la photo la montre à {seen} ± {error} ; mesurez-la de nouveau à l’éprouvette, au-dessus de la table, ou omettez-la.',
+  'reason.BurntPhoto':
+    'La photo est brûlée : {percent} % des pixels des spirales sont au maximum, et 2 % peuvent l’être ; exposez moins.',
+  'reason.StretchedPhoto':
+    'Aucun appareil ne voit un carré ainsi ; la photo est étirée, ou découpée sur un côté d’une plus grande : donnez l’image entière, telle que prise.',
+  'reason.SlopesUnclear':
+    'Les pentes ne se lisent pas dans cette lumière : {value}° à {error} près ; prenez une lampe plus petite, ou plus éloignée.',
+  'reason.NoReadings': 'Il n’y a pas de mesure à réunir ; donnez-en au moins une.',
+  'reason.ReadingsApart':
+    'La photo {photograph} donne des pentes de {value}°, et leur milieu est {middle} ; elles ne sont pas d’une même éprouvette, ou l’une est trop mal éclairée.',
+  'reason.AllDirections': '{kind} essaie toutes les directions ; from et to doivent être omis.',
+  'reason.StepsTooFine':
+    '{kind} de {from} à {to} a {count} valeurs ; la fin doit dépasser le début d’au moins {least}.',
+  'reason.FitWithoutBed':
+    'L’image doit couvrir le plateau, mais le fichier n’indique pas le sien ; choisissez une face, un objet ou toutes les faces.',
+  'reason.MoveTooFar': 'Un déplacement va à plus de {most} mm de l’origine ; aucun plateau n’est aussi grand.',
+  'reason.SurfaceEmpty': 'La face ne couvre rien.',
+  'reason.BinaryGcode':
+    'C’est du G-code binaire (.bgcode) ; dans PrusaSlicer, désactivez le format binaire sous « Préférences », « Autre », puis exportez de nouveau.',
+  'reason.FileNotRead': 'Le fichier n’a pas été lu par readSlicedFile.',
+  'reason.NoSuchSurface': 'La face {surface} est choisie ; le fichier en a {count}.',
+  'reason.NoSurface': 'Le fichier n’a aucune face de la sorte demandée.',
+  'reason.SurfacesOverlap': 'Deux faces se partagent une ligne du fichier.',
+  'reason.JudgedTooFine':
+    'Les images seraient jugées en plus de 100 millions de points ; prenez une « Largeur de ligne » plus grande ou une plaque plus petite.',
+  'reason.PreviewTooLarge':
+    'Un aperçu de panneaux larges de {width} pixels dépasserait {most} pixels par côté ou 100 millions en tout ; prenez-en moins.',
+  'reason.WeakLamp':
+    'La lampe ne rend aucune direction de cette bobine plus de 1,5 fois plus claire qu’une autre ; prenez une lampe plus basse ou plus petite, ou une bobine plus brillante.',
+  'reason.NeedsMoreMemory':
+    'Cela demande plus de mémoire qu’il n’y en a ; faites plus petit, ou prenez des images plus petites.',
+  'reason.KeyTwice': 'La clé {key} est donnée deux fois ; chacune ne peut l’être qu’une.',
+  'reason.SpoolFile': 'Un fichier de bobines doit être du JSON de la forme {form}.',
+  'reason.SpoolForm': '{where} doit avoir la forme {form}.',
+  'reason.SpoolKey': '{where} a la clé {key} ; il faut la forme {form}.',
+  'reason.SpoolName': '{where} doit être nommé par 1 à 40 lettres, chiffres, - et _.',
+  'reason.SpoolTaken': '{where} est fourni avec le programme ; nommez le vôtre autrement.',
+  'reason.ManySpools': 'Le fichier a {count} bobines ; le maximum est {most}.',
+  'reason.CheckRefuses':
+    'La vérification refuserait le G-code : {what} (ligne {line} du fichier) ; changez le code de début ou de fin, ou ses réglages.',
+  'reason.ZonesConstrained':
+    'Les zones montrent les directions telles qu’elles sont données ; le mode doit donc être « constrained ».',
   'reason.PlateTooLarge': 'La plaque est trop grande pour une « Largeur de ligne » de {mm} mm.',
   'reason.leastSpacing': 'Prenez une « Largeur de ligne » d’au moins {mm} mm.',
   'reason.percent': 'À {percent} % de sa taille, elle passerait.',

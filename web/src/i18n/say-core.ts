@@ -26,7 +26,7 @@ const sentence = (english: Readonly<Record<string, Text>>, id: string, values: V
 
 /** A note of `importPrinter` in the page's language, or the engine's own text for an unknown code. */
 export const importNoteText = ({ code, values, message }: ImportNote): string =>
-  sentence(importNotes, `note.${code}`, values) ?? message;
+  sentence(importNotes, `note.${code}`, values) ?? reasonText(code, values) ?? message;
 
 /** A warning of `GcodeSummary` in the page's language, or the engine's own text for an unknown code. */
 export function warningText({ code, values, message }: GcodeWarning): string {

@@ -20,9 +20,10 @@ const shown = (value: number | string | undefined): string =>
   typeof value === 'number' ? formatNumber(value, 3) : String(value);
 
 /** Words for a value out of its range, such as "“Layer height” is 0.5 mm." */
-function outOfRange({ setting, value, low, high }: Values): ExactWords {
+function outOfRange({ setting, value, low, high, unit: other = '' }: Values): ExactWords {
   const known = settings.find(({ id }) => id === setting);
-  const unit = known === undefined || !('unit' in known) || known.unit === '' ? '' : `\u00a0${unitText(known.unit)}`;
+  const own = known !== undefined && 'unit' in known ? unitText(known.unit) : String(other).replace('degrees', '°');
+  const unit = own === '' ? '' : own === '°' ? own : `\u00a0${own}`;
   const measured = (number: number | string | undefined): string => shown(number) + unit;
   return {
     message: say(words, 'reason.SettingOutOfRange', {
@@ -62,6 +63,13 @@ function otherReason(reason: string, values: Values): ExactWords | undefined {
   return { message, ...(reason === 'CopiesTooHigh' ? { hint: say(words, 'reason.CopiesTooHigh.hint') } : {}) };
 }
 
+/** Puts before a sentence in which layer, element or file the fault is. */
+function placed(what: string, { layer, element = '', elementLine = '', place }: Values): string {
+  if (element !== '') return say(words, 'reason.inElement', { what, element, line: elementLine });
+  if (place !== undefined) return say(words, 'reason.inPlace', { what, place });
+  return layer === undefined ? what : say(words, 'check.ofLayer', { what, layer });
+}
+
 function reasonWords(reason: ErrorReason | 'OffBody', values: Values): ExactWords | undefined {
   switch (reason) {
     case 'SettingOutOfRange':
@@ -83,7 +91,10 @@ function reasonWords(reason: ErrorReason | 'OffBody', values: Values): ExactWord
 /** Exact words for a problem; undefined where its code says everything. */
 export function exactWords({ code, values }: Problem): ExactWords | undefined {
   const { name = '', format, reason, elements, megabytes, most = '' } = values;
-  if (reason !== undefined) return reasonWords(reason as ErrorReason, values);
+  if (reason !== undefined) {
+    const told = reasonWords(reason as ErrorReason, values);
+    return told && { ...told, message: placed(told.message, values) };
+  }
   if (elements !== undefined || megabytes !== undefined) {
     return {
       message:

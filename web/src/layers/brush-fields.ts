@@ -1,4 +1,4 @@
-// Fields of the brush: its effect, width and softness.
+// Makes the fields of the brush: its effect, width and softness.
 import { html, nothing, type TemplateResult } from 'lit';
 import { numberField, select } from '../controls/fields.js';
 import { t } from '../i18n/text.js';

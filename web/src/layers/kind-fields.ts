@@ -1,4 +1,4 @@
-// Fields of a layer: the few that matter for its kind, and those that are folded away.
+// Makes the fields of a layer: the few that matter for its kind, and those that are folded away.
 import { html, nothing, type TemplateResult } from 'lit';
 import { angleField } from '../controls/angle-field.js';
 import { flag, select } from '../controls/fields.js';
@@ -41,6 +41,8 @@ const keysOf: Record<LayerKind, readonly LayerKey[]> = {
   map: ['file', 'encoding'],
 };
 
+const usuallyFolded: readonly LayerKey[] = ['mask', 'soft', 'mode'];
+
 const foldedOf: Partial<Record<LayerKind, readonly LayerKey[]>> = {
   text: ['align', 'ground', 'mask', 'soft', 'mode'],
   drawing: ['ground', 'mask', 'soft', 'mode'],
@@ -50,7 +52,7 @@ const foldedOf: Partial<Record<LayerKind, readonly LayerKey[]>> = {
 };
 
 /** Tells whether a value has any effect while the other values stay as they are. */
-function counts(key: LayerKey, layer: PlateLayer): boolean {
+function hasEffect(key: LayerKey, layer: PlateLayer): boolean {
   const { kind, pattern, fill, by } = layer;
   switch (key) {
     case 'angle':
@@ -82,21 +84,21 @@ function counts(key: LayerKey, layer: PlateLayer): boolean {
   }
 }
 
-/** Values without a field for the ground: cards choose its pattern and fill, and its picture fills the page
+/** Keys that get no field on the ground: cards choose its pattern and fill, and its picture fills the page
  * uncropped. */
 const notOfGround: readonly LayerKey[] = ['pattern', 'by', 'cropMin'];
 
-/** The fields shown at once for a layer. */
+/** Makes the fields shown at once for a layer. */
 export function kindFields(studio: Studio, layer: PlateLayer): Content[] {
   const ground = groundOf(studio.store.state.plate) === layer;
   return keysOf[layer.kind]
-    .filter((key) => counts(key, layer) && !(ground && notOfGround.includes(key)))
+    .filter((key) => hasEffect(key, layer) && !(ground && notOfGround.includes(key)))
     .map((key) => fieldOf(studio, layer, key));
 }
 
-/** The fields that are folded away for a layer. */
+/** Makes the fields that are folded away for a layer. */
 export const foldedFields = (studio: Studio, layer: PlateLayer): Content[] =>
-  (foldedOf[layer.kind] ?? ['mask', 'soft', 'mode']).map((key) => fieldOf(studio, layer, key));
+  (foldedOf[layer.kind] ?? usuallyFolded).map((key) => fieldOf(studio, layer, key));
 
 function fieldOf(studio: Studio, layer: PlateLayer, key: LayerKey): Content {
   switch (key) {
@@ -133,7 +135,7 @@ function fieldOf(studio: Studio, layer: PlateLayer, key: LayerKey): Content {
   }
 }
 
-/** Field of a file: a chip that names it, or a button to choose one. */
+/** Makes the field of a file: a chip that names it, or a button to choose one. */
 function fileField(studio: Studio, layer: PlateLayer, key: 'file' | 'maskFile', accept: string): TemplateResult {
   const file = layer[key];
   const use = async (found: SourceFile | undefined): Promise<void> => {
@@ -153,7 +155,7 @@ function fileField(studio: Studio, layer: PlateLayer, key: 'file' | 'maskFile', 
   </div>`;
 }
 
-/** Field of the font: those of the studio, the layer's own, and a button for a file. */
+/** Makes the field of the font: it offers the studio's fonts and the layer's own, and a button for a file. */
 function fontField(studio: Studio, layer: PlateLayer): TemplateResult {
   const { font } = layer;
   const setting = layerSettingOf('font');
@@ -176,7 +178,7 @@ function fontField(studio: Studio, layer: PlateLayer): TemplateResult {
     </div>`;
 }
 
-/** Fields of the mode: one for the whole layer, or a picture of modes. */
+/** Makes the selector of the layer's mode, and a chip for its picture of modes if it has one. */
 export function modeFields(studio: Studio, layer: PlateLayer): TemplateResult {
   const { mode, modeFile } = layer;
   return html`${select({
@@ -195,6 +197,7 @@ export function modeFields(studio: Studio, layer: PlateLayer): TemplateResult {
     }`;
 }
 
+/** Shows the number of strokes, and a button that removes the whole layer. */
 function strokesField(studio: Studio, layer: PlateLayer): TemplateResult {
   return html`<div class="strokes">
     <span class="note">${t('tool.strokes', { n: layer.strokes.length })}</span>
@@ -204,7 +207,7 @@ function strokesField(studio: Studio, layer: PlateLayer): TemplateResult {
   </div>`;
 }
 
-/** Buttons that start a crop and undo it. */
+/** Makes the buttons that start a crop and undo it. */
 function cropField(studio: Studio, layer: PlateLayer): Content {
   const { cropping } = studio.store.state;
   const whole = [...layer.cropMin, ...layer.cropMax].join() === '0,0,1,1';
@@ -217,7 +220,8 @@ function cropField(studio: Studio, layer: PlateLayer): Content {
     ${cropping ? html`<p class="note">${l('crop.help')}</p>` : nothing}`;
 }
 
-/** Field of the ground's direction. Null keeps what lies below; under a code it means across the dark modules. */
+/** Makes the field of the direction in the box around the ink. Null leaves what lies below; for a code, light modules
+ * then lie across the dark ones. */
 function groundField(studio: Studio, layer: PlateLayer): TemplateResult {
   const { ground } = layer;
   const setting = layerSettingOf('ground');

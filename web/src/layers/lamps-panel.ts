@@ -126,7 +126,7 @@ export class LampsPanel extends StudioElement {
     `;
   }
 
-  /** Fields that all pictures of the plate share. */
+  /** Makes the fields that all pictures of the plate share. */
   #shared(): TemplateResult {
     const { pictures } = this.state.plate;
     const set = (change: Partial<typeof pictures>, gesture?: string): void =>

@@ -1,4 +1,4 @@
-// Fields of a layer's place, size and rotation.
+// Makes the fields of a layer's place, size and rotation.
 import { html, type TemplateResult } from 'lit';
 import { numberInput, type NumberField } from '../controls/fields.js';
 import { icon } from '../controls/icons.js';
@@ -14,7 +14,7 @@ import type { Studio } from '../studio/studio.js';
 import { changeIn, layerField } from './layer-field.js';
 import { button } from '../controls/button.js';
 
-/** Field of a length in mm. @param set  the layer's changes for a value of the field */
+/** Makes the field of a length in mm. @param set  the layer's changes for a value of the field */
 function lengthField(
   studio: Studio,
   layer: PlateLayer,
@@ -69,7 +69,7 @@ export function coveringPage(page: Point, layer: PlateLayer, frame: Frame): Part
   }
 }
 
-/** Fields of the middle of a pattern that fills the page, about which its rays and waves lie. */
+/** Makes the fields of the middle of a pattern that fills the page, about which its rays and waves lie. */
 export function middleFields(studio: Studio, layer: PlateLayer): TemplateResult {
   const middle = middleOf(studio.store.state.plate, layer);
   const field = (k: 0 | 1): TemplateResult =>
@@ -84,7 +84,8 @@ export function middleFields(studio: Studio, layer: PlateLayer): TemplateResult 
   return html`<div class="size">${field(0)}<span></span>${field(1)}</div>`;
 }
 
-/** Fields of a layer's place. @param lock  state of the proportions' lock, and the function that toggles it */
+/** Makes the fields of a layer's place.
+ * @param lock  state of the proportions' lock, and the function that toggles it */
 export function placeFields(
   studio: Studio,
   layer: PlateLayer,

@@ -86,8 +86,8 @@ export const withoutBrought = (plate: Plate): Plate => ('brought' in plate ? wit
 export const countLines = (block: string): number =>
   block.split('\n').filter((line) => !/^\s*(;.*)?$/.test(line)).length;
 
-/** Text of what the visitor must see before downloading the first file for a printer: blocks of G-code that no
- * profile has, and temperatures without limits. Equal texts need no second look; an empty text needs none at all. */
+/** Returns the text that the visitor must see before downloading the first file for a printer: blocks of G-code that
+ * no profile has, and temperatures without limits. Equal texts need no second look; an empty text needs none at all. */
 export function toReview(printer: PrinterValues): string {
   const { startGcode, endGcode, generalHeatLimits } = printer;
   const profile = profileOf(printer);

@@ -19,12 +19,12 @@ export interface Frame {
   turn: number;
 }
 
-/** Tells whether the layer fills the page while nobody has given it a size. */
+/** Tells whether the layer fills the page: strokes always do, and fills do until they are given a size. */
 const fillsPage = (layer: PlateLayer): boolean =>
   layer.kind === 'strokes' || (fillOf(layer) !== undefined && layer.size[0] + layer.size[1] === 0);
 
-/** Growth of a text since its box was reported. A text grows with its capitals, or stays within a given size.
- * @returns the factor from `then` to `now` */
+/** Returns the factor by which a text has grown since its box was reported: the ratio of its capitals, or the
+ * smallest ratio of its given sides. */
 function grown(now: PlateLayer, then: PlateLayer): number {
   const sides = [0, 1] as const;
   const given = sides.filter((k) => now.circle === 0 && now.size[k] > 0 && then.size[k] > 0);
@@ -32,7 +32,8 @@ function grown(now: PlateLayer, then: PlateLayer): number {
   return Math.min(...given.map((k) => now.size[k] / then.size[k]));
 }
 
-/** Size of a layer's box. A side without a value follows the other, in the proportions of the content. */
+/** Returns the size of a layer's box. One missing side follows from the content's proportions; if both are missing,
+ * the reported box counts. A text scales its reported box, or is guessed from its number of letters and lines. */
 function sizeOf(layer: PlateLayer, page: Point, known: KnownBox | undefined): Point {
   const [width, height] = layer.size;
   if (layer.kind === 'text') {
@@ -45,8 +46,9 @@ function sizeOf(layer: PlateLayer, page: Point, known: KnownBox | undefined): Po
   if (width > 0 && height > 0) return [width, height];
   if (width > 0) return [width, (width * tall) / wide];
   if (height > 0) return [(height * wide) / tall, height];
-  const least = known === undefined && !fillsPage(layer) ? Math.min(...page) / 2 : 1;
-  return [wide * least, tall * least];
+  // A box that the engine has not reported yet is drawn as a square of half the page's shorter side.
+  const factor = known === undefined && !fillsPage(layer) ? Math.min(...page) / 2 : 1;
+  return [wide * factor, tall * factor];
 }
 
 /** Frame of a layer on the page. @param known  the box that the engine has last reported; the layer may have changed
@@ -103,34 +105,34 @@ export function boundsOf(frame: Frame): Bounds {
 
 // --- Resizing and turning by hand ------------------------------------------------------------------------------------------
 
-const smallest = 1; // [mm], the least length of a side that a hand makes smaller
+const shortestSide = 1; // shortest side that dragging can make [mm]
 
 /** Drags a corner of the box; the opposite corner stays. Returns the factors that scale the box, and its new middle.
- * @param free  scales each side by itself; otherwise both by the same factor */
+ * @param free  scales each side on its own; otherwise both by the same factor */
 export function resized(frame: Frame, corner: Point, to: Point, free: boolean): { scale: Point; middle: Point } {
   const { size } = frame;
   const fixed = placeIn(frame, [-corner[0], -corner[1]]);
   const span: Point = [corner[0] * size[0], corner[1] * size[1]];
   const [x, y] = inFrame(frame, to);
   const way: Point = [x - fixed[0], y - fixed[1]];
-  const least = [smallest / size[0], smallest / size[1]] as const;
-  const alike = (way[0] * span[0] + way[1] * span[1]) / (span[0] ** 2 + span[1] ** 2);
+  const least = [shortestSide / size[0], shortestSide / size[1]] as const;
+  const uniform = (way[0] * span[0] + way[1] * span[1]) / (span[0] ** 2 + span[1] ** 2);
   const scale: Point = free
     ? [Math.max(least[0], way[0] / span[0]), Math.max(least[1], way[1] / span[1])]
-    : [Math.max(alike, ...least), Math.max(alike, ...least)];
+    : [Math.max(uniform, ...least), Math.max(uniform, ...least)];
   const middle = onPage(frame, [fixed[0] * (1 - scale[0]), fixed[1] * (1 - scale[1])]);
   return { scale, middle };
 }
 
 const wrapped = (degrees: number): number => ((((degrees + 180) % 360) + 360) % 360) - 180;
-const stepOfTurns = 15; // [degrees]
+const turnStep = 15; // [degrees]
 
 /** The rotation after a hand has moved from one place to another, above -180° and up to 180°.
- * @param steps  rounds to multiples of 15° */
+ * @param steps  rounds to multiples of 15°, otherwise to 0.1° */
 export function rotated({ middle, turn }: Frame, from: Point, to: Point, steps: boolean): number {
   const towards = ([x, y]: Point): number => (Math.atan2(y - middle[1], x - middle[0]) * 180) / Math.PI;
   const angle = turn + towards(to) - towards(from);
-  const snapped = steps ? Math.round(angle / stepOfTurns) * stepOfTurns : Math.round(10 * angle) / 10;
+  const snapped = steps ? Math.round(angle / turnStep) * turnStep : Math.round(10 * angle) / 10;
   const within = wrapped(snapped);
   return within === -180 ? 180 : Math.round(10 * within) / 10;
 }

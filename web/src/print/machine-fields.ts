@@ -1,4 +1,4 @@
-// Fields for the printer and the filament.
+// Makes the fields for the printer and the filament.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { printerLabel } from '../i18n/say.js';
@@ -56,14 +56,14 @@ export const swatchStyle = css`
 `;
 
 /** Printers in the order in which a visitor is asked for theirs: particular machines first, then generic ones. */
-const asked: readonly PrinterChoice[] = [
+const printersToChoose: readonly PrinterChoice[] = [
   ...[...printers.filter((one) => !isGeneric(one)), ...printersByFile].sort((a, b) =>
     a.label.localeCompare(b.label, 'en'),
   ),
   ...printers.filter(isGeneric),
 ];
 
-/** The choice of one printer; those that need a file can be chosen only where the printer is asked for. */
+/** Makes the choice of one printer; those that need a file can be chosen only where the printer is asked for. */
 function optionOf(printer: PrinterChoice, asks: boolean): ChoiceField['options'][number] {
   const { key, label } = printer;
   if (printersByFile.includes(printer))
@@ -73,19 +73,21 @@ function optionOf(printer: PrinterChoice, asks: boolean): ChoiceField['options']
 }
 
 export interface PrinterQuestion {
-  /** The printer whose file is awaited; '': none chosen yet; undefined: the plate's own. */
+  /** Printer whose file the page waits for. '' means none chosen yet; undefined means the plate's own printer. */
   value: PrinterKey | undefined;
   onChoose: (key: PrinterKey) => void;
 }
 
-/** Field for the printer. @param question  given where the page asks for the printer; left out where it is one of
- * many settings */
+/** Makes the field for the printer.
+ * @param question  given if the page asks for the printer; omitted if the printer is one of many settings */
 export function printerField(studio: Studio, question?: PrinterQuestion): TemplateResult {
   const { plate } = studio.store.state;
   const { name, startGcode } = plate.printer;
   const current = profileOf(plate.printer);
   const asks = question !== undefined;
-  const options = (asks ? asked : [...printers, ...printersByFile]).map((printer) => optionOf(printer, asks));
+  const options = (asks ? printersToChoose : [...printers, ...printersByFile]).map((printer) =>
+    optionOf(printer, asks),
+  );
   if (question?.value === '') options.unshift({ value: '', label: say(words, 'printer.choose') });
   else if (current === undefined)
     options.unshift({ value: '', label: name === '' ? t('printer.own') : say(words, 'printer.ownNamed', { name }) });
@@ -105,7 +107,8 @@ export function printerField(studio: Studio, question?: PrinterQuestion): Templa
     ${question?.value === undefined ? startNote(studio, startGcode, current) : nothing}`;
 }
 
-/** Note about the printer's start block. */
+/** Warns that a missing start block is replaced by a plain one, or offers a review of an imported printer's own block.
+ * Built-in printers with a start block need no note. */
 function startNote(
   studio: Studio,
   startGcode: string,
@@ -131,7 +134,7 @@ export const takePrinter = (studio: Studio, file: File): Promise<boolean> =>
     await (await import('./printer-file.js')).importPrinter(studio, file);
   });
 
-/** Field for the filament: the listed ones and the visitor's own spools. */
+/** Makes the field for the filament, which offers the listed ones and the visitor's own spools. */
 export function filamentField(studio: Studio): TemplateResult {
   const { plate } = studio.store.state;
   const chosen = listedFilament(plate);

@@ -151,7 +151,7 @@ export class PrintPanel extends StudioElement {
     });
   }
 
-  /** Fields for the beads: their width, and their course along the outline. */
+  /** Makes the fields for the beads: their width, and their course along the outline. */
   #lines(): TemplateResult {
     const { toolpath, printer } = this.state.plate;
     const { nozzle, spacing } = adviceFor(printer.nozzle);

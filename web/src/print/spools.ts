@@ -27,7 +27,7 @@ export function readSpools(text: string): OwnSpool[] {
   return entries.map(([key, entry]) => spoolFrom(key, entry, key));
 }
 
-/** Text of a file of spools, in the form that `sillon calibrate read` writes. */
+/** Returns the text of a file of spools, in the form that `sillon calibrate read` writes. */
 export function spoolsText(spools: readonly OwnSpool[]): string {
   const entries = spools.map(({ key, ...entry }) => [key, entry] as const);
   return `${JSON.stringify({ version, spools: Object.fromEntries(entries) }, undefined, 2)}\n`;

@@ -185,7 +185,7 @@ export class QualityPanel extends StudioElement {
     return t('setting.value', { label, value: file?.name ?? '' });
   }
 
-  /** Button that shows the first place to which the verdict refers. */
+  /** Makes the button that shows the first place to which the verdict refers. */
   #look({ measure, level }: Verdict): TemplateResult | typeof nothing {
     const kinds = placesOf[measure] ?? [];
     const at = this.state.marks.findIndex(({ kind }) => kinds.includes(kind));

@@ -1,4 +1,4 @@
-// Fields that control how a drawing is read. They are loaded when the plate has one.
+// Makes the fields that control how a drawing is read. They are loaded when the plate has one.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import { d } from '../i18n/drawing.js';

@@ -1,4 +1,4 @@
-// Fields for changes of a shape: its corners, an offset and holes.
+// Makes the fields for changes of a shape: its corners, an offset and holes.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { customElement } from 'lit/decorators.js';
 import type { RoundHole } from 'sillon';

@@ -1,4 +1,4 @@
-// Fields of the plate's size, in millimetres or inches.
+// Makes the fields of the plate's size, in millimetres or inches.
 import { html, type TemplateResult } from 'lit';
 import { a } from '../i18n/shaping.js';
 import type { Units } from '../model/guest.js';
@@ -29,7 +29,7 @@ export function lengthField(field: NumberField, units: Units): NumberField {
   };
 }
 
-/** Field of one side. @param sizes  the plate's changes for another length of that side */
+/** Makes the field of one side. @param sizes  the plate's changes for another length of that side */
 function sideField(
   studio: Studio,
   side: 'width' | 'height',

@@ -1,4 +1,4 @@
-// Field of the plate's thickness: a number, and buttons for common thicknesses.
+// Makes the field of the plate's thickness: a number, and buttons for common thicknesses.
 import { html, type TemplateResult } from 'lit';
 import { numberField, type NumberField } from '../controls/fields.js';
 import { a } from '../i18n/shaping.js';

@@ -5,6 +5,7 @@ import { afterEach, test } from 'node:test';
 import type { Report } from 'sillon';
 import { c } from '../../src/i18n/calibrate.js';
 import { en, frame as english } from '../../src/i18n/en.js';
+import { words as reasonWords } from '../../src/i18n/en/core/reasons.js';
 import { words as plateWords } from '../../src/i18n/en/plates.js';
 import { settingHelp } from '../../src/i18n/help.js';
 import { l, layerLabel, type LayersTextId } from '../../src/i18n/layers.js';
@@ -37,7 +38,7 @@ import {
 } from '../../src/i18n/text.js';
 import { verdictText } from '../../src/i18n/say-verdict.js';
 import { printers } from '../../src/model/printers.js';
-import { problemOf, StudioError } from '../../src/model/problem.js';
+import { problemOf, StudioError, type Problem } from '../../src/model/problem.js';
 import { layerSettings } from '../../src/model/layer-settings.js';
 import { settingOf, settings } from '../../src/model/settings.js';
 import { orderVerdicts, verdictsOf } from '../../src/model/verdicts.js';
@@ -576,15 +577,24 @@ test('findings of the file are told in every language, with their line', async (
 });
 
 test('why the engine refuses a plate has words in every language', async () => {
-  const header = readFileSync('core/include/sillon/base/result.hpp', 'utf8');
-  const reasons = [...header.matchAll(/constexpr char k(\w+)\[\] = "(\w+)";/g)].map(([, , name = '']) => name);
-  assert.ok(reasons.length >= 8);
-  const values = { setting: 'print.layerHeight', value: 0.5, low: 0.05, high: 0.32, left: 2, back: 5.5, by: 0.25 };
-  const more = { height: 4.2, most: 3, spacing: 0.4, leastSpacing: 0.7, percent: 57 };
-  const shape = { n: 2, x: 30, y: 10.5, diameter: 4.5, bottom: 0, top: 20, offset: -4, depth: 3.5, rim: 3 };
-  const text = { letter: '"e" (U+0065)', font: '"own.ttf"', count: 2, names: '"Elm S", "Elm L"' };
+  const sentences: Readonly<Record<string, string>> = reasonWords;
+  const own = ['SettingOutOfRange', 'OverBedEdge', 'PlateTooLarge'];
+  const reasons = [...own, ...Object.keys(sentences).map((id) => id.slice('reason.'.length))];
+  assert.ok(reasons.length >= 200);
+  const numbers = {
+    value: 0.5,
+    low: 0.05,
+    high: 0.32,
+    left: 2,
+    back: 5.5,
+    spacing: 0.4,
+    leastSpacing: 0.7,
+    percent: 57,
+  };
+  const named = (reason: string): Record<string, number | string> =>
+    Object.fromEntries(placeholders(sentences[`reason.${reason}`] ?? '').map((name) => [name.slice(1, -1), 2.5]));
   const told = (reason: string) => {
-    const all = { ...values, ...more, ...shape, ...text, ...(reason === 'HoleOutside' && { right: 20 }), reason };
+    const all = { ...(own.includes(reason) ? numbers : named(reason)), setting: 'print.layerHeight', reason };
     return exactWords({ code: 'DoesNotFit', values: all, detail: '' }) ?? { message: '' };
   };
   const english = new Map(reasons.map((reason) => [reason, told(reason).message]));
@@ -606,6 +616,18 @@ test('why the engine refuses a plate has words in every language', async () => {
   assert.match(told('PlateTooLarge').hint ?? '', /at least 0\.7 mm\. .* 57 %/);
   assert.equal(told('EndLine').message.startsWith('Line'), true);
   assert.equal(told('').message, '');
+});
+
+test('the place of a fault stands before what the engine refuses', () => {
+  const told = (values: Problem['values']) =>
+    exactWords({ code: 'InvalidFile', values: { reason: 'NoInside', ...values }, detail: '' })?.message ?? '';
+  const alone = told({});
+  assert.equal(told({ layer: 2 }), `Layer 2: ${alone}`);
+  assert.equal(told({ place: '“a.svg”' }), `“a.svg”: ${alone}`);
+  assert.equal(told({ element: '<path>', elementLine: 3 }), `<path> in line 3: ${alone}`);
+  const size = { setting: 'size', value: 60, low: -20, high: 50 };
+  assert.match(told({ reason: 'SettingOutOfRange', ...size, unit: 'mm' }), /60\u00a0mm.*50\u00a0mm/);
+  assert.match(told({ reason: 'SettingOutOfRange', ...size, unit: 'degrees' }), /60°.*50°/);
 });
 
 test('faults of the start block are shown beside their lines', () => {

@@ -193,7 +193,8 @@ test('files that come together share the work', () => {
   assert.deepEqual(roles('logo', 'deepRamp'), ['mask', 'angle']);
   assert.deepEqual(roles('photo', 'logo'), ['lamp', 'mask']);
   assert.deepEqual(roles('svg', 'logo'), ['shape', 'levels']);
-  assert.deepEqual(roles('svg', 'logo', 'photo'), ['shape', 'levels', 'none']);
+  assert.deepEqual(roles('svg', 'logo', 'photo'), ['shape', 'lamp', 'more']);
+  assert.deepEqual(roles('photo', 'svg', 'logo'), ['lamp', 'shape', 'more']);
   assert.deepEqual(roles('ramp', 'modes'), ['angle', 'modes']);
   assert.deepEqual(roles('photo', 'modes'), ['lamp', 'modes']);
   assert.deepEqual(roles('photo', 'ramp'), ['lamp', 'more']);
@@ -567,8 +568,8 @@ test('what can be opened is, and why the rest cannot is said of each', async () 
       ['UnknownFile', { name: 'plan.DXF', format: 'DXF' }],
       ['UnknownFile', { name: 'logo.ai', format: 'Illustrator' }],
       ['BodyHere', { name: 'part.step' }],
-      ['InvalidFile', { name: 'cut.png' }],
-      ['InvalidFile', { name: 'cut.svg' }],
+      ['InvalidFile', { name: 'cut.png', reason: 'PictureCutOff', file: 'file', format: 'PNG' }],
+      ['InvalidFile', { name: 'cut.svg', reason: 'SvgNotXml', line: 1, text: '""' }],
     ],
   );
 });

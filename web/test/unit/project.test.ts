@@ -443,7 +443,7 @@ test('what is wrong with a project is said', async () => {
   await refused(withStudio({ name: 7 }), 'BrokenProject', /^studio\.name is 7/);
   await refused(withStudio({ name: 'x'.repeat(201) }), 'BrokenProject', /^studio\.name is "xxx/);
   await refused(withStudio({ spool: 7 }), 'BrokenProject', /^spool is 7/);
-  await refused(packed({ ...project, studio: 7 }), 'BrokenProject', /studio is a number/);
+  await refused(packed({ ...project, studio: 7 }), 'BrokenProject', /studio is of the JSON type number/);
   const mapped = { ...project, layers: [{ kind: 'map', file: 'inputs/a.png' }] };
   await refused(packed(mapped), 'BrokenProject', /^inputs\/a\.png is missing/);
   const named = { ...mapped, studio: { ...project.studio, files: { 'inputs/a.png': 7 } } };

@@ -9,8 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include "sillon/base/sentence.hpp"
-
 namespace sillon {
 
 /// Kinds of errors.
@@ -40,8 +38,8 @@ struct NamedValue {
 struct Error {
   ErrorCode code = ErrorCode::Internal;
   std::string message;  ///< one English sentence: the fault, its value, and the allowed range
-  /// Code of the sentence in sillon::reason, for other languages; empty: there is only the English
-  /// message
+  /// Code of the sentence, for other languages: of sillon::reason or reasonSentences(), or the name
+  /// of a warning (report/warning.hpp) that stops this job
   const char* reason = "";
   std::vector<NamedValue> values = {};  ///< values that the reason's sentence names
 };
@@ -80,9 +78,7 @@ class [[nodiscard]] Result {
 
 }  // namespace sillon
 
-/// Codes of the reasons why a job is refused: values of `Error::reason`, for callers that say it in
-/// another language than English. A reason may also be the name of a warning (report/warning.hpp)
-/// that stops this job, with the values of that warning.
+/// Codes of reasons whose errors say more than one sentence. The others stand in reasonSentences().
 namespace sillon::reason {
 
 /// A number of a project is out of range. Values: the name of the `setting` ("print.layerHeight"),
@@ -91,37 +87,6 @@ inline constexpr char kSettingOutOfRange[] = "SettingOutOfRange";
 /// The plate lies over an edge of the bed. Values: `left`, `right`, `front` and `back`, the length
 /// that lies over that edge [mm]; edges that it does not cross are left out.
 inline constexpr char kOverBedEdge[] = "OverBedEdge";
-/// The plate lies over the edge of a round bed. Value: `by`, the length that lies over it [mm].
-inline constexpr char kOverRoundBed[] = "OverRoundBed";
-/// The plate touches the part of the bed that the printer's profile excludes.
-inline constexpr char kOnExcludedZone[] = "OnExcludedZone";
-/// The job is too high for the printer. Values: its `height` with the lift, and `most`, the height
-/// that the printer reaches [mm].
-inline constexpr char kTooHigh[] = "TooHigh";
-/// Several plates on one bed are too high for the print head to pass over them. Values: their
-/// `height`, and `most`, the height that it passes over [mm].
-inline constexpr char kCopiesTooHigh[] = "CopiesTooHigh";
-/// No bead fits anywhere in the shape. Value: `spacing` [mm].
-inline constexpr char kNoBeadFits[] = "NoBeadFits";
-/// No bead fits into the lines of a drawing in which nothing is filled. Value: `spacing` [mm].
-inline constexpr char kLinesTooThin[] = "LinesTooThin";
-/// A hole lies outside the shape and cuts nothing. Values: its number `n`, counted from 1; its `x`,
-/// `y` and `diameter` [mm]; `left`, `bottom`, `right` and `top` of the shape [mm].
-inline constexpr char kHoleOutside[] = "HoleOutside";
-/// An offset inwards leaves nothing. Values: `offset`, and the `depth` of the shape's deepest place
-/// [mm].
-inline constexpr char kOffsetTooDeep[] = "OffsetTooDeep";
-/// No font has a letter of a text or a drawing. Value: `letter`.
-inline constexpr char kMissingLetter[] = "MissingLetter";
-/// The font of a text has a letter only as a picture, without an outline. Values: `letter` and
-/// `font`.
-inline constexpr char kPictureLetter[] = "PictureLetter";
-/// A bundle has several printers, and none is chosen. Values: their `count`, and their `names` in
-/// quotes.
-inline constexpr char kWhichPrinter[] = "WhichPrinter";
-/// The oriented side lies on the bed, so it cannot carry a raised border. Value: `rim`, the layers
-/// asked for.
-inline constexpr char kRimBelow[] = "RimBelow";
 /// The plate needs more cells than there may be. Values: `spacing` [mm]; `leastSpacing` [mm] and
 /// `percent` of the size, with which it would do, each where there is one.
 inline constexpr char kPlateTooLarge[] = "PlateTooLarge";
@@ -130,7 +95,19 @@ inline constexpr char kPlateTooLarge[] = "PlateTooLarge";
 
 namespace sillon {
 
-/// Returns the sentences of the reasons whose errors say nothing else.
+/// One sentence of the core by its code. English is made from it, and other languages translate it
+/// by the code.
+struct Sentence {
+  const char* code;
+  /// English in ASCII, without a full stop. {name} stands for a value; a setting is named in full,
+  /// as printer.maxFlow.
+  const char* text;
+  /// Names of values that come along but are not said, separated by spaces
+  const char* unsaid = "";
+};
+
+/// Returns the sentences of the reasons whose errors say nothing else. Their placeholders are the
+/// names of the values; lengths are in mm.
 std::span<const Sentence> reasonSentences();
 
 /// Returns hints on how to avoid most errors of a code, by the name of the code. Codes whose

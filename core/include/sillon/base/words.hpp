@@ -1,4 +1,4 @@
-// Text for messages: quoted names, letters with their codes, and suggestions.
+// Words that people and files are told: the version, quoted names and suggestions.
 #pragma once
 
 #include <string>
@@ -6,6 +6,9 @@
 #include <vector>
 
 namespace sillon {
+
+/// The version, kept in one place.
+inline constexpr const char* kVersion = "0.1.0";
 
 /// Makes text from a file fit to be shown: in quotes, on one line, at most 60 bytes.
 std::string inQuotes(std::string_view text);

@@ -14,13 +14,10 @@
 #include "sillon/base/types.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/plate_input.hpp"
-#include "sillon/input/read_input.hpp"
 #include "sillon/look/inversion.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
-#include "sillon/report/input_note.hpp"
-#include "sillon/report/layers.hpp"
 #include "sillon/report/warning.hpp"
 #include "sillon/settings/project.hpp"
 
@@ -166,21 +163,5 @@ Result<ToolpathResult> makeShown(const Project& project, Composition& compositio
 /// and a layer that cannot be made does not keep the others from being shown.
 std::vector<PlacedLayer> placeLayers(const Project& project, const Shape& shape,
                                      const ReadInput& read);
-
-/// Tells how much of each visible layer above the ground is seen.
-/// \param placed  boxes, one per layer of the project.
-std::vector<SeenLayer> seeLayers(const Project& project, const std::vector<PlacedLayer>& placed,
-                                 const Composition& composition);
-
-/// Notes and warnings about the layers of a composition.
-struct LayersTold {
-  std::vector<InputNote> notes;
-  std::vector<Warning> warnings;
-};
-/// Collects the notes and warnings about layers.
-/// \param page  size of the plate [mm].
-/// \param spacing  tau [mm].
-LayersTold toldOf(const std::vector<PlacedLayer>& placed, const std::vector<SeenLayer>& seen,
-                  Vec2 page, double spacing);
 
 }  // namespace sillon

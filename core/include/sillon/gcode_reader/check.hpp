@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "sillon/base/sentence.hpp"
+#include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/settings/project.hpp"
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sillon/base/result.hpp"
+#include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 
 namespace sillon {
@@ -12,9 +13,6 @@ namespace sillon {
 enum class FillRule { NonZero, EvenOdd };
 
 using Ring = std::vector<Vec2>;  ///< closed polygon [mm], first point not repeated, any winding
-
-/// Greatest distance of a shape's points from 0 [mm]; its 1e12 nm are exact in a double.
-inline constexpr double kMaxCoordinate = 1e6;
 
 /// One painted element: its rings under one fill rule.
 struct FilledPath {
@@ -79,17 +77,6 @@ struct Shape {
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-/// Moves every point of a shape; its page stays.
-/// \param move  function from a point to its new place.
-template <class Move>
-void movePoints(Shape& shape, const Move& move) {
-  for (FilledPath& path : shape.paths) {
-    for (Ring& ring : path.rings) {
-      for (Vec2& point : ring) point = move(point);
-    }
-  }
-}
-
 /// Treatment of a polygon's corners.
 struct Corners {
   /// Radius of the arc that rounds a corner [mm], >= 0; the arc begins and ends at most half a side
@@ -146,12 +133,41 @@ Result<Shape> withHoles(Shape shape, const std::vector<RoundHole>& holes);
 /// \param width  width of the page [mm], > 0; the height follows.
 Result<Shape> shapeFromMask(const Image& mask, double width);
 
-/// Scales a shape and its page so that the page is `width` mm wide.
-/// \param width  new width of the page [mm], > 0.
-Result<Shape> scaledToWidth(const Shape& shape, double width);
-
 /// Returns the box around the points of all rings [mm]. Rings that enclose nothing count too; the
 /// box is empty without points.
 Bounds bounds(const Shape& shape);
+
+/// One straight piece of the border; the inside lies on its left.
+struct BorderSegment {
+  Vec2 a;
+  Vec2 b;
+};
+
+/// The border of a shape, the line between inside and outside, as a soup of segments: no interior
+/// edges, no duplicates, in a fixed order.
+struct Outline {
+  std::vector<BorderSegment> segments;
+  Bounds bounds;
+  double area = 0;  ///< area |Omega| of the inside [mm²]
+};
+
+/// Splits all rings where they meet and keeps the pieces with inside on exactly one side.
+/// \return EmptyShape if no area remains; TooLarge beyond 4 million pieces; InvalidArgument for a
+/// point more than 1e6 mm from 0.
+Result<Outline> resolveOutline(const Shape& shape);
+
+/// Unites the shape into one path on the same page, with all points on the grid of 0.001 mm. Paths
+/// that overlap, share an edge or lie less than the grid apart become one body.
+/// \return the errors of resolveOutline.
+Result<Shape> unitedOnGrid(const Shape& shape);
+
+/// Moves the outline of the shape outwards, or inwards by an offset below 0. Corners that move
+/// outwards become round, holes become smaller, and bodies that meet become one. The page grows
+/// with the outline, and keeps its size where the outline shrinks.
+/// \param offset  distance [mm], -20..50. The new outline is exact to 0.005 mm, and to a tenth of a
+/// mm in corners that move inwards.
+/// \return InvalidArgument for another offset; EmptyShape if nothing is left; the errors of
+/// resolveOutline; TooLarge, OutOfMemory or Cancelled.
+Result<Shape> offsetShape(Shape shape, double offset, const RunContext& run);
 
 }  // namespace sillon

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "sillon/base/result.hpp"
@@ -10,6 +13,18 @@
 #include "sillon/settings/project.hpp"
 
 namespace sillon {
+
+// Files that a project names, handed over by whoever keeps them.
+
+/// An input: the bytes of a file, or a picture decoded elsewhere.
+using InputFile = std::variant<std::string, Image>;
+
+/// Hands over the file that a project names.
+/// \param what  role of the file, for messages: "shape", "direction picture", "font".
+using ReadInput =
+    std::function<Result<InputFile>(const std::string& name, const std::string& what)>;
+
+// Shape and directions of one plate, as the pipeline takes them.
 
 // Maps of bead directions and direction modes, decoded from pictures (Sec. 4).
 

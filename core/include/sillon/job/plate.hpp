@@ -11,15 +11,18 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
+#include "sillon/base/types.hpp"
 #include "sillon/compose/compose.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/gcode/writer.hpp"
 #include "sillon/gcode_reader/check.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/input/plate_input.hpp"
+#include "sillon/look/preview.hpp"
 #include "sillon/pictures/pictures.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/project/project.hpp"
 #include "sillon/quality/metrics.hpp"
-#include "sillon/report/input_note.hpp"
 #include "sillon/report/report.hpp"
 #include "sillon/report/warning.hpp"
 #include "sillon/settings/project.hpp"
@@ -108,5 +111,59 @@ std::optional<Error> writePlateGcode(Plate& plate, const PlateGcodeOptions& opti
 /// \param gcode  the whole text that writePlateGcode wrote.
 /// \return the errors of readBack and judgePictures, or the first error that checkPrint finds.
 std::optional<Error> checkPlateGcode(Plate& plate, std::string_view gcode, const RunContext& run);
+
+// Writes the G-code of a path, with or without the plate that it came from.
+
+/// A path to write, with the notes and the look that its file shows.
+struct PathToWrite {
+  const Toolpath& seen;
+  const Shape& shape;
+  const Toolpath* below = nullptr;  ///< path of the layer below, where needsAcross
+  LookParams look;                  ///< look of the thumbnails
+  std::vector<std::string> notes;   ///< lines of the header, instead of the print's own
+  std::string date = PrintParams().date;
+};
+
+/// Writes the G-code of a path, with its notes and with the thumbnails that the printer's screen
+/// takes. The writing ends where the run is cancelled.
+/// \return the errors of lookThumbnails and writeGcode.
+Result<GcodeSummary> writePathGcode(const PathToWrite& path, const Printer& printer,
+                                    const PrintParams& print, const GcodeSink& sink,
+                                    const RunContext& run);
+
+// Makes a body with zones of straight lines, which any slicer can print, from a project.
+
+/// The place of a level top face of a body.
+struct BodyFace {
+  Vec2 corner;   ///< corner of the box around it [mm]
+  double z = 0;  ///< height of the face [mm]
+};
+
+/// The zones that are asked for.
+struct ZonesRequest {
+  /// Bytes of an STL whose top faces get the zones; unset: a prism of the project's shape
+  std::optional<std::string> body;
+  /// Face of the body that carries the project's shape and alone gets the zones
+  std::optional<BodyFace> face;
+  double height = 2;  ///< height of that prism [mm]
+  ZoneParams params;
+  double layerHeight = 0.2;  ///< layer height that the slicer is told [mm]
+};
+
+/// The zones that were made.
+struct ZonesMade {
+  std::string package;  ///< bytes of a 3MF
+  DirectionZones zones;
+  std::size_t openEdges = 0;  ///< number of edges at which the body is open
+  std::vector<InputNote> notes;
+  std::vector<Warning> warnings;
+};
+
+/// Lays a project's layers on the top of a body, and cuts their directions into zones. Directions
+/// that vary become steps; DirectionZones::error tells how far off they are.
+/// \return the errors of invalidSettings, readPlateInput, compose, readStl, directionZones and
+/// zones3mf; InvalidArgument for layers whose mode is not constrained.
+Result<ZonesMade> makeZones(const Project& project, const ZonesRequest& request,
+                            const ReadInput& read, const RunContext& run);
 
 }  // namespace sillon

@@ -2,6 +2,7 @@
 // derives the method.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -16,8 +17,6 @@
 
 namespace sillon {
 
-// Grey pictures as light: sRGB codes, levels, areas.
-
 /// A grey picture, row 0 on top. Values are sRGB codes 0..1 unless a function says light.
 struct Tones {
   int width = 0;
@@ -29,32 +28,6 @@ struct Tones {
   }
   friend bool operator==(const Tones&, const Tones&) = default;
 };
-
-/// Converts an sRGB code to light (IEC 61966-2-1), within 1e-6.
-/// \param code  0..1; other values are clamped.
-float lightOfCode(float code);
-/// Converts light to an sRGB code, the inverse of lightOfCode, within 1e-5.
-float codeOfLight(float light);
-
-/// Computes the luminance (Rec. 709) of the picture's sRGB colours, again as a code. Transparent
-/// places show white paper.
-Tones tonesOf(const Image& image);
-
-/// Computes the luma of a picture from its codes, as they are mixed for JPEG. JPEG keeps luma sharp
-/// and blurs the differences between colours.
-Tones lumaOf(const Image& image);
-
-/// Resamples tones to a new raster: by the means of light over its areas for pictures that shrink,
-/// linearly between texels for those that grow.
-Tones resampled(const Tones& tones, int width, int height);
-
-/// Stretches tones so that the 1st and 99th percentile become 0 and 1. Values beyond them are
-/// clamped; a picture of one tone, within half a step of 8 bits, becomes 0.5.
-/// \param inside  tells of each value whether it counts for the percentiles; empty: all do.
-Tones levelled(const Tones& tones, const std::vector<char>& inside = {});
-
-/// Most pictures that are solved for together.
-inline constexpr int kMaxPictures = 4;
 
 /// A picture that shall be seen under a lamp.
 struct LitPicture {
@@ -126,5 +99,36 @@ struct SolvedDirections {
 Result<SolvedDirections> solveDirections(std::span<const LitPicture> pictures,
                                          const Roughness& roughness, const PicturePage& page,
                                          const InversionParams& params, const RunContext& run);
+
+// Conflicts between pictures on one plate: one direction per place cannot show every set of
+// tones.
+
+/// Conflicts in the cells of the directions, row 0 on top.
+struct PictureConflict {
+  int width = 0;
+  int height = 0;
+  /// Light that is missing, per picture and cell: the tone asked for minus the tone that the
+  /// direction shows under the picture's lamp. Tones are sRGB codes, scaled to 1 from the darkest
+  /// direction to white at `level`; the difference is cut off at -1 and 1. Above 0 light is
+  /// missing, below 0 there is too much.
+  std::vector<std::vector<float>> missing;
+};
+
+/// Measures conflicts by directions alone, without the changes that beads and their ends make.
+/// \param shown  at least one picture; stretched over the page of the directions.
+/// \param roughness  roughness in range.
+/// \param level  light of white, as solveDirections returned it.
+/// \return nothing where the sizes of maps and their values do not fit each other.
+PictureConflict conflictOf(const DirectionMap& directions, std::span<const ShownPicture> shown,
+                           const Roughness& roughness, double level);
+
+/// Draws a conflict: the picture in pale greys, orange where it stays too dark, blue where it
+/// becomes too bright; the greater the difference, the fuller the colour. Each cell is a square of
+/// at least one pixel, as large as fits into `side`.
+/// \param picture  index of the picture.
+/// \param tones  tones of that picture, stretched over the page.
+/// \param side  most pixels of the longer side.
+RgbImage conflictImage(const PictureConflict& conflict, std::size_t picture, const Tones& tones,
+                       int side);
 
 }  // namespace sillon

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -58,5 +59,44 @@ Result<RgbImage> renderLook(const Toolpath& toolpath, Vec2 page, int width, int 
 Result<std::vector<Thumbnail>> lookThumbnails(const Toolpath& toolpath, Vec2 page,
                                               std::string_view screenSizes, const LookParams& look,
                                               const RunContext& run);
+
+// The finished plate as a small picture of directions, from which web pages draw its shimmer:
+// docs/reference/view.md.
+
+/// The filament that the plate is shown in.
+struct ViewParams {
+  std::array<std::uint8_t, 3> colour{201, 148, 46};  ///< colour of the body, sRGB; gold PLA
+  Roughness roughness;
+};
+
+/// Makes a PNG of at most 200 KiB: per texel the beads' mean direction, the share that is covered,
+/// and the beads' mean width.
+/// \param page  size [mm], 0.001..100000 per side.
+/// \return the same bytes for the same toolpath; InvalidArgument, TooLarge.
+Result<std::vector<std::uint8_t>> viewFile(const Toolpath& toolpath, Vec2 page,
+                                           const ViewParams& params);
+
+// The loop of moving light that people send to one another: the position of the lamp in each of its
+// frames.
+
+/// One frame of the loop.
+struct LoopFrame {
+  Lamp lamp;
+  int milliseconds = 0;  ///< time for which it is shown
+};
+
+/// Makes the frames of a loop. One lamp goes round once; several are held in turn, with a quick way
+/// to the next. The last frame leads to the first.
+/// \param lamps  lamps of the plate's pictures; not empty.
+std::vector<LoopFrame> loopFrames(std::span<const Lamp> lamps);
+
+/// Returns the usual longer side of a loop that is sent [pixels].
+int loopSide();
+/// Returns the most bytes of a loop that messengers take well.
+int loopBytes();
+
+/// Lists the qualities of lossy pictures that are tried until the loop is small enough, best first,
+/// 0..100.
+std::vector<int> loopQualities();
 
 }  // namespace sillon

@@ -43,34 +43,9 @@ struct KeptPictures {
 /// Returns the slopes of the project's spool as its nozzle prints it, on the side that is seen.
 Roughness roughnessOf(const Project& project);
 
-/// Lists pictures under their lamps, without tones. A lamp that is not given is to be chosen, at
-/// the elevation of the first.
-/// \param lampSize  PictureParams::lampSize.
-std::vector<LitPicture> unlit(const std::vector<LampPicture>& pictures, double lampSize);
-
-/// Tells how well a plate shows each picture.
-/// \param measures  measures of each picture, or empty: not measured.
-std::vector<PictureFacts> pictureFacts(const PlatePictures& pictures,
-                                       const std::vector<PictureMeasures>& measures);
-
-/// Returns the inversion's parameters for the settings of pictures.
-InversionParams inversionOf(const PictureParams& params);
-
 /// Called before each plate that is made to choose a lamp.
 /// \param trial  number of the plate: 0, 1, ... of `trials`.
 using OnTrial = std::function<void(int trial, int trials)>;
-
-/// Reads the pictures of the lowest layer and puts the directions that show them into the input. If
-/// the layer has none, nothing is read and none are shown. If the lamp of a single picture is left
-/// open, it becomes the one of three whose plate, made with the usual toolpath settings, shows the
-/// picture best.
-/// \param kept  result of the plate before, as while somebody edits: what is asked for once more is
-/// taken from there. It is emptied after pictures of more than 4 million pixels.
-/// \return the errors of reading, decodeImage and solveDirections.
-Result<PlatePictures> solvePictures(const Project& project, const ReadInput& read,
-                                    PlateInput& input, const RunContext& run,
-                                    std::optional<KeptPictures>* kept = nullptr,
-                                    const OnTrial& onTrial = {});
 
 /// Returns the view of previews and thumbnails.
 /// \param picture  index of the picture under whose lamp the plate is seen, from far above, as it

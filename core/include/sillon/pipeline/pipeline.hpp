@@ -9,7 +9,6 @@
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/field/dislocations.hpp"
 #include "sillon/input/plate_input.hpp"
 #include "sillon/settings/project.hpp"
 

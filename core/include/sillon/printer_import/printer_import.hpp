@@ -9,14 +9,13 @@
 #include <vector>
 
 #include "sillon/base/result.hpp"
-#include "sillon/base/sentence.hpp"
 #include "sillon/settings/project.hpp"
 
 namespace sillon {
 
 /// A note on something that could not be taken over, or needs a look.
 struct ImportNote {
-  std::string code;  ///< one of importNoteSentences()
+  std::string code;  ///< one of importNoteSentences() or of reasonSentences()
   /// Values that the message says, by name
   std::vector<std::pair<std::string, std::string>> values;
   std::string message;  ///< one sentence in English

@@ -9,7 +9,6 @@
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/input/plate_input.hpp"
-#include "sillon/input/read_input.hpp"
 #include "sillon/settings/project.hpp"
 
 namespace sillon {

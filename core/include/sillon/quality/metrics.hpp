@@ -10,8 +10,7 @@
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/field/dislocations.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 #include "sillon/look/inversion.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/settings/project.hpp"
@@ -75,17 +74,11 @@ Result<Measures> measureToolpath(const Toolpath& toolpath, const PlateInput& inp
                                  const ToolpathParams& params, const RunContext& run,
                                  const std::optional<Dislocations>& dislocations = std::nullopt);
 
-/// Counts pairs of non-consecutive segments that share a point, exactly, on integers of 1 µm.
-std::int64_t countCrossings(const Toolpath& toolpath);
-
 /// Returns a digest of points and widths in µm: equal digests mean equal plates. Widths that are
 /// missing count as 0.
 std::string digestOf(const Toolpath& toolpath);
 
-// Likeness of the pictures that a toolpath was made for, each under its lamp.
-// docs/reference/metrics.md defines it.
-
-/// Likeness of one picture, as a plate shows it.
+/// Likeness of one picture, as a plate shows it under the picture's lamp.
 struct PictureMeasures {
   /// Pearson's correlation of the visible image with the picture, both as sRGB codes of cells of 2
   /// tau; 0: flat
@@ -106,39 +99,5 @@ struct PictureFacts {
   double fieldR = 1;  ///< r of the directions alone; 1: the plate has no other picture
   double seenR = 1;   ///< r of the beads; 1: not measured
 };
-
-/// Light of a plate under each lamp, in cells of about 2 tau.
-struct SeenCells {
-  int width = 0;
-  int height = 0;
-  /// Light per lamp and cell, row 0 on top; negative where there is no plate
-  std::vector<std::vector<float>> light;
-};
-
-/// Renders a plate as cells of light, one raster per lamp. Light is lightOf of the nearest bead at
-/// points tau/4 apart, averaged over each cell; cells less than half covered are no plate.
-/// \param page  size [mm].
-/// \return InvalidArgument, TooLarge (more than 100 million points) or Cancelled.
-Result<SeenCells> seePlate(const Toolpath& toolpath, Vec2 page, std::span<const Lamp> lamps,
-                           const Roughness& roughness, const RunContext& run);
-
-/// Measures each picture by what seePlate sees, one row per picture.
-/// \return the errors of seePlate.
-Result<std::vector<PictureMeasures>> measurePictures(const Toolpath& toolpath, Vec2 page,
-                                                     std::span<const ShownPicture> pictures,
-                                                     const Roughness& roughness,
-                                                     const RunContext& run);
-
-/// Measures each picture by light that is known.
-/// \param lights  light per picture, in `width` by `height` cells, row 0 on top, negative where
-/// there is no plate.
-std::vector<PictureMeasures> comparePictures(const std::vector<std::vector<float>>& lights,
-                                             std::span<const ShownPicture> pictures, int width,
-                                             int height);
-
-/// Compares known light with one picture.
-/// \param light  rows of cells, row 0 on top, negative where there is no plate. Without as many
-/// cells as the picture has, nothing is seen.
-PictureMeasures compareTones(std::span<const float> light, const Tones& picture);
 
 }  // namespace sillon

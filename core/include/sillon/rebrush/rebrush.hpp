@@ -12,12 +12,11 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
-#include "sillon/base/sentence.hpp"
 #include "sillon/base/types.hpp"
 #include "sillon/compose/compose.hpp"
 #include "sillon/geometry/shape.hpp"
-#include "sillon/input/read_input.hpp"
-#include "sillon/look/spools.hpp"
+#include "sillon/input/plate_input.hpp"
+#include "sillon/look/appearance.hpp"
 #include "sillon/settings/project.hpp"
 
 namespace sillon {

@@ -11,8 +11,6 @@
 #include "sillon/look/inversion.hpp"
 #include "sillon/pipeline/pipeline.hpp"
 #include "sillon/quality/metrics.hpp"
-#include "sillon/report/input_note.hpp"
-#include "sillon/report/layers.hpp"
 #include "sillon/report/warning.hpp"
 #include "sillon/settings/project.hpp"
 

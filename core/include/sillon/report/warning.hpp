@@ -1,5 +1,5 @@
-// Warnings about a plate or its file: a code with its values, and the English sentence made of
-// them.
+// Warnings about a plate or its file, the visibility of its layers, and notes on its input. Each is
+// a code with its values, and the English sentence made of them.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "sillon/base/result.hpp"
-#include "sillon/base/sentence.hpp"
+#include "sillon/base/types.hpp"
 #include "sillon/geometry/shape.hpp"
-#include "sillon/quality/metrics.hpp"
+#include "sillon/settings/layers.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
 
@@ -90,34 +91,38 @@ const char* warningName(WarningCode code);
 /// Returns the sentence of each code, in their order.
 std::span<const Sentence> warningSentences();
 
-/// Makes the warnings about letters that come from other fonts, or from none.
-/// \param layer  number, from 1; 0: the plate's shape.
-std::vector<Warning> letterWarnings(const std::vector<LackedLetter>& lacked, std::size_t layer);
-
 /// Makes the warnings about a drawing that hold whatever becomes of it.
 std::vector<Warning> drawingWarnings(const DrawingFacts& drawing);
-/// Makes the same warnings about the drawing of a layer, or its mask.
-/// \param layer  number, from 1; a value of each warning.
-std::vector<Warning> drawingWarnings(const DrawingFacts& drawing, std::size_t layer);
-
-/// Makes the warnings about pictures. They name those of one tone, and the one that is shown least
-/// if its r is below 0.7, at which few recognise it. Either one direction per place has to show
-/// several pictures, or the beads are too wide for it.
-std::vector<Warning> pictureWarnings(const std::vector<PictureFacts>& pictures);
-
-/// Makes all warnings about a plate before there is G-code: about its drawing, toolpaths that could
-/// not be joined to the rest of their part, its pictures, and places narrower than a bead, where
-/// they are more than 0.5 % of the shape.
-/// \param apart  ToolpathResult::apart.
-/// \param measures  measures of the plate; none: no lost places are reported.
-/// \param page  size of the plate [mm].
-/// \param spacing  tau [mm].
-std::vector<Warning> plateWarnings(const DrawingFacts& drawing, const std::vector<Vec2>& apart,
-                                   const std::vector<PictureFacts>& pictures,
-                                   const std::optional<Measures>& measures, Vec2 page,
-                                   double spacing);
 
 /// Returns warnings as a JSON list of objects with `code`, `values` and `message`.
 std::string warningsJson(const std::vector<Warning>& warnings);
+
+/// A visible layer, and the shares of what it draws that are not seen, 0..1, each for one reason.
+struct SeenLayer {
+  std::size_t layer = 1;  ///< number of the layer, from 1
+  LayerKind kind = LayerKind::Direction;
+  Vec2 size;                     ///< size of its box, before it turns [mm]
+  double thin = 0;               ///< share that is narrower than two beads
+  double beside = 0;             ///< share beside the plate, or in its holes
+  double underRim = 0;           ///< share under the rim
+  double covered = 0;            ///< share covered by layers above
+  double alike = 0;              ///< share within 15 degrees of what it lies on
+  double module = 0;             ///< side of a code's modules [mm]
+  std::optional<bool> readable;  ///< tells whether decoders read it; unset: it is no code
+};
+
+/// One note on a plate's input: what was taken for granted of it, or left out.
+struct InputNote {
+  const char* code;  ///< one of inputNoteSentences()
+  std::vector<NamedValue> values;
+  std::string message;  ///< one English sentence without a full stop
+};
+
+/// Returns the sentence of each code.
+std::span<const Sentence> inputNoteSentences();
+
+/// Makes the notes on a project's shape.
+/// \param drawing  facts about the shape that was read.
+std::vector<InputNote> inputNotes(const Project& project, const DrawingFacts& drawing);
 
 }  // namespace sillon

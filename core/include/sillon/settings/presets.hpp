@@ -31,8 +31,9 @@ std::vector<PrinterProfile> profiles(ProfileKind kind);
 std::optional<PrinterProfile> profileOf(std::string_view model);
 
 /// Lays a profile's values over a printer.
-/// \return a sentence about an unknown id, with the ids near it; empty: nothing is wrong.
-[[nodiscard]] std::string applyProfile(ProfileKind kind, const std::string& id, Printer& printer);
+/// \return an error about an unknown id, with the ids near it.
+[[nodiscard]] std::optional<Error> applyProfile(ProfileKind kind, const std::string& id,
+                                                Printer& printer);
 
 /// Returns the family that a type of filament belongs to: the letters with which its name begins,
 /// as capitals. It is "PLA" for "PLA Silk", "PLA+" and "pla-cf", and "PA" for "PA6-GF".
@@ -43,7 +44,7 @@ std::string filamentFamily(std::string_view filamentType);
 double usualFan(std::string_view filamentType);
 
 /// Sets pressure advance to the value that the maker's own slicer sets for this machine. It depends
-/// on the family of filamentType and on the nozzle; it is off where the maker tells none.
+/// on the family of filamentType and on the nozzle; it is off if the maker gives no value.
 /// applyProfile does this for the filament and nozzle that it finds; after a change of either,
 /// followAdvance does. An unknown profile changes nothing.
 void applyAdvance(const std::string& profile, Printer& printer);
@@ -58,8 +59,8 @@ void followAdvance(const Project& before, Project& changed);
 std::vector<std::string> presets();
 
 /// Lays a preset's values over those of a toolpath.
-/// \return a sentence about an unknown id, as in applyProfile; empty: nothing is wrong.
-[[nodiscard]] std::string applyPreset(const std::string& id, ToolpathParams& params);
+/// \return an error about an unknown id, as in applyProfile.
+[[nodiscard]] std::optional<Error> applyPreset(const std::string& id, ToolpathParams& params);
 
 /// Writes a project file with this printer only; readProject reads it back.
 std::string writePrinter(const Printer& printer);

@@ -139,7 +139,8 @@ inline bool isRound(BuiltinShape shape) {
 /// Ways to treat the corners of built-in shapes.
 enum class CornerStyle { Round, Chamfer };
 
-/// The measured spools, in the order of their keys; look/spools.hpp has their colours and slopes.
+/// The measured spools, in the order of their keys; look/appearance.hpp has their colours and
+/// slopes.
 enum class SpoolName { BluePla, ClearPetg, GoldPla, GreyPla, RedPetg };
 
 /// Ways to fit pictures whose proportions are not the page's.

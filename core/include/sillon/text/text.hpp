@@ -10,8 +10,7 @@
 
 #include "sillon/base/result.hpp"
 #include "sillon/geometry/shape.hpp"
-#include "sillon/input/read_input.hpp"
-#include "sillon/input/shaped_line.hpp"
+#include "sillon/input/plate_input.hpp"
 #include "sillon/settings/layers.hpp"
 
 namespace sillon {
@@ -27,24 +26,6 @@ inline constexpr double kUsualCapHeight = 0.7;
 inline constexpr std::size_t kMostPathBytes = std::size_t{4} << 20;
 /// The most letters of a kind that ShapedLine::lacked tells.
 inline constexpr int kMostLackedTold = 8;
-
-/// Shapes one line: kerning, ligatures and joined scripts as the font has them, and scripts of both
-/// senses in one line by the Unicode bidirectional algorithm. Tabs are spaces. Letters that the
-/// font lacks come, one by one, from the first built-in font that has them, at the same height of
-/// capitals; letters that none has are left out.
-/// \param font  one of builtinFonts(), or a file that `read` hands over.
-/// \param weight  weight of a variable font, 1..1000; 0: the font's own.
-/// \return InvalidFile for a file that is no font; InvalidArgument for a name that is neither.
-Result<ShapedLine> shapeLine(const ReadInput& read, const std::string& font,
-                             const std::string& line, int weight = 0);
-
-/// Returns the built-in font that families name first, or else one that looks alike.
-/// \param families  names between commas, as in CSS's `font-family`.
-DrawingFont fontOfDrawing(std::string_view families);
-
-/// Shapes one line of a drawing.
-Result<ShapedLine> shapeLineOfDrawing(const ReadInput& read, const DrawingFont& font,
-                                      const std::string& line);
 
 /// Lists the names under which engines in browsers ask `read` for the lines of a drawing's text,
 /// which shapeLine has from JavaScript. The list is empty for a file that is no drawing, or has

@@ -7,7 +7,7 @@
 #include "base/exact_math.hpp"
 #include "compose/lines.hpp"
 #include "geometry/signed_distance.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "sillon/geometry/shape.hpp"
 
 namespace sillon {
 namespace {

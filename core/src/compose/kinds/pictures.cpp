@@ -5,9 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "compose/content.hpp"
 #include "compose/lines.hpp"
+#include "geometry/outline.hpp"
+#include "geometry/shape_points.hpp"
 #include "input/stored_angle.hpp"
-#include "sillon/geometry/outline.hpp"
+#include "look/rasters.hpp"
+#include "pictures/parts.hpp"
 #include "sillon/look/inversion.hpp"
 #include "sillon/pictures/pictures.hpp"
 
@@ -15,18 +19,20 @@ namespace sillon {
 namespace {
 
 /// Solves for the directions that show pictures under their lamps, where the layer's box and the surface overlap.
-class SolvedPictures {
+class PictureSolver {
  public:
-  SolvedPictures(const Layer& layer, const LayerContent& content, const Placement& place, const LayerPlate& plate)
+  PictureSolver(const Layer& layer, const LayerContent& content, const Placement& place, const LayerPlate& plate)
       : layer_(layer), content_(content), place_(place), plate_(plate) {}
 
-  /// \param known  pictures of the previous plate, if any; filled otherwise.
+  /// \param known  result of the previous plate; its tones, lamps and level are solved again. If it is empty, it is
+  /// filled.
   Result<LineAt> solve(LayerPictures& known, const RunContext& run) {
     const Project& project = plate_.project;
     Bounds box = bounds(place_.box(plate_.shape.page));
     origin_ = {std::max(box.min.x, 0.0), std::max(box.min.y, 0.0)};
     const Vec2 end{std::min(box.max.x, plate_.shape.page.x), std::min(box.max.y, plate_.shape.page.y)};
     size_ = end - origin_;
+    // The window is empty, so any line does.
     if (!(size_.x > 0 && size_.y > 0)) return LineAt([](Vec2 /*anywhere*/) { return Vec2f{1, 0}; });
     const bool again = !known.shown.empty();
     InversionParams inversion = inversionOf(project.pictures);
@@ -53,6 +59,7 @@ class SolvedPictures {
   }
 
  private:
+  /// Returns the tones and lamps that the previous plate kept.
   static std::vector<LitPicture> litAgain(const LayerPictures& known) {
     std::vector<LitPicture> lit;
     for (std::size_t k = 0; k < known.shown.size(); ++k) lit.push_back({known.solved[k], known.shown[k].lamp, false});
@@ -86,14 +93,15 @@ class SolvedPictures {
     Tones out{width, height, {}};
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
+        // 1 is white: cells beyond the picture stay bright.
         const auto texel = texelOf(tones, place_.toOwn(centre(x, y, width, height)), content_.size);
         out.value.push_back(texel ? tones.value[*texel] : 1);
       }
     }
     return out;
   }
-  /// Returns the cells of the window that lie inside both the shape and the layer's box; empty if all of them or none
-  /// do.
+  /// Returns the cells of the window that lie inside both the shape and the layer's box. The list is empty if all cells
+  /// lie inside, and also if none do, since the solver then counts every cell.
   [[nodiscard]] std::vector<char> insideOn(int width, int height) const {
     Shape window = plate_.shape;
     movePoints(window, [this](Vec2 point) { return point - origin_; });
@@ -111,7 +119,6 @@ class SolvedPictures {
     return none || all ? std::vector<char>() : inside;
   }
 
-  static constexpr int kMostTexels = 4096;  // the same limit as in solveDirections()
   const Layer& layer_;
   const LayerContent& content_;
   const Placement& place_;
@@ -124,7 +131,7 @@ class SolvedPictures {
 
 Result<LineAt> pictureLines(const Layer& layer, const LayerContent& content, const Placement& place,
                             const LayerPlate& plate, LayerPictures& known, const RunContext& run) {
-  return SolvedPictures(layer, content, place, plate).solve(known, run);
+  return PictureSolver(layer, content, place, plate).solve(known, run);
 }
 
 }  // namespace sillon

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -239,7 +238,7 @@ class Brushes {
 
 std::optional<Error> drawStrokes(const StrokesLayer& strokes, std::size_t number, const LayerPlate& plate,
                                  LayerStack& stack, const RunContext& run) {
-  if (!Brushes(strokes, number, plate, stack).draw(run)) return Error{ErrorCode::Cancelled, "cancelled"};
+  if (!Brushes(strokes, number, plate, stack).draw(run)) return cancelledRun();
   return std::nullopt;
 }
 

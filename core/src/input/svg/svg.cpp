@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include <rapidxml/rapidxml.hpp>
@@ -24,16 +22,17 @@ using namespace svg;
 
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
-std::int64_t lineAt(std::string_view text, std::size_t offset) {
-  return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size())), '\n');
-}
-
-// Names an element for a message: "<path id="a"> in line 3: ".
-std::string placeOf(const Node& node, std::string_view text, const char* buffer) {
-  std::string place = "<" + std::string(elementName(node));
-  if (const auto id = attribute(node, "id")) place += " id=" + quoted(*id);
+// Puts the element into an error: "<path id="a"> in line 3: ".
+Error inElement(Error error, const Node& node, std::string_view text, const char* buffer) {
+  std::string element = "<" + std::string(elementName(node));
+  if (const auto id = attribute(node, "id")) element += " id=" + quoted(*id);
+  element += ">";
   // RapidXML's names point into the buffer it parsed, a copy of the text.
-  return place + "> in line " + std::to_string(lineAt(text, node.name() - buffer)) + ": ";
+  const std::int64_t line = lineAt(text, node.name() - buffer);
+  error.message.insert(0, element + " in line " + std::to_string(line) + ": ");
+  error.values.emplace_back("element", std::move(element));
+  error.values.emplace_back("elementLine", static_cast<double>(line));
+  return error;
 }
 
 // Records the program that wrote the file if it counts other pixels than CSS does.
@@ -55,25 +54,23 @@ Result<Shape> readSvg(std::string_view text, const SvgOptions& options) {
 
 Result<SvgPainting> readSvgPainting(std::string_view text, const SvgOptions& options) {
   if (!(options.tolerance >= 1e-4 && options.tolerance <= 10)) {
-    return Error{ErrorCode::InvalidArgument, "The tolerance of curves is out of range; it must be 0.0001 to 10 mm"};
+    return outOfRange("tolerance", options.tolerance, 1e-4, 10, "mm");
   }
   if (options.width != 0 && !(options.width >= 1e-6 && options.width <= 1e5)) {
-    return Error{ErrorCode::InvalidArgument, "The width of the page is out of range; it must be 0.000001 to 100000 mm"};
+    return outOfRange("shape.size.x", options.width, 1e-6, 1e5, "mm");
   }
-  if (text.size() > kMaxBytes) {
-    return Error{ErrorCode::TooLarge, "The SVG file is larger than 64 MiB"};
-  }
+  if (text.size() > kMaxBytes) return fileTooLarge(text.size(), kMaxBytes);
   std::string unpacked, buffer, expanded, spaced;
   const auto document = std::make_unique<rapidxml::xml_document<>>();  // 64 KiB, too large for small stacks
   const Node* current = nullptr;
   try {
     if (isGzip(text)) {
       Result<std::string> plain = gunzipped(text, kMaxBytes);
-      if (!plain) throw Refused{plain.error().code, plain.error().message};
+      if (!plain) throw Refused{plain.error()};
       unpacked = std::move(plain).value();
       text = unpacked;
     }
-    if (text.find('\0') != std::string_view::npos) refuse("the file is not UTF-8 text");
+    if (text.find('\0') != std::string_view::npos) refuse("SvgNotText");
     expanded = withEntities(text, kMaxBytes);
     if (!expanded.empty()) text = expanded;
     spaced = checkNesting(text);
@@ -81,7 +78,7 @@ Result<SvgPainting> readSvgPainting(std::string_view text, const SvgOptions& opt
     buffer = text;
     document->parse<rapidxml::parse_validate_closing_tags>(buffer.data());
     Node* root = document->first_node();
-    if (!root) refuse("the file holds no <svg> element");
+    if (!root) refuse("SvgEmpty");
     resolveNamespaces(*root);
     SvgPainting painting = drawElements(*root, options, current);
     DrawingFacts& facts = painting.shape.drawing;
@@ -90,13 +87,10 @@ Result<SvgPainting> readSvgPainting(std::string_view text, const SvgOptions& opt
     }
     if (facts.pixels) tellMaker(text, painting.shape);
     return painting;
-  } catch (const Refused& refused) {
-    const std::string place = current ? placeOf(*current, text, buffer.data()) : std::string();
-    return Error{refused.code, "SVG: " + place + refused.problem};
+  } catch (const Refused& found) {
+    return current ? inElement(found.error, *current, text, buffer.data()) : found.error;
   } catch (const rapidxml::parse_error& error) {
-    const std::size_t offset = error.where<char>() - buffer.data();
-    return Error{ErrorCode::InvalidFile, "SVG: the file is not well-formed XML: " + std::string(error.what()) +
-                                             " in line " + std::to_string(lineAt(text, offset))};
+    return notXml(text, toSize(error.where<char>() - buffer.data()));
   }
 }
 

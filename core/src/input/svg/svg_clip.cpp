@@ -1,9 +1,8 @@
+#include "geometry/outline.hpp"
 #include "input/svg/svg_path.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <utility>
 
 namespace sillon::svg {
@@ -65,7 +64,7 @@ bool covers(const Limit& limit, const Bounds& box) {
 FilledPath combine(const std::vector<FilledPath>& paths, const InsideRule& rule, Work& work) {
   for (const FilledPath& path : paths) work.spendOnCuts(path, kWorkPerCut);
   Result<FilledPath> area = combined(paths, rule);
-  if (!area) throw Refused{area.error().code, area.error().message};
+  if (!area) throw Refused{area.error()};
   return std::move(area).value();
 }
 

@@ -1,9 +1,6 @@
 #include "input/svg/svg_style.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 
 namespace sillon::svg {
 namespace {

@@ -2,22 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include <Eigen/LU>
 
+#include "geometry/outline.hpp"
+#include "input/shaped_line.hpp"
 #include "input/svg/svg_letters.hpp"
 #include "input/svg/svg_path.hpp"
 #include "input/svg/svg_style.hpp"
-#include "sillon/geometry/outline.hpp"
 
 namespace sillon::svg {
 namespace {
@@ -52,7 +49,7 @@ bool isRoot(const Node& node) { return !node.parent()->parent(); }
 
 // Tells whether children or CSS animate an element; such an element is read at rest.
 bool isAnimated(const Node& node, const Style& style) {
-  for (const Property property : {Property::Animation, Property::AnimationName}) {
+  for (const Property property : {"animation"_css, "animation-name"_css}) {
     if (style.isCss(property) && style.word(property) != "none") return true;
   }
   for (const Node* child = node.first_node(); child; child = child->next_sibling()) {
@@ -87,7 +84,7 @@ class DrawingReader {
     const double scale = options_.width > 0 ? options_.width / page.x : 1;
     shape_.page = {std::round(page.x * scale * 1e6) / 1e6, std::round(page.y * scale * 1e6) / 1e6};
     if (!(shape_.page.y > 0 && shape_.page.y <= kMaxPage)) {
-      refuseTooLarge("the height at the width asked for is out of range; it must be more than 0 and at most 100000 mm");
+      refuseTooLarge("HeightOutOfRange", {{"width", shape_.page.x}, {"height", shape_.page.y}, {"most", kMaxPage}});
     }
 
     Inherited state;
@@ -110,11 +107,7 @@ class DrawingReader {
       alternateNested(layers_);
     }
     if (layers_.empty()) {
-      throw Refused{ErrorCode::EmptyShape,
-                    painted_ ? "all that is painted lies off the page or is clipped away; \"paint\": \"ignore\" takes "
-                               "outlines whatever their paint and place"
-                             : "the drawing has no area to fill; it needs paths, basic shapes, lines with a stroke or "
-                               "text that can be set in a built-in font (images do not count)"};
+      throw Refused{refused(ErrorCode::EmptyShape, painted_ ? Reason("PaintOffPage") : Reason("NothingDrawn"))};
     }
     shape_.drawing.faintMm2 = reading_ == Aspect::Painted ? faintArea() : 0;
     std::vector<PathPaint> paints;
@@ -162,12 +155,12 @@ class DrawingReader {
     const std::optional<double> width = side("width"), height = side("height");
     if (width && height) return {*width, *height};
     if (!box && !width && !height) box = drawnBox(root);
-    if (!box) refuse("the size of the drawing is unknown; <svg> needs width and height, or a viewBox");
+    if (!box) refuse("SvgWithoutSize");
     Vec2 page = box->size * units_.mm;
     if (width) page = {*width, *width * box->size.y / box->size.x};
     if (height) page = {*height * box->size.x / box->size.y, *height};
-    checkPageSide("the width by the viewBox", page.x, attribute(root, "viewBox").value_or(""));
-    checkPageSide("the height by the viewBox", page.y, attribute(root, "viewBox").value_or(""));
+    checkPageSide("viewBox", page.x, attribute(root, "viewBox").value_or(""));
+    checkPageSide("viewBox", page.y, attribute(root, "viewBox").value_or(""));
     return page;
   }
 
@@ -193,22 +186,21 @@ class DrawingReader {
     return drawn.empty() ? std::nullopt : std::optional(ViewBox{drawn.min, drawn.size()});
   }
 
-  static void checkPageSide(const std::string& what, double mm, std::string_view text) {
+  static void checkPageSide(const char* name, double mm, std::string_view text) {
     if (std::round(mm * 1e6) > 0 && mm <= kMaxPage) return;
-    const std::string problem = what + " is " + quoted(text) + "; it must be more than 0 and at most 100000 mm";
-    if (mm > kMaxPage) refuseTooLarge(problem);
-    refuse(problem);
+    throw Refused{refused(mm > kMaxPage ? ErrorCode::TooLarge : ErrorCode::InvalidFile, "SvgPageSide",
+                          {{"attribute", name}, {"text", quoted(text)}, {"value", mm}, {"most", kMaxPage}})};
   }
 
   // Reads into `state` the properties that all elements share. Returns false if the element is not displayed.
   bool enter(const Node& node, Inherited& state) {
     current_ = &node;
     if (++state.depth > kMaxDepth) {
-      refuseTooLarge("<use> nests elements deeper than " + std::to_string(kMaxDepth) + " levels");
+      refuseTooLarge("SvgNested", {{"most", kMaxDepth}});
     }
     work_.spend(node);
     const Style style = styleSheet_.styleOf(node, work_);
-    if (style.word(Property::Display) == "none") return false;
+    if (style.word("display"_css) == "none") return false;
     applyTo(state.paint, node, style, state.viewport);
     state.toWorld = state.toWorld * transformOf(node, style, state);
     noteUnread(node, style, state);
@@ -220,19 +212,19 @@ class DrawingReader {
 
   // Returns `transform` about `transform-origin`.
   Matrix transformOf(const Node& node, const Style& style, const Inherited& state) {
-    const std::string& text = style.value(Property::Transform);
+    const std::string& text = style.value("transform"_css);
     if (text.empty()) return Matrix::Identity();
-    const bool isCss = style.isCss(Property::Transform);
+    const bool isCss = style.isCss("transform"_css);
     try {
       CssLengths css{unitsOf(state.paint), state.viewport};
       Vec2 corner;
-      if (style.word(Property::TransformBox) == "fill-box") {
+      if (style.word("transform-box"_css) == "fill-box") {
         const Bounds box = userBox(node, state);
         if (box.empty()) return Matrix::Identity();
         corner = box.min;
         css.box = box.size();
       }
-      std::string about = style.value(Property::TransformOrigin);
+      std::string about = style.value("transform-origin"_css);
       if (about.empty()) about = isRoot(node) ? "center" : "0 0";  // the root is a box of CSS
       const Vec2 origin = corner + parseOrigin(about, css);
       current_ = &node;
@@ -266,12 +258,12 @@ class DrawingReader {
 
   // Notes markers and filters, which clip paths ignore.
   void noteEffects(const Style& style) {
-    for (const Property marker : {Property::Marker, Property::MarkerStart, Property::MarkerMid, Property::MarkerEnd}) {
+    for (const Property marker : {"marker"_css, "marker-start"_css, "marker-mid"_css, "marker-end"_css}) {
       if (targetOf(style.value(marker), "marker")) note("<marker>");
     }
-    const std::string filter = style.word(Property::Filter);
+    const std::string filter = style.word("filter"_css);
     const bool isFunction = filter.find('(') != std::string::npos && !startsWith(filter, "url");
-    if (isFunction || targetOf(style.value(Property::Filter), "filter")) note("<filter>");
+    if (isFunction || targetOf(style.value("filter"_css), "filter")) note("<filter>");
   }
 
   // Returns the element that url(#id) names, if it is of the given kind.
@@ -384,13 +376,13 @@ class DrawingReader {
       return units.of(node, name, full, full);
     };
     const Vec2 size{side("width", state.viewport.x), side("height", state.viewport.y)};
-    if (size.x < 0 || size.y < 0) refuse("width and height must not be negative");
+    if (size.x < 0 || size.y < 0) refuse("SvgNegativeSize");
     if (size.x == 0 || size.y == 0) return;
     const double x = units.of(node, "x", state.viewport.x, 0);
     const double y = units.of(node, "y", state.viewport.y, 0);
     state.toWorld = state.toWorld * shifted(x, y);
     state.viewport = size;
-    const std::string overflow = styleSheet_.styleOf(node, work_).word(Property::Overflow);
+    const std::string overflow = styleSheet_.styleOf(node, work_).word("overflow"_css);
     if (reading_ != Aspect::Outlines && overflow != "visible" && overflow != "auto") {
       state.limits.push_back(rectangleLimit({0, 0}, size, state.toWorld));
     }
@@ -406,9 +398,9 @@ class DrawingReader {
     const std::optional<std::string_view> href = hrefOf(use);
     if (!href) return nullptr;
     const std::string_view target = trimmed(*href);
-    if (!startsWith(target, "#")) refuse("href is " + quoted(target) + "; it must name an element of this file by #id");
+    if (!startsWith(target, "#")) refuse("SvgHrefElsewhere", {{"text", quoted(target)}});
     const auto found = byId_.find(target.substr(1));
-    if (found == byId_.end()) refuse("href is " + quoted(target) + ", but no element has this id");
+    if (found == byId_.end()) refuse("SvgHrefUnknown", {{"text", quoted(target)}});
     return found->second;
   }
 
@@ -418,7 +410,7 @@ class DrawingReader {
     if (!used) return;
     const Node& shown = *used;
     if (std::find(uses_.begin(), uses_.end(), used) != uses_.end()) {
-      refuse("href is " + quoted(*hrefOf(node)) + ", which shows itself again");
+      refuse("SvgShowsItself", {{"attribute", "href"}, {"text", quoted(*hrefOf(node))}});
     }
     state.paint.outer = std::make_shared<const std::pair<Paint, Paint>>(state.paint.fill, state.paint.stroke);
     const double x = unitsOf(state.paint).of(node, "x", state.viewport.x, 0);
@@ -627,12 +619,12 @@ class DrawingReader {
       // covers circle(), linear-gradient(), and url() of another file
       if (value.find('(') != std::string::npos && urlOf(value).empty()) note("CSS " + quoted(nameOf(property)));
       if (std::find(uses_.begin(), uses_.end(), target) != uses_.end()) {
-        refuse(std::string(nameOf(property)) + " is " + quoted(value) + ", which shows itself again");
+        refuse("SvgShowsItself", {{"attribute", nameOf(property)}, {"text", quoted(value)}});
       }
       return target;
     };
-    const Node* const clip = named(Property::ClipPath, "clipPath");
-    const Node* const mask = named(Property::Mask, "mask");
+    const Node* const clip = named("clip-path"_css, "clipPath");
+    const Node* const mask = named("mask"_css, "mask");
     if (clip) addClip(*clip, node, state);
     if (mask) addMask(*mask, node, state);
   }
@@ -705,7 +697,7 @@ class DrawingReader {
     inside.viewport = state.viewport;
     inside.paint = inheritedBy(limit, state);
     inside.depth = state.depth + 1;
-    if (inside.depth > kMaxDepth) refuseTooLarge("clipping nests deeper than " + std::to_string(kMaxDepth) + " levels");
+    if (inside.depth > kMaxDepth) refuseTooLarge("SvgNested", {{"most", kMaxDepth}});
     return inside;
   }
 
@@ -742,7 +734,7 @@ class DrawingReader {
     uses_.push_back(&mask);
     const Style style = styleSheet_.styleOf(mask, work_);
     addLimits(mask, style, inside);
-    const bool before = std::exchange(maskByAlpha_, style.word(Property::MaskType) == "alpha");
+    const bool before = std::exchange(maskByAlpha_, style.word("mask-type"_css) == "alpha");
     const std::vector<PaintLayer> layers = drawnAs(Aspect::Mask, [&] { drawChildren(mask, inside); });
     maskByAlpha_ = before;
     uses_.pop_back();

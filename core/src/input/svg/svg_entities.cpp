@@ -4,16 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "input/svg/svg_reader.hpp"
-
 namespace sillon::svg {
 namespace {
 
 constexpr std::size_t kMaxEntities = 1000, kMaxName = 64;
 constexpr std::size_t kMaxDeclared = std::size_t{1} << 20;  // bytes of all entities, which may contain each other
-constexpr const char* kTooMany =
-    "the entities of the DOCTYPE are too many or too long; at most 1000 are read, of 1 MiB in all, for a text of 64 "
-    "MiB";
 
 struct Entity {
   std::string_view name;
@@ -38,7 +33,7 @@ class Entities {
         if (place == known_.end() || place->name != name) {
           std::string value = expanded(rest.substr(quote + 1, end - quote - 1), kMaxDeclared);
           bytes += value.size();
-          if (bytes > kMaxDeclared || known_.size() == kMaxEntities) refuseTooLarge(kTooMany);
+          if (bytes > kMaxDeclared || known_.size() == kMaxEntities) refuseTooLarge("SvgEntities");
           known_.insert(place, {name, std::move(value)});
         }
         at += end;
@@ -60,7 +55,7 @@ class Entities {
       const bool isKnown = known != known_.end() && known->name == text.substr(begin + 1, end - 1);
       out += text.substr(0, isKnown ? begin : begin + 1);
       if (isKnown) out += known->value;
-      if (out.size() > maxBytes) refuseTooLarge(kTooMany);
+      if (out.size() > maxBytes) refuseTooLarge("SvgEntities");
       if (begin == text.size()) return out;
       text.remove_prefix(isKnown ? begin + end + 1 : begin + 1);
     }

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
@@ -41,7 +40,7 @@ std::optional<Length> lengthOf(const Node& node, const char* name) {
   }
   const auto unit = unitOf(lowered(reader.rest()));
   if (!unit) {
-    refuse(std::string(name) + " is " + quoted(*text) + "; known units are mm, cm, in, pt, pc, px, Q, em, ex and %");
+    refuse("SvgUnit", {{"attribute", name}, {"text", quoted(*text)}});
   }
   length.unit = *unit;
   return length;
@@ -56,7 +55,7 @@ double UserUnits::of(const Node& node, const char* name, double full, double mis
 
 double UserUnits::positive(const Node& node, const char* name, double full, double missing) const {
   const double value = of(node, name, full, missing);
-  if (value < 0) refuse(std::string(name) + " is " + quoted(*attribute(node, name)) + "; it must not be negative");
+  if (value < 0) refuse("SvgNegative", {{"attribute", name}, {"text", quoted(*attribute(node, name))}});
   return value;
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
-#include <utility>
+
+#include "input/shaped_line.hpp"
 
 namespace sillon::svg {
 namespace {
@@ -23,7 +23,7 @@ std::vector<double> lengthsOf(const Node& node, const char* name, double full, c
     if (end > 0) {
       lengths.push_back(units.ofStyle(rest.substr(0, end), full));
       if (!std::isfinite(lengths.back())) {
-        refuse(std::string(name) + " is " + quoted(*attribute(node, name)) + "; it must be lengths");
+        refuse("SvgLengths", {{"attribute", name}, {"text", quoted(*attribute(node, name))}});
       }
     }
     rest.remove_prefix(std::min(end + 1, rest.size()));
@@ -113,7 +113,7 @@ void setUnread(Property property, const std::string& word, std::uint32_t& unread
 /// Reads the shorthand `font: italic bold 12px/1.4 Arial, sans-serif`. \return the families.
 std::string_view setFont(std::string_view value, const PaintContext& context, LetterStyle& letters) {
   std::uint32_t unread = letters.unread;
-  for (const Property property : {Property::FontVariant, Property::FontWeight}) setUnread(property, "normal", unread);
+  for (const Property property : {"font-variant"_css, "font-weight"_css}) setUnread(property, "normal", unread);
   bool slanted = false;
   while (!(value = trimmed(value)).empty()) {
     const std::size_t end = std::min(value.find_first_of(" \t\r\n"), value.size());
@@ -131,7 +131,7 @@ std::string_view setFont(std::string_view value, const PaintContext& context, Le
     }
     const bool slants = token == "italic" || token == "oblique";
     slanted = slanted || slants;
-    if (!slants) setUnread(token == "small-caps" ? Property::FontVariant : Property::FontWeight, token, unread);
+    if (!slants) setUnread(token == "small-caps" ? "font-variant"_css : "font-weight"_css, token, unread);
   }
   return {};
 }
@@ -171,7 +171,7 @@ double heightOf(BaseLine line, const ShapedLine& font) {
 
 /// Reads the lines under, above and through letters.
 void setDecoration(const Style& style, LetterStyle& letters) {
-  for (const Property property : {Property::TextDecoration, Property::TextDecorationLine}) {
+  for (const Property property : {"text-decoration"_css, "text-decoration-line"_css}) {
     const std::string value = style.word(property);
     std::string_view rest = value;
     while (!(rest = trimmed(rest)).empty()) {
@@ -181,7 +181,7 @@ void setDecoration(const Style& style, LetterStyle& letters) {
       letters.overlined = letters.overlined || word == "overline";
       letters.struckThrough = letters.struckThrough || word == "line-through";
       for (const char* line : {"wavy", "dotted", "dashed", "double"}) {
-        if (word == line) setUnread(Property::TextDecorationStyle, line, letters.unread);
+        if (word == line) setUnread("text-decoration-style"_css, line, letters.unread);
       }
     }
   }
@@ -311,18 +311,18 @@ void stretch(const std::vector<LetterRun>& runs, std::vector<LaidRun>& laid) {
 }  // namespace
 
 void applyLetters(const Style& style, const PaintContext& context, LetterStyle& letters) {
-  const std::string_view inFont = setFont(style.value(Property::Font), context, letters);
-  if (const auto size = sizeOf(style.value(Property::FontSize), context, letters.size)) letters.size = *size;
-  const std::string_view families = style.value(Property::FontFamily);
+  const std::string_view inFont = setFont(style.value("font"_css), context, letters);
+  if (const auto size = sizeOf(style.value("font-size"_css), context, letters.size)) letters.size = *size;
+  const std::string_view families = style.value("font-family"_css);
   if (!families.empty() && lowered(families.substr(0, 8)) != "inherit") {
     letters.font = context.font(families);
   } else if (!inFont.empty()) {
     letters.font = context.font(inFont);
   }
-  const std::string slant = style.word(Property::FontStyle);
+  const std::string slant = style.word("font-style"_css);
   if (slant == "normal") letters.slanted = false;
   if (startsWith(slant, "italic") || startsWith(slant, "oblique")) letters.slanted = true;
-  const std::string anchor = style.word(Property::TextAnchor);
+  const std::string anchor = style.word("text-anchor"_css);
   if (anchor == "start") letters.anchor = 0;
   if (anchor == "middle") letters.anchor = 0.5;
   if (anchor == "end") letters.anchor = 1;
@@ -334,28 +334,28 @@ void applyLetters(const Style& style, const PaintContext& context, LetterStyle& 
     const double length = number && unit == "%" ? *number / 100 * letters.size : context.length(value);
     if (std::isfinite(length)) spacing = length;
   };
-  setSpacing(Property::LetterSpacing, letters.spacing);
-  setSpacing(Property::WordSpacing, letters.wordSpacing);
-  if (const auto line = baseLineOf(style.word(Property::DominantBaseline))) letters.baseLine = *line;
-  const std::string aligned = style.word(Property::AlignmentBaseline);
+  setSpacing("letter-spacing"_css, letters.spacing);
+  setSpacing("word-spacing"_css, letters.wordSpacing);
+  if (const auto line = baseLineOf(style.word("dominant-baseline"_css))) letters.baseLine = *line;
+  const std::string aligned = style.word("alignment-baseline"_css);
   if (aligned != "inherit") letters.aligned = baseLineOf(aligned);
-  const std::string space = style.word(Property::WhiteSpace);
+  const std::string space = style.word("white-space"_css);
   if (!space.empty() && space != "inherit") {
     letters.keepsSpaces = space == "pre" || space == "pre-wrap" || space == "break-spaces";
   }
-  const std::string transform = style.word(Property::TextTransform);
+  const std::string transform = style.word("text-transform"_css);
   if (transform == "none" || transform == "capitalize") letters.letterCase = LetterCase::AsWritten;
   if (transform == "uppercase") letters.letterCase = LetterCase::Upper;
   if (transform == "lowercase") letters.letterCase = LetterCase::Lower;
   setDecoration(style, letters);
   for (const Property property : kUnreadOfLetters) {
-    const bool isCase = property == Property::TextTransform && letters.letterCase != LetterCase::AsWritten;
+    const bool isCase = property == "text-transform"_css && letters.letterCase != LetterCase::AsWritten;
     setUnread(property, isCase ? "none" : style.word(property), letters.unread);
   }
 }
 
 void raiseLetters(const Style& style, const PaintContext& context, LetterStyle& letters) {
-  const std::string& value = style.value(Property::BaselineShift);
+  const std::string& value = style.value("baseline-shift"_css);
   const std::string word = lowered(value);
   std::string_view unit;
   const std::optional<double> number = leadingNumber(word, unit);
@@ -411,14 +411,14 @@ void LetterRuns::add(std::string_view text, const PaintState& paint) {
     if (space && afterSpace_ && !style.keepsSpaces) continue;
     afterSpace_ = space && !style.keepsSpaces;
     lettersLeft_ -= std::ssize(letter);
-    if (lettersLeft_ < 0) refuseTooLarge("the drawing has more than " + std::to_string(kMaxLetters) + " letters");
+    if (lettersLeft_ < 0) refuseTooLarge("SvgLetters", {{"most", kMaxLetters}});
     if (element.style == kNoStyle) {
       element.style = styles_.size();
       styles_.push_back(paint);
     }
     letters_.push_back({text_.size(), element.style, {}, {}, {}, 0, path_, stretch_});
     const std::optional<std::string> shown = recased(letter, style.letterCase);
-    if (!shown) setUnread(Property::TextTransform, "capitals", styles_[element.style].letters.unread);
+    if (!shown) setUnread("text-transform"_css, "capitals", styles_[element.style].letters.unread);
     text_ += space ? " " : shown ? *shown : std::string(letter);
   }
 }

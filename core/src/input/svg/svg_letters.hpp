@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "input/shaped_line.hpp"
 #include "input/svg/svg_path.hpp"
 #include "input/svg/svg_style.hpp"
 

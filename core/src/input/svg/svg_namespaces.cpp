@@ -1,8 +1,6 @@
 #include "input/svg/svg_node.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,7 +30,7 @@ class Namespaces {
     for (const auto* a = node.first_attribute(); a; a = a->next_attribute()) {
       const std::string_view name = nameOf(*a);
       if (name != "xmlns" && !startsWith(name, "xmlns:")) continue;
-      if (bound_.size() == kMaxBindings) refuseTooLarge("the file declares more than 60 namespaces at one place");
+      if (bound_.size() == kMaxBindings) refuseTooLarge("SvgNamespaces", {{"most", kMaxBindings}});
       bound_.emplace_back(name.substr(std::min<std::size_t>(name.size(), 6)),
                           std::string_view(a->value(), a->value_size()));
     }
@@ -73,7 +71,7 @@ class Namespaces {
 void resolveNamespaces(Node& root) {
   const std::string_view name = nameOf(root);
   if (name.substr(prefixOf(name).size()) != "svg") {
-    refuse("the first element is " + quoted(name) + "; it must be <svg>");
+    refuse("SvgFirstElement", {{"text", quoted(name)}});
   }
   Namespaces().run(root);
 }

@@ -1,12 +1,8 @@
 #include "input/svg/svg_node.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <string>
 #include <utility>
 #include <vector>
-
-#include "input/svg/svg_reader.hpp"
 
 namespace sillon::svg {
 namespace {
@@ -38,7 +34,7 @@ class NestingCheck {
         const std::size_t name = ++at_;
         if (!skipTag()) continue;
         if (++depth > kMaxDepth) {
-          refuseTooLarge("the file nests elements deeper than " + std::to_string(kMaxDepth) + " levels");
+          refuseTooLarge("SvgNested", {{"most", kMaxDepth}});
         }
         if (isText(text_.substr(name, at_ - name))) textDepth = std::min(depth, textDepth);
       }
@@ -64,22 +60,18 @@ class NestingCheck {
 
   [[nodiscard]] char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
 
-  [[noreturn]] void malformed(const std::string& problem) const {
-    const auto line =
-        1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, text_.size())), '\n');
-    refuse("the file is not well-formed XML: " + problem + " in line " + std::to_string(line));
-  }
+  [[noreturn]] void malformed() const { throw Refused{notXml(text_, at_)}; }
 
   void skipPast(std::string_view end, std::size_t offset) {
     const std::size_t found = text_.find(end, at_ + offset);
-    if (found == std::string_view::npos) malformed("no '" + std::string(end) + "' closes what begins");
+    if (found == std::string_view::npos) malformed();
     at_ = found + end.size();
   }
 
   void skipDoctype() {
     int brackets = 0;
     for (; peek() != '>' || brackets > 0; ++at_) {
-      if (at_ >= text_.size()) malformed("a DOCTYPE without end");
+      if (at_ >= text_.size()) malformed();
       if (peek() == '[') ++brackets;
       if (peek() == ']' && brackets > 0) --brackets;
     }
@@ -96,8 +88,7 @@ class NestingCheck {
       if (std::string_view("<\"'?!&").find(text_[at_]) != std::string_view::npos) break;
       ++at_;
     }
-    if (at_ == begin)
-      malformed(at_ < text_.size() ? "an unexpected " + quoted(text_.substr(at_, 1)) : "an unfinished tag");
+    if (at_ == begin) malformed();
   }
 
   // Skips a tag. Returns true if the tag opens an element.
@@ -107,18 +98,18 @@ class NestingCheck {
     while (peek() != '>' && peek() != '/') {
       skipName();
       skipSpace();
-      if (peek() != '=') malformed("an attribute without value");
+      if (peek() != '=') malformed();
       ++at_;
       skipSpace();
       const char quote = peek();
-      if (quote != '"' && quote != '\'') malformed("an attribute without quotes");
+      if (quote != '"' && quote != '\'') malformed();
       ++at_;
       skipPast(std::string_view(&quote, 1), 0);
       skipSpace();
     }
     const bool opens = peek() == '>';
     if (!opens) ++at_;
-    if (peek() != '>') malformed("a '/' without '>'");
+    if (peek() != '>') malformed();
     ++at_;
     return opens;
   }

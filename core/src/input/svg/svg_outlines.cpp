@@ -1,6 +1,5 @@
 // Joins unpainted outlines as CAD programs write them: pieces whose ends meet, and holes as outlines of their own.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -16,7 +15,7 @@ constexpr double kSame = 1e-3;                      // distance below which two 
 constexpr std::size_t kSamples = 8;                 // points of an outline that must lie inside another one
 constexpr std::int64_t kMostTests = 1'000'000'000;  // tests of ends, and of points against edges: some seconds
 
-[[noreturn]] void refuseTooMany() { refuseTooLarge("there are too many outlines without paint; combine some of them"); }
+[[noreturn]] void refuseTooMany() { refuseTooLarge("SvgLoosePieces"); }
 
 /// Indices sorted by a value.
 using Order = std::vector<std::pair<double, std::size_t>>;

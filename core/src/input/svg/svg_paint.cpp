@@ -1,13 +1,7 @@
 #include "input/svg/svg_style.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <string>
 
 #include <fast_float/fast_float.h>
 
@@ -150,21 +144,21 @@ void setDashes(std::string_view value, const PaintContext& context, LineStroke::
 
 // Reads the properties of a stroke apart from its paint.
 void setStroke(const Style& style, const PaintContext& context, LineStroke& stroke) {
-  const double width = context.length(style.value(Property::StrokeWidth));
+  const double width = context.length(style.value("stroke-width"_css));
   if (width >= 0) stroke.width = width;
-  const std::string cap = style.word(Property::StrokeLinecap);
+  const std::string cap = style.word("stroke-linecap"_css);
   if (cap == "butt") stroke.cap = StrokeCap::Butt;
   if (cap == "round") stroke.cap = StrokeCap::Round;
   if (cap == "square") stroke.cap = StrokeCap::Square;
-  const std::string join = style.word(Property::StrokeLinejoin);
+  const std::string join = style.word("stroke-linejoin"_css);
   if (startsWith(join, "miter")) stroke.join = StrokeJoin::Miter;
   if (join == "round") stroke.join = StrokeJoin::Round;
   if (join == "bevel") stroke.join = StrokeJoin::Bevel;
   std::string_view rest;
-  const auto limit = leadingNumber(style.value(Property::StrokeMiterlimit), rest);
+  const auto limit = leadingNumber(style.value("stroke-miterlimit"_css), rest);
   if (limit && *limit >= 1) stroke.miterLimit = *limit;
-  setDashes(style.value(Property::StrokeDasharray), context, stroke.dashes);
-  const double offset = context.length(style.value(Property::StrokeDashoffset));
+  setDashes(style.value("stroke-dasharray"_css), context, stroke.dashes);
+  const double offset = context.length(style.value("stroke-dashoffset"_css));
   if (std::isfinite(offset)) stroke.dashOffset = offset;
 }
 
@@ -181,9 +175,9 @@ std::optional<double> leadingNumber(std::string_view text, std::string_view& res
 }
 
 Paint stopPaint(const Style& style, const Paint& current) {
-  Paint paint = colorOf(style.value(Property::StopColor), current).value_or(Paint{});
+  Paint paint = colorOf(style.value("stop-color"_css), current).value_or(Paint{});
   double opacity = 1;
-  setShare(style.value(Property::StopOpacity), opacity);
+  setShare(style.value("stop-opacity"_css), opacity);
   paint.alpha *= opacity;
   return paint;
 }
@@ -199,29 +193,29 @@ std::string_view urlOf(std::string_view value) {
 
 void apply(const Style& style, const PaintContext& context, PaintState& state) {
   state.strokeScales = true;
-  if (style.word(Property::AlignmentBaseline) != "inherit") state.letters.aligned.reset();
+  if (style.word("alignment-baseline"_css) != "inherit") state.letters.aligned.reset();
   if (style.empty()) return;
   if (style.setsLetters()) applyLetters(style, context, state.letters);  // first, as other lengths may be in ems
-  setPaint(style.value(Property::Color), context, state.color, Paint{}, state.color);
+  setPaint(style.value("color"_css), context, state.color, Paint{}, state.color);
   const auto setFillOrStroke = [&](Property property, const Paint& initial, Paint& paint) {
     const std::string word = style.word(property);
     if (word == "context-fill") paint = state.outer ? state.outer->first : Paint{0};
     if (word == "context-stroke") paint = state.outer ? state.outer->second : Paint{0};
     setPaint(style.value(property), context, state.color, initial, paint);
   };
-  setFillOrStroke(Property::Fill, Paint{}, state.fill);
-  setFillOrStroke(Property::Stroke, Paint{0}, state.stroke);
-  setShare(style.value(Property::FillOpacity), state.fillOpacity);
-  setShare(style.value(Property::StrokeOpacity), state.strokeOpacity);
+  setFillOrStroke("fill"_css, Paint{}, state.fill);
+  setFillOrStroke("stroke"_css, Paint{0}, state.stroke);
+  setShare(style.value("fill-opacity"_css), state.fillOpacity);
+  setShare(style.value("stroke-opacity"_css), state.strokeOpacity);
   double opacity = 1;
-  setShare(style.value(Property::Opacity), opacity);
+  setShare(style.value("opacity"_css), opacity);
   state.opacity *= opacity;
-  const std::string visibility = style.word(Property::Visibility);
+  const std::string visibility = style.word("visibility"_css);
   if (visibility == "visible") state.visible = true;
   if (visibility == "hidden" || visibility == "collapse") state.visible = false;
-  state.strokeScales = style.word(Property::VectorEffect) != "non-scaling-stroke";
-  setRule(style.word(Property::FillRule), state.fillRule);
-  setRule(style.word(Property::ClipRule), state.clipRule);
+  state.strokeScales = style.word("vector-effect"_css) != "non-scaling-stroke";
+  setRule(style.word("fill-rule"_css), state.fillRule);
+  setRule(style.word("clip-rule"_css), state.clipRule);
   setStroke(style, context, state.line);
 }
 

@@ -1,11 +1,7 @@
 #include "input/svg/svg_style.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
 
 #include <Eigen/LU>
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "geometry/outline.hpp"
 #include "input/svg.hpp"
-#include "sillon/geometry/outline.hpp"
 
 namespace sillon {
 namespace {

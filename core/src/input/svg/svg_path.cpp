@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <utility>
 
+#include "geometry/outline.hpp"
 #include "input/svg/svg_reader.hpp"
 
 namespace sillon::svg {
@@ -42,7 +41,7 @@ void arcTo(Outliner& out, Vec2 from, Vec2 radii, double degrees, bool large, boo
   Vec2 h = vectorBy(back, 0.5 * (from - to));
   h = {h.x / rx, h.y / ry};
   const double half = dot(h, h);
-  if (!(half < 1e100)) refuse("the radii of an arc are too small for its length");
+  if (!(half < 1e100)) refuse("SvgArcRadii");
   if (half < 1e-14 && !large) return out.line(from, to);  // the arc leaves the chord by less than 1e-7 of its length
   if (half > 1) {                                         // the radii do not reach the end and grow until they do
     rx *= std::sqrt(half);
@@ -61,11 +60,11 @@ void arcTo(Outliner& out, Vec2 from, Vec2 radii, double degrees, bool large, boo
 
 }  // namespace
 
-void refusePoints() { refuseTooLarge("the outlines have more than " + std::to_string(kMaxPoints) + " points"); }
+void refusePoints() { refuseTooLarge("SvgPoints", {{"most", kMaxPoints}}); }
 
 Vec2 onGrid(Vec2 p) {
   if (!(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate)) {
-    refuse("a point lies more than 1 km away; coordinates in mm must be within 1000000");
+    refuse("SvgPointTooFar");
   }
   // Adding 0 turns -0 into 0.
   return {std::round(p.x * 1e6) / 1e6 + 0.0, std::round(p.y * 1e6) / 1e6 + 0.0};
@@ -175,15 +174,15 @@ void drawPath(Outliner& out, std::string_view text) {
     previous = command;
     if (isLetter(reader.peek())) {
       if (std::string_view("MmLlHhVvCcSsQqTtAaZz").find(reader.peek()) == std::string_view::npos) {
-        reader.fail("a command M L H V C S Q T A or Z");
+        reader.fail("SvgCommand");
       }
       command = reader.take();
     } else if (command == 'M' || command == 'm') {
       command = command == 'M' ? 'L' : 'l';
     } else if (command == 'Z' || command == 'z') {
-      reader.fail("a command");
+      reader.fail("SvgCommand");
     }
-    if (previous == '\0' && lower(command) != 'm') reader.fail("M, the first command,");
+    if (previous == '\0' && lower(command) != 'm') reader.fail("SvgFirstCommand");
 
     const char kind = lower(command);
     const Vec2 origin = kind == command ? at : Vec2{};

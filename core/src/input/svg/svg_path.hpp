@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/outline.hpp"
 #include "input/svg/svg_node.hpp"
 #include "input/svg/svg_work.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/geometry/outline.hpp"
 #include "sillon/geometry/shape.hpp"
 
 namespace sillon::svg {

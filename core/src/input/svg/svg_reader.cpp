@@ -2,8 +2,10 @@
 
 namespace sillon::svg {
 
-void refuse(const std::string& problem) { throw Refused{ErrorCode::InvalidFile, problem}; }
-void refuseTooLarge(const std::string& problem) { throw Refused{ErrorCode::TooLarge, problem}; }
+void refuse(Reason reason, std::initializer_list<ToldValue> values) { throw Refused{refusedFile(reason, values)}; }
+void refuseTooLarge(Reason reason, std::initializer_list<ToldValue> values) {
+  throw Refused{refused(ErrorCode::TooLarge, reason, values)};
+}
 
 std::string quoted(std::string_view text) {
   std::string copy(text.substr(0, 40));
@@ -13,9 +15,15 @@ std::string quoted(std::string_view text) {
   return "\"" + copy + (text.size() > 40 ? "...\"" : "\"");
 }
 
-void Reader::fail(const std::string& expected) const {
-  if (at_ >= text_.size()) refuse(what_ + " ends where " + expected + " must follow");
-  refuse(what_ + " has " + quoted(rest()) + " where " + expected + " must stand");
+std::int64_t lineAt(std::string_view text, std::size_t offset) {
+  return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size())), '\n');
 }
+
+Error notXml(std::string_view text, std::size_t at) {
+  return refusedFile("SvgNotXml",
+                     {{"line", lineAt(text, at)}, {"text", quoted(text.substr(std::min(at, text.size())))}});
+}
+
+void Reader::fail(Reason reason) const { refuse(reason, {{"attribute", what_}, {"text", quoted(rest())}}); }
 
 }  // namespace sillon::svg

@@ -4,23 +4,27 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
 #include <fast_float/fast_float.h>
 
+#include "base/refused.hpp"
 #include "sillon/base/result.hpp"
+#include "sillon/base/types.hpp"
 
 namespace sillon::svg {
 
 /// Thrown and caught in svg*.cpp only. Parsing is deeply nested, and each level would have to pass errors on otherwise.
 struct Refused {
-  ErrorCode code;
-  std::string problem;
+  Error error;
 };
 
-[[noreturn]] void refuse(const std::string& problem);  ///< throws Refused with InvalidFile
-[[noreturn]] void refuseTooLarge(const std::string& problem);
+/// Throws Refused with InvalidFile.
+[[noreturn]] void refuse(Reason reason, std::initializer_list<ToldValue> values = {});
+[[noreturn]] void refuseTooLarge(Reason reason, std::initializer_list<ToldValue> values = {});
 
 inline bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -42,6 +46,12 @@ inline std::string lowered(std::string_view text) {
 
 /// Quotes text of the file for a message: shortened, printable characters only.
 std::string quoted(std::string_view text);
+
+/// Returns the number of the line at an offset, from 1.
+std::int64_t lineAt(std::string_view text, std::size_t offset);
+
+/// Makes the error for a text that is no well-formed XML. \param at  offset of what is wrong
+Error notXml(std::string_view text, std::size_t at);
 
 /// Calls body(piece) for each piece between separators.
 template <class Body>
@@ -78,7 +88,7 @@ class Reader {
   }
   void expect(char c) {
     skipSpace();
-    if (peek() != c) fail(std::string("'") + c + "'");
+    if (peek() != c) refuse("SvgSign", {{"attribute", what_}, {"text", quoted(rest())}, {"sign", std::string(1, c)}});
     ++at_;
   }
   std::string_view word() {
@@ -93,24 +103,25 @@ class Reader {
     std::size_t begin = at_;
     std::size_t first = begin + (peek() == '+' || peek() == '-' ? 1 : 0);
     // fast_float would also accept "inf" and "nan".
-    if (first >= text_.size() || !(isDigit(text_[first]) || text_[first] == '.')) fail("a number");
+    if (first >= text_.size() || !(isDigit(text_[first]) || text_[first] == '.')) fail("SvgNumber");
     if (text_[begin] == '+') begin = first;
     double value = 0;
     const auto [end, error] = fast_float::from_chars(text_.data() + begin, text_.data() + text_.size(), value);
-    if (error != std::errc{}) fail("a number");
-    if (!std::isfinite(value)) refuse("the number " + quoted(rest()) + " in " + what_ + " is too large");
-    at_ = end - text_.data();
+    if (error != std::errc{}) fail("SvgNumber");
+    if (!std::isfinite(value)) fail("SvgNumberTooLarge");
+    at_ = toSize(end - text_.data());
     return value;
   }
 
   /// Reads a flag of an arc. Flags may stand without separators: "a1 1 0 0110 10".
   bool flag() {
     skipSeparator();
-    if (peek() != '0' && peek() != '1') fail("a flag 0 or 1");
+    if (peek() != '0' && peek() != '1') fail("SvgFlag");
     return take() == '1';
   }
 
-  [[noreturn]] void fail(const std::string& expected) const;
+  /// Refuses what stands here. \param reason  takes the values `attribute` and `text`
+  [[noreturn]] void fail(Reason reason) const;
 
  private:
   std::string_view text_;

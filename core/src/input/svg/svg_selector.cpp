@@ -1,7 +1,6 @@
 #include "input/svg/svg_style.hpp"
 
 #include <algorithm>
-#include <cstddef>
 
 #include "input/svg/svg_reader.hpp"
 

@@ -1,10 +1,6 @@
 #include "input/svg/svg_style.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <utility>
 
 namespace sillon::svg {
 namespace {
@@ -47,11 +43,11 @@ std::string withFallbacks(std::string value) {
 // Tells whether a property is about letters.
 constexpr bool isOfLetters(Property property) {
   constexpr auto kOfLetters = [] {
-    std::array<bool, kPropertyNames.size()> of{};
+    std::array<bool, std::size(kPropertyNames)> of{};
     for (const Property read :
-         {Property::AlignmentBaseline, Property::BaselineShift, Property::DominantBaseline, Property::Font,
-          Property::FontFamily, Property::FontSize, Property::FontStyle, Property::LetterSpacing, Property::TextAnchor,
-          Property::TextDecoration, Property::TextDecorationLine, Property::WhiteSpace, Property::WordSpacing}) {
+         {"alignment-baseline"_css, "baseline-shift"_css, "dominant-baseline"_css, "font"_css, "font-family"_css,
+          "font-size"_css, "font-style"_css, "letter-spacing"_css, "text-anchor"_css, "text-decoration"_css,
+          "text-decoration-line"_css, "white-space"_css, "word-spacing"_css}) {
       of[toSize(read)] = true;
     }
     for (const Property unread : kUnreadOfLetters) of[toSize(unread)] = true;
@@ -133,8 +129,8 @@ void Style::declare(std::string_view declarations, std::int64_t weight) {
     const std::size_t colon = declaration.find(':');
     if (colon == std::string_view::npos) return;
     const std::string name = lowered(trimmed(declaration.substr(0, colon)).substr(0, 32));
-    const auto found = std::find(kPropertyNames.begin(), kPropertyNames.end(), name);
-    if (found == kPropertyNames.end()) {
+    const auto found = std::find(std::begin(kPropertyNames), std::end(kPropertyNames), name);
+    if (found == std::end(kPropertyNames)) {
       const auto unread = std::find(kUnread.begin(), kUnread.end(), name);
       const bool nothing = lowered(trimmed(declaration.substr(colon + 1)).substr(0, 5)) == "none";
       if (unread != kUnread.end() && !nothing) unread_ = *unread;
@@ -143,7 +139,7 @@ void Style::declare(std::string_view declarations, std::int64_t weight) {
     std::string_view value = declaration.substr(colon + 1);
     const std::size_t mark = value.find('!');
     const bool important = mark != std::string_view::npos && lowered(value.substr(mark)).find("important") < 12;
-    set(static_cast<Property>(found - kPropertyNames.begin()), value.substr(0, mark),
+    set(static_cast<Property>(found - std::begin(kPropertyNames)), value.substr(0, mark),
         weight + (important ? 2 * kStyleAttribute : 0));
   });
 }
@@ -208,9 +204,9 @@ Style StyleSheet::styleOf(const Node& node, Work& work) const {
   Style style;
   for (const auto* a = node.first_attribute(); a; a = a->next_attribute()) {
     const std::string_view name(a->name(), a->name_size());
-    const auto found = std::find(kPropertyNames.begin(), kPropertyNames.end(), name);
-    if (found == kPropertyNames.end()) continue;
-    style.set(static_cast<Property>(found - kPropertyNames.begin()), {a->value(), a->value_size()}, 0);
+    const auto found = std::find(std::begin(kPropertyNames), std::end(kPropertyNames), name);
+    if (found == std::end(kPropertyNames)) continue;
+    style.set(static_cast<Property>(found - std::begin(kPropertyNames)), {a->value(), a->value_size()}, 0);
   }
   if (!rules_.empty()) match(node, style, work);
   for (const auto& [selector, declared] : nested_) {

@@ -32,7 +32,7 @@ double withUnit(Reader& reader, double value, double full, const UserUnits& unit
   if (unit == "turn") return value * 360;
   if (unit == "grad") return value * 0.9;
   const std::optional<Unit> known = unitOf(unit);
-  if (!known) reader.fail("a known unit");
+  if (!known) reader.fail("SvgUnitHere");
   return units.of(value, *known);
 }
 
@@ -47,12 +47,12 @@ Matrix parseTransform(std::string_view text, const CssLengths* css) {
   while (!reader.atEnd()) {
     reader.skipSeparator();
     const std::string_view name = reader.word();
-    if (name.empty()) reader.fail("a transform such as translate(1 2)");
+    if (name.empty()) reader.fail("SvgTransform");
     reader.expect('(');
     std::array<double, 6> v{};
     std::size_t n = 0;
     for (reader.skipSpace(); reader.peek() != ')'; reader.skipSpace()) {
-      if (n == v.size()) reader.fail("')'");
+      if (n == v.size()) reader.expect(')');
       v[n] = reader.number();
       if (css) {
         const bool ofHeight = n == 1 || name == "translateY";
@@ -85,8 +85,7 @@ Matrix parseTransform(std::string_view text, const CssLengths* css) {
     } else if (css && name == "scaleY" && n == 1) {
       result = result * matrix(1, 0, 0, v[0], 0, 0);
     } else {
-      refuse("transform has " + quoted(name) + " with " + std::to_string(n) +
-             " numbers; it must be matrix, translate, scale, rotate, skewX or skewY with the numbers it takes");
+      refuse("SvgTransformNumbers", {{"text", quoted(name)}, {"count", n}});
     }
   }
   return result;
@@ -107,7 +106,7 @@ Vec2 parseOrigin(std::string_view text, const CssLengths& css) {
     } else if (std::isfinite(length)) {
       axis = length;
     } else if (part != "center") {
-      refuse("transform-origin is " + quoted(text) + "; it must be two lengths, or words such as center");
+      refuse("SvgTransformOrigin", {{"text", quoted(text)}});
     }
     second = true;
   });
@@ -123,9 +122,9 @@ std::optional<ViewBox> viewBoxOf(const Node& node) {
   box.min.y = reader.number();
   box.size.x = reader.number();
   box.size.y = reader.number();
-  if (!reader.atEnd()) reader.fail("the end");
+  if (!reader.atEnd()) reader.fail("SvgEnd");
   if (!(box.size.x > 0 && box.size.y > 0)) {
-    refuse("viewBox is " + quoted(*text) + "; its width and height must be more than 0");
+    refuse("SvgViewBox", {{"text", quoted(*text)}});
   }
   return box;
 }
@@ -141,10 +140,7 @@ Matrix fit(const Node& node, const ViewBox& box, Vec2 size) {
   }
   reader.skipSpace();
   const std::string_view mode = reader.word();
-  const auto unknown = [&] {
-    refuse("preserveAspectRatio is " + quoted(text) +
-           "; it must be none or an alignment such as xMidYMid, then meet or slice");
-  };
+  const auto unknown = [&] { refuse("SvgAspectRatio", {{"text", quoted(text)}}); };
   if (!reader.atEnd() || !(mode.empty() || mode == "meet" || mode == "slice")) unknown();
 
   Vec2 scale{size.x / box.size.x, size.y / box.size.y};

@@ -17,21 +17,21 @@ void Work::spend(const Node& node) {
   for (const auto* a = node.first_attribute(); a; a = a->next_attribute()) {
     spent_ += static_cast<std::int64_t>(a->name_size() + a->value_size());
   }
-  check("<use> repeats so many elements");
+  check("SvgUseRepeats");
 }
 
 void Work::spendOnCuts(const FilledPath& path, std::int64_t bytesPerPoint) {
   for (const Ring& ring : path.rings) spent_ += bytesPerPoint * static_cast<std::int64_t>(ring.size());
-  check("clipping repeats so many outlines", "; combine the paths under each clip path or mask into one");
+  check("SvgClipRepeats");
 }
 
 void Work::spendOnRules(std::size_t bytes) {
   spent_ += static_cast<std::int64_t>(bytes);
-  check("<style> has so many rules");
+  check("SvgStyleRules");
 }
 
-void Work::check(const char* problem, const char* wayOut) const {
-  if (spent_ > kMaxWork) refuseTooLarge(std::string(problem) + " that the drawing becomes too large" + wayOut);
+void Work::check(Reason reason) const {
+  if (spent_ > kMaxWork) refuseTooLarge(reason);
 }
 
 }  // namespace sillon::svg

@@ -18,7 +18,7 @@ class Work {
   void spendOnRules(std::size_t bytes);
 
  private:
-  void check(const char* problem, const char* wayOut = "") const;
+  void check(Reason reason) const;
 
   std::int64_t spent_ = 0;
 };

@@ -14,6 +14,8 @@ export const words = {
   'reason.SettingOutOfRange': '{label} is {value}; it must be {low} to {high}.',
   'reason.SettingOutOfRange.hint': 'Change it, or undo.',
   'reason.OverBedEdge': 'The plate lies over the edge of the bed: {sides}.',
+  'reason.inElement': '{element} in line {line}: {what}',
+  'reason.inPlace': '{place}: {what}',
   'reason.left': '{mm} mm on the left',
   'reason.right': '{mm} mm on the right',
   'reason.front': '{mm} mm in front',

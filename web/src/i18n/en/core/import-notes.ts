@@ -12,7 +12,6 @@ export const words = {
   'note.ExcludedArea': "{key} is {value}; only one box can be excluded.",
   'note.Flavor': "{key} is {value}; known are Marlin, Klipper and RepRapFirmware; Marlin is assumed.",
   'note.BlockTooLong': "{key} is {value}; a block may have 65536 bytes.",
-  'note.Placeholder': "A placeholder has no value here: {detail}.",
   'note.SectionMissing': "{section} is inherited, but missing from the file.",
   'note.InheritedTooDeep': "The file inherits in a circle, or from more than 1000 sections; the rest is missing.",
   'note.InheritedElsewhere': "The file inherits from {name}, which is in another file; defaults fill the gaps.",

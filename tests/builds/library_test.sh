@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The library opens no files and no connections, and starts no programs: what it asks the system for tells.
-#   tests/build/library_test.sh ARCHIVE
+#   tests/builds/library_test.sh ARCHIVE
 set -euo pipefail
 if ! command -v nm >/dev/null; then
   echo "skipped: nm is not installed"

@@ -1,47 +1,26 @@
-// Cuts the field of directions into a few zones of one direction each, for slicers that only lay
-// straight lines.
+// Cuts directions into zones of one direction each, and writes a body with them.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "sillon/base/result.hpp"
 #include "sillon/base/run_context.hpp"
-#include "sillon/export/base_solid.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/export/export.hpp"
 #include "sillon/geometry/shape.hpp"
 #include "sillon/input/plate_input.hpp"
 
 namespace sillon {
 
-/// Limits of the zones.
-struct ZoneParams {
-  int most = 6;      ///< most directions, 2..12; several parts with one direction count once
-  double least = 3;  ///< least width of a zone within the shape [mm], 0.5..100
-};
-
-/// A zone in which all lines run one way; it may have several parts.
-struct DirectionZone {
-  double degrees = 0;  ///< angle, 0 <= degrees < 180, counter-clockwise from +x, whole tenths
-  double areaMm2 = 0;  ///< area within the shape
-  /// Outlines on the page, inside on their left; beyond the shape they go on to 1 mm off the page
-  std::vector<Ring> rings;
-};
-
-/// Zones that together cover the page and a border of 1 mm; no two overlap.
-struct DirectionZones {
-  std::vector<DirectionZone> zones;  ///< zones by angle
-  int found = 0;     ///< number of different directions; those with wide enough places became zones
-  double error = 0;  ///< mean angle between the map and the zones, over the shape [degrees]
-};
-
 /// Cuts directions into zones of one direction each, nearest to the map in the mean square. Their
 /// borders are then evened, and parts narrower than `least` go to their neighbours. The same
 /// arguments give the same bytes.
 /// \return InvalidArgument, EmptyShape or Cancelled.
-Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& directions,
-                                      const ZoneParams& params, const RunContext& run);
+Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& directions, const ZoneParams& params,
+                                      const RunContext& run);
 
 /// Writes a 3MF of the body with one modifier per zone, in PrusaSlicer's form, which PrusaSlicer,
 /// Bambu Studio and OrcaSlicer open. Each modifier sets the angle of its zone: fill_angle
@@ -54,8 +33,8 @@ Result<DirectionZones> directionZones(const Shape& shape, const DirectionMap& di
 /// \param layerHeight  layer height that the slicer is told [mm], 0.01..2.
 /// \param face  height of the only top that gets zones [mm]; unset: all tops get them.
 /// \return InvalidArgument or TooLarge.
-Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner,
-                             double layerHeight, std::optional<double> face = {});
+Result<std::string> zones3mf(const Mesh& body, const DirectionZones& zones, Vec2 corner, double layerHeight,
+                             std::optional<double> face = {});
 
 /// Makes a prism of the shape, its holes cut out, from the bed up.
 /// \param height  height of the prism [mm], 0.05..5000.

@@ -1,12 +1,14 @@
 // QR codes: their modules, and whether decoders read them.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "base/refused.hpp"
 #include "sillon/base/result.hpp"
 #include "sillon/base/types.hpp"
-#include "sillon/input/read_input.hpp"
+#include "sillon/input/plate_input.hpp"
 #include "sillon/settings/layers.hpp"
 
 namespace sillon {
@@ -27,5 +29,8 @@ inline constexpr int kQuietZone = 4;
 /// \param code  modules as qrModules makes them, inside its quiet zone.
 /// \param wrong  one entry per module of `code`.
 bool qrReads(const Image& code, const std::vector<char>& wrong);
+
+/// Makes the error for a text that fits into no QR code.
+inline Error qrTooLong(std::size_t bytes) { return refused(ErrorCode::TooLarge, "QrTooLong", {{"bytes", bytes}}); }
 
 }  // namespace sillon

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # ./dev waits while another program holds apt's locks, and gives up at once on any other problem. HarfBuzz's sources are those
 # of one hash, or none.
-#   tests/build/dev_test.sh
+#   tests/builds/dev_test.sh
 set -euo pipefail
 dev=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)/dev
 folder=$(mktemp -d)

@@ -1,8 +1,9 @@
-// Files that hold G-code: text, text packed by gzip, the zip of Bambu printers and their slicers
-// (.gcode.3mf), and Prusa's binary G-code (.bgcode).
+// Files for other programs: packed G-code, solids, zones of directions, and drawings.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,8 +11,14 @@
 #include <vector>
 
 #include "sillon/base/result.hpp"
+#include "sillon/base/types.hpp"
+#include "sillon/geometry/shape.hpp"
+#include "sillon/settings/project.hpp"
 
 namespace sillon {
+
+// Files that hold G-code: text, text packed by gzip, the zip of Bambu printers and their slicers
+// (.gcode.3mf), and Prusa's binary G-code (.bgcode).
 
 /// Most text that is read from any container: 256 MiB.
 inline constexpr std::size_t kMostGcodeBytes = std::size_t{256} << 20;
@@ -73,7 +80,63 @@ Result<std::string> gzipGcode(std::string_view gcode);
 /// Returns only the text of readGcodeContainer; what it was packed in is freed.
 Result<std::string> unpackGcode(std::string file);
 
-/// Tells by its first bytes whether a file is packed: .gcode.3mf, .bgcode or .gz.
-bool isPackedGcode(std::string_view file);
+// The base of a plate as a solid, for printing it with another slicer.
+
+/// A closed surface of triangles, counter-clockwise as seen from outside. Every edge between two
+/// points belongs to two triangles, in opposite directions.
+struct Mesh {
+  /// Points x, y, z on the bed [mm], on the grid of the G-code
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// Makes the solid of the base layers, placed as in the G-code, with all copies. No elephant's foot
+/// is taken off. The edges of the bed are not checked here, but by writeGcode.
+/// \return InvalidArgument (also for a plate without a base), DoesNotFit (in height), EmptyShape,
+/// TooLarge.
+Result<Mesh> baseBody(const Shape& shape, const Printer& printer, const PrintParams& params);
+
+/// Writes a mesh as binary STL.
+/// \return InvalidArgument for a corner that is none of the points, or a point that is not finite.
+Result<std::string> writeStl(const Mesh& mesh);
+
+/// Writes a mesh as 3MF with one object, uncompressed. The same mesh gives the same bytes.
+/// \return the errors of writeStl.
+Result<std::string> write3mf(const Mesh& mesh);
+
+// The field of directions cut into a few zones of one direction each, for slicers that only lay
+// straight lines.
+
+/// Limits of the zones.
+struct ZoneParams {
+  int most = 6;      ///< most directions, 2..12; several parts with one direction count once
+  double least = 3;  ///< least width of a zone within the shape [mm], 0.5..100
+};
+
+/// A zone in which all lines run one way; it may have several parts.
+struct DirectionZone {
+  double degrees = 0;  ///< angle, 0 <= degrees < 180, counter-clockwise from +x, whole tenths
+  double areaMm2 = 0;  ///< area within the shape
+  /// Outlines on the page, inside on their left; beyond the shape they go on to 1 mm off the page
+  std::vector<Ring> rings;
+};
+
+/// Zones that together cover the page and a border of 1 mm; no two overlap.
+struct DirectionZones {
+  std::vector<DirectionZone> zones;  ///< zones by angle
+  int found = 0;     ///< number of different directions; those with wide enough places became zones
+  double error = 0;  ///< mean angle between the map and the zones, over the shape [degrees]
+};
+
+// Draws a toolpath as an SVG in mm, with the widths of its beads.
+
+/// Draws one group per cycle: its beads as strokes coloured by direction, and above them the thin,
+/// closed line that the nozzle follows. Points are exact to 1 µm. To keep the file small, a stroke
+/// joins beads whose widths differ by at most 0.02 mm and whose directions differ by at most 5
+/// degrees.
+/// \param page  size [mm], 0.001..100000 per side.
+/// \return a complete document, the same bytes for the same toolpath; InvalidArgument for a
+/// malformed toolpath.
+Result<std::string> toolpathSvg(const Toolpath& toolpath, Vec2 page);
 
 }  // namespace sillon

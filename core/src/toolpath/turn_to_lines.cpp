@@ -1,3 +1,4 @@
+// Turns the beads of plates with pictures towards the lines that their layers ask for.
 #include "toolpath/relaxation_steps.hpp"
 
 #include <cmath>
@@ -5,15 +6,17 @@
 
 #include "base/parallel_for.hpp"
 #include "field/hierarchy.hpp"
-#include "geometry/closed_curves.hpp"
 
 namespace sillon {
 namespace {
 
-constexpr float kAlike = 0.8f;     ///< least cosine of a segment to the direction asked for, to be turned: 37 degrees
-constexpr float kMostMove = 0.5f;  ///< largest move of a point [tau]
+/// Cosine of 37 degrees; segments that run further off the line asked for are not turned.
+constexpr float kAlike = 0.8f;
+/// Largest move of a point [spacings]; two beads that move towards each other cannot cross.
+constexpr float kMostMove = 0.5f;
 
-/// The bead's direction asked for at p, interpolated between the four cells around it; (0, 0) where they tell none.
+/// Returns the direction asked for the bead at p, interpolated between the four cells around it; (0, 0) if they have
+/// no line or disagree.
 Vec2f beadAt(const LineField& lines, Vec2f p) {
   const Grid& grid = lines.grid;
   const double u = (static_cast<double>(p.x) - grid.origin.x) / grid.cell - 0.5;
@@ -33,7 +36,7 @@ Vec2f beadAt(const LineField& lines, Vec2f p) {
     z = z + lineOf(d) * ((k % 2 == 1 ? right : 1 - right) * (k / 2 == 1 ? up : 1 - up));
   }
   const float size = length(z);
-  // A short mean says that the cells disagree or have no line.
+  // A short mean shows that the cells disagree or have no line.
   if (size < 0.5f) return {};
   const Vec2f d = directionOf(z * (1 / size));
   return {-d.y, d.x};  // fields hold the direction across the bead
@@ -41,37 +44,35 @@ Vec2f beadAt(const LineField& lines, Vec2f p) {
 
 }  // namespace
 
-// Least squares along each curve: squared differences between segments and the segments asked for, plus `pull` times
-// the squared moves, as docs/internals/pictures.md describes.
+// Solves a least-squares problem along each curve. It minimises the squared differences between segments and equally
+// long ones on the lines asked for, plus `pull` times the squared moves; see docs/internals/pictures.md.
 std::vector<Vec2f> movesToLines(const ClosedCurves& curves, const LineField& lines, double spacing, float pull,
                                 const RunContext& run) {
   std::vector<Vec2f> moves(curves.points.size());
   std::vector<Vec2f> excess;  // segment asked for minus the segment from point k to the next
-  std::vector<char> kept;     // tells whether the segment is to be turned
+  std::vector<char> turned;   // 1 if the segment is to be turned
   std::vector<float> share;   // share of the next point's move in that of point k
   for (int c = 0; c < curves.count(); ++c) {
     const std::size_t first = curves.begin[c];
     const std::size_t n = curves.size(c);
     excess.assign(n, {});
-    kept.assign(n, 0);
+    turned.assign(n, 0);
     share.assign(n, 0);
-    parallelFor(run, static_cast<int>(n), 8192, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        const Vec2f a = curves.points[first + k];
-        const Vec2f b = curves.points[first + (k + 1) % n];
-        const Vec2f step = b - a;
-        const Vec2f bead = beadAt(lines, (a + b) * 0.5f);
-        const float size = length(step);
-        const float along = dot(bead, step);
-        if (!(size > 0) || std::abs(along) < kAlike * size) continue;
-        excess[k] = bead * (along < 0 ? -size : size) - step;
-        kept[k] = 1;
-      }
+    parallelForEach(run, static_cast<int>(n), 8192, [&](std::size_t k) {
+      const Vec2f a = curves.points[first + k];
+      const Vec2f b = curves.points[first + (k + 1) % n];
+      const Vec2f step = b - a;
+      const Vec2f bead = beadAt(lines, (a + b) * 0.5f);
+      const float size = length(step);
+      const float along = dot(bead, step);
+      if (!(size > 0) || std::abs(along) < kAlike * size) return;
+      excess[k] = bead * (along < 0 ? -size : size) - step;
+      turned[k] = 1;
     });
     // A symmetric tridiagonal system for each run of points between turned segments, solved by the Thomas algorithm:
     // eliminated forwards, solved backwards. The first point stays, so that a closed curve needs no other treatment.
     for (std::size_t k = 1; k < n; ++k) {
-      if (!kept[k - 1] || !kept[k]) continue;  // the point stays: share and move are 0
+      if (!turned[k - 1] || !turned[k]) continue;  // the point stays: share and move are 0
       const float inverse = 1 / (2 + pull - share[k - 1]);
       share[k] = inverse;
       moves[first + k] = (excess[k - 1] - excess[k] + moves[first + k - 1]) * inverse;

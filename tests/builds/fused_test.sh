@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # No instruction multiplies and adds in one step: such results differ in their last bit from those of other machines.
-#   tests/build/fused_test.sh OBJECT...
+#   tests/builds/fused_test.sh OBJECT...
 set -euo pipefail
 if ! command -v objdump >/dev/null; then
   echo "skipped: objdump is not installed"
