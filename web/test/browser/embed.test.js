@@ -94,7 +94,7 @@ test('methods give the plate that was loaded, as project, report and files', { s
   assert.deepEqual([exportSvg.name, exportSvg.type], ['project.svg', 'image/svg+xml']);
   assert.deepEqual([exportProject.name, exportProject.head], ['project.sillon.zip', [0x50, 0x4b, 3, 4]]);
   assert.deepEqual([capture.name, capture.head], ['project.png', [0x89, 0x50, 0x4e, 0x47]]);
-  assert.match(made.flat, /base is 0/);
+  assert.match(made.flat, /“Bottom layers” is 0/);
   assert.deepEqual([exportBody.name, exportBody.type], ['project.base.3mf', 'model/3mf']);
   assert.ok(exportBody.size > 1000);
   assert.equal(await frame.evaluate(() => crossOriginIsolated), true);
