@@ -64,10 +64,14 @@ function otherReason(reason: string, values: Values): ExactWords | undefined {
 }
 
 /** Puts before a sentence in which layer, element or file the fault is. */
-function placed(what: string, { layer, element = '', elementLine = '', place }: Values): string {
-  if (element !== '') return say(words, 'reason.inElement', { what, element, line: elementLine });
-  if (place !== undefined) return say(words, 'reason.inPlace', { what, place });
-  return layer === undefined ? what : say(words, 'check.ofLayer', { what, layer });
+function placed(what: string, { layer, element = '', elementLine = '', place = '' }: Values): string {
+  const inside =
+    element !== ''
+      ? say(words, 'reason.inElement', { what, element, line: elementLine })
+      : layer === undefined
+        ? what
+        : say(words, 'check.ofLayer', { what, layer });
+  return place === '' || what.includes(String(place)) ? inside : say(words, 'reason.inPlace', { what: inside, place });
 }
 
 function reasonWords(reason: ErrorReason | 'OffBody', values: Values): ExactWords | undefined {
@@ -92,8 +96,10 @@ function reasonWords(reason: ErrorReason | 'OffBody', values: Values): ExactWord
 export function exactWords({ code, values }: Problem): ExactWords | undefined {
   const { name = '', format, reason, elements, megabytes, most = '' } = values;
   if (reason !== undefined) {
-    const told = reasonWords(reason as ErrorReason, values);
-    return told && { ...told, message: placed(told.message, values) };
+    // The engine calls a file that is handed over alone "file"; the page knows its name.
+    const named = code === 'InvalidFile' && name !== '' ? { place: name, ...values, file: name } : values;
+    const told = reasonWords(reason as ErrorReason, named);
+    return told && { ...told, message: placed(told.message, named) };
   }
   if (elements !== undefined || megabytes !== undefined) {
     return {

@@ -17,16 +17,20 @@ const wrongFiles = [
   ['an unknown kind', fileOf('song.mp3', [0x49, 0x44, 0x33, 3, 0, 0, 0, 0]), /song\.mp3/],
   ['an empty file', fileOf('nothing.png', [], 'image/png'), /nothing\.png is empty/],
   ['a document', fileOf('page.png', bytes('%PDF-1.7'), 'image/png'), /page\.png is a PDF file/],
-  ['a picture that ends too early', { ...fileAt(join(inputs, 'photo.png')), cut: 300 }, /could not be read/],
+  [
+    'a picture that ends too early',
+    { ...fileAt(join(inputs, 'photo.png')), cut: 300 },
+    /photo\.png cannot be read as PNG: it is cut off/,
+  ],
   [
     'a drawing that is not XML',
     fileOf('broken.svg', bytes('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0'), 'image/svg+xml'),
-    /could not be read/,
+    /broken\.svg: The file is not well-formed XML in line 1/,
   ],
   [
     'a drawing without areas',
     fileOf('lines.svg', bytes('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"/>'), 'image/svg+xml'),
-    /nothing to fill/,
+    /no outline/,
   ],
   ['a zip that is no project', fileOf('other.zip', zipSync({ 'readme.txt': bytes('hello') })), /other\.zip/],
   [
