@@ -11,7 +11,8 @@ let last = 0;
 
 export const newNumber = (): number => ++last;
 
-/** Returns a hash that differs whenever a single word of the views' memory differs. */
+/** Returns a 32-bit hash of the views' memory. A change of one word always changes it; larger changes almost always
+ * do. */
 function sumOf(views: readonly ArrayBufferView[]): number {
   let sum = 0x811c9dc5;
   for (const { buffer, byteOffset, byteLength } of views) {
@@ -36,7 +37,7 @@ class Kind {
     this.#marks.set(object, { number, sum: sumOf(memory()) });
   }
 
-  /** Returns the object's number, or 0 if its memory has changed since it was marked. */
+  /** Returns the object's number. The result is 0 if the object was never marked, or if its memory has changed since. */
   find(object: object, memory = nothing): number {
     const mark = this.#marks.get(object);
     return mark !== undefined && mark.sum === sumOf(memory()) ? mark.number : 0;

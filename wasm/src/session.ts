@@ -4,7 +4,9 @@ import type { EngineWorker, Platform } from './platform.js';
 import type { Call, EngineFiles, FromWorker } from './protocol.js';
 
 const startSilence = 10; // longest start of an engine once its files are loaded [s]
-const callSilence = 60; // longest time without a sign of life [s]; with threads, only progress is a sign, which is rare on large plates
+// [s] A call that gives no sign of life for this long is ended. With threads only progress counts, and large plates
+// report it rarely.
+const callSilence = 60;
 const answerToCancel = 80; // [ms], so that the work of a cancelled call ends within 100 ms
 
 type OnMessage = (message: FromWorker) => void;
@@ -89,7 +91,8 @@ export class Session {
     return compiled;
   }
 
-  /** Runs a call; only one may run at a time. @throws SillonError */
+  /** Runs a call. Only one may run at a time, and none once the session has `ended`, as nobody would answer it. A call
+   * that the worker cancels resolves to undefined. @throws SillonError */
   run(call: Call, onMessage: OnMessage): Promise<unknown> {
     const answer = this.#answer(onMessage, call.name);
     this.#expectSigns(callSilence);
@@ -104,9 +107,9 @@ export class Session {
     return answer;
   }
 
-  /** Stops the running call. A worker that computes receives no messages, but sees a byte of shared memory. A
-   * worker that does not answer, or shares no memory, is ended, which may take browsers two seconds. A new one is
-   * ready in 40 ms, even without its server, because the page keeps the compiled module and the scripts. */
+  /** Stops the running call. A busy worker receives no messages, but it polls a byte of shared memory. If it does not
+   * answer in time, or shares no memory, it is ended, and browsers may need two seconds for that. Its successor starts
+   * in 40 ms and needs no network, because the page keeps the compiled module and the scripts. */
   cancel(): void {
     const waiting = this.#waiting;
     if (waiting === undefined) return;

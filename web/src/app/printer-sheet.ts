@@ -15,6 +15,7 @@ import { filamentField, printerField, swatchStyle } from '../print/machine-field
 import { loadSpools } from '../print/own-spools.js';
 import { button } from '../controls/button.js';
 
+/** Rounds a length [mm] to the micrometre. */
 const rounded = (length: number): number => Math.round(1000 * length) / 1000;
 
 @customElement('sillon-printer-sheet')
@@ -63,7 +64,7 @@ export class PrinterSheet extends DialogElement {
     this.missing = false;
   }
 
-  /** Tells whether nobody has said which printer it is. */
+  /** Tells whether the printer is still unknown: nobody has chosen one, or the chosen one waits for its file. */
   #lacks = (): boolean => this.waits !== '' || this.studio.lacksPrinter();
 
   protected override body(): TemplateResult {

@@ -42,7 +42,7 @@ function sharedRenderer(): ViewRenderer | undefined {
   if (renderer !== undefined || noRenderer) return renderer;
   try {
     renderer = new ViewRenderer(() => {
-      for (const element of shown) element.restore();
+      for (const element of shown) void element.restore();
     });
   } catch {
     noRenderer = true;
@@ -75,6 +75,8 @@ const watch = (told: (element: SillonViewElement, inside: boolean) => void, root
 const visibility = watch((element, inside) => element.onVisible(inside), '0px');
 const nearness = watch((element, inside) => element.onNear(inside), near);
 
+calm.addEventListener('change', nextFrame); // the loop has ended if no view was to move
+
 /** Decodes pictures one after the other: many at once would need many times the memory. */
 let decoding: Promise<unknown> = Promise.resolve();
 function inTurn<T>(decode: () => Promise<T>): Promise<T> {
@@ -99,7 +101,7 @@ function watchTilt(): void {
 
 let tiltAsked = false;
 
-/** Asks for the tilt sensor: iOS asks its owner, and only after a touch. */
+/** Asks for access to the tilt sensor. iOS asks the visitor for permission, and allows the request only after a touch. */
 function askForTilt(): void {
   if (tiltAsked || !('DeviceOrientationEvent' in globalThis)) return;
   tiltAsked = true;
@@ -126,14 +128,18 @@ export class SillonViewElement extends HTMLElement {
   readonly #canvas = document.createElement('canvas');
   readonly #poster = document.createElement('img');
   #file: ViewFile | undefined;
+  /** True if 'load' was dispatched for the file, which may be decoded many times. */
+  #told = false;
   #loading: AbortController | undefined;
   #near = false;
   #visible = false;
   #stale = true;
   #drawnAt = 0;
   #pointer: Light | undefined;
+  /** Time at which the light moved last [ms], and its azimuth then [degrees]. An orbit goes on from there. */
   #last = 0;
   #azimuth = 60;
+  /** True if `aria-label` repeats `alt`; otherwise the label belongs to the page. */
   #named = false;
 
   constructor() {
@@ -223,7 +229,7 @@ export class SillonViewElement extends HTMLElement {
     this.#near = near;
     if (!near) this.#release();
     else if (this.#file === undefined) void this.#load();
-    else this.restore();
+    else void this.restore();
   }
 
   // --- Light ----------------------------------------------------------------------------------------------------------------
@@ -233,7 +239,8 @@ export class SillonViewElement extends HTMLElement {
   }
 
   #number(name: 'azimuth' | 'elevation', usual: number, min: number, max: number): number {
-    const value = Number(this.getAttribute(name) ?? usual);
+    const text = this.getAttribute(name)?.trim() ?? '';
+    const value = text === '' ? usual : Number(text);
     return Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : usual;
   }
 
@@ -256,7 +263,7 @@ export class SillonViewElement extends HTMLElement {
     if (!this.#orbits(tilted)) {
       return { azimuth: this.#number('azimuth', 60, -360, 360), elevation: this.#number('elevation', 35, 5, 90) };
     }
-    // The light goes on from its last place, without a leap after a pause.
+    // [ms] A longer pause counts as 50 ms, so that the light does not leap.
     this.#azimuth = (this.#azimuth + (360 * Math.min(50, now - this.#last)) / swayPeriod) % 360;
     this.#last = now;
     return { azimuth: this.#azimuth, elevation: swayedElevation(now) };
@@ -278,7 +285,7 @@ export class SillonViewElement extends HTMLElement {
   #name(): void {
     const alt = this.getAttribute('alt');
     if (alt !== null) this.setAttribute('aria-label', alt);
-    else if (this.#named) this.removeAttribute('aria-label'); // otherwise the label belongs to the page
+    else if (this.#named) this.removeAttribute('aria-label');
     this.#named = alt !== null;
   }
 
@@ -293,7 +300,8 @@ export class SillonViewElement extends HTMLElement {
   /** Draws the view into its canvas, at the size of the element. */
   #draw(file: ViewFile, light: Light): void {
     const { clientWidth, clientHeight } = this;
-    this.#stale = false; // also without a box: the observer reports when there is one
+    // A view without a box counts as drawn, too: the resize observer asks again once it has one.
+    this.#stale = false;
     if (clientWidth === 0 || clientHeight === 0) return;
     // The canvas has the plate's proportions, within the element's box.
     const scale = Math.min(clientWidth / file.page[0], clientHeight / file.page[1]) * devicePixelRatio;
@@ -311,7 +319,7 @@ export class SillonViewElement extends HTMLElement {
     this.#poster.hidden = true;
   }
 
-  /** Loads the file in `src` and decodes it; dispatches 'load' or 'error'. */
+  /** Loads the file in `src` and decodes it; dispatches 'error' if there is no such view. */
   async #load(): Promise<void> {
     this.#drop();
     const src = this.getAttribute('src');
@@ -324,31 +332,40 @@ export class SillonViewElement extends HTMLElement {
       const file = await fetchView(new URL(src, document.baseURI), src, loading.signal);
       if (loading.signal.aborted) return;
       this.#file = file;
-      await this.#decode(file);
-      if (this.#file === file) this.dispatchEvent(new CustomEvent('load'));
     } catch (error) {
-      if (loading.signal.aborted) return;
-      this.#drop();
-      const message = error instanceof Error ? error.message : String(error);
-      this.dispatchEvent(new CustomEvent('error', { detail: { code: 'LoadFailed', message } }));
+      if (!loading.signal.aborted) this.#fail(error);
+      return;
     }
+    await this.restore();
   }
 
-  /** Decodes the file for the renderer, in turn with other views. @throws Error with one sentence */
-  #decode(file: ViewFile): Promise<void> {
-    return inTurn(async () => {
-      const wanted = (): boolean => this.#near && this.#file === file;
-      if (!wanted()) return;
-      const texels = await decodeView(file, this.getAttribute('src') ?? '');
-      if (wanted()) sharedRenderer()?.hold(file, texels);
-      texels.close();
-      this.redraw();
-    });
+  #fail(error: unknown): void {
+    this.#drop();
+    const message = error instanceof Error ? error.message : String(error);
+    this.dispatchEvent(new CustomEvent('error', { detail: { code: 'LoadFailed', message } }));
   }
 
-  /** Decodes again after a release or a lost context. */
-  restore(): void {
-    if (this.#near && this.#file !== undefined) void this.#decode(this.#file).catch(() => undefined); // the poster stays
+  /** Decodes the file for the renderer, in turn with other views: at first, and again after a release or a lost
+   * context. Dispatches 'load' when this succeeds for the first time, and 'error' if it fails. A view that leaves the
+   * neighbourhood of the window meanwhile is decoded once it is back. */
+  async restore(): Promise<void> {
+    const file = this.#file;
+    const wanted = (): boolean => this.#near && file !== undefined && this.#file === file;
+    try {
+      await inTurn(async () => {
+        if (file === undefined || !wanted()) return;
+        const texels = await decodeView(file, this.getAttribute('src') ?? '');
+        if (wanted()) sharedRenderer()?.hold(file, texels);
+        texels.close();
+        this.redraw();
+      });
+    } catch (error) {
+      if (this.#file === file) this.#fail(error);
+      return;
+    }
+    if (!wanted() || this.#told) return;
+    this.#told = true;
+    this.dispatchEvent(new CustomEvent('load'));
   }
 
   /** Frees everything that can be decoded from the file again. */
@@ -365,6 +382,7 @@ export class SillonViewElement extends HTMLElement {
     this.#loading = undefined;
     this.#release();
     this.#file = undefined;
+    this.#told = false;
   }
 }
 
@@ -390,8 +408,8 @@ function hexColour(text: string | null): ViewFile['colour'] | undefined {
 const protocolOf = (url: string): string =>
   URL.canParse(url, document.baseURI) ? new URL(url, document.baseURI).protocol : '';
 
-// This is repeated in the other element: a module that two entries
-// share becomes a file of its own, and each must be one file.
+// The element <sillon-studio> repeats this code. The bundler would move shared code into a third file, but each element
+// has to be a single file.
 for (const name of attributes) {
   Object.defineProperty(SillonViewElement.prototype, name, {
     configurable: true,

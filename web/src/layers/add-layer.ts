@@ -49,7 +49,7 @@ async function put(studio: Studio, made: (plate: Plate) => readonly LayerValues[
 
 const isDrawing = ({ bytes }: SourceFile): boolean => bytes.type === 'image/svg+xml';
 
-/** A font file whose name has an ending by which the core recognises fonts. */
+/** Appends ".ttf" to the name of a font file if the core would not recognise the file as a font by its name. */
 export const namedFont = (file: SourceFile): SourceFile =>
   isFontFile(file.name) ? file : { ...file, name: `${file.name}.ttf` };
 
@@ -93,7 +93,7 @@ export async function oneFile(studio: Studio, files: readonly File[], accept: st
   return undefined;
 }
 
-/** Shows the panel of layers after files were dropped, where the window has room for it. */
+/** Switches to the panel of layers if a panel is open; otherwise the plate stays uncovered. */
 function showLayers(studio: Studio): void {
   if (studio.store.state.panel !== '') studio.setPanel('layers');
 }

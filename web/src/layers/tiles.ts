@@ -2,6 +2,8 @@
 import { svg, type SVGTemplateResult } from 'lit';
 import type { LayerKind } from '../model/layers.js';
 
+// Lengths are in units of the SVG view box: the size of the plate, the distance between beads, and the step at which a
+// bead is tested for being inside.
 const width = 60;
 const height = 42;
 const spacing = 2.3;
@@ -24,7 +26,7 @@ const any =
   (x, y) =>
     parts.some((part) => part(x, y));
 
-/** Path of beads at an angle [degrees], wherever a place is inside. */
+/** Draws parallel beads at an angle [degrees] as an SVG path, and keeps the parts that lie inside. */
 function hatch(angle: number, inside: Inside): string {
   const turn = (angle * Math.PI) / 180;
   const [c, s] = [Math.cos(turn), -Math.sin(turn)];
@@ -36,6 +38,7 @@ function hatch(angle: number, inside: Inside): string {
     for (let along = -reach; along <= reach; along += step) {
       const x = width / 2 + along * c - row * spacing * s;
       const y = height / 2 + along * s + row * spacing * c;
+      // The margin leaves room for half the width of a bead.
       const within = box(0.8, 0.8, width - 0.8, height - 0.8)(x, y) && inside(x, y);
       const place = `${x.toFixed(1)} ${y.toFixed(1)}`;
       if (within && !begun) parts.push(`M${place}`);
@@ -58,7 +61,7 @@ const letter: Inside = (x, y) => {
   return Math.min(away(19, 36, 30, 6), away(41, 36, 30, 6), away(23, 26, 37, 26)) <= 3.4;
 };
 
-/** A code with finder squares and a few modules. */
+/** This grid imitates a QR code: it has three finder squares and a few modules. */
 const modules = ['1110111', '1010101', '1110111', '0001010', '1110110', '1010011', '1110101'];
 const code: Inside = (x, y) => {
   const [column, row] = [Math.floor((x - 12) / 5.14), Math.floor((y - 3) / 5.14)];
@@ -74,6 +77,7 @@ const star: Inside = (x, y) => {
 /** A landscape of two hills. */
 const hills: Inside = (x, y) => y > 31 - 13 * Math.exp(-(((x - 20) / 11) ** 2)) - 9 * Math.exp(-(((x - 44) / 9) ** 2));
 
+// The rings are wider apart than other beads, so that the last of them just passes the plate's left and right edges.
 const rings = Array.from({ length: 12 }, (_, k) => {
   const radius = 1.4 + k * spacing * 1.18;
   return `M${width / 2 + radius} ${height / 2}a${radius} ${radius} 0 1 0 ${-2 * radius} 0a${radius} ${radius} 0 1 0 ${2 * radius} 0`;
@@ -117,7 +121,7 @@ const drawn: Record<LayerKind, () => Tile> = {
 
 const made = new Map<LayerKind, Tile>();
 
-/** The picture of a kind, whose paths are computed once. */
+/** Draws the picture of a layer kind. Its paths are computed only once. */
 export function tile(kind: LayerKind): SVGTemplateResult {
   const { below, above } = made.get(kind) ?? drawn[kind]();
   made.set(kind, { below, above });

@@ -15,13 +15,13 @@ export interface TopFace {
 const level = 1e-3; // [mm]; a triangle that rises less counts as level, as in the core
 const weld = 1e3; // 1/mm; points within the same micrometre are merged
 const leastArea = 25; // [mm²]; smaller faces have no room for a picture
-const mostFaces = 40;
+const mostFaces = 40; // every card of the dialog draws all faces, so that their cost grows with the square
 
 type Nine = [number, number, number, number, number, number, number, number, number];
 
 const cornersAt = (mesh: Mesh, k: number): Nine => Array.from(mesh.subarray(k, k + 9)) as Nine;
 
-/** Six times the volume of a body; negative where its triangles face inwards. */
+/** Returns six times the volume of a body; negative if its triangles face inwards. Only the sign is used. */
 function volumeOf(mesh: Mesh): number {
   let six = 0;
   for (let k = 0; k < mesh.length; k += 9) {

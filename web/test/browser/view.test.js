@@ -285,6 +285,84 @@ test('the light rests where motion is not wanted, and moves by itself where it i
   assert.equal(await pictures(3), 3); // they never end
 });
 
+test('an orbit goes on when the visitor no longer prefers reduced motion', { skip }, async () => {
+  await open();
+  await page.evaluate(async () => {
+    globalThis.one = globalThis.view({ src: 'flat.png', light: 'orbit' });
+    await globalThis.drawn(globalThis.one);
+    await globalThis.frames(5);
+  });
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
+  const moved = await page.evaluate(async () => {
+    const before = globalThis.count(globalThis.one);
+    await Promise.race([globalThis.drawn(globalThis.one, before), new Promise((resolve) => setTimeout(resolve, 5000))]);
+    return globalThis.count(globalThis.one) > before;
+  });
+  assert.ok(moved);
+});
+
+test('an empty attribute counts as absent', { skip }, async () => {
+  await open();
+  const tones = await page.evaluate(async () => {
+    const found = [];
+    for (const attributes of [{}, { azimuth: '', elevation: ' ' }]) {
+      const one = globalThis.view({ src: 'flat.png', light: 'fixed', ...attributes });
+      await globalThis.drawn(one);
+      found.push(globalThis.tone(one));
+    }
+    return found;
+  });
+  assert.deepEqual(tones[1], tones[0]);
+});
+
+test('load and error wait for the decoding, however often the view leaves the neighbourhood', { skip }, async () => {
+  await open();
+  const found = await page.evaluate(async () => {
+    const { view, frames } = globalThis;
+    const decode = globalThis.createImageBitmap;
+    let release;
+    const held = new Promise((resolve) => {
+      release = resolve;
+    });
+    let damaged = false;
+    globalThis.createImageBitmap = async (...words) => {
+      await held;
+      if (damaged) throw new Error('damaged');
+      return decode(...words);
+    };
+    // The first view is being decoded; the second waits for its turn and leaves meanwhile.
+    const told = [];
+    const first = view({ src: 'flat.png' });
+    const second = view({ src: 'steep.png' });
+    for (const name of ['load', 'error']) second.view.addEventListener(name, () => told.push(name));
+    const fetched = (name) => performance.getEntriesByType('resource').some((entry) => entry.name.endsWith(name));
+    while (!fetched('steep.png')) await frames(1);
+    await frames(10);
+    second.view.style.cssText += 'position: absolute; top: 9000px';
+    await frames(10);
+    release();
+    await first.done;
+    await frames(10);
+    const far = [...told];
+    damaged = true;
+    second.view.style.top = '0';
+    const outcome = await Promise.race([second.done, new Promise((resolve) => setTimeout(resolve, 5000, 'nothing'))]);
+    const failed = [...told];
+    // A new source loads, and tells so once, also if it is decoded again.
+    damaged = false;
+    told.length = 0;
+    second.view.setAttribute('src', 'steep.png?2');
+    while (told.length === 0) await frames(1);
+    second.view.style.top = '9000px';
+    await frames(10);
+    second.view.style.top = '0';
+    await globalThis.drawn(second, globalThis.count(second));
+    return { far, code: outcome.code, failed, again: told };
+  });
+  assert.deepEqual(found, { far: [], code: 'LoadFailed', failed: ['error'], again: ['load'] });
+  assert.deepEqual(problems, []);
+});
+
 test('without graphics the poster stays and the reason is told', { skip }, async () => {
   await open({
     prepare: (page) =>
