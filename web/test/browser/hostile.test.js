@@ -30,7 +30,7 @@ const wrongFiles = [
   [
     'a drawing without areas',
     fileOf('lines.svg', bytes('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"/>'), 'image/svg+xml'),
-    /no outline/,
+    /no area to fill/,
   ],
   ['a zip that is no project', fileOf('other.zip', zipSync({ 'readme.txt': bytes('hello') })), /other\.zip/],
   [
