@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<TemplateValue> kValues{{{"first_layer_temperature"}, {"215"}},
+const std::vector<TemplateValue> kValues{{{"first_layer_temperature", "TEMP"}, {"215"}},
                                          {{"first_layer_bed_temperature"}, {"60"}},
                                          {{"layer_height"}, {"0.2"}, false},
                                          {{"nozzle_diameter"}, {"0.4"}, false},
@@ -230,6 +230,13 @@ TEST_CASE("blocks keep what is chosen, line by line") {
       {"G1 E-0.8{e_retracted[initial_tool] = 0.8; e_retracted[3] = 2}", "G1 E-0.8\nG92 E0\nG1 E0.8 F1500\n"},
       {"{e_retracted = 1}M1", "M1\nG92 E0\nG1 E1 F1500\n"},
       {"; {local a}\n{local a = 2}\n{a}", "; {local a}\n\n2\n"},
+      // Comments reach as far as in the lines that are put out: hidden ones hide nothing, and line breaks end them.
+      {"{if false};{endif}M104 S<TEMP>", "M104 S215\n"},
+      {"{if false}M1 ; [a < \"b{endif}M2", "M2\n"},
+      {"; up{1;\n2}\nM104 S<TEMP>", "; up12\n\nM104 S215\n"},
+      {"; {layer_height\n} S<TEMP>", "; 0.2\n S215\n"},
+      {"; {\"M1\\n\"}M104 S<TEMP>", "; M1\nM104 S215\n"},
+      {"; {layer_height in mm} {1", "; {layer_height in mm} {1\n"},
   };
   for (const auto& [text, value] : statements) {
     const auto textNow = text;  // clang 14 captures no structured binding
@@ -237,7 +244,11 @@ TEST_CASE("blocks keep what is chosen, line by line") {
     CHECK(expand(text) == value);
   }
   for (const char* bad : {"{a = 1}", "{layer_height = 1}", "{local a = (1, 2)}{a[2] = 1}", "{local a = other}{1}",
-                          "{local a = repeat(5000, 1)}", "{local a = nil}", "{1 2}", "{if true then 1}", "{1"}) {
+                          "{local a = repeat(5000, 1)}", "{local a = nil}", "{1 2}", "{if true then 1}", "{1",
+                          // Hidden comments, and comments that end within braces.
+                          "{if false};{endif}[other]", "M1 ; {1\n}[other]",
+                          // Statements in comments that were run already.
+                          "; {1; other}", "; {if true then other}{endif}", "; {e_retracted = 1 mm}", "; {1; \"a}"}) {
     CAPTURE(bad);
     CHECK(expand(bad).starts_with("error: "));
   }

@@ -113,7 +113,7 @@ Result<FoundCoupon> findCoupon(const Image& photograph, const Tones& tones, cons
 /// A spiral as the picture shows it.
 struct SeenSpiral {
   Vec2 off;            ///< offset of the spiral from its place in the map [mm]
-  double clarity = 0;  ///< correlation with the wave of its turns; 1: there is nothing else
+  double clarity = 0;  ///< correlation of the pixels with the ideal wave of the turns; 1: they follow it exactly
 };
 
 /// Finds for each spiral the place where its turns correlate most with those that it should have.
@@ -126,8 +126,10 @@ double meanClarity(const std::vector<SeenSpiral>& seen);
 
 // A photograph's pixels of the coupon's spirals, sorted by the direction of the bead and the place across it.
 
-inline constexpr int kAngles = 36;  ///< bins around a spiral's middle
-inline constexpr int kPhases = 10;  ///< bins from the middle of one turn to the next
+/// Bins around a spiral's middle. Twice as many did not read rendered photographs better.
+inline constexpr int kAngles = 36;
+/// Bins from the middle of one turn to the next: two for each harmonic of the pattern, see kHarmonics.
+inline constexpr int kPhases = 10;
 
 /// Pixels of one spiral in bins.
 struct FoldedSpiral {
@@ -149,6 +151,8 @@ FoldedSpiral foldSpiral(const CouponSpiral& spiral, const FoundCoupon& found, co
 
 // The appearance model, fitted to folded spirals.
 
+/// Marks locate the coupon, loose spirals leave gaps between their turns, and flow discs are each printed with another
+/// flow.
 enum class SpiralKind { Mark, Loose, Flow };
 
 /// A spiral as it was printed, and as the photograph shows it.
@@ -168,10 +172,13 @@ struct SeenFrom {
   Vec3 place{0, 0, 1};         ///< place of the camera, from the coupon's middle [mm]
   double distanceError = 0.5;  ///< standard deviation of its distance's logarithm
   double directionError = 0;   ///< error of its direction [radians]
-  double strange = 0;          ///< deviation of the map from those of whole pictures, in errors of the map
+  /// Misfit to an uncropped, undistorted picture at the best focal length [standard errors]; unusual focal lengths add
+  /// to it.
+  double strange = 0;
 };
 
-/// Prior of the lamp's elevation [degrees].
+/// Prior of the lamp's elevation [degrees]. It is needed because all slopes and the lamp's tilt scale together in a
+/// photograph. These values hold for a lamp whose elevation nobody has measured.
 struct Elevation {
   double value = 47;
   double error = 9;
@@ -204,7 +211,9 @@ struct SpiralFit {
   double diffuse = 0;                 ///< light that beads send in all directions, in the photograph's unit
   double veil = 0;                    ///< stray light over the whole picture, relative to the brightest beads' light
   std::array<double, 3> veilTerms{};  ///< even term of the veil and those by fromAxis, in the photograph's unit
-  double sharpening = 0;              ///< amount of an unsharp mask: share that it adds of what a blur takes off
+  /// Amount of the camera's unsharp mask, which adds this multiple of the difference between the picture and a blurred
+  /// copy.
+  double sharpening = 0;
 };
 
 /// Fits the appearance model to folded spirals.
@@ -293,7 +302,7 @@ class SpiralModel {
   /// Light of the brightest bin.
   [[nodiscard]] double brightest(double contrast) const;
 
-  /// Harmonics of the pattern across a pitch, with the mean: lenses leave no more.
+  /// The pattern across a pitch is kept as its mean and five harmonics, because the lens blurs away all higher ones.
   static constexpr std::size_t kHarmonics = 6;
   /// A complex amplitude.
   struct Amplitude {
@@ -316,7 +325,7 @@ class SpiralModel {
   /// \param off  offset of the spiral from the place about which it was folded [mm].
   [[nodiscard]] Basis basisOf(std::size_t which, const Unblurred& shape, const Globals& g, Vec2 off) const;
 
-  /// Light after an unsharp mask over codes, which adds what a blur takes off them.
+  /// Light after an unsharp mask, which works on the codes of the picture.
   struct Sharpened {
     Rows light;
     /// Derivatives of the light after the mask with respect to the light before it, among the phases of each angle.
@@ -328,7 +337,7 @@ class SpiralModel {
  private:
   const std::vector<LitSpiral>& spirals_;
   SeenFrom camera_;
-  double profile_;
+  double profile_;           // slope of a bead's top at its edge
   std::vector<Rows> codes_;  // codes of the bins; below 0: the bin is not used
   double brightest_ = 0;     // highest code
 };

@@ -23,6 +23,7 @@
 namespace sillon {
 namespace {
 
+/// Adds the layer's number to an error: the message counts from 0, as in the project file, and the value from 1.
 Error ofLayer(std::size_t number, const Error& error) {
   if (error.code == ErrorCode::Cancelled) return error;
   Error told = error;
@@ -46,8 +47,8 @@ Result<ReadLayer> readLayer(const Project& project, std::size_t number, const Sh
 }
 
 /// Collects the facts about a placed layer.
-/// \param spacing  spacing of the beads, to test letters for thin places; 0 skips the test, because the result is
-/// known.
+/// \param spacing  spacing of the beads, by which letters are tested for thin places; 0 skips the test when a stack is
+/// redrawn, because redrawLayers keeps the earlier result.
 PlacedLayer placedLayer(const Layer& told, const ReadLayer& layer, double spacing) {
   PlacedLayer placed{layer.place.middle(), layer.place.size(), 0, {}, {}};
   const auto tell = [&](DrawingFacts facts) {
@@ -219,6 +220,7 @@ PlateInput Composition::laid() const {
         directions.angle[k] = background.angleAt(x, y);
         continue;
       }
+      // Lines are added as vectors of twice their angle, because a line turned by 180 degrees is the same line.
       Vec2 line = wide(texel.line);
       if (texel.through != 0) {
         const exact::SinCos turn = exact::sinCos(2 * angleOf(background.angleAt(x, y)));

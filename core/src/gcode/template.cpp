@@ -12,7 +12,7 @@
 namespace sillon {
 namespace {
 
-// Replaces all that is not printable ASCII: blanks for tabs, question marks for the rest.
+// Replaces tabs and carriage returns by blanks, and all other characters beyond printable ASCII by question marks.
 std::string printable(std::string_view text) {
   std::string out(text);
   for (char& c : out) {
@@ -27,6 +27,8 @@ class Expansion {
  public:
   Expansion(std::string_view text, const std::vector<TemplateValue>& values, std::string_view block)
       : text_(text), values_(values), block_(block) {
+    // The variable e_retracted holds one length for each of up to 16 tools; this program prints with the first tool
+    // only.
     own_.push_back({{"e_retracted"}, std::vector<std::string>(16, "0"), false});
   }
 
@@ -35,7 +37,7 @@ class Expansion {
     if (!error_ && !branches_.empty()) refuse(branches_.back().begin, "NoEndif");
     if (error_) return *error_;
     // A block that leaves the filament drawn back sets e_retracted, so that its slicer pushes it forward again. The
-    // print begins primed, so the filament is pushed forward here.
+    // print begins primed, so the filament is pushed forward here. F1500 moves it at 25 mm/s.
     if (const std::string& pulled = own_[0].values[0]; pulled != "0") out_ += "\nG92 E0\nG1 E" + pulled + " F1500";
     return std::move(out_);
   }
@@ -52,28 +54,27 @@ class Expansion {
 
   void next() {
     const char c = text_[at_];
-    if (c == '\n') comment_ = false;
-    if (c == ';') comment_ = true;
     if (c == '{') return braces();
-    if (c == '[' || (c == '<' && !comment_)) return brackets(c == '[' ? ']' : '>');
-    if (shown() || c == '\n') out_ += c;
+    if (shown() && (c == '[' || (c == '<' && !comment_))) return brackets(c == '[' ? ']' : '>');
+    copy();
+  }
+
+  // Copies the next character. Hidden branches keep their line breaks only.
+  void copy() {
+    if (shown() || text_[at_] == '\n') put(text_.substr(at_, 1));
     ++at_;
   }
 
-  void put(std::string_view value) {
-    if (shown()) out_ += value;
+  // Puts text out, and notes whether a comment goes on behind it. Hidden comments do not count, because text behind
+  // them that is shown is a command.
+  void put(std::string_view text) {
+    out_ += text;
+    if (const std::size_t last = text.find_last_of(";\n"); last != npos) comment_ = text[last] == ';';
   }
 
-  // Handles a bracket that stands for no value: it is kept in a comment, and an error elsewhere.
-  void leave(std::size_t end) {
-    if (!shown()) {
-      at_ = end;
-    } else if (comment_) {
-      out_ += text_[at_++];
-    } else {
-      refuse(at_, "NoValue");
-    }
-  }
+  // Handles a bracket that stands for no value: it is kept in a comment, skipped in a hidden branch, and an error
+  // elsewhere.
+  void leave() { shown() && !comment_ ? refuse(at_, "NoValue") : copy(); }
 
   // Expands [name] or <NAME>; "[name[0]]" ends at the second bracket.
   void brackets(char close) {
@@ -84,36 +85,41 @@ class Expansion {
     end = std::min(end, text_.size());
     const bool closed = end < text_.size() && text_[end] == close;
     const auto value = closed ? evaluated(text_.substr(at_ + 1, end - at_ - 1), values_) : std::nullopt;
-    if (!value) return leave(end + (closed ? 1 : 0));
+    if (!value) return leave();
     put(*value);
     at_ = end + 1;
   }
 
-  // Expands {...}: statements between semicolons, and branches; one pair of braces may hold several.
+  // Expands {...}: statements between semicolons, and branches; one pair of braces may hold several. Once one of them
+  // has been run, a fault behind it is refused even in a comment, because the braces can no longer be kept as they
+  // were.
   void braces() {
     std::string_view rest = text_.substr(at_ + 1);
-    if (rest.starts_with('}')) return leave(at_ + 2);
-    for (;;) {
+    if (rest.starts_with('}')) return leave();
+    for (bool run = false;;) {
+      const auto fault = [&] { run ? refuse(at_, "NoValue") : leave(); };
       rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n;"), rest.size()));
-      if (rest.empty() && comment_) return leave(at_ + 1);
-      if (rest.empty()) return refuse(at_, "NoValue");
+      if (rest.empty()) return fault();
       if (rest[0] == '}') break;
       const std::string_view head = branchWord(rest);
       rest.remove_prefix(head.size());
       if (!head.empty()) {
         branch(head, rest);
         if (error_) return;
+        run = true;
       } else if (!shown()) {
         skip(rest);
       } else {
         const std::optional<std::string> value = statement(rest, values_, own_);
-        if (!value || !ends(rest)) return leave(at_ + 1);
-        out_ += *value;
+        run = run || (value && value->empty());  // an assignment
+        if (!value || rest.empty() || !ends(rest)) return fault();
+        put(*value);
+        run = true;
       }
     }
     const std::size_t end = text_.size() - rest.size();
     for (; at_ <= end; ++at_) {
-      if (text_[at_] == '\n') out_ += '\n';  // line breaks stay, so that lines keep their numbers
+      if (text_[at_] == '\n') put("\n");  // line breaks stay, so that lines keep their numbers
     }
   }
 
@@ -205,6 +211,7 @@ class Expansion {
 }  // namespace
 
 std::vector<TemplateValue> templateValues(const Printer& printer, const PrintParams& params, const Bounds& beads) {
+  // A trailing false marks a value that is no integer, so that divisions of it keep their fraction.
   const auto pair = [](Vec2 v) { return std::vector<std::string>{fixed(v.x, 3), fixed(v.y, 3)}; };
   const auto whole = [](double value) { return std::vector<std::string>{fixed(value, 0)}; };
   const auto number = [](double value) { return std::vector<std::string>{decimal(value, 3)}; };

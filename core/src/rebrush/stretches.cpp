@@ -11,9 +11,11 @@
 namespace sillon {
 namespace {
 
-constexpr double kLongBead = 1;                // [mm] least length of a bead whose feed counts, because E is rounded
-constexpr double kLongTravel = 1;              // [mm] least length of a travel: shorter moves may be wipes
-constexpr std::size_t kMostLines = 5'000'000;  // largest number of lines in one stretch
+constexpr double kLongBead = 1;    // [mm] least length of a bead whose feed counts, because E is rounded
+constexpr double kLongTravel = 1;  // [mm] Shorter moves do not count as travels, because they may be wipes.
+// A stretch holds at most this many lines, to bound memory. Later lines are left out of it, and stay in the file as the
+// slicer wrote them.
+constexpr std::size_t kMostLines = 5'000'000;
 
 // Removes the byte order mark that editors and shells of Windows write.
 std::string_view withoutByteOrderMark(std::string_view text) {
@@ -21,6 +23,7 @@ std::string_view withoutByteOrderMark(std::string_view text) {
   return text;
 }
 
+// Tells whether the beads of a role can belong to a surface whose directions are replaced.
 bool isSurface(RoleKind role) {
   return role != RoleKind::Other && role != RoleKind::Ironing && role != RoleKind::Purge;
 }
@@ -57,7 +60,7 @@ class EventReader {
   bool pushed_ = false;  // true once a bead was laid
 
   RoleKind told_ = RoleKind::Other;  // role of the last mark
-  RoleKind role_ = RoleKind::Other;  // role that counts: some do only in layers on the bed
+  RoleKind role_ = RoleKind::Other;  // role that is in force; solid infill and bottoms count only in layers on the bed
   bool onBed_ = false;
   std::optional<double> firstZ_;  // Z of the first layer, if a mark gives it [mm]
   std::string firstLayer_;        // text of the first layer's mark

@@ -17,7 +17,8 @@
 
 namespace sillon::svg {
 
-/// Thrown and caught in svg*.cpp only. Parsing is deeply nested, and each level would have to pass errors on otherwise.
+/// The SVG reader throws this error inside its own files and catches it before it returns. Parsing nests deeply, so
+/// every level would otherwise have to pass errors on.
 struct Refused {
   Error error;
 };
@@ -67,6 +68,7 @@ void split(std::string_view text, char separator, const Body& body) {
 /// Reads numbers, flags and words of an attribute from left to right.
 class Reader {
  public:
+  /// \param what  name of the attribute, for error messages
   Reader(std::string_view text, const char* what) : text_(text), what_(what) {}
 
   bool atEnd() {
@@ -120,7 +122,7 @@ class Reader {
     return take() == '1';
   }
 
-  /// Refuses what stands here. \param reason  takes the values `attribute` and `text`
+  /// Refuses the text at the current position. \param reason  its message names the attribute and quotes that text
   [[noreturn]] void fail(Reason reason) const;
 
  private:
