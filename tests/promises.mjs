@@ -142,10 +142,10 @@ export const breaks = [
     promise: 'The library opens no files and no connections',
     test: 'builds/library_test.sh',
     file: 'core/src/base/run_context.cpp',
-    text: 'Error cancelledRun() { return {ErrorCode::Cancelled, "the run was cancelled"}; }',
+    text: 'return refused(ErrorCode::Cancelled, "Cancelled");',
     broken:
-      'extern "C" int socket(int, int, int);\n' +
-      'Error cancelledRun() { return {socket(2, 1, 0) < 0 ? ErrorCode::Cancelled : ErrorCode::Internal, ""}; }',
+      'int socket(int, int, int) __asm__("socket");\n' +
+      '  return refused(socket(2, 1, 0) < 0 ? ErrorCode::Cancelled : ErrorCode::Internal, "Cancelled");',
   },
   {
     promise: 'The studio talks to no other server',
@@ -166,9 +166,9 @@ export const breaks = [
     promise: 'A link sets only what a control can set',
     test: 'unit/link.test.ts',
     only: 'bombs are refused before they are unpacked',
-    file: 'web/src/files/link.ts',
-    text: 'if (length > most) {',
-    broken: 'if (length > 100 * most) {',
+    file: 'web/src/files/stream.ts',
+    text: 'if (size > most) {',
+    broken: 'if (size > 100 * most) {',
   },
   {
     promise: "Blocks, heat and printers of a stranger's design",
@@ -254,8 +254,8 @@ export const breaks = [
     promise: 'Project files, reports, options and view files mean',
     test: 'project/project_test',
     file: 'core/src/settings/table.cpp',
-    text: '.key = "rimWidth"',
-    broken: '.key = "rimwidth"',
+    text: '("rimWidth"',
+    broken: '("rimwidth"',
   },
   {
     promise: 'Project files, reports, options and view files mean',
