@@ -1,7 +1,7 @@
 // Writes the small file that <sillon-view> shows. Each segment is a capsule that marks samples of the texels it covers;
 // a texel's direction is the mean, in doubled angles, of the capsules that reach it.
-#include "sillon/look/preview.hpp"
 #include "base/refused.hpp"
+#include "sillon/look/preview.hpp"
 
 #include <algorithm>
 #include <cmath>
