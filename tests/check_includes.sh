@@ -54,6 +54,15 @@ find core/src wasm -path '*/node_modules' -prune -o -name '*.[ch]pp' -not -path 
     }
     END { exit broken }' || broken=1
 
+# A reason that no error names any more is dead in the tables of three languages.
+named=$(find core/src wasm -path '*/node_modules' -prune -o -name '*.[ch]pp' -not -name reasons.hpp -print0 | xargs -0 grep -ohE '"[A-Z][A-Za-z]+"')
+while read -r code; do
+  if ! grep -qxF "\"$code\"" <<<"$named"; then
+    echo "core/src/base/reasons.hpp: no error names $code"
+    broken=1
+  fi
+done < <(grep -oE '^    \{"[A-Z][A-Za-z]+' core/src/base/reasons.hpp | tr -d ' {"')
+
 # A public header that includes one of the source tree compiles here and nowhere else.
 if grep -rn '^#include "' core/include | grep -v '"sillon/'; then broken=1; fi
 

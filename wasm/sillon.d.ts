@@ -1373,8 +1373,6 @@ export type PlainReason =
   | 'MaskTooDetailed'
   /** The mask is empty; some of its pixels must be at least 50 % bright or opaque. */
   | 'MaskEmpty'
-  /** Nothing of the shape is left at a width of {width} mm; make it wider. */
-  | 'NothingAtWidth'
   /** The page is {width} × {height} mm; both sides must be 0.001 to 100000 mm. */
   | 'PageOutOfRange'
   /** The toolpath has a point outside −100000 to 100000 mm. */
@@ -1747,7 +1745,7 @@ export type PlainReason =
   | 'PhotoTooSmall'
   /** The photograph has {width} × {height} pixels; it may have 64 million: take it with fewer. */
   | 'PhotoTooLarge'
-  /** What shines on the coupon is not what one lamp would make shine; switch all other lamps off, and close the curtains. */
+  /** The coupon does not shine as it would under one lamp; switch all other lamps off, and close the curtains. */
   | 'ManyLamps'
   /** The photograph is blurred by {blur} mm; it may be by {most}: hold the camera still and let it focus on the coupon. */
   | 'Blurred'

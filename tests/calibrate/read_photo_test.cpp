@@ -341,7 +341,7 @@ TEST_CASE("photographs that nothing can be read from are refused, each with its 
   developed([](Truth& t) { t.blur = 2.5; }, "the photograph is blurred, or it shows something else");
   developed([](Truth& t) { t.blur = 6; }, "the photograph is blurred, or it shows something else");
   developed([](Truth& t) { t.exposure = 6; }, "the photograph is burnt");
-  developed([](Truth& t) { t.noise = 0.3; }, "not what one lamp would make shine");
+  developed([](Truth& t) { t.noise = 0.3; }, "does not shine as it would under one lamp");
   developed([](Truth& t) { t.quality = 5; }, "the photograph is blurred by");
   PhotoRequest other;
   other.project.printer.nozzle = 0.6;
@@ -353,8 +353,8 @@ TEST_CASE("photographs that nothing can be read from are refused, each with its 
   };
   taken([](Truth& t) { t.shift = {0, 200}; }, "cut off by the photograph's border");
   taken([](Truth& t) { t.focal /= 2.5; }, "pixels wide in the photograph; it must be at least 4.5");
-  taken([](Truth& t) { t.secondLamp = 1; }, "not what one lamp would make shine");
-  taken([](Truth& t) { t.lamp.slope = 0.4; }, "not what one lamp would make shine");  // a window
+  taken([](Truth& t) { t.secondLamp = 1; }, "does not shine as it would under one lamp");
+  taken([](Truth& t) { t.lamp.slope = 0.4; }, "does not shine as it would under one lamp");  // a window
   taken([](Truth& t) { t.room = 5, t.exposure = 0.1; }, "times as bright as the darkest, and must be 1.5 times");
 }
 

@@ -43,7 +43,6 @@ inline constexpr Sentence kReasons[] = {
     {"MaskWithoutPixels", "the mask has no pixels; it needs a picture of 1 to 4 channels"},
     {"MaskTooDetailed", "the outline of the mask has more than 4 million points; use a smaller or less noisy picture"},
     {"MaskEmpty", "the mask is empty; some of its pixels must be at least 50 % bright or opaque"},
-    {"NothingAtWidth", "nothing of the shape is left at a width of {width} mm; make it wider"},
     {"PageOutOfRange", "the page is {width} x {height} mm; both sides must be 0.001 to 100000 mm"},
     {"PathPointTooFar", "the toolpath has a point outside -100000 to 100000 mm"},
     {"BeadTooWide", "the toolpath has a bead width outside 0 to 1000 mm"},
@@ -324,8 +323,7 @@ inline constexpr Sentence kReasons[] = {
     {"PhotoTooSmall", "the photograph has {width} x {height} pixels; each side must have at least {least}"},
     {"PhotoTooLarge", "the photograph has {width} x {height} pixels; it may have 64 million: take it with fewer"},
     {"ManyLamps",
-     "what shines on the coupon is not what one lamp would make shine; switch all other lamps off, and close the "
-     "curtains"},
+     "the coupon does not shine as it would under one lamp; switch all other lamps off, and close the curtains"},
     {"Blurred",
      "the photograph is blurred by {blur} mm; it may be by {most}: hold the camera still and let it focus on the "
      "coupon"},

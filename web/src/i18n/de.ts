@@ -1459,7 +1459,6 @@ export const de: Translation = {
   'reason.MaskTooDetailed':
     'Der Umriss der Maske hat mehr als 4 Millionen Punkte; ein kleineres oder weniger verrauschtes Bild nehmen.',
   'reason.MaskEmpty': 'Die Maske ist leer; einige ihrer Pixel müssen zu mindestens 50 % hell oder deckend sein.',
-  'reason.NothingAtWidth': 'Bei einer Breite von {width} mm bleibt nichts von der Form; sie muss breiter sein.',
   'reason.PageOutOfRange':
     'Die Seite ist {width} × {height} mm groß; beide Kanten müssen 0,001 bis 100000 mm lang sein.',
   'reason.PathPointTooFar': 'Der Druckweg hat einen Punkt außerhalb von −100000 bis 100000 mm.',

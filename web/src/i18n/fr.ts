@@ -1471,7 +1471,6 @@ export const fr: Translation = {
   'reason.MaskTooDetailed':
     'Le contour du masque a plus de 4 millions de points ; prenez une image plus petite ou moins bruitée.',
   'reason.MaskEmpty': 'Le masque est vide ; certains de ses pixels doivent être clairs ou opaques à 50 % au moins.',
-  'reason.NothingAtWidth': 'À une largeur de {width} mm, il ne reste rien de la forme ; faites-la plus large.',
   'reason.PageOutOfRange': 'La page mesure {width} × {height} mm ; ses deux côtés doivent avoir de 0,001 à 100000 mm.',
   'reason.PathPointTooFar': 'Le trajet a un point hors de −100000 à 100000 mm.',
   'reason.BeadTooWide': 'Le trajet a un cordon dont la largeur est hors de 0 à 1000 mm.',

@@ -241,10 +241,6 @@ const rows = sections.flatMap(([section, entries]) =>
 
 const everySetting: readonly Setting[] = rows.map(({ setting }) => setting);
 
-/** All settings of one section of the core. */
-export const settingsOf = (section: SectionName): readonly Setting[] =>
-  everySetting.filter((setting) => setting.section === section);
-
 /** Settings that have controls made from these rows; pictures have their own. */
 export const settings: readonly Setting[] = everySetting.filter(({ section }) => section !== 'pictures');
 
